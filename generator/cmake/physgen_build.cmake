@@ -1,0 +1,91 @@
+# How this tree is compiled: language level, warnings, CUDA, sanitizers, and build folders that can be carried elsewhere.
+# Nothing here reaches users of an installed physgen.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+if(NOT CMAKE_BUILD_TYPE AND NOT multi_config)
+  set_property(CACHE CMAKE_BUILD_TYPE PROPERTY VALUE Release)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+if(PHYSGEN_CUDA)
+  if(NOT DEFINED CMAKE_CUDA_ARCHITECTURES)
+    set(CMAKE_CUDA_ARCHITECTURES 90)
+  endif()
+  set(CMAKE_CUDA_RUNTIME_LIBRARY Static)
+  enable_language(CUDA)
+  if(NOT DEFINED CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know that nvcc 12 and later have C++20
+    set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+  endif()
+  set(CMAKE_CUDA_STANDARD 20)
+  set(CMAKE_CUDA_STANDARD_REQUIRED ON)
+  set(CMAKE_CUDA_EXTENSIONS OFF)
+  find_package(CUDAToolkit REQUIRED)
+  # Eigen's constexpr functions in device code, without a warning at each of its host functions.
+  add_compile_options("$<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr;-diag-suppress=20012>")
+endif()
+
+if(PHYSGEN_SANITIZE)
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-omit-frame-pointer>"
+                      "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-fsanitize=address>")
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+# Compiles the sources of `target` with the warnings of this project as errors. nvcc's host code is its own output, so
+# -Wpedantic says nothing useful there.
+function(physgen_add_warnings target)
+  target_compile_options(${target} PRIVATE
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wconversion;-Werror>"
+    "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-Wall,-Wextra,-Wconversion,-Werror;-Werror=all-warnings>")
+endfunction()
+
+# Compiles everything added after this call, in the calling folder and below, for the processor `arch`.
+macro(physgen_use_arch arch)
+  if(NOT "${arch}" STREQUAL "")
+    add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-march=${arch}>" "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-march=${arch}>")
+  endif()
+endmacro()
+
+# Keeps the sources of `target`, which include Clang (1.3 GB of memory each), from filling the memory: at most one at a
+# time for every 2 GiB. Ninja only.
+function(physgen_limit_compile_jobs target)
+  cmake_host_system_information(RESULT mebibytes QUERY TOTAL_PHYSICAL_MEMORY)
+  math(EXPR jobs "${mebibytes} / 2048")
+  if(jobs LESS 1)
+    set(jobs 1)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY JOB_POOLS clang_sources=${jobs})
+  set_property(TARGET ${target} PROPERTY JOB_POOL_COMPILE clang_sources)
+endfunction()
+
+# Programs for a GPU often run on another machine than the one they were built on. What a bare machine may not have goes
+# into the programs (GoogleTest and the CUDA runtime, both static) or into lib/ beside bin/, where they look first. The C++
+# runtime is brought along, not linked statically: libbenchmark.so would bring a second one into the same program.
+if(PHYSGEN_CUDA)
+  set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+  list(APPEND CMAKE_BUILD_RPATH "$ORIGIN/../lib")
+  add_link_options(-Wl,--disable-new-dtags)  # the path holds for libraries of libraries, too
+  set(lib ${PROJECT_BINARY_DIR}/lib)
+  file(MAKE_DIRECTORY ${lib})
+  foreach(library libstdc++.so.6 libgcc_s.so.1 libgomp.so.1)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${library}
+      OUTPUT_VARIABLE file OUTPUT_STRIP_TRAILING_WHITESPACE)
+    if(IS_ABSOLUTE "${file}")
+      file(REAL_PATH ${file} file)
+      configure_file(${file} ${lib}/${library} COPYONLY)
+    endif()
+  endforeach()
+  if(PHYSGEN_BENCHMARKS)
+    find_package(benchmark REQUIRED)
+    get_target_property(type benchmark::benchmark TYPE)
+    if(type STREQUAL "SHARED_LIBRARY")
+      get_target_property(file benchmark::benchmark LOCATION)
+      execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${file} OUTPUT_VARIABLE headers)
+      string(REGEX MATCH "SONAME +([^\n]+)" soname "${headers}")
+      configure_file(${file} ${lib}/${CMAKE_MATCH_1} COPYONLY)
+    endif()
+  endif()
+endif()

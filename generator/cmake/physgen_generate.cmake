@@ -1,0 +1,98 @@
+# physgen_generate(): makes accessor classes from schemas as a part of a build. Used by physgen's own tree and, through
+# find_package(physgen), by every other project.
+#
+#   physgen_generate(TARGET name SCHEMAS a.h b.h [OUTPUT_DIR dir] [CHECKED_IN dir])
+#
+# Makes the library target `name`. A program that links it finds a.physgen.h and b.physgen.h by #include <a.physgen.h>, is
+# compiled after they are written, and links physgen::runtime. physgen runs again when a schema, a header that a schema
+# includes, or physgen itself has changed; a header whose text stays the same keeps its time, so that nothing that
+# includes it is compiled again. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder).
+# Where there is no physgen command (it needs LLVM), the headers in CHECKED_IN are used as they are.
+include_guard(DIRECTORY)
+cmake_policy(VERSION 3.25)
+
+function(physgen_generate)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIR;CHECKED_IN" "SCHEMAS")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "physgen_generate: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
+  elseif(NOT arg_TARGET)
+    message(FATAL_ERROR "physgen_generate: TARGET is missing: the name of the library to make and to link")
+  elseif(NOT arg_SCHEMAS)
+    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): SCHEMAS is missing: at least one schema header")
+  elseif(TARGET ${arg_TARGET})
+    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): there is a target of this name already")
+  endif()
+  if(NOT arg_OUTPUT_DIR)
+    set(arg_OUTPUT_DIR physgen/${arg_TARGET})
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_OUTPUT_DIR BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
+
+  set(schemas "")
+  set(headers "")
+  set(names "")
+  foreach(schema IN LISTS arg_SCHEMAS)
+    cmake_path(ABSOLUTE_PATH schema BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    if(NOT EXISTS "${schema}" OR IS_DIRECTORY "${schema}")
+      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): the schema ${schema} does not exist")
+    endif()
+    cmake_path(GET schema STEM LAST_ONLY stem)
+    set(name ${stem}.physgen.h)
+    if(name IN_LIST names)
+      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): two schemas would write ${name}; the second is ${schema}")
+    endif()
+    list(APPEND names "${name}")
+    list(APPEND schemas "${schema}")
+    list(APPEND headers "${arg_OUTPUT_DIR}/${name}")
+  endforeach()
+
+  add_library(${arg_TARGET} INTERFACE)
+  target_link_libraries(${arg_TARGET} INTERFACE physgen::runtime)
+
+  if(NOT TARGET physgen::physgen)
+    _physgen_use_checked_in(${arg_TARGET} "${arg_CHECKED_IN}" "${names}")
+    return()
+  endif()
+
+  get_property(written GLOBAL PROPERTY PHYSGEN_WRITTEN_HEADERS)
+  foreach(header IN LISTS headers)
+    if(header IN_LIST written)
+      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): another physgen_generate() writes ${header}; "
+        "give this one its own OUTPUT_DIR")
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY PHYSGEN_WRITTEN_HEADERS ${headers})
+
+  # The stamp stands for "physgen has run", with a time of its own: headers keep theirs when their text does not change,
+  # and Make would run physgen for ever. The list of schemas is an input, because Make does not compare commands.
+  set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${arg_TARGET})
+  file(CONFIGURE OUTPUT ${state}.schemas CONTENT "${schemas}\n${arg_OUTPUT_DIR}\n" @ONLY)
+  file(RELATIVE_PATH shown ${CMAKE_BINARY_DIR} ${arg_OUTPUT_DIR})
+  add_custom_command(
+    OUTPUT ${state}.stamp
+    BYPRODUCTS ${headers}
+    COMMAND physgen::physgen generate ${schemas} -o ${arg_OUTPUT_DIR} --depfile ${state}.d --stamp ${state}.stamp
+    DEPENDS ${schemas} ${state}.schemas physgen::physgen
+    DEPFILE ${state}.d
+    COMMENT "Generating ${names} in ${shown}"
+    COMMAND_EXPAND_LISTS VERBATIM)
+  add_custom_target(${arg_TARGET}_headers DEPENDS ${state}.stamp)
+  add_dependencies(${arg_TARGET} ${arg_TARGET}_headers)
+  target_include_directories(${arg_TARGET} INTERFACE ${arg_OUTPUT_DIR})
+endfunction()
+
+# Makes `target` use the headers `names` of the folder `checked_in`, as they are.
+function(_physgen_use_checked_in target checked_in names)
+  if(NOT checked_in)
+    message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command to write ${names} with (physgen was built "
+      "without LLVM), and no CHECKED_IN folder to take them from")
+  endif()
+  cmake_path(ABSOLUTE_PATH checked_in BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  foreach(name IN LISTS names)
+    if(NOT EXISTS "${checked_in}/${name}")
+      message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command (physgen was built without LLVM), and "
+        "${checked_in} has no ${name}; write it on a machine with physgen: physgen generate SCHEMA -o ${checked_in}")
+    endif()
+  endforeach()
+  message(STATUS "physgen_generate(${target}): no physgen command; using the checked-in headers of ${checked_in}")
+  target_include_directories(${target} INTERFACE ${checked_in})
+endfunction()

@@ -1,0 +1,21 @@
+// The pieces of an object's generated code, in the order in which they are printed.
+#pragma once
+
+#include "emit/printer.h"
+#include "plan/plan.h"
+
+namespace physgen::emit {
+
+/// `template <class Real> struct Name`: all fields of one object, by value.
+void value_struct(Printer& out, const plan::Record& record);
+
+/// `NameRecord<Real>`: the byte offsets of the fields.
+void record_struct(Printer& out, const plan::Record& record);
+
+/// `NameRef<Real, Cursor>`: the accessors.
+void ref_class(Printer& out, const plan::Record& record);
+
+/// `NameObject`: what the runtime is told, the aliases `NameView` and `NameArray`, and the proofs.
+void object_tag(Printer& out, const plan::Record& record);
+
+}  // namespace physgen::emit

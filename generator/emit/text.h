@@ -1,0 +1,37 @@
+// Small pieces of C++ and of prose that several pieces of the generated code share.
+#pragma once
+
+#include <string>
+
+#include "plan/plan.h"
+
+namespace physgen::emit {
+
+/// Shortest text that reads back as `value`: "0.5", "1e-12".
+[[nodiscard]] std::string number(double value);
+
+/// A number of bytes as a constant expression in Real: "36", "9 * sizeof(Real)", "physgen::by_precision<Real>(36, 72)".
+[[nodiscard]] std::string bytes(plan::Bytes value);
+
+/// The same as an int, to be multiplied by a variable.
+[[nodiscard]] std::string bytes_as_int(plan::Bytes value);
+
+/// C++ type of a stored element: "Real", "float", "double", "std::int32_t".
+[[nodiscard]] std::string stored_type(model::Element element);
+
+/// Type of an element of a value struct, whose Real may be a SIMD batch: "Real", "physgen::same_lanes_t<Real, float>".
+[[nodiscard]] std::string value_type(model::Element element);
+
+/// "physgen::shape::Symmetric<3>". @pre neither a scalar nor an object
+[[nodiscard]] std::string shape_type(const model::Field& field);
+
+/// Name of a type generated for `target`, as written in the code of `user`: qualified when the namespaces differ.
+[[nodiscard]] std::string type_name(const model::Object& target, const char* ending, const model::Object& user);
+
+/// The comment of a field: what the schema says, with unit, and what else holds for it. May be empty.
+[[nodiscard]] std::string field_comment(const model::Field& field);
+
+/// `name` for a local variable, with an underscore if a field is called so: fields never end with one.
+[[nodiscard]] std::string local_name(const char* name, const model::Object& object);
+
+}  // namespace physgen::emit

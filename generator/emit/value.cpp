@@ -1,0 +1,64 @@
+// The value struct: an aggregate of all fields of one object, or of the objects of a SIMD batch.
+#include "emit/pieces.h"
+#include "emit/text.h"
+
+namespace physgen::emit {
+namespace {
+
+std::string member_type(const model::Field& field, const plan::Slot& slot, const model::Object& user) {
+  const std::string element = value_type(field.element);
+  const auto matrix = [&](int rows, int cols) {
+    return "Eigen::Matrix<" + element + ", " + std::to_string(rows) + ", " + std::to_string(cols) + ">";
+  };
+  switch (field.shape) {
+    case model::Shape::scalar:
+      return element;
+    case model::Shape::object:
+      return type_name(*slot.nested->object, "", user) + "<Real>";
+    case model::Shape::vector:
+    case model::Shape::diagonal:
+      return matrix(field.rows, 1);
+    case model::Shape::matrix:
+    case model::Shape::symmetric:
+    case model::Shape::skew:
+    case model::Shape::rotation:
+      break;
+  }
+  return matrix(field.rows, field.cols);
+}
+
+std::string literal(model::Element element, double value) {
+  const std::string text = number(value);
+  if (element == model::Element::real) return "Real(" + text + ")";
+  if (element != model::Element::float32) return text;
+  return text + (text.find_first_of(".e") == std::string::npos ? ".0f" : "f");
+}
+
+// Only where the schema states a value: an object that a kernel is about to fill costs nothing.
+std::string initializer(const model::Field& field) {
+  const bool one_value = field.array_extent == 0 && field.shape != model::Shape::skew;  // skew matrices hold -x as well
+  if (!field.initial || !one_value) return {};
+  const std::string value = literal(field.element, *field.initial);
+  return " = " +
+         (field.shape == model::Shape::scalar ? value : "decltype(" + field.name + ")::Constant(" + value + ")");
+}
+
+}  // namespace
+
+void value_struct(Printer& out, const plan::Record& record) {
+  const model::Object& object = *record.object;
+  out.comment("///", object.doc.empty() ? "The value of one " + object.name + "." : object.doc);
+  out.line("/// @tparam Real float, double, or a SIMD batch of one of them");
+  out.line("template <class Real>");
+  out.open("struct " + object.name + " {");
+  for (std::size_t f = 0; f < object.fields.size(); ++f) {
+    const model::Field& field = object.fields[f];
+    if (const std::string comment = field_comment(field); !comment.empty()) out.comment("///", comment);
+    const std::string type = member_type(field, record.slots[f], object);
+    const std::string extent = field.array_extent == 0 ? "" : "[" + std::to_string(field.array_extent) + "]";
+    out.line(type + " " + field.name + extent + initializer(field) + ";");
+  }
+  out.close("};");
+}
+
+}  // namespace physgen::emit

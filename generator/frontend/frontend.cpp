@@ -1,0 +1,129 @@
+// See frontend.h. Sets up a Clang that parses C++20 from the schema's folder, the given folders and the built-in
+// vocabulary, and nothing else. The differences between versions of Clang's set-up are here only.
+#include "frontend/frontend.h"
+
+#include <clang/AST/ASTConsumer.h>
+#include <clang/Basic/LangStandard.h>
+#include <clang/Basic/Version.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Frontend/FrontendAction.h>
+#include <clang/Frontend/TextDiagnosticPrinter.h>
+#include <clang/Frontend/Utils.h>
+#include <clang/Lex/Preprocessor.h>
+#include <llvm/Support/VirtualFileSystem.h>
+#include <llvm/Support/raw_ostream.h>
+#include <llvm/TargetParser/Triple.h>
+
+#include "frontend/objects.h"
+#include "frontend/vocabulary.h"
+
+namespace physgen::frontend {
+namespace {
+
+constexpr const char* vocabulary_dir = "/physgen.builtin";
+// Any target with a 32-bit int will do, the same on every machine; this one has few builtins to register.
+constexpr const char* target = "riscv64-unknown-linux-gnu";
+
+class Consumer : public clang::ASTConsumer {
+ public:
+  Consumer(clang::Preprocessor& preprocessor, model::Schema& schema) : preprocessor_(preprocessor), schema_(schema) {}
+
+  void HandleTranslationUnit(clang::ASTContext& context) override {
+    const bool has_vocabulary = preprocessor_.isMacroDefined("PHYSGEN_SCHEMA_H");
+    schema_ = read_schema(context, context.getDiagnostics().hasErrorOccurred(), has_vocabulary);
+  }
+
+ private:
+  clang::Preprocessor& preprocessor_;
+  model::Schema& schema_;
+};
+
+class Action : public clang::ASTFrontendAction {
+ public:
+  explicit Action(model::Schema& schema) : schema_(schema) {}
+
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
+    return std::make_unique<Consumer>(compiler.getPreprocessor(), schema_);
+  }
+
+ private:
+  model::Schema& schema_;
+};
+
+std::shared_ptr<clang::CompilerInvocation> invocation(const std::string& path, const Options& options) {
+  auto result = std::make_shared<clang::CompilerInvocation>();
+  result->getTargetOpts().Triple = target;
+  auto& language = result->getLangOpts();
+  std::vector<std::string> includes;
+  clang::LangOptions::setLangDefaults(language, clang::Language::CXX, llvm::Triple(target), includes,
+                                      clang::LangStandard::lang_cxx20);
+  language.IsHeaderFile = true;  // #pragma once is right in a schema
+  auto& search = result->getHeaderSearchOpts();
+  search.UseBuiltinIncludes = false;
+  search.UseStandardSystemIncludes = false;
+  search.UseStandardCXXIncludes = false;
+  for (const std::string& dir : options.include_dirs) search.AddPath(dir, clang::frontend::Angled, false, false);
+  search.AddPath(vocabulary_dir, clang::frontend::System, false, false);
+  auto& frontend = result->getFrontendOpts();
+  frontend.ProgramAction = clang::frontend::ParseSyntaxOnly;
+  frontend.Inputs.emplace_back(path, clang::InputKind(clang::Language::CXX));
+  auto& diagnostics = result->getDiagnosticOpts();
+  diagnostics.ShowOptionNames = true;
+  return result;
+}
+
+llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> file_system() {
+  auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
+  memory->addFile(std::string(vocabulary_dir) + "/physgen/schema.h", 0,
+                  llvm::MemoryBuffer::getMemBuffer(llvm::StringRef(vocabulary.data(), vocabulary.size())));
+  auto files = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(llvm::vfs::getRealFileSystem());
+  files->pushOverlay(memory);
+  return files;
+}
+
+}  // namespace
+
+Result parse(const std::string& path, const Options& options) {
+  Result result;
+  model::Schema schema;
+  llvm::raw_string_ostream diagnostics(result.diagnostics);
+  const auto arguments = invocation(path, options);
+#if CLANG_VERSION_MAJOR >= 21
+  clang::CompilerInstance compiler(arguments);
+  auto* printer =
+      new clang::TextDiagnosticPrinter(diagnostics, arguments->getDiagnosticOpts());  // the compiler owns it
+#else
+  clang::CompilerInstance compiler;
+  compiler.setInvocation(arguments);
+  auto* printer = new clang::TextDiagnosticPrinter(diagnostics, &arguments->getDiagnosticOpts());
+#endif
+#if CLANG_VERSION_MAJOR >= 22
+  compiler.setVirtualFileSystem(file_system());
+  compiler.createDiagnostics(printer);
+  compiler.createFileManager();
+#elif CLANG_VERSION_MAJOR >= 20
+  const auto files = file_system();
+  compiler.createDiagnostics(*files, printer);
+  compiler.createFileManager(files);
+#else
+  compiler.createDiagnostics(printer);
+  compiler.createFileManager(file_system());
+#endif
+  compiler.getDiagnostics().setFatalsAsError(true);  // a missing header must not hide the other errors
+  compiler.setVerboseOutputStream(diagnostics);                 // "2 errors generated."
+  const auto dependencies = std::make_shared<clang::DependencyCollector>();
+  compiler.addDependencyCollector(dependencies);
+  Action action(schema);
+  const bool completed = compiler.ExecuteAction(action);
+  result.dependencies = dependencies->getDependencies().vec();
+  if (completed && !compiler.getDiagnostics().hasErrorOccurred()) result.schema = std::move(schema);
+  diagnostics.flush();
+  if (llvm::StringRef(result.diagnostics).contains("' file not found"))
+    diagnostics
+        << "note: a schema can include <physgen/schema.h> and other schemas, but no system headers; -I adds folders "
+           "to look in\n";
+  diagnostics.flush();
+  return result;
+}
+
+}  // namespace physgen::frontend

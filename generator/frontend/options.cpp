@@ -1,0 +1,143 @@
+// See options.h.
+#include "frontend/options.h"
+
+#include <clang/AST/APValue.h>
+#include <clang/AST/Attr.h>
+#include <clang/AST/DeclCXX.h>
+#include <clang/AST/Expr.h>
+
+#include <functional>
+
+namespace physgen::frontend {
+namespace {
+
+using model::Aspect;
+
+constexpr const char* object_options = "layout(...) and align(...)";
+constexpr const char* field_options = "unit(...), range(...) and initial(...)";
+
+/// One argument of a macro: which option it is, and its evaluated members.
+struct Option {
+  const clang::Expr* expression;
+  llvm::StringRef type;  // Unit, Layout, ...; empty: not an option
+  clang::APValue value;
+
+  [[nodiscard]] int integer(unsigned member) const {
+    return static_cast<int>(value.getStructField(member).getInt().getExtValue());
+  }
+  [[nodiscard]] double real(unsigned member) const { return value.getStructField(member).getFloat().convertToDouble(); }
+  [[nodiscard]] clang::SourceRange range() const { return expression->getSourceRange(); }
+};
+
+/// The text of a string literal that a `const char*` member points to; none: it points elsewhere.
+std::optional<std::string> literal(const clang::APValue& pointer) {
+  if (!pointer.isLValue() || !pointer.getLValueOffset().isZero()) return std::nullopt;
+  const auto* base = pointer.getLValueBase().dyn_cast<const clang::Expr*>();
+  if (base == nullptr) return std::nullopt;
+  const auto* string = llvm::dyn_cast<clang::StringLiteral>(base->IgnoreParenImpCasts());
+  if (string == nullptr || string->getCharByteWidth() != 1) return std::nullopt;
+  return string->getString().str();
+}
+
+Option evaluated(const clang::Expr* argument, const clang::ASTContext& context) {
+  Option option{argument->IgnoreImplicit(), {}, {}};
+  const llvm::StringRef type = vocabulary_name(argument->getType()->getAsCXXRecordDecl());
+  clang::Expr::EvalResult result;
+  if (type.empty() || argument->isValueDependent() || !argument->EvaluateAsConstantExpr(result, context) ||
+      !result.Val.isStruct())
+    return option;
+  option.type = type;
+  option.value = result.Val;
+  return option;
+}
+
+/// Calls `read` for every argument of the macro on the declaration.
+void for_each_option(const clang::Decl& declaration, llvm::StringRef annotation, const clang::ASTContext& context,
+                     const std::function<void(const Option&)>& read) {
+  for (const auto* attribute : declaration.specific_attrs<clang::AnnotateAttr>())
+    if (attribute->getAnnotation() == annotation)
+      for (const clang::Expr* argument : attribute->args())
+        if (!argument->containsErrors()) read(evaluated(argument, context));  // else Clang has reported it
+}
+
+/// Remembers where an option stands; an option that was there before is an error.
+class Places {
+ public:
+  explicit Places(Report& report) : report_(report) {}
+
+  bool add(Aspect aspect, const Option& option, llvm::StringRef name) {
+    const auto [first, is_new] = places.emplace(aspect, option.range());
+    if (!is_new)
+      report_.error(option.range(), name.str() + " is given twice; remove one of them",
+                    Note{first->second, "the first one is here"});
+    return is_new;
+  }
+
+  OptionPlaces places;
+
+ private:
+  Report& report_;
+};
+
+void reject(const Option& option, const char* macro, const char* options, Report& report) {
+  report.error(option.range(), std::string(option.type.empty() ? "this is not an option"
+                                                               : "this is not an option of " + std::string(macro)) +
+                                   "; " + macro + " takes " + options);
+}
+
+}  // namespace
+
+OptionPlaces read_options(const clang::Decl& declaration, model::Object& object, Report& report) {
+  Places places(report);
+  for_each_option(declaration, object_annotation, report.context(), [&](const Option& option) {
+    if (option.type == "Layout") {
+      const bool host = option.integer(0) == 0;
+      if (!places.add(host ? Aspect::host_layout : Aspect::cuda_layout, option,
+                      host ? "layout(host, ...)" : "layout(cuda, ...)"))
+        return;
+      const auto& pattern = option.value.getStructField(1);
+      const auto kind = static_cast<model::LayoutKind>(pattern.getStructField(0).getInt().getExtValue());
+      const int tile = static_cast<int>(pattern.getStructField(1).getInt().getExtValue());
+      (host ? object.host_layout : object.cuda_layout) = model::Layout{kind, tile};
+    } else if (option.type == "Alignment") {
+      if (!places.add(Aspect::alignment, option, "align(...)")) return;
+      object.alignment = option.integer(0);
+      if (object.alignment == 0)  // which the model reads as nothing asked for
+        report.error(option.range(), "alignment 0 is not a power of two from 1 to 4096; write one, such as align(16)");
+    } else {
+      reject(option, "PHYSGEN_OBJECT", object_options, report);
+    }
+  });
+  return std::move(places.places);
+}
+
+OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, Report& report) {
+  Places places(report);
+  for_each_option(declaration, field_annotation, report.context(), [&](const Option& option) {
+    if (option.type == "Unit") {
+      if (!places.add(Aspect::unit, option, "unit(...)")) return;
+      const auto text = literal(option.value.getStructField(0));
+      if (!text)
+        report.error(option.range(), "a unit must be a string literal; write one, such as unit(\"Pa\")");
+      else if (text->empty())
+        report.error(option.range(), "the unit is empty; write \"1\" for a number without unit, or leave unit() out");
+      else
+        field.unit = *text;
+    } else if (option.type == "Range") {
+      if (places.add(Aspect::range, option, "range(...)")) field.range = model::Range{option.real(0), option.real(1)};
+    } else if (option.type == "Initial") {
+      if (places.add(Aspect::initial, option, "initial(...)")) field.initial = option.real(0);
+    } else {
+      reject(option, "PHYSGEN", field_options, report);
+    }
+  });
+  return std::move(places.places);
+}
+
+std::optional<clang::SourceRange> marker(const clang::Decl& declaration, llvm::StringRef annotation) {
+  for (const auto* attribute : declaration.specific_attrs<clang::AnnotateAttr>())
+    if (attribute->getAnnotation() == annotation && !attribute->isInherited()) return attribute->getRange();
+  return std::nullopt;
+}
+
+}  // namespace physgen::frontend

@@ -1,0 +1,64 @@
+// See report.h.
+#include "frontend/report.h"
+
+#include <clang/AST/DeclCXX.h>
+#include <clang/Basic/SourceManager.h>
+
+#include <algorithm>
+
+namespace physgen::frontend {
+
+void Report::error(clang::SourceRange range, std::string message, std::optional<Note> note) {
+  entries_.push_back({clang::DiagnosticsEngine::Error, range, std::move(message), std::move(note)});
+}
+
+void Report::warning(clang::SourceRange range, std::string message) {
+  entries_.push_back({clang::DiagnosticsEngine::Warning, range, std::move(message), {}});
+}
+
+void Report::flush() {
+  const auto& sources = context_.getSourceManager();
+  const auto place = [&](const Entry& entry) { return sources.getFileLoc(entry.range.getBegin()); };
+  std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) {
+    return place(a) != place(b) && sources.isBeforeInTranslationUnit(place(a), place(b));
+  });
+  for (const Entry& entry : entries_) {
+    emit(entry.level, entry.range, entry.message);
+    if (entry.note) emit(clang::DiagnosticsEngine::Note, entry.note->range, entry.note->message);
+  }
+  entries_.clear();
+}
+
+void Report::emit(clang::DiagnosticsEngine::Level level, clang::SourceRange range, const std::string& message) {
+  const auto& sources = context_.getSourceManager();
+  auto& engine = context_.getDiagnostics();
+  unsigned id = 0;
+  switch (level) {
+    case clang::DiagnosticsEngine::Error:
+      id = engine.getCustomDiagID(clang::DiagnosticsEngine::Error, "%0");
+      break;
+    case clang::DiagnosticsEngine::Warning:
+      id = engine.getCustomDiagID(clang::DiagnosticsEngine::Warning, "%0");
+      break;
+    default:
+      id = engine.getCustomDiagID(clang::DiagnosticsEngine::Note, "%0");
+      break;
+  }
+  // In terms of the file, not of the macros: what PHYSGEN() expands to is of no interest to the reader.
+  const auto begin = sources.getFileLoc(range.getBegin());
+  auto end = sources.getFileLoc(range.getEnd());
+  if (range.getEnd().isMacroID() && !sources.isMacroArgExpansion(range.getEnd()))
+    end = sources.getExpansionRange(range.getEnd()).getEnd();
+  engine.Report(begin, id) << message << clang::CharSourceRange::getTokenRange(begin, end);
+}
+
+llvm::StringRef vocabulary_name(const clang::CXXRecordDecl* record) {
+  if (record == nullptr || record->getIdentifier() == nullptr) return {};
+  const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(record->getDeclContext());
+  if (space == nullptr || space->getName() != "schema") return {};
+  const auto* outer = llvm::dyn_cast<clang::NamespaceDecl>(space->getDeclContext());
+  if (outer == nullptr || outer->getName() != "physgen" || !outer->getDeclContext()->isTranslationUnit()) return {};
+  return record->getName();
+}
+
+}  // namespace physgen::frontend

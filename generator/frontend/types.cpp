@@ -1,0 +1,206 @@
+// See types.h. One function per kind of type; the first lines of each message say what is there, the rest what to
+// write.
+#include "frontend/types.h"
+
+#include <clang/AST/Attr.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/TypeLoc.h>
+
+#include <climits>
+
+#include "frontend/options.h"
+
+namespace physgen::frontend {
+namespace {
+
+constexpr const char* allowed =
+    "write Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int or "
+    "an "
+    "object";
+
+clang::SourceRange type_range(const clang::FieldDecl& declaration) {
+  if (const auto* info = declaration.getTypeSourceInfo()) return info->getTypeLoc().getSourceRange();
+  return declaration.getLocation();
+}
+
+std::string spelled(clang::QualType type, const clang::ASTContext& context) {
+  clang::PrintingPolicy policy(context.getLangOpts());
+  policy.SuppressScope = true;
+  return type.getUnqualifiedType().getAsString(policy);
+}
+
+/// The element type `type` stands for: Scalar, Index, float, double or int; none: another type.
+std::optional<model::Element> element_of(clang::QualType type) {
+  if (const auto* builtin = type->getAs<clang::BuiltinType>()) {
+    switch (builtin->getKind()) {
+      case clang::BuiltinType::Float:
+        return model::Element::float32;
+      case clang::BuiltinType::Double:
+        return model::Element::float64;
+      case clang::BuiltinType::Int:
+        return model::Element::int32;
+      default:
+        return std::nullopt;
+    }
+  }
+  const llvm::StringRef name = vocabulary_name(type->getAsCXXRecordDecl());
+  if (name == "Scalar") return model::Element::real;
+  if (name == "Index") return model::Element::index;
+  return std::nullopt;
+}
+
+struct Marker {
+  llvm::StringRef name;
+  model::Shape shape;
+};
+constexpr Marker markers[] = {{"Vector", model::Shape::vector},       {"Matrix", model::Shape::matrix},
+                              {"Symmetric", model::Shape::symmetric}, {"Diagonal", model::Shape::diagonal},
+                              {"Skew", model::Shape::skew},           {"Rotation", model::Shape::rotation}};
+
+class TypeReader {
+ public:
+  TypeReader(const clang::FieldDecl& declaration, model::Field& field, Report& report)
+      : declaration_(declaration), field_(field), report_(report), context_(report.context()) {}
+
+  bool read() {
+    clang::QualType type = declaration_.getType();
+    if (declaration_.isBitField())
+      return fail("is a bit-field, whose bits have no address of their own; write 'int " + name() + ";'",
+                  declaration_.getBitWidth()->getSourceRange());
+    if (type->isReferenceType())
+      return fail("is a reference, which an array of objects cannot store; write '" +
+                  spelled(type.getNonReferenceType(), context_) + " " + name() + ";', or an Index into another array");
+    if (type->isAnyPointerType() || type->isMemberPointerType() || type->isFunctionPointerType())
+      return fail(
+          "is a pointer, which means nothing in another memory space; write an Index into another array, or the "
+          "value itself");
+    if (!read_array(type)) return false;
+    if (type.isConstQualified() || type.isVolatileQualified() || declaration_.isMutable())
+      return fail(std::string("is ") +
+                  (declaration_.isMutable()  ? "mutable"
+                   : type.isConstQualified() ? "const"
+                                             : "volatile") +
+                  ", but whether an element may be written is the kernel's choice; write '" + spelled(type, context_) +
+                  " " + name() + ";'");
+    return read_entry(type.getCanonicalType().getUnqualifiedType());
+  }
+
+ private:
+  [[nodiscard]] std::string name() const { return declaration_.getName().str(); }
+
+  bool fail(const std::string& what, clang::SourceRange range = {}) {
+    report_.error(range.isValid() ? range : type_range(declaration_), "field " + quoted(name()) + " " + what);
+    return false;
+  }
+
+  bool read_array(clang::QualType& type) {
+    if (!type->isArrayType()) return true;
+    const auto* array = context_.getAsConstantArrayType(type);
+    if (array == nullptr)
+      return fail("is an array without a fixed extent; write the number of entries, such as '" + name() +
+                  "[4]', or keep a varying number in an array of objects of their own");
+    type = array->getElementType();
+    if (type->isArrayType())
+      return fail("is an array of arrays; write 'Matrix<R, C> " + name() +
+                  ";' or one array of the product of the extents");
+    if (array->getZExtSize() == 0)
+      return fail("is an array of no entries; write an extent of at least 1, or remove it");
+    if (type->isAnyPointerType() || type->isMemberPointerType())
+      return fail("is an array of pointers, which mean nothing in another memory space; write 'Index " + name() +
+                  "[...];'");
+    field_.array_extent = static_cast<int>(std::min<std::uint64_t>(array->getZExtSize(), INT_MAX));
+    return true;
+  }
+
+  bool read_entry(clang::QualType type) {
+    if (const auto element = element_of(type)) {
+      field_.shape = model::Shape::scalar;
+      field_.element = *element;
+      return true;
+    }
+    if (const auto* record = type->getAsCXXRecordDecl()) return read_record(*record);
+    const auto* builtin = type->getAs<clang::BuiltinType>();
+    const std::string what =
+        "has the type " + quoted(spelled(declaration_.getType(), context_)) + ", which a schema does not have; ";
+    if (type->isEnumeralType()) return fail(what + "write Index and keep the enumeration for the values");
+    if (type->isBooleanType()) return fail(what + "write Index and store 0 or 1");
+    if (builtin != nullptr && builtin->isInteger()) return fail(what + "write Index or int, both of 32 bits");
+    if (builtin != nullptr && builtin->isFloatingPoint()) return fail(what + "write Scalar, float or double");
+    return fail(what + allowed);
+  }
+
+  bool read_record(const clang::CXXRecordDecl& record) {
+    const llvm::StringRef vocabulary = vocabulary_name(&record);
+    for (const Marker& marker : markers)
+      if (vocabulary == marker.name) return read_marker(record, marker);
+    if (!vocabulary.empty())
+      return fail("has the type " + quoted(vocabulary) + ", which is an option and not a field type; " + allowed);
+    if (record.isUnion()) return fail("is a union, whose members share memory; write one field per member");
+    if (llvm::isa<clang::ClassTemplateSpecializationDecl>(record))
+      return fail("has a template as its type, which a schema does not have; write a struct with PHYSGEN_OBJECT()");
+    if (!is_object(record)) {
+      if (report_.clang_errors()) return false;  // an option that Clang refused takes the marker with it
+      report_.error(type_range(declaration_),
+                    "field " + quoted(name()) + " has the type " + quoted(record.getName()) +
+                        ", which is no object; write 'struct PHYSGEN_OBJECT() " + record.getName().str() + "'",
+                    Note{record.getLocation(), quoted(record.getName()) + " is declared here"});
+      return false;
+    }
+    const std::string scope = scope_of(record);
+    field_.shape = model::Shape::object;
+    field_.object = (scope.empty() ? "" : scope + "::") + record.getName().str();
+    return true;
+  }
+
+  bool read_marker(const clang::CXXRecordDecl& record, const Marker& marker) {
+    field_.shape = marker.shape;
+    field_.rows = field_.cols = 3;  // Rotation has no arguments
+    const auto* specialization = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&record);
+    if (specialization == nullptr) return true;
+    const auto& arguments = specialization->getTemplateArgs();
+    field_.rows = static_cast<int>(arguments[0].getAsIntegral().getSExtValue());
+    const bool matrix = marker.shape == model::Shape::matrix;
+    field_.cols = matrix                                 ? static_cast<int>(arguments[1].getAsIntegral().getSExtValue())
+                  : marker.shape == model::Shape::vector ? 1
+                                                         : field_.rows;
+    const clang::QualType type = arguments[matrix ? 2 : 1].getAsType();
+    const auto element = element_of(type);
+    if (!element || type.hasQualifiers())
+      return fail("has elements of type " + quoted(type.getAsString(context_.getPrintingPolicy())) +
+                  "; write one of Scalar, Index, float, double and int");
+    field_.element = *element;
+    return true;
+  }
+
+  const clang::FieldDecl& declaration_;
+  model::Field& field_;
+  Report& report_;
+  clang::ASTContext& context_;
+};
+
+}  // namespace
+
+bool read_type(const clang::FieldDecl& declaration, model::Field& field, Report& report) {
+  return TypeReader(declaration, field, report).read();
+}
+
+bool is_object(const clang::CXXRecordDecl& record) {
+  const auto carries = [](const clang::Decl& declaration) {
+    return marker(declaration, object_annotation).has_value();
+  };
+  for (const auto* redeclaration : record.redecls())
+    if (carries(*redeclaration)) return true;
+  return false;
+}
+
+std::string scope_of(const clang::Decl& declaration) {
+  std::string scope;
+  for (const auto* context = declaration.getDeclContext(); context != nullptr; context = context->getParent()) {
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(context);
+    if (space == nullptr || space->isInline() || space->isAnonymousNamespace()) continue;
+    scope = space->getName().str() + (scope.empty() ? "" : "::" + scope);
+  }
+  return scope;
+}
+
+}  // namespace physgen::frontend

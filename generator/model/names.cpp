@@ -1,0 +1,69 @@
+// See names.h.
+#include "model/names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <span>
+
+namespace physgen::model {
+namespace {
+
+// Only a model from JSON can hold these: Clang does not let them through.
+constexpr std::string_view keywords[] = {
+    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
+    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
+    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
+    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
+    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
+    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
+    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
+    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
+    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
+    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
+    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
+    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
+    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
+    "xor_eq"};
+
+constexpr std::string_view reserved_fields[] = {"get",   "put",       "Real",    "Cursor", "S",     "Value", "Record",
+                                                "bytes", "alignment", "physgen", "std",    "Eigen", "value"};
+// Objects must not hide what generated code says beside them: its template parameters, and the words of the schema.
+constexpr std::string_view reserved_objects[] = {
+    "Real",  "Cursor", "S",         "Value",  "Record", "Layout",    "Space",    "View", "Array",
+    "Ref",   "Object", "Scalar",    "Vector", "Matrix", "Symmetric", "Diagonal", "Skew", "Rotation",
+    "Index", "bytes",  "alignment", "get",    "put",    "physgen",   "std",      "Eigen"};
+// Macros of system headers and compilers.
+constexpr std::string_view macros[] = {"NULL", "NAN", "INFINITY", "EOF", "errno", "assert", "linux", "unix"};
+constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen", "detail"};
+
+bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_identifier(std::string_view name) {
+  const auto letter = [](unsigned char c) { return std::isalpha(c) != 0 || c == '_'; };
+  const auto letter_or_digit = [&](unsigned char c) { return letter(c) || std::isdigit(c) != 0; };
+  return !name.empty() && letter(static_cast<unsigned char>(name.front())) &&
+         std::all_of(name.begin(), name.end(), letter_or_digit);
+}
+
+}  // namespace
+
+std::string name_problem(std::string_view name, NameOf of) {
+  if (!is_identifier(name)) return "is not a name of ASCII letters, digits and underscores; choose such a name";
+  if (is_one_of(name, keywords)) return "is a keyword of C++; choose another name";
+  if (name.front() == '_') return "begins with an underscore, which is reserved; write the name without it";
+  if (name.back() == '_')
+    return "ends with an underscore, which generated code keeps for its own members; write the name without it";
+  if (name.find("__") != std::string_view::npos)
+    return "contains two underscores in a row, which is reserved for compilers; write one";
+  if (is_one_of(name, macros) || name.starts_with("PHYSGEN"))
+    return "is a macro of the system's or of physgen's headers; choose another name";
+  const bool reserved = of == NameOf::field    ? is_one_of(name, reserved_fields)
+                        : of == NameOf::object ? is_one_of(name, reserved_objects)
+                                               : is_one_of(name, reserved_scopes);
+  if (reserved) return "is a name that generated code needs for itself; choose another name";
+  return {};
+}
+
+}  // namespace physgen::model

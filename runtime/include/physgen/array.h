@@ -1,0 +1,117 @@
+// The object array: objects of one generated type in one layout and one memory space, with an object count and a pitch.
+#pragma once
+
+#include <physgen/buffer.h>
+#include <physgen/object_info.h>
+#include <physgen/storage.h>
+#include <physgen/view.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace physgen {
+
+/// The layout an object type has in a space: the first on the host, the second on CUDA.
+template <class Space, class HostLayout, class CudaLayout>
+using PerSpace = std::conditional_t<Space::kind == SpaceKind::cuda, CudaLayout, HostLayout>;
+
+/// @tparam Object a generated tag such as elasticity::StressDerivativeObject
+/// @tparam Real float or double: the precision of the scene
+/// @tparam Space Host, PinnedHost or Cuda
+/// @tparam Layout Aos, AosPadded, Soa or Aosoa<W>
+template <class Object, class Real, class Space, class Layout>
+class Array {
+  using Record = typename Object::template Record<Real>;
+
+ public:
+  using View = physgen::View<Object, Real, Layout>;
+  using ConstView = physgen::View<Object, const Real, Layout>;
+  /// The value of one object.
+  using Value = typename Object::template Value<Real>;
+  static constexpr int record_bytes = View::record_bytes;
+  /// Stored elements of one object.
+  static constexpr int elements = element_count(Object::template fields<Real>);
+
+  Array() = default;
+  /// `size` objects with their fields' initial values (zero where the schema states none).
+  /// @throw Error when size is negative or the memory cannot be had
+  explicit Array(index_t size) { resize(size); }
+  Array(const Array& other) : Array(other.size_) { copy(storage(), other.storage()); }
+  Array& operator=(const Array& other) {
+    if (this != &other) {
+      Array duplicate(other);
+      swap(duplicate);
+    }
+    return *this;
+  }
+  Array(Array&& other) noexcept { swap(other); }
+  Array& operator=(Array&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~Array() = default;
+
+  [[nodiscard]] index_t size() const { return size_; }
+  [[nodiscard]] index_t pitch() const { return Layout::pitch(size_); }
+  /// Bytes of memory held, padding included.
+  [[nodiscard]] index_t bytes() const { return buffer_.bytes(); }
+
+  /// What kernels are given. Valid until the array is resized, moved from or destroyed.
+  [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), Space::kind}; }
+  [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch(), Space::kind}; }
+  [[nodiscard]] ConstView const_view() const { return view(); }
+
+  /// The array without its types, for copy().
+  [[nodiscard]] Storage storage() const {
+    return {buffer_.data(), size_,       Layout::padded(size_), pitch(),
+            record_bytes,   Space::kind, Object::name,          Object::template fields<Real>};
+  }
+
+  /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
+  /// @throw Error when size is negative or the memory cannot be had; the array is then unchanged
+  void resize(index_t size) {
+    if (size == size_) return;
+    Array resized;
+    resized.buffer_ =
+        Buffer(Space::kind, checked_bytes(size), std::string(Object::name) + "[" + std::to_string(size) + "]");
+    resized.size_ = size;
+    const index_t kept = std::min(size, size_);
+    copy_first(resized.storage(), storage(), kept);
+    initialize(resized.storage(), kept, size);
+    swap(resized);
+  }
+
+  /// Element k (in the order of the fields) of object i, through one interface for all types and spaces: for setting
+  /// up, looking and testing; kernels use views. On CUDA each call is a transfer.
+  /// @throw Error when i or k is out of range
+  [[nodiscard]] double getdata(index_t i, int k) const { return physgen::getdata(storage(), i, k); }
+  void putdata(index_t i, int k, double value) { physgen::putdata(storage(), i, k, value); }
+
+  void swap(Array& other) noexcept {
+    buffer_.swap(other.buffer_);
+    std::swap(size_, other.size_);
+  }
+
+ private:
+  [[nodiscard]] static index_t checked_bytes(index_t size) {
+    constexpr index_t limit = std::numeric_limits<index_t>::max() / (Record::bytes + 64) / 2;
+    if (size < 0 || size > limit) {
+      throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) + " objects of " +
+                  std::to_string(record_bytes) + " bytes cannot exist; 0 to " + std::to_string(limit) + " can");
+    }
+    return Layout::padded(size) * record_bytes;
+  }
+
+  Buffer buffer_;
+  index_t size_ = 0;
+};
+
+/// Copies all objects between any two arrays of one object type: layouts, precisions and spaces may differ.
+/// See copy(const Storage&, const Storage&, Stream) for order and errors.
+template <class Object, class RealTo, class SpaceTo, class LayoutTo, class RealFrom, class SpaceFrom, class LayoutFrom>
+void copy(Array<Object, RealTo, SpaceTo, LayoutTo>& to, const Array<Object, RealFrom, SpaceFrom, LayoutFrom>& from,
+          Stream stream = nullptr) {
+  copy(to.storage(), from.storage(), stream);
+}
+
+}  // namespace physgen

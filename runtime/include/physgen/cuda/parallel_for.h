@@ -1,0 +1,31 @@
+// Runs a kernel over objects on a CUDA device: one thread per object. Included by CUDA translation units only.
+#pragma once
+
+#include <physgen/cuda/check.h>
+#include <physgen/space.h>
+
+namespace physgen {
+
+namespace cuda {
+
+template <class Kernel>
+__global__ void for_each_object(index_t size, const Kernel kernel) {
+  const index_t i = blockIdx.x * index_t{blockDim.x} + threadIdx.x;
+  if (i < size) kernel(i);
+}
+
+}  // namespace cuda
+
+/// Calls kernel(i) for the objects 0 .. size-1 on the current device, ordered in `stream`; does not wait.
+/// @pre the kernel's views lie in memory the device can reach; no two calls write the same object
+/// @throw Error when the launch fails
+template <class Kernel>
+void parallel_for(Cuda /*space*/, index_t size, const Kernel& kernel, Stream stream = nullptr) {
+  if (size == 0) return;
+  constexpr int block = 256;
+  const auto grid = static_cast<unsigned>((size + block - 1) / block);
+  cuda::for_each_object<<<grid, block, 0, stream>>>(size, kernel);
+  cuda::check(cudaGetLastError(), "launching a kernel");
+}
+
+}  // namespace physgen

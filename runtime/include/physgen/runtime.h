@@ -1,0 +1,5 @@
+// What generated code includes: views, arrays and everything they are made of, but neither SIMD nor CUDA headers.
+#pragma once
+
+#include <physgen/array.h>
+#include <physgen/view.h>

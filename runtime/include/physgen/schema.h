@@ -1,0 +1,129 @@
+// The words a schema is written in: element types for the fields of an object, and options for objects and fields.
+// A schema is an ordinary C++20 header of structs; physgen reads it and writes the accessor classes. To other compilers
+// the macros are empty and the types are plain markers, so editors understand a schema and it costs nothing to include.
+//
+//   #include <physgen/schema.h>
+//   namespace elasticity {
+//   using namespace physgen::schema;
+//
+//   /// Stress of one element.                                     (doc comments reach the generated classes)
+//   struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) Stress {
+//     PHYSGEN(unit("Pa")) Matrix<3, 3> P;  ///< first Piola-Kirchhoff stress
+//   };
+//   }
+//
+// A field has one of the types below, float, double, int, another object, or a fixed array of one of these:
+// `Symmetric<3> k[4]`. It has no pointers, references or functions: one object is a record of numbers. Use
+// `Index` to refer to an object of another array.
+#ifndef PHYSGEN_SCHEMA_H
+#define PHYSGEN_SCHEMA_H
+
+#if defined(__clang__) && !defined(__CUDACC__)
+/// Marks a struct as an object type: `struct PHYSGEN_OBJECT() Name { ... };`. Options: layout(...), once per memory
+/// space, and align(...).
+#define PHYSGEN_OBJECT(...) [[clang::annotate("physgen.object" __VA_OPT__(, ) __VA_ARGS__)]]
+/// Options of a field, or of all fields of one declaration: `PHYSGEN(unit("m"), initial(1)) Vector<3> x, y;`. Options:
+/// unit(...), range(...), initial(...), each at most once.
+#define PHYSGEN(...) [[clang::annotate("physgen.field" __VA_OPT__(, ) __VA_ARGS__)]]
+#else
+#define PHYSGEN_OBJECT(...)
+#define PHYSGEN(...)
+#endif
+
+namespace physgen::schema {
+
+// ---- Types of fields. `Element` is Scalar, Index, float, double or int.
+// -------------------------------------------------
+
+/// A real number of the precision that the scene chooses, float or double. Write float or double where the precision is
+/// not the scene's choice.
+struct Scalar {};
+
+/// Number of an object in some array, or a count: a 32-bit signed integer.
+struct Index {};
+
+/// Column vector of Size elements: Vector<3>, Vector<4, Index>.
+template <int Size, class Element = Scalar>
+struct Vector {};
+
+/// Matrix of Rows x Cols elements, stored by columns.
+template <int Rows, int Cols, class Element = Scalar>
+struct Matrix {};
+
+/// Symmetric matrix; stores Size (Size + 1) / 2 elements.
+template <int Size, class Element = Scalar>
+struct Symmetric {};
+
+/// Diagonal matrix; stores Size elements.
+template <int Size, class Element = Scalar>
+struct Diagonal {};
+
+/// Skew-symmetric matrix; stores Size (Size - 1) / 2 elements.
+template <int Size, class Element = Scalar>
+struct Skew {};
+
+/// Rotation of space: a 3 x 3 orthogonal matrix of determinant +1.
+struct Rotation {};
+
+// ---- Options of objects
+// -----------------------------------------------------------------------------------------------
+
+/// Where an array of objects lives; host covers pinned memory too.
+enum class Space { host, cuda };
+inline constexpr Space host = Space::host;
+inline constexpr Space cuda = Space::cuda;
+
+enum class Arrangement { aos, aos_padded, soa, aosoa };
+
+/// How the records of an array lie in memory; write one of aos, aos_padded, soa and aosoa(tile).
+struct Pattern {
+  Arrangement arrangement;
+  int tile;
+};
+
+/// One whole record after the other.
+inline constexpr Pattern aos{Arrangement::aos, 0};
+/// As aos, records filled up to multiples of 16 bytes: for objects that are gathered in no order, such as nodes.
+inline constexpr Pattern aos_padded{Arrangement::aos_padded, 0};
+/// Every element of the record in an array of its own.
+inline constexpr Pattern soa{Arrangement::soa, 0};
+/// As soa within tiles of `tile` objects, a power of two up to 1024: for objects that are streamed in order.
+[[nodiscard]] constexpr Pattern aosoa(int tile) { return {Arrangement::aosoa, tile}; }
+
+struct Layout {
+  Space space;
+  Pattern pattern;
+};
+/// The layout of arrays of this object in a space, where the program does not choose another: layout(cuda, aosoa(32)).
+[[nodiscard]] constexpr Layout layout(Space space, Pattern pattern) { return {space, pattern}; }
+
+struct Alignment {
+  int bytes;
+};
+/// Alignment of one record in the layouts aos and aos_padded: a power of two up to 4096 bytes.
+[[nodiscard]] constexpr Alignment align(int bytes) { return {bytes}; }
+
+// ---- Options of fields
+// ------------------------------------------------------------------------------------------------
+
+struct Unit {
+  const char* text;
+};
+/// The unit of the field's elements, a string literal: unit("Pa"), unit("m^3"), unit("1/m").
+[[nodiscard]] constexpr Unit unit(const char* text) { return {text}; }
+
+struct Range {
+  double low, high;
+};
+/// The elements' meaningful values, both ends included, in the field's unit.
+[[nodiscard]] constexpr Range range(double low, double high) { return {low, high}; }
+
+struct Initial {
+  double value;
+};
+/// What every element of the field is in a new object; 0 where nothing is said.
+[[nodiscard]] constexpr Initial initial(double value) { return {value}; }
+
+}  // namespace physgen::schema
+
+#endif  // PHYSGEN_SCHEMA_H

@@ -1,0 +1,50 @@
+// An array without its types: base, counts, pitch, record and fields as data. Conversions between layouts, precisions
+// and spaces are written once over it, not once per pair of types.
+#pragma once
+
+#include <physgen/object_info.h>
+#include <physgen/space.h>
+
+#include <span>
+#include <string_view>
+
+namespace physgen {
+
+/// The memory of one array. Does not own it.
+struct Storage {
+  std::byte* base = nullptr;
+  index_t size = 0;    ///< objects
+  index_t padded = 0;  ///< objects for which memory is held
+  index_t pitch = 1;   ///< see layout.h for the law of addresses
+  int record_bytes = 0;
+  SpaceKind space = SpaceKind::host;
+  std::string_view object;  ///< qualified name of the object type, for messages
+  std::span<const FieldInfo> fields;
+
+  [[nodiscard]] index_t bytes() const { return padded * record_bytes; }
+};
+
+/// Copies all objects of `from` to `to`, converting layout, precision and space. Where both lie on the host it is done
+/// when this returns; else it is ordered in `stream`, and memory that is not pinned makes the call wait.
+/// @throw Error when the sizes differ, the object types differ, or the arrays overlap; `to` is then unchanged
+void copy(const Storage& to, const Storage& from, Stream stream = nullptr);
+
+/// Copies the first `count` objects only. @pre count <= both sizes
+void copy_first(const Storage& to, const Storage& from, index_t count, Stream stream = nullptr);
+
+/// Sets objects begin .. end-1 to their fields' initial values. @pre 0 <= begin <= end <= storage.padded
+void initialize(const Storage& storage, index_t begin, index_t end);
+
+/// Element k (counted over the fields in order) of object i, converted to double and back. On CUDA a transfer each.
+/// @throw Error when i or k is out of range
+[[nodiscard]] double getdata(const Storage& storage, index_t i, int k);
+void putdata(const Storage& storage, index_t i, int k, double value);
+
+/// Waits until all work in `stream` is done. Nothing to do in a build without CUDA.
+/// @throw Error with CUDA's message when the work failed
+void synchronize(Stream stream = nullptr);
+
+/// Whether this build has CUDA and the machine a usable device.
+[[nodiscard]] bool cuda_available();
+
+}  // namespace physgen

@@ -1,0 +1,153 @@
+// Arrays: sizes, values, copies, addresses, and what is refused.
+#include "test_objects.h"
+
+#include <set>
+
+namespace physgen::test {
+namespace {
+
+using elasticity::DeformationSvdArray;
+using elasticity::NodePositionArray;
+using elasticity::StressDerivativeArray;
+
+template <class Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+template <class L>
+class ArrayIn : public ::testing::Test {};
+TYPED_TEST_SUITE(ArrayIn, AllLayouts, LayoutName);
+
+TYPED_TEST(ArrayIn, puts_every_element_where_the_law_of_addresses_says) {
+  for (const index_t n : {1, 32, 33, 1000}) {
+    DeformationSvdArray<float, Host, TypeParam> array(n);
+    const auto view = array.view();
+    const Storage storage = array.storage();
+    for (index_t i = 0; i < n; ++i) {
+      for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) {
+          const index_t expected = address_by_law((9 + c * 3 + r) * 4, i, storage.pitch, storage.record_bytes, 4);
+          ASSERT_EQ(reinterpret_cast<std::byte*>(&view[i].V()(r, c)) - view.data(), expected);
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(ArrayIn, overlaps_no_two_elements_and_stays_inside_its_memory) {
+  const index_t n = 77;
+  elasticity::TetStiffnessArray<double, Host, TypeParam> array(n);
+  const auto view = array.view();
+  std::set<const std::byte*> seen;
+  const auto note = [&](const double& element) {
+    const auto* at = reinterpret_cast<const std::byte*>(&element);
+    ASSERT_TRUE(seen.insert(at).second);
+    ASSERT_GE(at, view.data());
+    ASSERT_LE(at + sizeof(double), view.data() + array.bytes());
+    ASSERT_EQ(reinterpret_cast<std::uintptr_t>(at) % sizeof(double), 0U);
+  };
+  for (index_t i = 0; i < n; ++i) {
+    for (int e = 0; e < 4; ++e) {
+      for (int k = 0; k < 6; ++k) note(view[i].k(e)[k]);
+    }
+    for (int e = 0; e < 6; ++e) {
+      for (int k = 0; k < 9; ++k) note(view[i].e(e)[k]);
+    }
+  }
+  EXPECT_EQ(seen.size(), static_cast<std::size_t>(n * array.elements));
+}
+
+TYPED_TEST(ArrayIn, reads_by_name_by_value_and_by_number_what_was_put) {
+  StressDerivativeArray<float, Host, TypeParam> array(40);
+  const auto view = array.view();
+  for (index_t i = 0; i < 40; ++i) {
+    elasticity::StressDerivative<float> value{};
+    value.x1111 = static_cast<float>(i) + 0.25F;
+    value.x3322 = -static_cast<float>(i);
+    view.put(i, value);
+    view[i].x3223() = 7;
+  }
+  EXPECT_EQ(view.get(39).x1111, 39.25F);
+  EXPECT_EQ(array.const_view()[38].x3322(), -38);
+  EXPECT_EQ(array.getdata(37, 11), 7);
+  *&view[3].x1111() += 1;  // a real address: what an atomic operation needs
+  EXPECT_EQ(array.getdata(3, 0), 4.25);
+}
+
+TYPED_TEST(ArrayIn, holds_zeroed_memory_for_whole_packs_behind_the_last_object) {
+  NodePositionArray<float, Host, TypeParam> array(33);
+  EXPECT_EQ(array.storage().padded % padding_objects, 0);
+  EXPECT_GE(array.storage().padded, 64);
+  const auto view = array.view();
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(*reinterpret_cast<const float*>(view.data() + address_by_law(k * 4, 63, array.pitch(), array.record_bytes, 4)), 0);
+  }
+}
+
+TEST(Array, copies_deeply_and_moves_cheaply) {
+  NodePositionArray<double> a(5);
+  a.view()[4].x() = Eigen::Vector3d(1, 2, 3);
+  NodePositionArray<double> b = a;
+  b.view()[4].x()(0) = 9;
+  EXPECT_EQ(a.getdata(4, 0), 1);
+  const auto* memory = a.view().data();
+  const NodePositionArray<double> c = std::move(a);
+  EXPECT_EQ(c.view().data(), memory);
+  EXPECT_EQ(c.getdata(4, 2), 3);
+}
+
+TEST(Array, stores_the_lower_triangle_of_a_symmetric_matrix_and_gives_the_whole) {
+  elasticity::NodeStiffnessArray<double> array(3);
+  Eigen::Matrix3d k;
+  k << 1, -1, -1, 2, 3, -1, 4, 5, 6;
+  array.view()[1].K() = k;
+  const Eigen::Matrix3d whole = array.view()[1].K();
+  EXPECT_EQ(whole, (Eigen::Matrix3d() << 1, 2, 4, 2, 3, 5, 4, 5, 6).finished());
+  EXPECT_EQ(array.elements, 6);
+}
+
+TEST(Array, refuses_a_size_that_memory_cannot_hold_and_stays_as_it_was) {
+  StressDerivativeArray<float> array(10);
+  array.putdata(7, 3, 2.5);
+  const std::string too_large = message_of([&] { array.resize(index_t{1} << 40); });
+  EXPECT_NE(too_large.find("elasticity::StressDerivative[1099511627776]: cannot allocate 52776558133248 bytes of host"),
+            std::string::npos)
+      << too_large;
+  const std::string impossible = message_of([&] { array.resize(index_t{1} << 62); });
+  EXPECT_NE(impossible.find("cannot exist"), std::string::npos) << impossible;
+  const std::string negative = message_of([&] { array.resize(-1); });
+  EXPECT_NE(negative.find("an array of -1 objects"), std::string::npos) << negative;
+  EXPECT_EQ(array.size(), 10);
+  EXPECT_EQ(array.getdata(7, 3), 2.5);
+}
+
+TEST(Array, refuses_a_copy_between_sizes_and_names_both) {
+  NodePositionArray<float> small(3);
+  const NodePositionArray<double> large(4);
+  const std::string message = message_of([&] { copy(small, large); });
+  EXPECT_NE(message.find("elasticity::NodePosition[4] in host"), std::string::npos) << message;
+  EXPECT_NE(message.find("elasticity::NodePosition[3] in host"), std::string::npos) << message;
+}
+
+TEST(Array, refuses_an_object_or_element_that_is_not_there) {
+  NodePositionArray<float> array(3);
+  EXPECT_NE(message_of([&] { (void)array.getdata(3, 0); }).find("there is no object 3"), std::string::npos);
+  EXPECT_NE(message_of([&] { array.putdata(0, 3, 1); }).find("there is no element 3"), std::string::npos);
+  EXPECT_NE(message_of([&] { array.putdata(0, -1, 1); }).find("there is no element -1"), std::string::npos);
+}
+
+TEST(View, is_a_trivially_copyable_value_of_two_or_three_words) {
+  using Tiled = elasticity::StressDerivativeView<float, Aosoa<32>>;
+  using Pitched = elasticity::StressDerivativeView<float, Soa>;
+  static_assert(std::is_trivially_copyable_v<Tiled> && std::is_trivially_copyable_v<Pitched>);
+  static_assert(sizeof(Tiled) == 2 * sizeof(void*) && sizeof(Pitched) == 3 * sizeof(void*));
+}
+
+}  // namespace
+}  // namespace physgen::test

@@ -1,0 +1,66 @@
+// Views on the device: kernels read and write by name in every layout, atomics work on accessors.
+#include <physgen/cuda/parallel_for.h>
+
+#include "gpu_fixture.h"
+#include "test_objects.h"
+
+namespace physgen::test {
+namespace {
+
+template <class L>
+class DeviceAccess : public GpuTest {};
+TYPED_TEST_SUITE(DeviceAccess, AllLayouts, LayoutName);
+
+template <class Real, class Layout>
+struct SwapRotations {
+  elasticity::DeformationSvdView<Real, Layout> svd;
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    const auto value = svd.get(i);
+    svd.put(i, {value.V, value.U, value.s});
+    svd[i].s()(2) = -svd[i].s()(2);
+  }
+};
+
+template <class Real, class Layout>
+void check_device_access() {
+  std::mt19937 random(seed());
+  const index_t n = 100003;
+  Array<elasticity::DeformationSvdObject, Real, Host, Aos> source(n);
+  randomise(source, random);
+  elasticity::DeformationSvdArray<Real, Cuda, Layout> array(n);
+  copy(array, source);
+  parallel_for(Cuda{}, n, SwapRotations<Real, Layout>{array.view()});
+  Array<elasticity::DeformationSvdObject, Real, Host, Aos> back(n);
+  poison(back);
+  copy(back, array);
+  synchronize();
+  for (index_t i = 0; i < n; ++i) {
+    const auto was = source.view().get(i);
+    const auto is = back.view().get(i);
+    ASSERT_EQ(is.U, was.V);
+    ASSERT_EQ(is.V, was.U);
+    ASSERT_EQ(is.s(2), -was.s(2));
+  }
+}
+
+TYPED_TEST(DeviceAccess, reads_and_writes_floats_by_name) { check_device_access<float, TypeParam>(); }
+TYPED_TEST(DeviceAccess, reads_and_writes_doubles_by_name) { check_device_access<double, TypeParam>(); }
+
+template <class Layout>
+struct AddToFirst {
+  elasticity::NodeForceView<float, Layout> force;
+  PHYSGEN_FUNCTION void operator()([[maybe_unused]] index_t i) const {
+#ifdef __CUDA_ARCH__
+    atomicAdd(&force[i % 3].f()(1), 1.0F);
+#endif
+  }
+};
+
+TYPED_TEST(DeviceAccess, gives_addresses_that_atomic_operations_take) {
+  elasticity::NodeForceArray<float, Cuda, TypeParam> force(3);
+  parallel_for(Cuda{}, 3000, AddToFirst<TypeParam>{force.view()});
+  for (index_t i = 0; i < 3; ++i) EXPECT_EQ(force.getdata(i, 1), 1000);
+}
+
+}  // namespace
+}  // namespace physgen::test

@@ -1,0 +1,90 @@
+// What the runtime's tests share: the object types they run over, random values, and every layout.
+#pragma once
+
+#include <elasticity.physgen.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <iostream>
+#include <random>
+#include <vector>
+
+namespace physgen::test {
+
+/// Seed of this run; printed, and set by GTEST_RANDOM_SEED when a failure is to be replayed.
+inline unsigned seed() {
+  static const unsigned value = [] {
+    const char* given = std::getenv("GTEST_RANDOM_SEED");
+    const unsigned chosen = given != nullptr ? static_cast<unsigned>(std::stoul(given)) : std::random_device{}();
+    std::cout << "seed " << chosen << " (GTEST_RANDOM_SEED replays it)\n";
+    return chosen;
+  }();
+  return value;
+}
+
+/// The law of addresses in the plainest form, against which the runtime's is held.
+inline index_t address_by_law(index_t base_offset, index_t i, index_t pitch, index_t record_bytes, index_t size) {
+  return (i / pitch) * pitch * record_bytes + base_offset * pitch + (i % pitch) * size;
+}
+
+/// Random, nowhere zero bytes that are finite as float, double and int, for the elements of `n` AoS records.
+template <class AosArray>
+void randomise(AosArray& array, std::mt19937& random) {
+  std::uniform_real_distribution<float> value(0.5F, 2.0F);
+  const Storage storage = array.storage();
+  for (index_t i = 0; i < storage.size; ++i) {
+    for (const FieldInfo& field : storage.fields) {
+      for (int k = 0; k < field.count; ++k) {
+        std::byte* element = storage.base + i * storage.record_bytes + field.offset + k * element_bytes(field.type);
+        const float drawn = value(random);
+        if (field.type == ElementType::float64) {
+          const double wide = drawn;
+          std::memcpy(element, &wide, sizeof wide);
+        } else if (field.type == ElementType::float32) {
+          std::memcpy(element, &drawn, sizeof drawn);
+        } else {
+          const auto integer = static_cast<std::int32_t>(random() | 1U);
+          std::memcpy(element, &integer, sizeof integer);
+        }
+      }
+    }
+  }
+}
+
+/// Fills the memory of a host array with bytes that no test value has.
+template <class HostArray>
+void poison(HostArray& array) {
+  const Storage storage = array.storage();
+  if (storage.bytes() > 0) std::memset(storage.base, 0xA5, static_cast<std::size_t>(storage.bytes()));
+}
+
+/// Number of differing elements of two AoS arrays.
+template <class A, class B>
+index_t count_different(const A& a, const B& b) {
+  const Storage x = a.storage();
+  const Storage y = b.storage();
+  index_t different = 0;
+  for (index_t i = 0; i < x.size; ++i) {
+    for (const FieldInfo& field : x.fields) {
+      const index_t at = i * x.record_bytes + field.offset;
+      const auto bytes = static_cast<std::size_t>(field.count * element_bytes(field.type));
+      if (std::memcmp(x.base + at, y.base + at, bytes) != 0) ++different;
+    }
+  }
+  return different;
+}
+
+using AllLayouts = ::testing::Types<Aos, AosPadded, Soa, Aosoa<8>, Aosoa<32>, Aosoa<64>>;
+
+struct LayoutName {
+  template <class L>
+  static std::string GetName(int /*index*/) {
+    if constexpr (requires { L::tile; }) {
+      return std::string(L::name) + std::to_string(L::tile);
+    } else {
+      return L::name;
+    }
+  }
+};
+
+}  // namespace physgen::test

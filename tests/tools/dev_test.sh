@@ -1,0 +1,165 @@
+#!/usr/bin/env bash
+# dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER. The system's commands
+# that it would install and build with are replaced by ones that write how they were called to $calls.
+# shellcheck disable=SC2016  # the bodies of the commands below are expanded when they run
+set -euo pipefail
+rule=$1 dev=$2 folder=$3
+work="$folder/tools_dev $rule" # with a space: paths are users' paths
+root="$work/physgen"
+calls=$work/calls
+rm -rf "$work"
+mkdir -p "$root/tools" "$work/bin" "$work/home"
+cp "$dev" "$root/tools/dev"
+export PATH="$work/bin:$PATH" calls work
+unset CUDACXX CUDA_HOME
+touch "$calls"
+
+fail() { printf 'FAILED: %s\n--- output:\n%s\n--- calls:\n%s\n' "$*" "$(cat "$work/output")" "$(cat "$calls")" >&2; exit 1; }
+# fake NAME BODY: a command NAME that records its call, then runs BODY.
+fake() { printf '#!/usr/bin/env bash\necho "%s $*" >>"$calls"\n%s\n' "$1" "${2-}" >"$work/bin/$1"; chmod +x "$work/bin/$1"; }
+# dev STATUS ARGUMENTS...: runs the script from another folder; fails when its exit status is not STATUS.
+dev() {
+  local expected=$1 status=0
+  shift
+  (cd / && "$root/tools/dev" "$@") >"$work/output" 2>&1 </dev/null || status=$?
+  ((status == expected)) || fail "tools/dev $* gave exit status $status, expected $expected"
+}
+says() { grep -qF -- "$1" "$work/output" || fail "not said: $1"; }
+called() { grep -q -- "$1" "$calls" || fail "not called: $1"; }
+not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
+
+# A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
+every_package() {
+  printf '%s\n' cmake ninja-build make g++ libeigen3-dev libxsimd-dev libgtest-dev:amd64 libbenchmark-dev:amd64 valgrind \
+    nlohmann-json3-dev libcli11-dev libclang-22-dev llvm-22-dev clang-22
+}
+export apt_has='-22'
+every_package >"$work/installed"
+fake dpkg-query 'sed "s/.*/installed=& /" "$work/installed" | tr -d "\n"'
+fake apt-get
+fake apt-cache 'if [[ $2 =~ $apt_has ]]; then echo "  Candidate: 1:1.0"; else echo "  Candidate: (none)"; fi'
+fake id 'echo 0'
+fake sudo 'exit 1'
+without() { every_package | grep -vE "$1" >"$work/installed"; }
+# The build: cmake makes nothing, ctest fails with 8, and physbench is there. No nvcc and no GPU, unless a rule says so.
+fake cmake 'mkdir -p build'
+fake ctest 'exit 8'
+fake nvidia-smi 'exit 9'
+program() { mkdir -p "$(dirname "$root/$1")"; printf '#!/usr/bin/env bash\necho "%s $*" >>"$calls"\n' "${1##*/}" >"$root/$1"; chmod +x "$root/$1"; }
+# Rules that need no nvcc cannot hide one in /usr/local/cuda: it is taken out of the copied script.
+sed -i "s|/usr/local/cuda/bin/nvcc|$(printf %q "$work")/none/nvcc|" "$root/tools/dev"
+hide_nvcc() { PATH=$(tr : '\n' <<<"$PATH" | while read -r entry; do [[ -x $entry/nvcc ]] || printf '%s:' "$entry"; done); }
+hide_nvcc
+touch "$work/output"
+
+case $rule in
+  help_names_every_command)
+    dev 0 help
+    for name in setup build run test gpu format tidy clean; do grep -qE "^  $name" "$work/output" || fail "help does not name $name"; done
+    dev 0
+    ;;
+  unknown_command_exits_with_2)
+    dev 2 tset
+    says "there is no command 'tset'"
+    ;;
+  setup_calls_no_apt_when_nothing_is_missing)
+    dev 0 setup
+    not_called apt
+    [[ ! -s $work/output ]] || fail 'it should be silent'
+    ;;
+  setup_installs_what_is_missing_and_says_why)
+    without 'ninja|gtest'
+    dev 0 setup
+    called 'apt-get .*update'
+    called 'apt-get .*install -y --no-install-recommends ninja-build libgtest-dev$'
+    says 'runs the build'
+    ;;
+  setup_without_root_names_the_packages)
+    without 'ninja|llvm-22'
+    fake id 'echo 1000'
+    dev 2 setup
+    says 'ninja-build libclang-22-dev llvm-22-dev clang-22'
+    not_called '^apt-get'
+    ;;
+  setup_goes_on_when_the_lists_cannot_be_renewed)
+    without ninja
+    fake apt-get '[[ $* != *update* ]]'
+    dev 0 setup
+    says 'apt-get update failed'
+    called 'install .* ninja-build'
+    ;;
+  setup_fails_when_packages_cannot_be_installed)
+    without ninja
+    fake apt-get '[[ $* != *install* ]]'
+    dev 2 setup
+    says 'by hand: apt-get install --no-install-recommends ninja-build'
+    ;;
+  setup_takes_llvm_19_where_there_is_no_22)
+    without 22
+    apt_has='-19' dev 0 setup
+    called 'install .* libclang-19-dev llvm-19-dev clang-19$'
+    ;;
+  setup_goes_on_without_llvm_and_is_quick_afterwards)
+    without 22
+    apt_has='none' dev 0 setup
+    says 'going on without the generator'
+    not_called 'apt-get.*install'
+    : >"$calls"
+    program build/release/bin/physbench
+    dev 0 run
+    not_called apt
+    dev 0 setup
+    called 'apt-get .*update'
+    ;;
+  test_runs_one_ctest_and_gives_its_exit_code)
+    dev 8 test -L runtime
+    says 'nvcc was not found'
+    [[ $(cat "$root/build/CTestTestfile.cmake") == 'subdirs(release)' ]] || fail 'wrong build/CTestTestfile.cmake'
+    called "ctest --test-dir $root/build --output-on-failure -j [0-9]* -L runtime\$"
+    not_called 'cmake .*cuda'
+    fake cmake 'exit 1'
+    : >"$calls"
+    dev 1 test
+    not_called ctest
+    ;;
+  test_covers_cuda_where_nvcc_is_found)
+    fake nvcc
+    dev 8 test
+    grep -qxF 'subdirs(cuda)' "$root/build/CTestTestfile.cmake" || fail 'wrong build/CTestTestfile.cmake'
+    called 'cmake --build --preset cuda'
+    ;;
+  run_prints_the_table_of_physbench)
+    program build/release/bin/physbench
+    program build/cuda/bin/physbench
+    dev 0 run --benchmark_filter=svd
+    says 'no CUDA rows: nvcc was not found'
+    called 'physbench --benchmark_filter=svd$'
+    fake nvcc
+    dev 0 run
+    says 'this machine has no GPU'
+    ;;
+  gpu_runs_carried_programs_at_another_path)
+    fake nvcc
+    fake nvidia-smi 'echo "GPU 0: a device"'
+    program build/cuda/bin/physbench
+    program build/cuda/bin/runtime_gpu_test
+    echo 'CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere' >"$root/build/cuda/CMakeCache.txt"
+    dev 0 gpu --gtest_filter=A.b --benchmark_filter=svd
+    says 'built elsewhere'
+    not_called cmake
+    called 'runtime_gpu_test --gtest_filter=A.b$'
+    called 'physbench --benchmark_filter=svd$'
+    printf '#!/bin/sh\nexit 3\n' >"$root/build/cuda/bin/runtime_gpu_test"
+    dev 3 gpu
+    called 'physbench --benchmark_filter=/cuda/$'
+    ;;
+  gpu_without_programs_or_device_exits_with_2)
+    dev 2 gpu
+    says 'no programs in'
+    program build/cuda/bin/physbench
+    dev 2 gpu
+    says 'this machine has no GPU'
+    ;;
+  *) fail "there is no rule $rule" ;;
+esac
+rm -rf "$work"

@@ -1,0 +1,78 @@
+// Kernels: elastic forces of each tet on its corners, G = -V P Dm^-T, and their sums at the nodes. The sums are gathers
+// over incidence lists in a fixed order: no atomics, and the same bits on every run.
+#pragma once
+
+#include <fem/scalar.h>
+
+#include <physgen/pack.h>
+
+namespace physgen::fem {
+
+namespace detail {
+
+/// -volume P Dm^-T
+template <class S>
+PHYSGEN_FUNCTION inline Matrix3<S> corner_forces(const Matrix3<S>& P, const Matrix3<S>& dm_inverse, const S& volume) {
+  const Matrix3<S> scaled = dm_inverse.transpose() * (-volume);
+  return P * scaled;
+}
+
+/// Sum over the tets of a node of the force on it: column c - 1 of G at corner c > 0, minus all columns at corner 0.
+template <class Scalar, class RangeView, class IncidenceView, class ForceView>
+PHYSGEN_FUNCTION inline Vector3<Scalar> gather_corners(const RangeView& node_tets, const IncidenceView& incidences,
+                                                       const ForceView& forces, index_t node) {
+  const index_t begin = node_tets[node].begin(), end = node_tets[node].end();
+  Vector3<Scalar> sum = Vector3<Scalar>::Zero();
+  for (index_t k = begin; k < end; ++k) {
+    const auto G = forces[index_t{incidences[k].element()}].G();
+    const int corner = incidences[k].local();
+    if (corner == 0) {
+      const Matrix3<Scalar> all = G;
+      sum -= all.col(0) + all.col(1) + all.col(2);
+    } else {
+      const int first = 3 * (corner - 1);
+      sum += Vector3<Scalar>(G[first], G[first + 1], G[first + 2]);
+    }
+  }
+  return sum;
+}
+
+}  // namespace detail
+
+/// G = -volume P Dm^-T [N], for corners j, k, l; the force on i is minus their sum.
+template <class RestView, class StressView, class CornerView>
+struct ComputeCornerForces {
+  using Scalar = typename CornerView::Precision;
+  RestView rest;      ///< elasticity::RestShape
+  StressView stress;  ///< elasticity::Stress
+  CornerView forces;  ///< elasticity::CornerForces, written
+
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    const auto shape = rest[i];
+    const Matrix3<S> P = stress[i].P(), dm_inverse = shape.dm_inverse();
+    const S volume = shape.volume();
+    forces[i].G() = detail::corner_forces<S>(P, dm_inverse, volume);
+  }
+};
+template <class... Views>
+ComputeCornerForces(Views...) -> ComputeCornerForces<Views...>;
+
+/// f(node) = sum over its tets.
+template <class RangeView, class IncidenceView, class CornerView, class NodeView>
+struct GatherForces {
+  using Scalar = typename NodeView::Precision;
+  RangeView node_tets;       ///< elasticity::IncidenceRange of each node, into:
+  IncidenceView incidences;  ///< elasticity::Incidence: tet, corner
+  CornerView forces;         ///< elasticity::CornerForces of each tet
+  NodeView nodes;            ///< elasticity::NodeForce, written
+
+  PHYSGEN_FUNCTION void operator()(index_t node) const {
+    nodes[node].f() = detail::gather_corners<Scalar>(node_tets, incidences, forces, node);
+  }
+};
+template <class... Views>
+GatherForces(Views...) -> GatherForces<Views...>;
+
+}  // namespace physgen::fem

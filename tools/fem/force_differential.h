@@ -1,0 +1,91 @@
+// Kernels: change of the nodes' forces along a displacement differential, in assembled form (one pass over node and edge
+// stiffness) and in element form (matrix-free, per tet, then gathered).
+#pragma once
+
+#include <fem/dp_from_df.h>
+#include <fem/elastic_force.h>
+#include <fem/tet.h>
+
+namespace physgen::fem {
+
+/// df(v) = K_v dx(v) + sum over the edges of v of E dx(n), where v is m, and E^T dx(m), where v is n.
+template <class NodeStiffnessView, class EdgeStiffnessView, class EdgeView, class RangeView, class IncidenceView,
+          class DisplacementView, class DifferentialView>
+struct ForceDifferential {
+  using Scalar = typename DifferentialView::Precision;
+  NodeStiffnessView node_stiffness;  ///< elasticity::NodeStiffness
+  EdgeStiffnessView edge_stiffness;  ///< elasticity::EdgeStiffness
+  EdgeView edges;                    ///< elasticity::Edge
+  RangeView node_edges;              ///< elasticity::IncidenceRange of each node, into:
+  IncidenceView incidences;          ///< elasticity::Incidence: edge, side
+  DisplacementView displacements;    ///< elasticity::NodeDisplacement
+  DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
+
+  PHYSGEN_FUNCTION void operator()(index_t node) const {
+    const index_t begin = node_edges[node].begin(), end = node_edges[node].end();
+    const Matrix3<Scalar> K = node_stiffness[node].K();
+    const Vector3<Scalar> own = displacements[node].dx();
+    Vector3<Scalar> sum = K * own;
+    for (index_t k = begin; k < end; ++k) {
+      const index_t edge = incidences[k].element();
+      const int side = incidences[k].local();
+      const index_t other = edges[edge].nodes()[1 - side];
+      const Matrix3<Scalar> E = edge_stiffness[edge].E();
+      const Vector3<Scalar> dx = displacements[other].dx();
+      if (side == 0) {
+        sum += E * dx;
+      } else {
+        sum += E.transpose() * dx;
+      }
+    }
+    differentials[node].df() = sum;
+  }
+};
+template <class... Views>
+ForceDifferential(Views...) -> ForceDifferential<Views...>;
+
+/// dG = -volume dP(Ds(dx) Dm^-1) Dm^-T [N]: the element form, before its sum at the nodes.
+template <class TetView, class DisplacementView, class RestView, class SvdView, class DerivativeView, class CornerView>
+struct ComputeCornerForceDifferentials {
+  using Scalar = typename CornerView::Precision;
+  TetView tets;                    ///< elasticity::Tet
+  DisplacementView displacements;  ///< elasticity::NodeDisplacement
+  RestView rest;                   ///< elasticity::RestShape
+  SvdView decomposition;           ///< elasticity::DeformationSvd, of which U and V are read
+  DerivativeView derivative;       ///< elasticity::StressDerivative
+  CornerView differentials;        ///< elasticity::CornerForces, written: their change
+
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    const Matrix3<S> ds =
+        detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return displacements[node].dx().get(); });
+    const auto shape = rest[i];
+    const auto rotations = decomposition[i];
+    const Matrix3<S> dm_inverse = shape.dm_inverse(), U = rotations.U(), V = rotations.V();
+    const S volume = shape.volume();
+    const Matrix3<S> dF = ds * dm_inverse;
+    const Matrix3<S> dP = detail::stress_differential<S>(U, V, derivative[i], dF);
+    differentials[i].G() = detail::corner_forces<S>(dP, dm_inverse, volume);
+  }
+};
+template <class... Views>
+ComputeCornerForceDifferentials(Views...) -> ComputeCornerForceDifferentials<Views...>;
+
+/// df(node) = sum over its tets.
+template <class RangeView, class IncidenceView, class CornerView, class NodeView>
+struct GatherForceDifferentials {
+  using Scalar = typename NodeView::Precision;
+  RangeView node_tets;       ///< elasticity::IncidenceRange of each node, into:
+  IncidenceView incidences;  ///< elasticity::Incidence: tet, corner
+  CornerView differentials;  ///< elasticity::CornerForces: their change
+  NodeView nodes;            ///< elasticity::NodeForceDifferential, written
+
+  PHYSGEN_FUNCTION void operator()(index_t node) const {
+    nodes[node].df() = detail::gather_corners<Scalar>(node_tets, incidences, differentials, node);
+  }
+};
+template <class... Views>
+GatherForceDifferentials(Views...) -> GatherForceDifferentials<Views...>;
+
+}  // namespace physgen::fem

@@ -1,0 +1,51 @@
+// Tetrahedral meshes as plain index lists: tets, edges, and the incidence lists that turn sums over elements into gathers
+// (so that they are deterministic and need no atomics).
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace physgen::fem {
+
+/// Node, tet and edge numbers: 32 bit, as the kernels read them.
+using Index = std::int32_t;
+
+/// A position [m].
+using Point = std::array<double, 3>;
+
+/// The two corners of each local edge of a tet, in the order all lists use.
+inline constexpr std::array<std::array<int, 2>, 6> tet_edges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+/// One element that touches an object: which element, and where in it.
+struct IncidenceEntry {
+  Index element, local;
+  auto operator<=>(const IncidenceEntry&) const = default;
+};
+
+/// For every object of one kind, what touches it: entries[first[i]] up to, not including, entries[first[i + 1]], ascending.
+struct IncidenceList {
+  std::vector<Index> first;  ///< one more than there are objects
+  std::vector<IncidenceEntry> entries;
+};
+
+struct TetMesh {
+  Index nodes = 0;
+  std::vector<std::array<Index, 4>> tets;   ///< corners i, j, k, l; det[x_j-x_i, x_k-x_i, x_l-x_i] > 0 at rest
+  std::vector<std::array<Index, 2>> edges;  ///< (m, n) with m < n, ascending
+  IncidenceList node_tets;                  ///< tet, corner
+  IncidenceList node_edges;                 ///< edge, side; side 0: the node is m, side 1: it is n
+  IncidenceList edge_tets;                  ///< tet, local edge, + 6 if the tet has the edge as (n, m)
+};
+
+/// Edges and incidence lists of the given tets.
+/// @throws Error when a corner is not in [0, nodes), a tet names a node twice, or a list would exceed 2^31 entries
+[[nodiscard]] TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets);
+
+/// A box of nx * ny * nz cells, each cut into the 6 tets around its main diagonal (Kuhn, Freudenthal): conforming, all of
+/// one volume. Node (x, y, z) has number x + (nx + 1) (y + (ny + 1) z).
+/// @throws Error when a count is below 1 or the mesh exceeds 2^31 incidences
+[[nodiscard]] TetMesh make_box_mesh(Index nx, Index ny, Index nz);
+
+}  // namespace physgen::fem

@@ -1,0 +1,33 @@
+// Kernel: first Piola-Kirchhoff stress of an isotropic material, P = U diag(g(s)) V^T.
+#pragma once
+
+#include <fem/material.h>
+
+#include <physgen/pack.h>
+
+namespace physgen::fem {
+
+template <class Model, class SvdView, class StressView>
+struct ComputeStress {
+  using Scalar = typename StressView::Precision;
+  Model material;         ///< such as NeoHookean<Scalar>
+  SvdView decomposition;  ///< elasticity::DeformationSvd
+  StressView stress;      ///< elasticity::Stress, written
+
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    const auto in = decomposition[i];
+    const Matrix3<S> U = in.U(), V = in.V();
+    const Vector3<S> g = material.stress(Vector3<S>(in.s()));
+    Matrix3<S> scaled;
+    scaled.col(0) = U.col(0) * g[0];
+    scaled.col(1) = U.col(1) * g[1];
+    scaled.col(2) = U.col(2) * g[2];
+    stress[i].P() = Matrix3<S>(scaled * V.transpose());
+  }
+};
+template <class... Arguments>
+ComputeStress(Arguments...) -> ComputeStress<Arguments...>;
+
+}  // namespace physgen::fem

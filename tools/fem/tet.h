@@ -1,0 +1,30 @@
+// Shapes of a linear tet from its gathered corners, for all kernels that read nodes.
+#pragma once
+
+#include <fem/scalar.h>
+
+#include <physgen/pack.h>
+
+namespace physgen::fem::detail {
+
+/// [y_j - y_i, y_k - y_i, y_l - y_i] by columns, y(node) being a vector of each of the tet's (or the pack's tets') nodes.
+template <class Scalar, class I, class TetView, class NodeVector>
+PHYSGEN_FUNCTION inline Matrix3<lanes_t<Scalar, I>> edge_matrix(const TetView& tets, I i, const NodeVector& y) {
+  using S = lanes_t<Scalar, I>;
+  using Node = lanes_t<std::int32_t, I>;
+  const auto nodes = tets[i].nodes();
+  const Node first = nodes[0], second = nodes[1], third = nodes[2], fourth = nodes[3];
+  const Vector3<S> origin = y(first);
+  Matrix3<S> edges;
+  edges.col(0) = y(second) - origin;
+  edges.col(1) = y(third) - origin;
+  edges.col(2) = y(fourth) - origin;
+  return edges;
+}
+
+template <class S>
+PHYSGEN_FUNCTION inline Vector3<S> cross3(const Vector3<S>& a, const Vector3<S>& b) {
+  return {fma(a[1], b[2], -(a[2] * b[1])), fma(a[2], b[0], -(a[0] * b[2])), fma(a[0], b[1], -(a[1] * b[0]))};
+}
+
+}  // namespace physgen::fem::detail

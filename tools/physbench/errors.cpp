@@ -1,0 +1,66 @@
+// Poisoning, the search for unwritten elements, and percentiles.
+#include "errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <physgen/error.h>
+
+namespace physgen::bench {
+
+namespace {
+
+template <class Real>
+bool all_numbers(const std::byte* tile, index_t elements) {
+  const auto* values = reinterpret_cast<const Real*>(tile);
+  return std::none_of(values, values + elements, [](Real x) { return std::isnan(x); });
+}
+
+double percentile(std::vector<double>& values, double fraction) {
+  if (values.empty()) return 0;
+  const auto k = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + k, values.end());
+  return values[static_cast<std::size_t>(k)];
+}
+
+}  // namespace
+
+void poison(const Storage& storage) {
+  // In host memory at once, on CUDA through the runtime: an array of the same form, of ones in every bit.
+  std::memset(storage.base, 0xff, static_cast<std::size_t>(storage.bytes()));
+}
+
+void check_written(const Storage& storage) {
+  for (const FieldInfo& field : storage.fields) {
+    const int size = element_bytes(field.type);
+    for (index_t begin = 0; begin < storage.size; begin += storage.pitch) {
+      const index_t lanes = std::min(storage.pitch, storage.size - begin);
+      for (int k = 0; k < field.count; ++k) {
+        const std::byte* row = storage.base + begin * storage.record_bytes + (field.offset + k * size) * storage.pitch;
+        if (size == 4 ? all_numbers<float>(row, lanes) : all_numbers<double>(row, lanes)) continue;
+        throw Error(std::string(storage.object) + "." + std::string(field.name) + ": element " + std::to_string(k) +
+                    " was not written, or is not a number, in an object of " + std::to_string(begin) + " to " +
+                    std::to_string(begin + lanes - 1));
+      }
+    }
+  }
+}
+
+ErrorStats error_stats(std::vector<double> errors, const std::vector<double>& norms) {
+  if (errors.empty()) return {};
+  double squares = 0;
+  for (const double norm : norms) squares += norm * norm;
+  const double floor = 1e-3 * std::sqrt(squares / static_cast<double>(norms.size()));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double scale = std::max(norms[i], floor);
+    if (scale > 0) errors[i] /= scale;
+  }
+  const double largest = *std::max_element(errors.begin(), errors.end());
+  const double p99 = percentile(errors, 0.99);
+  return {percentile(errors, 0.5), p99, largest};
+}
+
+double median(std::vector<double> values) { return percentile(values, 0.5); }
+
+}  // namespace physgen::bench

@@ -1,0 +1,123 @@
+// Where kernels find their data: which arrays a kernel reads and writes, and these arrays in one layout, storage and space.
+#pragma once
+
+#include <tuple>
+#include <utility>
+
+#include <physgen/array.h>
+
+#include "dataset.h"
+#include "row.h"
+
+namespace physgen::bench {
+
+/// Input or output that is streamed in order: its layout is what is measured.
+template <class Object_, Domain kDomain>
+struct Streamed {
+  using Object = Object_;
+  static constexpr Domain domain = kDomain;
+  template <class Measured>
+  using Layout = Measured;
+};
+
+/// Input or output that is gathered by index or follows nodes: it keeps the layout that suits that.
+template <class Object_, Domain kDomain, class Kept = AosPadded>
+struct Fixed {
+  using Object = Object_;
+  static constexpr Domain domain = kDomain;
+  template <class Measured>
+  using Layout = Kept;
+};
+
+/// The inputs of a kernel, in the order in which it takes them. Each has `of(Dataset&)`, which gives its values.
+template <class... Source>
+struct Inputs {};
+
+namespace detail {
+
+template <class Kernel, class Real, class Space, class Layout, class List>
+class OperandsOf;
+
+template <class Kernel, class Real, class Space, class Layout, class... Source>
+class OperandsOf<Kernel, Real, Space, Layout, Inputs<Source...>> {
+ public:
+  using Output = Array<typename Kernel::Output::Object, Real, Space, typename Kernel::Output::template Layout<Layout>>;
+
+  explicit OperandsOf(Dataset& data)
+      : inputs_(load<Array<typename Source::Object, Real, Space, typename Source::template Layout<Layout>>>(
+            Source::of(data), data.count(Source::domain, Kernel::Output::domain))...),
+        output_(data.count(Kernel::Output::domain, Kernel::Output::domain)) {
+    synchronize();
+  }
+  [[nodiscard]] auto kernel() {
+    return std::apply(
+        [this](const auto&... input) { return Kernel::template make<Real>(input.view()..., output_.view()); }, inputs_);
+  }
+  [[nodiscard]] Output& output() { return output_; }
+
+ private:
+  template <class To, class From>
+  static To load(const From& from, index_t count) {
+    To to(count);
+    copy_first(to.storage(), from.storage(), count);
+    return to;
+  }
+
+  std::tuple<Array<typename Source::Object, Real, Space, typename Source::template Layout<Layout>>...> inputs_;
+  Output output_;
+};
+
+}  // namespace detail
+
+/// The arrays of one row. Kernel is one of kernels.h, which are all of this form:
+///
+///   struct DpFromDf {
+///     static constexpr const char* name = "dp_from_df";
+///     using Reads = Inputs<...>;
+///     using Output = Streamed<...>;                               or Fixed; its domain is the kernel's
+///     static double bytes(const MeshSizes&, double real);         that it must move, with numbers of `real` bytes
+///     template <class Real, class... View> static auto make(const View&... view);  over inputs and output
+///   };
+template <class Kernel, class Real, class Space, class Layout>
+using Operands = detail::OperandsOf<Kernel, Real, Space, Layout, typename Kernel::Reads>;
+
+/// A kernel's output as it is compared with the reference.
+template <class Kernel, class Real>
+using Result = Array<typename Kernel::Output::Object, Real, Host, Aosoa<16>>;
+
+/// Rows of one kernel on the CPU. Defined in host_rows.h, instantiated once in kernels/*.cpp.
+template <class Kernel>
+struct HostKernel {
+  static void add_rows(std::vector<Row>& rows, Dataset& data);
+  /// Compares an output with the reference, for rows of all spaces.
+  /// @throw Error when an element of the output is not a number, as after poison() when it was not written
+  static ErrorStats check(Dataset& data, const Result<Kernel, float>& result);
+  static ErrorStats check(Dataset& data, const Result<Kernel, double>& result);
+};
+
+/// Rows of one kernel on the GPU. Defined in cuda_rows.h, instantiated once in kernels/*.cu.
+template <class Kernel>
+struct CudaKernel {
+  static void add_rows(std::vector<Row>& rows, Dataset& data);
+};
+
+/// Bytes that a kernel must read and write, each input read once, whatever the layout.
+template <class Kernel, class Real>
+double bytes_moved(const Dataset& data) {
+  return Kernel::bytes(data.sizes(Kernel::Output::domain), sizeof(Real));
+}
+
+/// The part of a row that its kernel and storage decide.
+template <class Kernel, class Real>
+Row describe(const char* layout, SpaceKind space, const Dataset& data) {
+  Row row;
+  row.kernel = Kernel::name;
+  row.layout = layout;
+  row.storage = sizeof(Real) == sizeof(float) ? "float" : "double";
+  row.space = name(space);
+  row.objects = data.count(Kernel::Output::domain, Kernel::Output::domain);
+  row.bytes_per_object = bytes_moved<Kernel, Real>(data) / static_cast<double>(row.objects);
+  return row;
+}
+
+}  // namespace physgen::bench

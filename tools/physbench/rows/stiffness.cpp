@@ -1,0 +1,10 @@
+// Rows of the CPU: assembly of the stiffness.
+#include "../host_rows.h"
+
+namespace physgen::bench {
+
+template struct HostKernel<TetStiffness>;
+template struct HostKernel<NodeStiffness>;
+template struct HostKernel<EdgeStiffness>;
+
+}  // namespace physgen::bench

@@ -1,0 +1,176 @@
+// See command.h.
+#include "command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <ostream>
+#include <stdexcept>
+
+#include "emit/emitter.h"
+#include "files.h"
+#include "frontend/frontend.h"
+#include "model/json.h"
+#include "model/model.h"
+
+namespace physgen::command {
+namespace {
+
+constexpr int done = 0, schema_errors = 1, wrong_use = 2;
+
+struct Arguments {
+  std::vector<std::string> schemas;
+  std::string output_dir;
+  std::string depfile;
+  std::string stamp;
+  frontend::Options options;
+  bool verbose = false;
+};
+
+struct Streams {
+  std::ostream& out;
+  std::ostream& err;
+};
+
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Parsed {
+  std::vector<model::Schema> schemas;
+  std::vector<std::string> dependencies;  // of all of them, each once
+};
+
+/// Parses all schemas, so that all their errors are seen at once; none: there are errors.
+std::optional<Parsed> parse_all(const Arguments& arguments, std::ostream& err) {
+  for (const std::string& path : arguments.schemas) require_readable(path);
+  Parsed parsed;
+  bool good = true;
+  for (const std::string& path : arguments.schemas) {
+    auto result = frontend::parse(path, arguments.options);
+    err << result.diagnostics;
+    if (result.schema) parsed.schemas.push_back(std::move(*result.schema));
+    good = good && result.schema;
+    for (std::string& file : result.dependencies)
+      if (std::find(parsed.dependencies.begin(), parsed.dependencies.end(), file) == parsed.dependencies.end())
+        parsed.dependencies.push_back(std::move(file));
+  }
+  if (!good) return std::nullopt;
+  return parsed;
+}
+
+/// @throws UsageError if two schemas would write one header
+void require_different_headers(const std::vector<std::string>& schemas) {
+  std::map<std::string, std::string> written;
+  for (const std::string& path : schemas) {
+    const std::string header = model::generated_header(path);
+    if (const auto [first, is_new] = written.emplace(header, path); !is_new)
+      throw UsageError("'" + first->second + "' and '" + path + "' would both write '" + header +
+                       "'; rename one, or generate them into different folders");
+  }
+}
+
+int generate(const Arguments& arguments, const Streams& streams) {
+  require_different_headers(arguments.schemas);
+  const auto parsed = parse_all(arguments, streams.err);
+  if (!parsed) return schema_errors;
+  std::vector<File> files;
+  for (const model::Schema& schema : parsed->schemas)
+    files.push_back({arguments.output_dir + "/" + model::generated_header(schema.file), emit::accessor_header(schema)});
+  if (!arguments.depfile.empty()) files.push_back({arguments.depfile, depfile(arguments.stamp, parsed->dependencies)});
+  const auto changed = write_changed(files);
+  if (!arguments.stamp.empty()) touch(arguments.stamp);
+  if (arguments.verbose)
+    for (std::size_t i = 0; i < files.size(); ++i)
+      streams.out << (changed[i] ? "written   " : "unchanged ") << files[i].path << '\n';
+  return done;
+}
+
+int check(const Arguments& arguments, const Streams& streams) {
+  const auto parsed = parse_all(arguments, streams.err);
+  if (!parsed) return schema_errors;
+  for (const model::Schema& schema : parsed->schemas) {
+    std::size_t fields = 0;
+    for (const model::Object& object : schema.objects) fields += object.fields.size();
+    streams.out << schema.file << ": " << schema.objects.size() << " objects, " << fields << " fields\n";
+  }
+  return done;
+}
+
+int print_model(const Arguments& arguments, const Streams& streams) {
+  const auto parsed = parse_all(arguments, streams.err);
+  if (!parsed) return schema_errors;
+  streams.out << model::to_json(parsed->schemas.front());
+  return done;
+}
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* what, Arguments& arguments) {
+  auto* command = app.add_subcommand(name, what);
+  command
+      ->add_option("-I,--include", arguments.options.include_dirs, "Folder in which #include looks for other schemas")
+      ->allow_extra_args(false)
+      ->type_name("DIR");
+  return command;
+}
+
+void describe(CLI::App& app, Arguments& arguments) {
+  app.set_version_flag("--version", "physgen " PHYSGEN_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "'physgen SCHEMA... -o DIR' is short for 'physgen generate SCHEMA... -o DIR'.\n"
+      "Exit status: 0 done; 1 errors in a schema, nothing was written; 2 wrong use, or a file that cannot be read or "
+      "written.");
+  auto* generate =
+      add_command(app, "generate", "Write the accessor classes of schemas: x.h gives DIR/x.physgen.h", arguments);
+  generate->add_option("SCHEMA", arguments.schemas, "Schema headers")->required();
+  generate
+      ->add_option("-o,--output", arguments.output_dir, "Folder of the generated headers; made if it does not exist")
+      ->required()
+      ->type_name("DIR");
+  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that gets the present time when all is written")
+                    ->type_name("FILE");
+  generate->add_option("--depfile", arguments.depfile, "File for what the stamp depends on, in the syntax of Make")
+      ->needs(stamp)
+      ->type_name("FILE");
+  generate->add_flag("--verbose", arguments.verbose, "Say which files were written and which were unchanged");
+  auto* check = add_command(app, "check", "Report the errors of schemas, write nothing", arguments);
+  check->add_option("SCHEMA", arguments.schemas, "Schema headers")->required();
+  auto* model = add_command(app, "model", "Print what physgen reads from a schema, as JSON", arguments);
+  model->add_option("SCHEMA", arguments.schemas, "Schema header")->required()->expected(1);
+}
+
+bool names_command(const std::string& argument) {
+  for (const char* known : {"generate", "check", "model", "-h", "--help", "--version"})
+    if (argument == known) return true;
+  return false;
+}
+
+}  // namespace
+
+int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
+  Arguments values;
+  CLI::App app("physgen writes accessor classes for physics objects from a schema, an annotated C++ header.",
+               "physgen");
+  describe(app, values);
+  if (!arguments.empty() && !names_command(arguments.front())) arguments.insert(arguments.begin(), "generate");
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, err) == 0 ? done : wrong_use;
+  }
+  const Streams streams{out, err};
+  try {
+    if (app.got_subcommand("generate")) return generate(values, streams);
+    if (app.got_subcommand("check")) return check(values, streams);
+    return print_model(values, streams);
+  } catch (const FileError& error) {
+    err << "physgen: error: " << error.what() << '\n';
+  } catch (const UsageError& error) {
+    err << "physgen: error: " << error.what() << '\n';
+  }
+  return wrong_use;
+}
+
+}  // namespace physgen::command
