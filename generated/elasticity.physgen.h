@@ -53,7 +53,7 @@ class DeformationGradientRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a DeformationGradient.
+/// What the runtime knows of DeformationGradient.
 struct DeformationGradientObject {
   static constexpr std::string_view name = "elasticity::DeformationGradient";
   template <class Real>
@@ -123,7 +123,7 @@ class DeformationGradientDifferentialRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a DeformationGradientDifferential.
+/// What the runtime knows of DeformationGradientDifferential.
 struct DeformationGradientDifferentialObject {
   static constexpr std::string_view name = "elasticity::DeformationGradientDifferential";
   template <class Real>
@@ -206,7 +206,7 @@ class DeformationSvdRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a DeformationSvd.
+/// What the runtime knows of DeformationSvd.
 struct DeformationSvdObject {
   static constexpr std::string_view name = "elasticity::DeformationSvd";
   template <class Real>
@@ -356,7 +356,7 @@ class StressDerivativeRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a StressDerivative.
+/// What the runtime knows of StressDerivative.
 struct StressDerivativeObject {
   static constexpr std::string_view name = "elasticity::StressDerivative";
   template <class Real>
@@ -436,7 +436,7 @@ class StressRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Stress.
+/// What the runtime knows of Stress.
 struct StressObject {
   static constexpr std::string_view name = "elasticity::Stress";
   template <class Real>
@@ -505,7 +505,7 @@ class StressDifferentialRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a StressDifferential.
+/// What the runtime knows of StressDifferential.
 struct StressDifferentialObject {
   static constexpr std::string_view name = "elasticity::StressDifferential";
   template <class Real>
@@ -583,7 +583,7 @@ class RestShapeRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a RestShape.
+/// What the runtime knows of RestShape.
 struct RestShapeObject {
   static constexpr std::string_view name = "elasticity::RestShape";
   template <class Real>
@@ -653,7 +653,7 @@ class CornerForcesRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a CornerForces.
+/// What the runtime knows of CornerForces.
 struct CornerForcesObject {
   static constexpr std::string_view name = "elasticity::CornerForces";
   template <class Real>
@@ -720,7 +720,7 @@ class NodePositionRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a NodePosition.
+/// What the runtime knows of NodePosition.
 struct NodePositionObject {
   static constexpr std::string_view name = "elasticity::NodePosition";
   template <class Real>
@@ -787,7 +787,7 @@ class NodeForceRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a NodeForce.
+/// What the runtime knows of NodeForce.
 struct NodeForceObject {
   static constexpr std::string_view name = "elasticity::NodeForce";
   template <class Real>
@@ -854,7 +854,7 @@ class NodeDisplacementRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a NodeDisplacement.
+/// What the runtime knows of NodeDisplacement.
 struct NodeDisplacementObject {
   static constexpr std::string_view name = "elasticity::NodeDisplacement";
   template <class Real>
@@ -921,7 +921,7 @@ class NodeForceDifferentialRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a NodeForceDifferential.
+/// What the runtime knows of NodeForceDifferential.
 struct NodeForceDifferentialObject {
   static constexpr std::string_view name = "elasticity::NodeForceDifferential";
   template <class Real>
@@ -990,7 +990,7 @@ class NodeStiffnessRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a NodeStiffness.
+/// What the runtime knows of NodeStiffness.
 struct NodeStiffnessObject {
   static constexpr std::string_view name = "elasticity::NodeStiffness";
   template <class Real>
@@ -1059,7 +1059,7 @@ class EdgeStiffnessRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a EdgeStiffness.
+/// What the runtime knows of EdgeStiffness.
 struct EdgeStiffnessObject {
   static constexpr std::string_view name = "elasticity::EdgeStiffness";
   template <class Real>
@@ -1145,7 +1145,7 @@ class TetStiffnessRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a TetStiffness.
+/// What the runtime knows of TetStiffness.
 struct TetStiffnessObject {
   static constexpr std::string_view name = "elasticity::TetStiffness";
   template <class Real>
@@ -1215,7 +1215,7 @@ class TetRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Tet.
+/// What the runtime knows of Tet.
 struct TetObject {
   static constexpr std::string_view name = "elasticity::Tet";
   template <class Real>
@@ -1284,7 +1284,7 @@ class EdgeRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Edge.
+/// What the runtime knows of Edge.
 struct EdgeObject {
   static constexpr std::string_view name = "elasticity::Edge";
   template <class Real>
@@ -1360,7 +1360,7 @@ class IncidenceRangeRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a IncidenceRange.
+/// What the runtime knows of IncidenceRange.
 struct IncidenceRangeObject {
   static constexpr std::string_view name = "elasticity::IncidenceRange";
   template <class Real>
@@ -1436,7 +1436,7 @@ class IncidenceRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Incidence.
+/// What the runtime knows of Incidence.
 struct IncidenceObject {
   static constexpr std::string_view name = "elasticity::Incidence";
   template <class Real>

@@ -1,6 +1,6 @@
-// Object types of finite element elasticity on linear tetrahedra: what the kernels of tools/fem read and write. A tet has
-// the corners i, j, k, l; matrices built from corners have the columns j, k, l. Fields of elements are streamed in order
-// and lie in tiles; vectors of nodes are gathered by elements and lie as padded records.
+// Object types of finite element elasticity on linear tetrahedra: what the kernels of tools/fem read and write. A tet
+// has the corners i, j, k, l; matrices built from corners have the columns j, k, l. Fields of elements are streamed in
+// order and lie in tiles; vectors of nodes are gathered by elements and lie as padded records.
 #pragma once
 
 #include <physgen/schema.h>
@@ -8,7 +8,7 @@
 namespace elasticity {
 using namespace physgen::schema;
 
-// ---- Per element: deformation and stress ------------------------------------------------------------------------------
+// ---- Per element: deformation and stress ----
 
 /// Deformation gradient of one element, F = Ds Dm^-1.
 struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) DeformationGradient {
@@ -26,8 +26,8 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) Deformat
   PHYSGEN(unit("1")) Diagonal<3> s;  ///< principal stretches, s1 >= s2 >= |s3|; s3 < 0 exactly when inverted
 };
 
-/// Isotropic stress derivative in principal axes (12 scalars): x_iikk = d2psi/(ds_i ds_k), and for the pairs (a,b) = (2,1),
-/// (3,1), (3,2) the entries x_abab and x_abba.
+/// Isotropic stress derivative in principal axes (12 scalars): x_iikk = d2psi/(ds_i ds_k), and for the pairs (a,b) =
+/// (2,1), (3,1), (3,2) the entries x_abab and x_abba.
 struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) StressDerivative {
   PHYSGEN(unit("Pa")) Scalar x1111, x2211, x3311, x2222, x3322, x3333;  ///< stretch: the symmetric 3x3 block
   PHYSGEN(unit("Pa")) Scalar x2121, x2112, x3131, x3113, x3232, x3223;  ///< shear: one 2x2 block per pair
@@ -54,7 +54,7 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) CornerFo
   PHYSGEN(unit("N")) Matrix<3, 3> G;  ///< G = -volume P Dm^-T
 };
 
-// ---- Per node: vectors that elements gather ---------------------------------------------------------------------------
+// ---- Per node: vectors that elements gather ----
 
 /// Current position of a node.
 struct PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos_padded)) NodePosition {
@@ -76,7 +76,7 @@ struct PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos_padded)) NodeFo
   PHYSGEN(unit("N")) Vector<3> df;  ///< change of the node's force along the displacement differential
 };
 
-// ---- Stiffness: df(v) += K_v dx(v) per node, df(m) += E dx(n) and df(n) += E^T dx(m) per edge (m,n) --------------------
+// ---- Stiffness: df(v) += K_v dx(v) per node, df(m) += E dx(n) and df(n) += E^T dx(m) per edge (m,n) ----
 
 /// Diagonal block of a node.
 struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) NodeStiffness {
@@ -94,7 +94,7 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) TetStiff
   PHYSGEN(unit("N/m")) Matrix<3, 3> e[6];  ///< edges ij, ik, il, jk, jl, kl: df(first)/dx(second)
 };
 
-// ---- Connectivity -----------------------------------------------------------------------------------------------------
+// ---- Connectivity ----
 
 /// Nodes of a tet.
 struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) Tet {

@@ -3,11 +3,11 @@
 #
 #   physgen_generate(TARGET name SCHEMAS a.h b.h [OUTPUT_DIR dir] [CHECKED_IN dir])
 #
-# Makes the library target `name`. A program that links it finds a.physgen.h and b.physgen.h by #include <a.physgen.h>, is
-# compiled after they are written, and links physgen::runtime. physgen runs again when a schema, a header that a schema
-# includes, or physgen itself has changed; a header whose text stays the same keeps its time, so that nothing that
-# includes it is compiled again. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder).
-# Where there is no physgen command (it needs LLVM), the headers in CHECKED_IN are used as they are.
+# Makes the library target `name`. A program that links it finds the headers a.physgen.h and b.physgen.h, is compiled
+# after they are written, and links physgen::runtime. physgen runs again when a schema, a header that a schema includes,
+# or physgen itself has changed; a header whose text stays the same keeps its time, so that nothing that includes it is
+# compiled again. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder). Without a
+# physgen command (it needs LLVM), the headers in CHECKED_IN are used as they are.
 include_guard(DIRECTORY)
 cmake_policy(VERSION 3.25)
 
@@ -83,14 +83,14 @@ endfunction()
 # Makes `target` use the headers `names` of the folder `checked_in`, as they are.
 function(_physgen_use_checked_in target checked_in names)
   if(NOT checked_in)
-    message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command to write ${names} with (physgen was built "
-      "without LLVM), and no CHECKED_IN folder to take them from")
+    message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command to write ${names} with (physgen was "
+      "built without LLVM), and no CHECKED_IN folder to take them from")
   endif()
   cmake_path(ABSOLUTE_PATH checked_in BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   foreach(name IN LISTS names)
     if(NOT EXISTS "${checked_in}/${name}")
-      message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command (physgen was built without LLVM), and "
-        "${checked_in} has no ${name}; write it on a machine with physgen: physgen generate SCHEMA -o ${checked_in}")
+      message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command (physgen was built without LLVM), "
+        "and ${checked_in} has no ${name}; write it on a machine with LLVM: physgen generate SCHEMA -o ${checked_in}")
     endif()
   endforeach()
   message(STATUS "physgen_generate(${target}): no physgen command; using the checked-in headers of ${checked_in}")

@@ -29,7 +29,7 @@ std::string member_type(const model::Field& field, const plan::Slot& slot, const
 
 std::string literal(model::Element element, double value) {
   const std::string text = number(value);
-  if (element == model::Element::real) return "Real(" + text + ")";
+  if (element == model::Element::real) return "physgen::all_lanes<Real>(" + text + ")";
   if (element != model::Element::float32) return text;
   return text + (text.find_first_of(".e") == std::string::npos ? ".0f" : "f");
 }

@@ -110,7 +110,7 @@ Result parse(const std::string& path, const Options& options) {
   compiler.createFileManager(file_system());
 #endif
   compiler.getDiagnostics().setFatalsAsError(true);  // a missing header must not hide the other errors
-  compiler.setVerboseOutputStream(diagnostics);                 // "2 errors generated."
+  compiler.setVerboseOutputStream(diagnostics);      // "2 errors generated."
   const auto dependencies = std::make_shared<clang::DependencyCollector>();
   compiler.addDependencyCollector(dependencies);
   Action action(schema);

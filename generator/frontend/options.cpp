@@ -41,7 +41,7 @@ std::optional<std::string> literal(const clang::APValue& pointer) {
 
 Option evaluated(const clang::Expr* argument, const clang::ASTContext& context) {
   Option option{argument->IgnoreImplicit(), {}, {}};
-  const llvm::StringRef type = vocabulary_name(argument->getType()->getAsCXXRecordDecl());
+  const llvm::StringRef type = option_name(argument->getType()->getAsCXXRecordDecl());
   clang::Expr::EvalResult result;
   if (type.empty() || argument->isValueDependent() || !argument->EvaluateAsConstantExpr(result, context) ||
       !result.Val.isStruct())

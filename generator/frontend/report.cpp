@@ -9,18 +9,20 @@
 namespace physgen::frontend {
 
 void Report::error(clang::SourceRange range, std::string message, std::optional<Note> note) {
-  entries_.push_back({clang::DiagnosticsEngine::Error, range, std::move(message), std::move(note)});
+  entries_.push_back({clang::DiagnosticsEngine::Error, range, std::move(message), std::move(note), 0});
 }
 
 void Report::warning(clang::SourceRange range, std::string message) {
-  entries_.push_back({clang::DiagnosticsEngine::Warning, range, std::move(message), {}});
+  entries_.push_back({clang::DiagnosticsEngine::Warning, range, std::move(message), {}, 0});
 }
 
 void Report::flush() {
   const auto& sources = context_.getSourceManager();
   const auto place = [&](const Entry& entry) { return sources.getFileLoc(entry.range.getBegin()); };
-  std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) {
-    return place(a) != place(b) && sources.isBeforeInTranslationUnit(place(a), place(b));
+  for (std::size_t i = 0; i < entries_.size(); ++i) entries_[i].order = i;
+  std::sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) {
+    if (place(a) == place(b)) return a.order < b.order;
+    return sources.isBeforeInTranslationUnit(place(a), place(b));
   });
   for (const Entry& entry : entries_) {
     emit(entry.level, entry.range, entry.message);
@@ -52,13 +54,30 @@ void Report::emit(clang::DiagnosticsEngine::Level level, clang::SourceRange rang
   engine.Report(begin, id) << message << clang::CharSourceRange::getTokenRange(begin, end);
 }
 
+namespace {
+
+/// The declaration's enclosing namespace if it is called `name`, else null.
+const clang::NamespaceDecl* within(const clang::Decl* declaration, llvm::StringRef name) {
+  if (declaration == nullptr) return nullptr;
+  const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(declaration->getDeclContext());
+  return space != nullptr && space->getName() == name ? space : nullptr;
+}
+
+bool is_vocabulary(const clang::NamespaceDecl* schema) {
+  const auto* physgen = within(schema, "physgen");
+  return physgen != nullptr && physgen->getDeclContext()->getRedeclContext()->isTranslationUnit();
+}
+
+}  // namespace
+
 llvm::StringRef vocabulary_name(const clang::CXXRecordDecl* record) {
-  if (record == nullptr || record->getIdentifier() == nullptr) return {};
-  const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(record->getDeclContext());
-  if (space == nullptr || space->getName() != "schema") return {};
-  const auto* outer = llvm::dyn_cast<clang::NamespaceDecl>(space->getDeclContext());
-  if (outer == nullptr || outer->getName() != "physgen" || !outer->getDeclContext()->isTranslationUnit()) return {};
+  if (record == nullptr || record->getIdentifier() == nullptr || !is_vocabulary(within(record, "schema"))) return {};
   return record->getName();
+}
+
+llvm::StringRef option_name(const clang::CXXRecordDecl* record) {
+  if (record == nullptr || record->getIdentifier() == nullptr) return {};
+  return is_vocabulary(within(within(record, "detail"), "schema")) ? record->getName() : llvm::StringRef();
 }
 
 }  // namespace physgen::frontend

@@ -38,6 +38,7 @@ class Report {
     clang::SourceRange range;
     std::string message;
     std::optional<Note> note;
+    std::size_t order = 0;  // of reports about one place
   };
   void emit(clang::DiagnosticsEngine::Level level, clang::SourceRange range, const std::string& message);
 
@@ -51,5 +52,8 @@ class Report {
 
 /// If the type is declared in physgen::schema, its name there; else empty.
 [[nodiscard]] llvm::StringRef vocabulary_name(const clang::CXXRecordDecl* record);
+
+/// If the type is that of an option, declared in physgen::schema::detail, its name there; else empty.
+[[nodiscard]] llvm::StringRef option_name(const clang::CXXRecordDecl* record);
 
 }  // namespace physgen::frontend

@@ -133,8 +133,8 @@ class TypeReader {
     const llvm::StringRef vocabulary = vocabulary_name(&record);
     for (const Marker& marker : markers)
       if (vocabulary == marker.name) return read_marker(record, marker);
-    if (!vocabulary.empty())
-      return fail("has the type " + quoted(vocabulary) + ", which is an option and not a field type; " + allowed);
+    if (const auto option = option_name(&record); !option.empty())
+      return fail("has the type " + quoted(option) + ", which is an option and not a field type; " + allowed);
     if (record.isUnion()) return fail("is a union, whose members share memory; write one field per member");
     if (llvm::isa<clang::ClassTemplateSpecializationDecl>(record))
       return fail("has a template as its type, which a schema does not have; write a struct with PHYSGEN_OBJECT()");

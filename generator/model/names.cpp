@@ -25,16 +25,16 @@ constexpr std::string_view keywords[] = {
     "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
     "xor_eq"};
 
-constexpr std::string_view reserved_fields[] = {"get",   "put",       "Real",    "Cursor", "S",     "Value", "Record",
-                                                "bytes", "alignment", "physgen", "std",    "Eigen", "value"};
+constexpr std::string_view reserved_fields[] = {"get",   "put",       "Real",    "Cursor", "Value", "Record",
+                                                "bytes", "alignment", "physgen", "std",    "Eigen"};
 // Objects must not hide what generated code says beside them: its template parameters, and the words of the schema.
 constexpr std::string_view reserved_objects[] = {
-    "Real",  "Cursor", "S",         "Value",  "Record", "Layout",    "Space",    "View", "Array",
-    "Ref",   "Object", "Scalar",    "Vector", "Matrix", "Symmetric", "Diagonal", "Skew", "Rotation",
-    "Index", "bytes",  "alignment", "get",    "put",    "physgen",   "std",      "Eigen"};
+    "Real",   "Cursor",    "Value",  "Record", "Layout",    "Space",    "View", "Array",    "Ref",
+    "Object", "Scalar",    "Vector", "Matrix", "Symmetric", "Diagonal", "Skew", "Rotation", "Index",
+    "bytes",  "alignment", "get",    "put",    "physgen",   "std",      "Eigen"};
 // Macros of system headers and compilers.
 constexpr std::string_view macros[] = {"NULL", "NAN", "INFINITY", "EOF", "errno", "assert", "linux", "unix"};
-constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen", "detail"};
+constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen"};
 
 bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
   return std::find(names.begin(), names.end(), name) != names.end();

@@ -136,10 +136,11 @@ class Checker {
         report(Aspect::name, "field name " + quoted(field.name) + " is also the name of a type generated for object " +
                                  quoted(object.name) + "; choose another name");
     for (const Field& other : object.fields)
-      if (other.shape == Shape::object && field.name == other.object.substr(other.object.rfind(':') + 1) &&
-          field.name != object.name)
-        report(Aspect::name, "field name " + quoted(field.name) + " is also the name of the object type " +
-                                 quoted(other.object) + " nested here; choose another name");
+      for (const char* ending : {"", "Ref"})
+        if (other.shape == Shape::object && field.name != object.name &&
+            field.name == other.object.substr(other.object.rfind(':') + 1) + ending)
+          report(Aspect::name, "field name " + quoted(field.name) + " is also the name of the object type " +
+                                   quoted(other.object + ending) + " nested here; choose another name");
     const auto [first, is_new] = names.emplace(field.name, place_);
     if (!is_new)
       report(Aspect::name, "field " + quoted(field.name) + " is declared twice; rename or remove one", first->second);

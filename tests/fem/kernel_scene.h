@@ -1,9 +1,7 @@
-// A small Truth Cube in object arrays of one precision, space and layout, with all kernels run over it in order; and the
-// naive reference: textbook formulae per tet on plain Eigen matrices in extended precision, sharing no code with them.
+// A small Truth Cube in object arrays of one precision, space and layout, with all kernels run over it in order; and
+// the naive reference: textbook formulae per tet on plain Eigen matrices in extended precision, sharing no code with
+// them.
 #pragma once
-
-#include <cstring>
-#include <vector>
 
 #include <elasticity.physgen.h>
 #include <fem/compute_svd.h>
@@ -16,6 +14,9 @@
 #include <fem/stress.h>
 #include <fem/stress_derivative.h>
 #include <fem/truth_cube.h>
+
+#include <cstring>
+#include <vector>
 
 #include "reference.h"
 
@@ -53,7 +54,8 @@ Mat stress(const FixedCorotated<R>& m, const Mat& F) {
 
 /// Nodes' forces from positions at rest and now.
 template <class Model>
-std::vector<Vec> forces(const Model& model, const TetMesh& mesh, const std::vector<Vec>& rest, const std::vector<Vec>& x) {
+std::vector<Vec> forces(const Model& model, const TetMesh& mesh, const std::vector<Vec>& rest,
+                        const std::vector<Vec>& x) {
   std::vector<Vec> f(rest.size(), Vec::Zero());
   for (const auto& tet : mesh.tets) {
     const auto at = [&tet](const std::vector<Vec>& v, std::size_t c) { return v[static_cast<std::size_t>(tet[c])]; };
@@ -159,16 +161,16 @@ class KernelScene {
     run(n, DpFromDf{svd.const_view(), derivative.const_view(), gradient_differential.const_view(),
                     stress_differential.view()});
     run(n, ComputeCornerForces{rest.const_view(), stress.const_view(), corner_forces.view()});
-    run(nodes(), GatherForces{node_tets.const_view(), node_tet_entries.const_view(), corner_forces.const_view(),
-                              forces.view()});
+    run(nodes(),
+        GatherForces{node_tets.const_view(), node_tet_entries.const_view(), corner_forces.const_view(), forces.view()});
     run(n, ComputeTetStiffness{rest.const_view(), svd.const_view(), derivative.const_view(), tet_stiffness.view()});
-    run(nodes(), GatherNodeStiffness{node_tets.const_view(), node_tet_entries.const_view(),
-                                     tet_stiffness.const_view(), node_stiffness.view()});
+    run(nodes(), GatherNodeStiffness{node_tets.const_view(), node_tet_entries.const_view(), tet_stiffness.const_view(),
+                                     node_stiffness.view()});
     run(edges.size(), GatherEdgeStiffness{edge_tets.const_view(), edge_tet_entries.const_view(),
                                           tet_stiffness.const_view(), edge_stiffness.view()});
     run(nodes(), ForceDifferential{node_stiffness.const_view(), edge_stiffness.const_view(), edges.const_view(),
-                                   node_edges.const_view(), node_edge_entries.const_view(),
-                                   displacements.const_view(), assembled.view()});
+                                   node_edges.const_view(), node_edge_entries.const_view(), displacements.const_view(),
+                                   assembled.view()});
     run(n, ComputeCornerForceDifferentials{tets.const_view(), displacements.const_view(), rest.const_view(),
                                            svd.const_view(), derivative.const_view(), corner_differentials.view()});
     run(nodes(), GatherForceDifferentials{node_tets.const_view(), node_tet_entries.const_view(),

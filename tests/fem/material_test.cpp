@@ -1,14 +1,12 @@
 // The material models against their energies, written out naively and differentiated in quadruple precision.
 #include <fem/fixed_corotated.h>
 #include <fem/neo_hookean.h>
+#include <gtest/gtest.h>
+#include <physgen/error.h>
+#include <physgen/simd.h>
 
 #include <algorithm>
 #include <vector>
-
-#include <gtest/gtest.h>
-
-#include <physgen/error.h>
-#include <physgen/simd.h>
 
 #include "reference.h"
 
@@ -78,9 +76,9 @@ double sensitivity(const Model& m, const Vector3<double>& s, const std::array<Qu
   return sum;
 }
 
-// Worst errors in eps: of psi relative to |psi| + mu |s - 1|^2 (with nu < 0, psi alone may vanish), of g relative to |H| |s| (a change of s by an eps moves it so far), of
-// the 12 entries relative to the largest of them or, where they are ill-conditioned (J near e cancels all of lambda), to
-// what an eps in s changes.
+// Worst errors in eps: of psi relative to |psi| + mu |s - 1|^2 (with nu < 0, psi alone may vanish), of g relative to
+// |H| |s| (a change of s by an eps moves it so far), of the 12 entries relative to the largest of them or, where they
+// are ill-conditioned (J near e cancels all of lambda), to what an eps in s changes.
 struct Errors {
   double energy = 0, stress = 0, derivative = 0;
 };
@@ -104,7 +102,8 @@ void measure(Errors& worst, const Model& m, const Vector3<double>& s) {
     worst.stress = std::max(worst.stress, e / (scale * s.norm()) / eps);
   }
   const double e = std::abs(double(Quad(m.energy(s)) - psi.value));
-  worst.energy = std::max(worst.energy, e / (std::abs(double(psi.value)) + m.mu * (s - Vector3<double>::Ones()).squaredNorm()) / eps);
+  worst.energy = std::max(worst.energy,
+                          e / (std::abs(double(psi.value)) + m.mu * (s - Vector3<double>::Ones()).squaredNorm()) / eps);
 }
 
 Vector3<double> sorted(double a, double b, double c) {
@@ -125,7 +124,8 @@ template <class Model>
 class MaterialOf : public testing::Test {
  protected:
   // Tissue: nearly incompressible or not.
-  std::vector<Model> models{Model::from(1e4, 0.45), Model::from(1e4, 0.49), Model::from(3e3, 0.3), Model::from(1, -0.2)};
+  std::vector<Model> models{Model::from(1e4, 0.45), Model::from(1e4, 0.49), Model::from(3e3, 0.3),
+                            Model::from(1, -0.2)};
 };
 using Models = testing::Types<NeoHookean<double>, FixedCorotated<double>>;
 TYPED_TEST_SUITE(MaterialOf, Models);
@@ -153,7 +153,8 @@ TYPED_TEST(MaterialOf, has_no_noise_floor_near_rest) {
     for (const double strain : {1e-1, 1e-4, 1e-8}) {
       double stress = 0, energy = 0;
       for (int k = 0; k < 2000; ++k) {
-        const Vector3<double> s = sorted(1 + strain * random.normal(), 1 + strain * random.normal(), 1 + strain * random.normal());
+        const Vector3<double> s =
+            sorted(1 + strain * random.normal(), 1 + strain * random.normal(), 1 + strain * random.normal());
         const Vector3<double> e = s - Vector3<double>::Ones();
         const Jet psi = exact(m, s);
         for (int a = 0; a < 3; ++a) {
@@ -218,8 +219,9 @@ TYPED_TEST(MaterialOf, treats_the_principal_axes_alike) {
 
 TYPED_TEST(MaterialOf, is_finite_for_flattened_collapsed_and_inverted_elements) {
   for (const auto& m : this->models) {
-    for (const Vector3<double>& s : {Vector3<double>(1, 1, 0), Vector3<double>(1, 0, 0), Vector3<double>(0, 0, 0),
-                                     Vector3<double>(1, 1, -1), Vector3<double>(2, 0.5, -0.5), Vector3<double>(1e3, 1, -1)}) {
+    for (const Vector3<double>& s :
+         {Vector3<double>(1, 1, 0), Vector3<double>(1, 0, 0), Vector3<double>(0, 0, 0), Vector3<double>(1, 1, -1),
+          Vector3<double>(2, 0.5, -0.5), Vector3<double>(1e3, 1, -1)}) {
       EXPECT_TRUE(std::isfinite(m.energy(s)));
       EXPECT_TRUE(m.stress(s).allFinite());
       for (const double x : entries(m.derivative(s))) EXPECT_TRUE(std::isfinite(x));

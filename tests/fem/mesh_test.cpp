@@ -1,15 +1,13 @@
 // Box meshes, their edges and incidence lists, and the Truth Cube.
 #include <fem/mesh.h>
 #include <fem/truth_cube.h>
+#include <gtest/gtest.h>
+#include <physgen/error.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <map>
 #include <set>
-
-#include <Eigen/Dense>
-#include <gtest/gtest.h>
-
-#include <physgen/error.h>
 
 namespace physgen::fem {
 namespace {

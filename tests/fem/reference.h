@@ -2,12 +2,11 @@
 // function to second order (a jet) in that precision. Nothing here is shared with the code under test.
 #pragma once
 
+#include <Eigen/Dense>
 #include <array>
 #include <cstdlib>
 #include <iostream>
 #include <random>
-
-#include <Eigen/Dense>
 
 namespace physgen::fem::reference {
 
@@ -71,7 +70,7 @@ struct Jet {
   std::array<Quad, 3> gradient{};
   std::array<std::array<Quad, 3>, 3> hessian{};
 
-  Jet(Quad constant) : value(constant) {}  // NOLINT: constants mix with jets
+  Jet(Quad constant) : value(constant) {}    // NOLINT: constants mix with jets
   Jet(double constant) : value(constant) {}  // NOLINT
   static Jet variable(double at, std::size_t which) {
     Jet x{Quad(at)};

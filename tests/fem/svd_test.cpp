@@ -1,14 +1,12 @@
 // The 3x3 SVD on ordinary and hard matrices, as packs and as single numbers, against extended precision.
 #include <fem/svd.h>
+#include <gtest/gtest.h>
+#include <physgen/simd.h>
 
 #include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
-
-#include <physgen/simd.h>
 
 #include "reference.h"
 
@@ -71,7 +69,8 @@ Errors errors_of(const Make& make, int count, Random& random) {
     const Svd<B> result = svd(packed);
     for (std::size_t l = 0; l < W; ++l) {
       Svd<T> one;
-      for (int k = 0; k < 9; ++k) one.U.data()[k] = result.U.data()[k].get(l), one.V.data()[k] = result.V.data()[k].get(l);
+      for (int k = 0; k < 9; ++k)
+        one.U.data()[k] = result.U.data()[k].get(l), one.V.data()[k] = result.V.data()[k].get(l);
       for (int k = 0; k < 3; ++k) one.s[k] = result.s[k].get(l);
       errors.add(matrices[l], one);
     }
@@ -104,9 +103,24 @@ std::vector<Family> hard_families() {
       {"rotation", [](Random& r) -> M { return r.rotation(); }},
       {"reflection", [](Random& r) -> M { return -r.rotation(); }},
       {"near rest", [](Random& r) -> M { return M::Identity() + 1e-4 * r.gaussian(); }},
-      {"equal columns", [](Random& r) -> M { M m = r.gaussian(); m.col(2) = m.col(1); return m; }},
-      {"zero column", [](Random& r) -> M { M m = r.gaussian(); m.col(r.integer(0, 2)).setZero(); return m; }},
-      {"zero row", [](Random& r) -> M { M m = r.gaussian(); m.row(r.integer(0, 2)).setZero(); return m; }},
+      {"equal columns",
+       [](Random& r) -> M {
+         M m = r.gaussian();
+         m.col(2) = m.col(1);
+         return m;
+       }},
+      {"zero column",
+       [](Random& r) -> M {
+         M m = r.gaussian();
+         m.col(r.integer(0, 2)).setZero();
+         return m;
+       }},
+      {"zero row",
+       [](Random& r) -> M {
+         M m = r.gaussian();
+         m.row(r.integer(0, 2)).setZero();
+         return m;
+       }},
       {"rank 1 of integers",
        [](Random& r) -> M {
          Eigen::Vector3d a, b;
@@ -114,8 +128,13 @@ std::vector<Family> hard_families() {
          return a * b.transpose();
        }},
       {"-1, 0, 1", [](Random& r) -> M { return M::NullaryExpr([&r] { return double(r.integer(-1, 1)); }); }},
-      {"skew-symmetric", [](Random& r) -> M { const M m = r.gaussian(); return m - m.transpose(); }},
-      {"graded", [](Random& r) -> M { return M::NullaryExpr([&r] { return r.normal() * std::pow(10., -r.integer(0, 30)); }); }},
+      {"skew-symmetric",
+       [](Random& r) -> M {
+         const M m = r.gaussian();
+         return m - m.transpose();
+       }},
+      {"graded",
+       [](Random& r) -> M { return M::NullaryExpr([&r] { return r.normal() * std::pow(10., -r.integer(0, 30)); }); }},
       {"sliver",
        [](Random& r) -> M {
          M m = r.gaussian().triangularView<Eigen::Upper>();
@@ -124,10 +143,20 @@ std::vector<Family> hard_families() {
        }},
   };
   const double ulp = 0x1p-23;
-  for (const auto& s : std::vector<std::array<double, 3>>{{2, 1, 1}, {2, 2, 1}, {2, 1, -1}, {1, 0, 0}, {1, 1, 0},
-                                                          {1, 0.5, 0}, {1, 1, 1e-7}, {1, 1e-7, 1e-7}, {1, 1e-3, 1e-6},
-                                                          {1, 1e-6, 1e-12}, {1, 1e-10, 1e-20}, {1, 1 - ulp, 0.5},
-                                                          {1, 1 - 10 * ulp, 1 - 1000 * ulp}, {1, 0.5, -0.5 + ulp}}) {
+  for (const auto& s : std::vector<std::array<double, 3>>{{2, 1, 1},
+                                                          {2, 2, 1},
+                                                          {2, 1, -1},
+                                                          {1, 0, 0},
+                                                          {1, 1, 0},
+                                                          {1, 0.5, 0},
+                                                          {1, 1, 1e-7},
+                                                          {1, 1e-7, 1e-7},
+                                                          {1, 1e-3, 1e-6},
+                                                          {1, 1e-6, 1e-12},
+                                                          {1, 1e-10, 1e-20},
+                                                          {1, 1 - ulp, 0.5},
+                                                          {1, 1 - 10 * ulp, 1 - 1000 * ulp},
+                                                          {1, 0.5, -0.5 + ulp}}) {
     f.push_back({"s = " + std::to_string(s[0]) + ", " + std::to_string(s[1]) + ", " + std::to_string(s[2]),
                  with_values(s[0], s[1], s[2])});
   }

@@ -14,9 +14,19 @@ export PATH="$work/bin:$PATH" calls work
 unset CUDACXX CUDA_HOME
 touch "$calls"
 
-fail() { printf 'FAILED: %s\n--- output:\n%s\n--- calls:\n%s\n' "$*" "$(cat "$work/output")" "$(cat "$calls")" >&2; exit 1; }
+fail() {
+  printf 'FAILED: %s\n--- output:\n%s\n--- calls:\n%s\n' "$*" "$(cat "$work/output")" "$(cat "$calls")" >&2
+  exit 1
+}
 # fake NAME BODY: a command NAME that records its call, then runs BODY.
-fake() { printf '#!/usr/bin/env bash\necho "%s $*" >>"$calls"\n%s\n' "$1" "${2-}" >"$work/bin/$1"; chmod +x "$work/bin/$1"; }
+fake() { recorder "$work/bin/$1" "${2-}"; }
+# program PATH: a program in the copied tree that records its call.
+program() { recorder "$root/$1"; }
+recorder() {
+  mkdir -p "$(dirname "$1")"
+  printf '#!/usr/bin/env bash\necho "%s $*" >>"$calls"\n%s\n' "${1##*/}" "${2-}" >"$1"
+  chmod +x "$1"
+}
 # dev STATUS ARGUMENTS...: runs the script from another folder; fails when its exit status is not STATUS.
 dev() {
   local expected=$1 status=0
@@ -30,8 +40,8 @@ not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
 
 # A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
 every_package() {
-  printf '%s\n' cmake ninja-build make g++ libeigen3-dev libxsimd-dev libgtest-dev:amd64 libbenchmark-dev:amd64 valgrind \
-    nlohmann-json3-dev libcli11-dev libclang-22-dev llvm-22-dev clang-22
+  printf '%s\n' cmake ninja-build make g++ libeigen3-dev libxsimd-dev libgtest-dev:amd64 libbenchmark-dev:amd64 \
+    valgrind nlohmann-json3-dev libcli11-dev libclang-22-dev llvm-22-dev clang-22
 }
 export apt_has='-22'
 every_package >"$work/installed"
@@ -45,17 +55,15 @@ without() { every_package | grep -vE "$1" >"$work/installed"; }
 fake cmake 'mkdir -p build'
 fake ctest 'exit 8'
 fake nvidia-smi 'exit 9'
-program() { mkdir -p "$(dirname "$root/$1")"; printf '#!/usr/bin/env bash\necho "%s $*" >>"$calls"\n' "${1##*/}" >"$root/$1"; chmod +x "$root/$1"; }
 # Rules that need no nvcc cannot hide one in /usr/local/cuda: it is taken out of the copied script.
 sed -i "s|/usr/local/cuda/bin/nvcc|$(printf %q "$work")/none/nvcc|" "$root/tools/dev"
-hide_nvcc() { PATH=$(tr : '\n' <<<"$PATH" | while read -r entry; do [[ -x $entry/nvcc ]] || printf '%s:' "$entry"; done); }
-hide_nvcc
+PATH=$(tr : '\n' <<<"$PATH" | while read -r entry; do [[ -x $entry/nvcc ]] || printf '%s:' "$entry"; done)
 touch "$work/output"
 
 case $rule in
   help_names_every_command)
     dev 0 help
-    for name in setup build run test gpu format tidy clean; do grep -qE "^  $name" "$work/output" || fail "help does not name $name"; done
+    for name in setup build run test gpu format tidy clean; do says "  $name "; done
     dev 0
     ;;
   unknown_command_exits_with_2)

@@ -10,5 +10,6 @@ foreach(header IN LISTS written checked_in)
 endforeach()
 list(REMOVE_DUPLICATES stale)
 if(stale)
-  message(FATAL_ERROR "generated/ is stale: ${stale}. Renew it: cmake --build --preset release --target update-generated")
+  message(FATAL_ERROR "generated/ is stale: ${stale}. To renew it: "
+    "cmake --build --preset release --target update-generated")
 endif()

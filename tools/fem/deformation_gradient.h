@@ -1,5 +1,5 @@
-// Kernels from node vectors to elements: the rest shape (once per scene), the deformation gradient F = Ds Dm^-1, and its
-// differential along a displacement.
+// Kernels from node vectors to elements: the rest shape (once per scene), the deformation gradient F = Ds Dm^-1, and
+// its differential along a displacement.
 #pragma once
 
 #include <fem/tet.h>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fem/scalar.h>
-
 #include <physgen/pack.h>
 
 namespace physgen::fem {
@@ -46,10 +45,10 @@ PHYSGEN_FUNCTION inline Matrix3<S> stress_differential(const Matrix3<S>& U, cons
 template <class SvdView, class DerivativeView, class DifferentialView, class StressDifferentialView>
 struct DpFromDf {
   using Scalar = typename StressDifferentialView::Precision;
-  SvdView decomposition;           ///< elasticity::DeformationSvd, of which U and V are read
-  DerivativeView derivative;       ///< elasticity::StressDerivative
-  DifferentialView differential;   ///< elasticity::DeformationGradientDifferential
-  StressDifferentialView stress;   ///< elasticity::StressDifferential, written
+  SvdView decomposition;          ///< elasticity::DeformationSvd, of which U and V are read
+  DerivativeView derivative;      ///< elasticity::StressDerivative
+  DifferentialView differential;  ///< elasticity::DeformationGradientDifferential
+  StressDifferentialView stress;  ///< elasticity::StressDifferential, written
 
   template <class I>
   PHYSGEN_FUNCTION void operator()(I i) const {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fem/scalar.h>
-
 #include <physgen/pack.h>
 
 namespace physgen::fem {

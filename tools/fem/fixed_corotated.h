@@ -13,8 +13,8 @@ struct FixedCorotated {
   using Scalar = Real;
   static constexpr const char* name = "fixed corotated";
 
-  Real mu, lambda;                          ///< Lame constants [Pa]
-  Real smallest_stretch_sum = Real(1e-3);   ///< cap at the pole, > 0
+  Real mu, lambda;                         ///< Lame constants [Pa]
+  Real smallest_stretch_sum = Real(1e-3);  ///< cap at the pole, > 0
 
   /// @throws Error as lame_parameters() does
   static FixedCorotated from(double youngs_modulus, double poissons_ratio) {
@@ -44,16 +44,22 @@ struct FixedCorotated {
   PHYSGEN_FUNCTION PrincipalDerivative<S> derivative(const Vector3<S>& s) const {
     const S l(lambda), m2(2 * mu);
     const S change = detail::volume_change(s);
-    const S p = l * change;                        // lambda (J - 1)
+    const S p = l * change;                                    // lambda (J - 1)
     const S mixed = fma(l, change, l * (s[0] * s[1] * s[2]));  // lambda (2 J - 1)
     const S c1 = s[1] * s[2], c2 = s[0] * s[2], c3 = s[0] * s[1];
     const S p1 = p * s[0], p2 = p * s[1], p3 = p * s[2];
-    return {fma(l * c1, c1, m2),       mixed * s[2],
-            mixed * s[1],              fma(l * c2, c2, m2),
-            mixed * s[0],              fma(l * c3, c3, m2),
-            m2 - p3,                   m2 - p2,
-            m2 - p1,                   turning(s[0] + s[1]) + p3,
-            turning(s[0] + s[2]) + p2, turning(s[1] + s[2]) + p1};
+    return {fma(l * c1, c1, m2),
+            mixed * s[2],
+            mixed * s[1],
+            fma(l * c2, c2, m2),
+            mixed * s[0],
+            fma(l * c3, c3, m2),
+            m2 - p3,
+            m2 - p2,
+            m2 - p1,
+            turning(s[0] + s[1]) + p3,
+            turning(s[0] + s[2]) + p2,
+            turning(s[1] + s[2]) + p1};
   }
 
  private:

@@ -1,5 +1,5 @@
-// Kernels: change of the nodes' forces along a displacement differential, in assembled form (one pass over node and edge
-// stiffness) and in element form (matrix-free, per tet, then gathered).
+// Kernels: change of the nodes' forces along a displacement differential, in assembled form (one pass over node and
+// edge stiffness) and in element form (matrix-free, per tet, then gathered).
 #pragma once
 
 #include <fem/dp_from_df.h>

@@ -1,10 +1,9 @@
 // Material constants and their checks.
 #include <fem/material.h>
+#include <physgen/error.h>
 
 #include <cmath>
 #include <sstream>
-
-#include <physgen/error.h>
 
 namespace physgen::fem {
 

@@ -1,12 +1,11 @@
 // Builds edges and incidence lists by counting and sorting; every list is ascending, so results do not depend on the
 // order of construction.
 #include <fem/mesh.h>
+#include <physgen/error.h>
 
 #include <algorithm>
 #include <limits>
 #include <string>
-
-#include <physgen/error.h>
 
 namespace physgen::fem {
 
@@ -85,7 +84,8 @@ TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets) {
   const auto count = static_cast<std::size_t>(nodes);
   mesh.node_tets = collect(count, [&mesh](auto&& visit) {
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      for (std::size_t c = 0; c < 4; ++c) visit(mesh.tets[t][c], IncidenceEntry{static_cast<Index>(t), static_cast<Index>(c)});
+      for (std::size_t c = 0; c < 4; ++c)
+        visit(mesh.tets[t][c], IncidenceEntry{static_cast<Index>(t), static_cast<Index>(c)});
     }
   });
   mesh.node_edges = collect(count, [&mesh](auto&& visit) {

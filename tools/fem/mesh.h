@@ -1,5 +1,5 @@
-// Tetrahedral meshes as plain index lists: tets, edges, and the incidence lists that turn sums over elements into gathers
-// (so that they are deterministic and need no atomics).
+// Tetrahedral meshes as plain index lists: tets, edges, and the incidence lists that turn sums over elements into
+// gathers (so that they are deterministic and need no atomics).
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ struct IncidenceEntry {
   auto operator<=>(const IncidenceEntry&) const = default;
 };
 
-/// For every object of one kind, what touches it: entries[first[i]] up to, not including, entries[first[i + 1]], ascending.
+/// For every object of one kind, what touches it: entries[first[i]] up to, not including, entries[first[i + 1]],
+/// ascending.
 struct IncidenceList {
   std::vector<Index> first;  ///< one more than there are objects
   std::vector<IncidenceEntry> entries;
@@ -43,8 +44,8 @@ struct TetMesh {
 /// @throws Error when a corner is not in [0, nodes), a tet names a node twice, or a list would exceed 2^31 entries
 [[nodiscard]] TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets);
 
-/// A box of nx * ny * nz cells, each cut into the 6 tets around its main diagonal (Kuhn, Freudenthal): conforming, all of
-/// one volume. Node (x, y, z) has number x + (nx + 1) (y + (ny + 1) z).
+/// A box of nx * ny * nz cells, each cut into the 6 tets around its main diagonal (Kuhn, Freudenthal): conforming, all
+/// of one volume. Node (x, y, z) has number x + (nx + 1) (y + (ny + 1) z).
 /// @throws Error when a count is below 1 or the mesh exceeds 2^31 incidences
 [[nodiscard]] TetMesh make_box_mesh(Index nx, Index ny, Index nz);
 

@@ -1,11 +1,10 @@
 // Meshes and node vectors into object arrays: the kernels' input, from the plain lists of mesh.h.
 #pragma once
 
-#include <span>
-
 #include <fem/mesh.h>
-
 #include <physgen/config.h>
+
+#include <span>
 
 namespace physgen::fem {
 
@@ -39,7 +38,8 @@ void store_incidences(const IncidenceList& list, const RangeView& ranges, const 
   }
 }
 
-/// Stores node positions [m], rounded to the view's precision. @pre a host view of points.size() elasticity::NodePosition
+/// Stores node positions [m], rounded to the view's precision. @pre a host view of points.size()
+/// elasticity::NodePosition
 template <class PositionView>
 void store_positions(std::span<const Point> points, const PositionView& view) {
   using Real = typename PositionView::Precision;

@@ -7,15 +7,15 @@
 namespace physgen::fem {
 
 /// Write psi = mu/2 (I1 - 3) + phi(J), phi = -mu ln J + lambda/2 ln^2 J. Below J0 = smallest_volume_ratio, phi' goes on
-/// linearly: phi(J) = phi(J0) + phi'(J0) (J - J0) + phi''(J0)/2 (J - J0)^2. So there is an energy everywhere, the stress
-/// is continuously differentiable in s across J0 and across inversion, and the pole at s -> 0 is gone.
+/// linearly: phi(J) = phi(J0) + phi'(J0) (J - J0) + phi''(J0)/2 (J - J0)^2. So there is an energy everywhere, the
+/// stress is continuously differentiable in s across J0 and across inversion, and the pole at s -> 0 is gone.
 template <class Real>
 struct NeoHookean {
   using Scalar = Real;
   static constexpr const char* name = "Neo-Hookean";
 
-  Real mu, lambda;                           ///< Lame constants [Pa]
-  Real smallest_volume_ratio = Real(0.25);   ///< J0, 0 < J0 < 1
+  Real mu, lambda;                          ///< Lame constants [Pa]
+  Real smallest_volume_ratio = Real(0.25);  ///< J0, 0 < J0 < 1
 
   /// @throws Error as lame_parameters() does
   static NeoHookean from(double youngs_modulus, double poissons_ratio) {

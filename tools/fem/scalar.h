@@ -2,9 +2,9 @@
 // SIMD pack) and the scalar functions, named so that unqualified calls work for all of them.
 #pragma once
 
-#include <Eigen/Core>
-
 #include <physgen/math.h>
+
+#include <Eigen/Core>
 
 namespace physgen::fem {
 

@@ -1,9 +1,8 @@
-// Kernels: stiffness blocks of each tet, and their sums: a symmetric 3x3 per node and a full 3x3 per edge, which is half of
-// what full block rows store.
+// Kernels: stiffness blocks of each tet, and their sums: a symmetric 3x3 per node and a full 3x3 per edge, which is
+// half of what full block rows store.
 #pragma once
 
 #include <fem/scalar.h>
-
 #include <physgen/pack.h>
 
 namespace physgen::fem {
@@ -54,8 +53,8 @@ struct DerivativeTables {
 
 }  // namespace detail
 
-/// Blocks of one tet, df(a)/dx(b) = -volume U K^(V^T grad a, V^T grad b) U^T, with grad the gradients of the corners' shape
-/// functions: the rows of Dm^-1, and minus their sum for corner i. [N/m]
+/// Blocks of one tet, df(a)/dx(b) = -volume U K^(V^T grad a, V^T grad b) U^T, with grad the gradients of the corners'
+/// shape functions: the rows of Dm^-1, and minus their sum for corner i. [N/m]
 template <class RestView, class SvdView, class DerivativeView, class TetStiffnessView>
 struct ComputeTetStiffness {
   using Scalar = typename TetStiffnessView::Precision;

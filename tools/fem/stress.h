@@ -2,7 +2,6 @@
 #pragma once
 
 #include <fem/material.h>
-
 #include <physgen/pack.h>
 
 namespace physgen::fem {

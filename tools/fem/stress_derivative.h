@@ -1,8 +1,8 @@
-// Kernel: isotropic stress derivative in principal axes, 3 stretches in, 12 scalars out (60 bytes per element in float).
+// Kernel: isotropic stress derivative in principal axes, 3 stretches in, 12 scalars out (60 bytes per element in
+// float).
 #pragma once
 
 #include <fem/material.h>
-
 #include <physgen/pack.h>
 
 namespace physgen::fem {

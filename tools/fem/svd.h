@@ -84,9 +84,7 @@ PHYSGEN_FUNCTION inline Svd<S> svd(const Matrix3<S>& A) {
   Vector3<S> b3(A(0, 2) * scale.scale, A(1, 2) * scale.scale, A(2, 2) * scale.scale);
   Vector3<S> v1(one, zero, zero), v2(zero, one, zero), v3(zero, zero, one);
 
-#ifdef __CUDACC__
-#pragma unroll
-#endif
+  PHYSGEN_UNROLL
   for (int sweep = 0; sweep < Sweeps; ++sweep) {
     detail::orthogonalise(b1, b2, v1, v2);
     detail::orthogonalise(b1, b3, v1, v3);

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <fem/scalar.h>
-
 #include <physgen/pack.h>
 
 namespace physgen::fem::detail {
 
-/// [y_j - y_i, y_k - y_i, y_l - y_i] by columns, y(node) being a vector of each of the tet's (or the pack's tets') nodes.
+/// [y_j - y_i, y_k - y_i, y_l - y_i] by columns, y(node) being a vector of each of the tet's (or the pack's tets')
+/// nodes.
 template <class Scalar, class I, class TetView, class NodeVector>
 PHYSGEN_FUNCTION inline Matrix3<lanes_t<Scalar, I>> edge_matrix(const TetView& tets, I i, const NodeVector& y) {
   using S = lanes_t<Scalar, I>;

@@ -27,7 +27,6 @@ double percentile(std::vector<double>& values, double fraction) {
 }  // namespace
 
 void poison(const Storage& storage) {
-  // In host memory at once, on CUDA through the runtime: an array of the same form, of ones in every bit.
   std::memset(storage.base, 0xff, static_cast<std::size_t>(storage.bytes()));
 }
 

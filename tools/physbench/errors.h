@@ -9,7 +9,7 @@
 
 namespace physgen::bench {
 
-/// Fills an array, padding included, with bytes that are not a number as float and as double.
+/// Fills an array in host memory, padding included, with ones in every bit: not a number as float and as double.
 void poison(const Storage& storage);
 
 /// @pre the array is in host memory, its elements float or double

@@ -89,7 +89,7 @@ class HostCase final : public TimedHostCase {
     run();
     Result<Kernel, Real> result(operands_.output().size());
     physgen::copy(result, operands_.output());
-    return HostKernel<Kernel>::check(data_, result);
+    return HostKernel<Kernel>::check(data_, result.storage());
   }
 
  private:
@@ -185,16 +185,13 @@ void HostKernel<Kernel>::add_rows(std::vector<Row>& rows, Dataset& data) {
 }
 
 template <class Kernel>
-ErrorStats HostKernel<Kernel>::check(Dataset& data, const Result<Kernel, float>& result) {
-  check_written(result.storage());
-  const auto view = result.view();
-  return detail::compare<Kernel, float>(data, [&view](index_t i) { return view.get(i); });
-}
-template <class Kernel>
-ErrorStats HostKernel<Kernel>::check(Dataset& data, const Result<Kernel, double>& result) {
-  check_written(result.storage());
-  const auto view = result.view();
-  return detail::compare<Kernel, double>(data, [&view](index_t i) { return view.get(i); });
+ErrorStats HostKernel<Kernel>::check(Dataset& data, const Storage& result) {
+  check_written(result);
+  const auto compare = [&]<class Real>(Real /*storage*/) {
+    const typename Result<Kernel, Real>::ConstView view(result.base, result.size, result.pitch, result.space);
+    return detail::compare<Kernel, Real>(data, [&view](index_t i) { return view.get(i); });
+  };
+  return result.fields.front().type == ElementType::float32 ? compare(float()) : compare(double());
 }
 
 }  // namespace physgen::bench

@@ -1,6 +1,12 @@
 // The list of all kernels, in the order in which they run and are printed: the paper's three first.
 #pragma once
 
+#include <vector>
+
+#include <physgen/storage.h>
+
+#include "row.h"
+
 namespace physgen::bench {
 
 struct DpFromDf;
@@ -15,6 +21,22 @@ struct TetStiffness;
 struct NodeStiffness;
 struct EdgeStiffness;
 struct ElementForceDifferential;
+
+/// Rows of one kernel on the CPU. Defined in host_rows.h, instantiated once in rows/*.cpp.
+template <class Kernel>
+struct HostKernel {
+  static void add_rows(std::vector<Row>& rows, Dataset& data);
+  /// Compares an output with the reference, for rows of all spaces.
+  /// @param result in the form of operands.h's Result, float or double
+  /// @throw Error when an element is not a number, as after poison() when it was not written
+  static ErrorStats check(Dataset& data, const Storage& result);
+};
+
+/// Rows of one kernel on the GPU. Defined in cuda_rows.h, instantiated once in rows/*.cu.
+template <class Kernel>
+struct CudaKernel {
+  static void add_rows(std::vector<Row>& rows, Dataset& data);
+};
 
 template <class... Kernel>
 struct KernelList {

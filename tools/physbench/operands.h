@@ -85,22 +85,6 @@ using Operands = detail::OperandsOf<Kernel, Real, Space, Layout, typename Kernel
 template <class Kernel, class Real>
 using Result = Array<typename Kernel::Output::Object, Real, Host, Aosoa<16>>;
 
-/// Rows of one kernel on the CPU. Defined in host_rows.h, instantiated once in kernels/*.cpp.
-template <class Kernel>
-struct HostKernel {
-  static void add_rows(std::vector<Row>& rows, Dataset& data);
-  /// Compares an output with the reference, for rows of all spaces.
-  /// @throw Error when an element of the output is not a number, as after poison() when it was not written
-  static ErrorStats check(Dataset& data, const Result<Kernel, float>& result);
-  static ErrorStats check(Dataset& data, const Result<Kernel, double>& result);
-};
-
-/// Rows of one kernel on the GPU. Defined in cuda_rows.h, instantiated once in kernels/*.cu.
-template <class Kernel>
-struct CudaKernel {
-  static void add_rows(std::vector<Row>& rows, Dataset& data);
-};
-
 /// Bytes that a kernel must read and write, each input read once, whatever the layout.
 template <class Kernel, class Real>
 double bytes_moved(const Dataset& data) {

@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 std::error_code last_error() { return {errno == 0 ? EIO : errno, std::generic_category()}; }
 
 std::optional<std::string> text_of(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return std::nullopt;
   std::ifstream in(path, std::ios::binary);
   if (!in) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(in), {});

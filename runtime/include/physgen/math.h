@@ -7,36 +7,37 @@
 
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
 namespace physgen::math {
 
-// The overload set is closed (float, double): a mixed call such as max(x, 1.0) does not compile and silently widen.
-#define PHYSGEN_DETAIL_UNARY(name)                                     \
-  PHYSGEN_FUNCTION inline float name(float x) { return std::name(x); } \
-  PHYSGEN_FUNCTION inline double name(double x) { return std::name(x); }
-PHYSGEN_DETAIL_UNARY(sqrt)
-PHYSGEN_DETAIL_UNARY(abs)
-PHYSGEN_DETAIL_UNARY(log)
-PHYSGEN_DETAIL_UNARY(log1p)
-#undef PHYSGEN_DETAIL_UNARY
+using std::abs;
+using std::copysign;
+using std::fma;
+using std::log;
+using std::log1p;
+using std::sqrt;
 
-PHYSGEN_FUNCTION inline float copysign(float x, float y) { return std::copysign(x, y); }
-PHYSGEN_FUNCTION inline double copysign(double x, double y) { return std::copysign(x, y); }
-PHYSGEN_FUNCTION inline float fma(float x, float y, float z) { return std::fma(x, y, z); }
-PHYSGEN_FUNCTION inline double fma(double x, double y, double z) { return std::fma(x, y, z); }
+// Templates, so that code which opens these namespaces in a CUDA file still means CUDA's own min and max by theirs.
 
 /// The smaller and the larger of two numbers. Which operand comes back when one is NaN is unspecified.
-PHYSGEN_FUNCTION inline float min(float x, float y) { return y < x ? y : x; }
-PHYSGEN_FUNCTION inline double min(double x, double y) { return y < x ? y : x; }
-PHYSGEN_FUNCTION inline float max(float x, float y) { return x < y ? y : x; }
-PHYSGEN_FUNCTION inline double max(double x, double y) { return x < y ? y : x; }
+template <std::floating_point S>
+PHYSGEN_FUNCTION inline S min(const S& x, const S& y) {
+  return y < x ? y : x;
+}
+template <std::floating_point S>
+PHYSGEN_FUNCTION inline S max(const S& x, const S& y) {
+  return x < y ? y : x;
+}
 
 /// `condition ? a : b`, both evaluated: the form that exists for packs, too.
-PHYSGEN_FUNCTION inline float select(bool condition, float a, float b) { return condition ? a : b; }
-PHYSGEN_FUNCTION inline double select(bool condition, double a, double b) { return condition ? a : b; }
+template <std::floating_point S>
+PHYSGEN_FUNCTION inline S select(bool condition, const S& a, const S& b) {
+  return condition ? a : b;
+}
 
 /// A power of two and its inverse, both normal numbers.
 template <class S>

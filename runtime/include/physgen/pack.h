@@ -31,4 +31,14 @@ struct SameLanes {
 template <class S, class T>
 using same_lanes_t = typename SameLanes<S, T>::type;
 
+/// `value` in each lane of an S; in generated code, where S is not known to be a number or a SIMD batch.
+template <class S>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr S all_lanes(double value) {
+  if constexpr (std::is_arithmetic_v<S>) {
+    return static_cast<S>(value);
+  } else {
+    return S(static_cast<typename S::value_type>(value));
+  }
+}
+
 }  // namespace physgen

@@ -32,8 +32,7 @@
 
 namespace physgen::schema {
 
-// ---- Types of fields. `Element` is Scalar, Index, float, double or int.
-// -------------------------------------------------
+// ---- Types of fields. `Element` is Scalar, Index, float, double or int. ----
 
 /// A real number of the precision that the scene chooses, float or double. Write float or double where the precision is
 /// not the scene's choice.
@@ -65,64 +64,66 @@ struct Skew {};
 /// Rotation of space: a 3 x 3 orthogonal matrix of determinant +1.
 struct Rotation {};
 
-// ---- Options of objects
-// -----------------------------------------------------------------------------------------------
+// ---- Options. Their types are in `detail`, so that a schema may have its own Unit or Range. ----
 
-/// Where an array of objects lives; host covers pinned memory too.
+namespace detail {
 enum class Space { host, cuda };
-inline constexpr Space host = Space::host;
-inline constexpr Space cuda = Space::cuda;
-
 enum class Arrangement { aos, aos_padded, soa, aosoa };
-
-/// How the records of an array lie in memory; write one of aos, aos_padded, soa and aosoa(tile).
 struct Pattern {
   Arrangement arrangement;
   int tile;
 };
-
-/// One whole record after the other.
-inline constexpr Pattern aos{Arrangement::aos, 0};
-/// As aos, records filled up to multiples of 16 bytes: for objects that are gathered in no order, such as nodes.
-inline constexpr Pattern aos_padded{Arrangement::aos_padded, 0};
-/// Every element of the record in an array of its own.
-inline constexpr Pattern soa{Arrangement::soa, 0};
-/// As soa within tiles of `tile` objects, a power of two up to 1024: for objects that are streamed in order.
-[[nodiscard]] constexpr Pattern aosoa(int tile) { return {Arrangement::aosoa, tile}; }
-
 struct Layout {
   Space space;
   Pattern pattern;
 };
-/// The layout of arrays of this object in a space, where the program does not choose another: layout(cuda, aosoa(32)).
-[[nodiscard]] constexpr Layout layout(Space space, Pattern pattern) { return {space, pattern}; }
-
 struct Alignment {
   int bytes;
 };
-/// Alignment of one record in the layouts aos and aos_padded: a power of two up to 4096 bytes.
-[[nodiscard]] constexpr Alignment align(int bytes) { return {bytes}; }
-
-// ---- Options of fields
-// ------------------------------------------------------------------------------------------------
-
 struct Unit {
   const char* text;
 };
-/// The unit of the field's elements, a string literal: unit("Pa"), unit("m^3"), unit("1/m").
-[[nodiscard]] constexpr Unit unit(const char* text) { return {text}; }
-
 struct Range {
   double low, high;
 };
-/// The elements' meaningful values, both ends included, in the field's unit.
-[[nodiscard]] constexpr Range range(double low, double high) { return {low, high}; }
-
 struct Initial {
   double value;
 };
+}  // namespace detail
+
+// ---- Options of objects ----
+
+/// The memory of the processor, pinned memory too.
+inline constexpr detail::Space host = detail::Space::host;
+/// The memory of a CUDA device.
+inline constexpr detail::Space cuda = detail::Space::cuda;
+
+/// One whole record after the other.
+inline constexpr detail::Pattern aos{detail::Arrangement::aos, 0};
+/// As aos, records filled up to multiples of 16 bytes: for objects that are gathered in no order, such as nodes.
+inline constexpr detail::Pattern aos_padded{detail::Arrangement::aos_padded, 0};
+/// Every element of the record in an array of its own.
+inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
+/// As soa within tiles of `tile` objects, a power of two up to 1024: for objects that are streamed in order.
+[[nodiscard]] constexpr detail::Pattern aosoa(int tile) { return {detail::Arrangement::aosoa, tile}; }
+
+/// The layout of arrays of this object in a space, where the program does not choose another: layout(cuda, aosoa(32)).
+/// @param pattern aos, aos_padded, soa or aosoa(tile)
+[[nodiscard]] constexpr detail::Layout layout(detail::Space space, detail::Pattern pattern) { return {space, pattern}; }
+
+/// Alignment of one record in the layouts aos and aos_padded: a power of two up to 4096 bytes.
+[[nodiscard]] constexpr detail::Alignment align(int bytes) { return {bytes}; }
+
+// ---- Options of fields ----
+
+/// The unit of the field's elements, a string literal: unit("Pa"), unit("m^3"), unit("1/m").
+[[nodiscard]] constexpr detail::Unit unit(const char* text) { return {text}; }
+
+/// The elements' meaningful values, both ends included, in the field's unit.
+[[nodiscard]] constexpr detail::Range range(double low, double high) { return {low, high}; }
+
 /// What every element of the field is in a new object; 0 where nothing is said.
-[[nodiscard]] constexpr Initial initial(double value) { return {value}; }
+[[nodiscard]] constexpr detail::Initial initial(double value) { return {value}; }
 
 }  // namespace physgen::schema
 

@@ -58,7 +58,7 @@ class StampRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Stamp.
+/// What the runtime knows of Stamp.
 struct StampObject {
   static constexpr std::string_view name = "Stamp";
   template <class Real>
@@ -227,7 +227,7 @@ class ShapesRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Shapes.
+/// What the runtime knows of Shapes.
 struct ShapesObject {
   static constexpr std::string_view name = "tissue::model::Shapes";
   template <class Real>
@@ -379,7 +379,7 @@ class NamesRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Names.
+/// What the runtime knows of Names.
 struct NamesObject {
   static constexpr std::string_view name = "tissue::model::Names";
   template <class Real>
@@ -424,7 +424,7 @@ static_assert(physgen::is_sound_record<NamesObject, double>(128, 8));
 template <class Real>
 struct Entries {
   /// Weights of the five points.
-  /// They sum to one. [1]. Range [0, 1].
+  /// They sum to one. [1] Range [0, 1].
   Real weights[5];
   /// [N/m]. Symmetric, 6 stored.
   Eigen::Matrix<Real, 3, 3> k[4];
@@ -459,7 +459,7 @@ class EntriesRef {
   PHYSGEN_FUNCTION explicit EntriesRef(const Cursor& cursor) : at_(cursor) {}
 
   /// Weights of the five points.
-  /// They sum to one. [1]. Range [0, 1].
+  /// They sum to one. [1] Range [0, 1].
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) weights(int entry) const {
     return at_.template element<Real>(Record::weights + entry * int{sizeof(Real)});
@@ -520,7 +520,7 @@ class EntriesRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Entries.
+/// What the runtime knows of Entries.
 struct EntriesObject {
   static constexpr std::string_view name = "tissue::model::Entries";
   template <class Real>
@@ -560,14 +560,14 @@ static_assert(physgen::is_sound_record<EntriesObject, double>(628, 8));
 /// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Options {
-  /// Mass per volume of the rest shape. [kg/m^3]. Range [0, 20000]; initially 1060.
-  Real density = Real(1060);
+  /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
+  Real density = physgen::all_lanes<Real>(1060);
   /// Range [0, 0.5]; initially 0.45.
-  Real nu = Real(0.45);
+  Real nu = physgen::all_lanes<Real>(0.45);
   /// [1]. Initially 0.5.
-  Eigen::Matrix<Real, 3, 1> direction = decltype(direction)::Constant(Real(0.5));
+  Eigen::Matrix<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
   /// Symmetric, 6 stored. Initially 1.
-  Eigen::Matrix<Real, 3, 3> metric = decltype(metric)::Constant(Real(1));
+  Eigen::Matrix<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1));
   /// Initially -1.
   physgen::same_lanes_t<Real, std::int32_t> label = -1;
   /// Initially 7.
@@ -603,7 +603,7 @@ class OptionsRef {
 
   PHYSGEN_FUNCTION explicit OptionsRef(const Cursor& cursor) : at_(cursor) {}
 
-  /// Mass per volume of the rest shape. [kg/m^3]. Range [0, 20000]; initially 1060.
+  /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
   PHYSGEN_FUNCTION decltype(auto) density() const { return at_.template element<Real>(Record::density); }
   /// Range [0, 0.5]; initially 0.45.
   PHYSGEN_FUNCTION decltype(auto) nu() const { return at_.template element<Real>(Record::nu); }
@@ -655,7 +655,7 @@ class OptionsRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Options.
+/// What the runtime knows of Options.
 struct OptionsObject {
   static constexpr std::string_view name = "tissue::model::Options";
   template <class Real>
@@ -771,7 +771,7 @@ class ElementRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Element.
+/// What the runtime knows of Element.
 struct ElementObject {
   static constexpr std::string_view name = "tissue::model::Element";
   template <class Real>
@@ -862,8 +862,8 @@ class PatchRef {
 
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION ::tissue::model::ElementRef<Real, Cursor> elements(int entry) const {
-    return ::tissue::model::ElementRef<Real, Cursor>(at_.nested(Record::elements +
-        entry * physgen::by_precision<Real>(376, 568)));
+    return ::tissue::model::ElementRef<Real, Cursor>(
+        at_.nested(Record::elements + entry * physgen::by_precision<Real>(376, 568)));
   }
   PHYSGEN_FUNCTION decltype(auto) weight() const { return at_.template element<float>(Record::weight); }
   PHYSGEN_FUNCTION ::tissue::model::OptionsRef<Real, Cursor> options() const {
@@ -889,7 +889,7 @@ class PatchRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Patch.
+/// What the runtime knows of Patch.
 struct PatchObject {
   static constexpr std::string_view name = "tissue::other::Patch";
   template <class Real>

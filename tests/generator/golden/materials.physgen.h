@@ -60,7 +60,7 @@ class LameRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Lame.
+/// What the runtime knows of Lame.
 struct LameObject {
   static constexpr std::string_view name = "material::Lame";
   template <class Real>
@@ -139,7 +139,7 @@ class FibreRef {
   Cursor at_;
 };
 
-/// What the runtime knows of a Fibre.
+/// What the runtime knows of Fibre.
 struct FibreObject {
   static constexpr std::string_view name = "material::Fibre";
   template <class Real>

@@ -1,0 +1,176 @@
+// The text of generated headers, from models built by hand.
+#include <gtest/gtest.h>
+#include <physgen/config.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <sstream>
+
+#include "emit/emitter.h"
+#include "emit/printer.h"
+#include "emit/text.h"
+#include "models.h"
+
+namespace physgen::emit {
+namespace {
+
+using model::Element;
+using model::Shape;
+using test::array;
+using test::field;
+using test::nested;
+using test::object;
+using test::scalar;
+using test::schema;
+
+void expect_contains(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "no\n" << part << "\nin\n" << text;
+}
+
+TEST(Emitter, is_written_for_this_runtime) { EXPECT_EQ(runtime_version, PHYSGEN_RUNTIME_VERSION); }
+
+TEST(Emitter, refuses_another_runtime_by_an_error) {
+  const std::string text = accessor_header(schema({object("A", {scalar("x")})}));
+  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 1\n#error \"test.physgen.h is for version 1 of the physgen");
+}
+
+TEST(Emitter, writes_the_same_text_for_the_same_model) {
+  const auto all = schema({object("A", {scalar("x"), field("F", Shape::matrix, 3, 3)}), object("B", {scalar("y")})});
+  EXPECT_EQ(accessor_header(all), accessor_header(all));
+}
+
+TEST(Emitter, does_not_depend_on_where_the_schema_lies) {
+  auto all = schema({object("A", {scalar("x")})});
+  const std::string text = accessor_header(all);
+  all.objects[0].location = {"/somewhere/else/test.h", 7, 3};
+  all.objects[0].fields[0].location = {"/somewhere/else/test.h", 8, 3};
+  EXPECT_EQ(accessor_header(all), text);
+}
+
+TEST(Emitter, gives_one_line_of_address_arithmetic_per_field) {
+  const std::string text = accessor_header(schema({object("A", {scalar("x"), field("F", Shape::matrix, 3, 3)})}));
+  expect_contains(text,
+                  "  static constexpr int F = sizeof(Real);\n  static constexpr int bytes = 10 * sizeof(Real);\n");
+  expect_contains(text,
+                  "  PHYSGEN_FUNCTION decltype(auto) x() const { return at_.template element<Real>(Record::x); }\n");
+  expect_contains(text, "    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::F);\n");
+  expect_contains(text, "    value.x = x();\n    value.F = F().get();\n");
+  expect_contains(text, "static_assert(physgen::is_sound_record<AObject, double>(80, 8));\n");
+}
+
+TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
+  auto density = scalar("density");
+  density.doc = "Mass per volume.\nOf the rest shape";
+  density.unit = "kg/m^3";
+  density.range = model::Range{0, 0.5};
+  density.initial = 0.1;
+  auto stiffness = field("K", Shape::symmetric, 3, 3);
+  stiffness.unit = "N/m";
+  const std::string text = accessor_header(schema({object("A", {density, stiffness})}));
+  const std::string comment =
+      "  /// Mass per volume.\n  /// Of the rest shape [kg/m^3]. Range [0, 0.5]; initially 0.1.\n";
+  expect_contains(text, comment + "  Real density = physgen::all_lanes<Real>(0.1);\n");
+  expect_contains(text, comment + "  PHYSGEN_FUNCTION decltype(auto) density() const");
+  expect_contains(text, "  /// [N/m]. Symmetric, 6 stored.\n  Eigen::Matrix<Real, 3, 3> K;\n");
+  expect_contains(text, "{\"density\", \"kg/m^3\", physgen::element_type<Real>, ARecord<Real>::density, 1, 0.1},\n");
+}
+
+TEST(Emitter, uses_the_declared_layouts_or_the_runtimes_default) {
+  auto padded = object("A", {scalar("x")});
+  padded.host_layout = model::Layout{model::LayoutKind::aos_padded, 0};
+  padded.cuda_layout = model::Layout{model::LayoutKind::aosoa, 64};
+  const std::string text = accessor_header(schema({padded, object("B", {scalar("x")})}));
+  expect_contains(text, "physgen::PerSpace<Space, physgen::AosPadded, physgen::Aosoa<64>>>\nusing AArray");
+  expect_contains(text, "physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>\nusing BArray");
+}
+
+TEST(Emitter, includes_the_headers_of_imported_objects_once) {
+  auto first = object("P", {scalar("x")}, "other"), second = object("Q", {scalar("x")}, "other");
+  first.header = second.header = "other.physgen.h";
+  auto all = schema({object("A", {nested("p", "other::P"), nested("q", "other::Q")})});
+  all.imported = {first, second};
+  const std::string text = accessor_header(all);
+  const std::string include = "#include \"other.physgen.h\"\n";
+  expect_contains(text, include);
+  EXPECT_EQ(text.find(include), text.rfind(include));
+  expect_contains(text, "  ::other::P<Real> p;\n");
+  EXPECT_EQ(text.find("struct P "), std::string::npos);
+}
+
+TEST(Emitter, opens_each_namespace_once_for_objects_that_follow_each_other) {
+  const std::string text = accessor_header(
+      schema({object("A", {scalar("x")}, "a::b"), object("B", {scalar("x")}, "a::b"), object("C", {scalar("x")}, "")}));
+  EXPECT_EQ(text.find("namespace a::b {"), text.rfind("namespace a::b {"));
+  EXPECT_LT(text.find("}  // namespace a::b"), text.find("struct C {"));
+  expect_contains(text, "std::string_view name = \"C\";");
+}
+
+TEST(Emitter, keeps_its_local_names_apart_from_fields) {
+  const std::string text = accessor_header(schema({object("A", {scalar("value"), array(scalar("entry"), 2)})}));
+  expect_contains(text, "    value_.value = value();\n");
+  expect_contains(text, "for (int entry_ = 0; entry_ < 2; ++entry_) entry(entry_) = value_.entry[entry_];\n");
+}
+
+TEST(Emitter, writes_no_line_that_is_too_long_or_ends_in_blanks) {
+  auto wordy = scalar("x");
+  for (int i = 0; i < 60; ++i) wordy.doc += "words ";
+  const auto inner = object("InnerObjectWithAQuiteLongName", {wordy, scalar("d", Element::float64)});
+  const auto outer = object("OuterObjectWithAQuiteLongName",
+                            {array(nested("entries", "test::InnerObjectWithAQuiteLongName"), 3), scalar("x")});
+  std::istringstream lines(accessor_header(schema({inner, outer})));
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), Printer::columns) << line;
+    EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
+    EXPECT_EQ(line.find('\r'), std::string::npos);
+  }
+}
+
+TEST(Emitter, lets_no_comment_swallow_the_next_line) {
+  auto sly = scalar("x");
+  sly.doc = "first \\\r\nsecond \\  ";
+  const std::string text = accessor_header(schema({object("A", {sly})}));
+  expect_contains(text, "  /// first\n  /// second\n  Real x;\n");
+}
+
+TEST(Emitter, takes_time_in_proportion_to_the_objects) {
+  std::vector<model::Object> objects;
+  for (int o = 0; o < 1000; ++o) {
+    std::vector<model::Field> fields;
+    for (int f = 0; f < 12; ++f) fields.push_back(scalar("x" + std::to_string(f)));
+    objects.push_back(object("Object" + std::to_string(o), fields));
+  }
+  const auto all = schema(objects);
+  const auto begin = std::chrono::steady_clock::now();
+  const std::size_t bytes = accessor_header(all).size();
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_GT(bytes, 1000U * 12U);
+  std::cout << "1000 objects of 12 scalars: " << took.count() << " ms, " << bytes << " bytes\n";
+}
+
+TEST(Text, writes_offsets_in_terms_of_Real_where_they_follow_it) {
+  EXPECT_EQ(bytes({0, 0}), "0");
+  EXPECT_EQ(bytes({36, 36}), "36");
+  EXPECT_EQ(bytes({4, 8}), "sizeof(Real)");
+  EXPECT_EQ(bytes({36, 72}), "9 * sizeof(Real)");
+  EXPECT_EQ(bytes({36, 40}), "physgen::by_precision<Real>(36, 40)");
+  EXPECT_EQ(bytes_as_int({36, 72}), "int{9 * sizeof(Real)}");
+  EXPECT_EQ(bytes_as_int({36, 40}), "physgen::by_precision<Real>(36, 40)");
+}
+
+TEST(Text, writes_the_shortest_number_that_reads_back) {
+  EXPECT_EQ(number(0.1), "0.1");
+  EXPECT_EQ(number(1060), "1060");
+  EXPECT_EQ(number(1e-12), "1e-12");
+}
+
+TEST(Printer, wraps_comments_and_keeps_their_lines) {
+  Printer out;
+  out.open("{");
+  out.comment("///", "short\n\n  indented " + std::string(115, 'x'));
+  out.close("}");
+  EXPECT_EQ(std::move(out).text(), "{\n  /// short\n  ///\n  ///   indented\n  /// " + std::string(115, 'x') + "\n}\n");
+}
+
+}  // namespace
+}  // namespace physgen::emit

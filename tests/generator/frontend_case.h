@@ -1,0 +1,82 @@
+// One schema with errors and what the frontend must say about it; parsing schemas that stand in tests.
+#pragma once
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "frontend/frontend.h"
+
+namespace physgen::test {
+
+struct DiagnosticCase {
+  std::string name;                   ///< "reports_" in front of it is the test's name
+  std::string schema;                 ///< after the two lines of `preamble`
+  std::vector<std::string> expected;  ///< beginnings of the diagnostics, "line:column: error: ..."
+};
+
+/// What GoogleTest prints of a case.
+inline void PrintTo(const DiagnosticCase& diagnostic, std::ostream* out) { *out << diagnostic.name; }
+
+inline const std::string preamble = "#include <physgen/schema.h>\nusing namespace physgen::schema;\n";
+
+/// An object A with these members on its second line.
+inline std::string object(const std::string& members) { return "struct PHYSGEN_OBJECT() A {\n  " + members + "\n};\n"; }
+
+/// A new empty folder, removed with all it holds at the end of its life.
+class Folder {
+ public:
+  Folder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "physgen_test_XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a folder " + pattern);
+    path_ = pattern;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+
+  /// Writes a file and gives its path.
+  std::string write(const std::string& name, const std::string& text) const {
+    const auto path = path_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
+  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Parses `text` as the schema schema.h.
+inline frontend::Result parse_text(const std::string& text) {
+  const Folder folder;
+  return frontend::parse(folder.write("schema.h", text));
+}
+
+/// The diagnostics' first lines without file names: "4:3: error: ...".
+inline std::vector<std::string> headlines(const std::string& diagnostics) {
+  std::vector<std::string> result;
+  const std::string mark = "schema.h:";
+  for (std::size_t begin = 0; begin < diagnostics.size();) {
+    const std::size_t end = std::min(diagnostics.find('\n', begin), diagnostics.size());
+    const std::string line = diagnostics.substr(begin, end - begin);
+    begin = end + 1;
+    const std::size_t place = line.find(mark);
+    const bool built_in = line.starts_with("/physgen.builtin/");  // a note about the vocabulary
+    if (place != std::string::npos && !built_in && line.front() == '/')
+      result.push_back(line.substr(place + mark.size()));
+  }
+  return result;
+}
+
+}  // namespace physgen::test

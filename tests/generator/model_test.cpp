@@ -1,0 +1,206 @@
+// The model by itself: element counts, names of headers, JSON in and out, and the rules that JSON models must keep too.
+#include "model/model.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "model/json.h"
+#include "model/validate.h"
+
+namespace physgen::model {
+namespace {
+
+Field scalar(const std::string& name) {
+  Field field;
+  field.name = name;
+  return field;
+}
+
+Field of(const std::string& name, Shape shape, int rows, int cols) {
+  Field field = scalar(name);
+  field.shape = shape;
+  field.rows = rows;
+  field.cols = cols;
+  return field;
+}
+
+Field nested(const std::string& name, const std::string& object) {
+  Field field = scalar(name);
+  field.shape = Shape::object;
+  field.object = object;
+  return field;
+}
+
+Schema with(std::vector<Field> fields) {
+  Schema schema;
+  schema.file = "a.h";
+  schema.objects.push_back({});
+  schema.objects[0].name = "A";
+  schema.objects[0].fields = std::move(fields);
+  return schema;
+}
+
+/// A schema that uses every member of the model.
+Schema everything() {
+  Schema schema = with({scalar("x"), of("F", Shape::matrix, 3, 2), nested("corner", "shape::Corner")});
+  Object& object = schema.objects[0];
+  object.scope = "a::b";
+  object.doc = "Doc with \"quotes\",\na second line and \xc2\xb5.";
+  object.host_layout = Layout{LayoutKind::aosoa, 16};
+  object.cuda_layout = Layout{LayoutKind::aos_padded, 0};
+  object.alignment = 64;
+  object.location = {"a.h", 12, 8};
+  object.fields[0].element = Element::int32;
+  object.fields[0].unit = "1/m";
+  object.fields[0].range = Range{-0.1, 1e300};
+  object.fields[0].initial = 0;
+  object.fields[0].location = {"a.h", 13, 10};
+  object.fields[2].array_extent = 4;
+  Object corner;
+  corner.name = "Corner";
+  corner.scope = "shape";
+  corner.header = "shape.physgen.h";
+  corner.fields = {scalar("y")};
+  schema.imported.push_back(corner);
+  return schema;
+}
+
+TEST(Model, counts_stored_elements) {
+  EXPECT_EQ(element_count(scalar("x")), 1);
+  EXPECT_EQ(element_count(of("x", Shape::vector, 4, 1)), 4);
+  EXPECT_EQ(element_count(of("x", Shape::matrix, 3, 2)), 6);
+  EXPECT_EQ(element_count(of("x", Shape::symmetric, 3, 3)), 6);
+  EXPECT_EQ(element_count(of("x", Shape::diagonal, 3, 3)), 3);
+  EXPECT_EQ(element_count(of("x", Shape::skew, 3, 3)), 3);
+  EXPECT_EQ(element_count(of("x", Shape::rotation, 3, 3)), 9);
+  EXPECT_THROW((void)element_count(nested("x", "A")), std::invalid_argument);
+}
+
+TEST(Model, names_generated_headers_after_their_schemas) {
+  EXPECT_EQ(generated_header("elasticity.h"), "elasticity.physgen.h");
+  EXPECT_EQ(generated_header("some.folder/tissue.model.hpp"), "tissue.model.physgen.h");
+  EXPECT_EQ(generated_header("folder.d/plain"), "plain.physgen.h");
+  EXPECT_EQ(generated_header(".hidden"), ".hidden.physgen.h");
+}
+
+TEST(Json, returns_the_same_model) {
+  const Schema schema = everything();
+  ASSERT_TRUE(validate(schema).empty()) << validate(schema)[0].message;
+  EXPECT_EQ(from_json(to_json(schema)), schema);
+  EXPECT_EQ(to_json(from_json(to_json(schema))), to_json(schema));
+}
+
+TEST(Json, returns_the_same_model_for_every_shape_and_element) {
+  std::vector<Field> fields = {scalar("a"),
+                               of("b", Shape::vector, 4, 1),
+                               of("c", Shape::matrix, 3, 2),
+                               of("d", Shape::symmetric, 3, 3),
+                               of("e", Shape::diagonal, 3, 3),
+                               of("f", Shape::skew, 3, 3),
+                               of("g", Shape::rotation, 3, 3)};
+  for (const Element element : {Element::real, Element::float32, Element::float64, Element::index, Element::int32}) {
+    if (element == Element::index) fields.pop_back();  // there are no rotations of integers
+    for (Field& field : fields) field.element = element;
+    EXPECT_EQ(from_json(to_json(with(fields))), with(fields));
+  }
+}
+
+TEST(Json, writes_text_that_is_not_utf8_with_replacements) {
+  Schema schema = with({scalar("x")});
+  schema.objects[0].doc = "20 \xb0 C";
+  EXPECT_EQ(from_json(to_json(schema)).objects[0].doc, "20 \xef\xbf\xbd C");
+}
+
+/// What from_json says about the JSON of `everything` with `from` replaced by `to`.
+std::string complaint(const std::string& from, const std::string& to) {
+  std::string text = to_json(everything());
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  text.replace(place, from.size(), to);
+  try {
+    (void)from_json(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no complaint";
+}
+
+TEST(Json, names_the_place_of_what_it_cannot_read) {
+  EXPECT_EQ(
+      complaint("\"shape\": \"matrix\"", "\"shape\": \"tensor\""),
+      "objects[0].fields[1].shape: must be one of scalar, vector, matrix, symmetric, diagonal, skew, rotation, object, "
+      "not 'tensor'");
+  EXPECT_EQ(complaint("\"rows\": 3", "\"rows\": 3.5"), "objects[0].fields[1].rows: must be an integer, not 3.5");
+  EXPECT_EQ(complaint("\"rows\": 3", "\"rows\": 3000000000"),
+            "objects[0].fields[1].rows: must be a 32-bit integer, not 3000000000");
+  EXPECT_EQ(complaint("\"unit\": \"1/m\"", "\"unit\": 1"), "objects[0].fields[0].unit: must be a string, not number");
+  EXPECT_EQ(complaint("\"unit\"", "\"units\""), "objects[0].fields[0]: has an unknown member 'units'");
+  EXPECT_EQ(complaint("\"file\": \"a.h\"", "\"doc\": \"\""), "model: has an unknown member 'doc'");
+  EXPECT_EQ(complaint("\"name\": \"Corner\",", ""), "imported[0]: has no member 'name'");
+  EXPECT_EQ(complaint("\"physgen_model\": 1", "\"physgen_model\": 2"),
+            "physgen_model: format 2 is not the format 1 that this physgen reads");
+  EXPECT_EQ(complaint("{", "").substr(0, 16), "model: not JSON:");
+}
+
+TEST(Json, refuses_a_model_that_breaks_the_rules) {
+  EXPECT_EQ(complaint("\"tile\": 16", "\"tile\": 17"),
+            "objects[0]: tile 17 is not a power of two from 1 to 1024; write one, such as aosoa(32)");
+  EXPECT_EQ(complaint("\"name\": \"x\"", "\"name\": \"double\""),
+            "objects[0].fields[0]: field name 'double' is a keyword of C++; choose another name");
+}
+
+/// The messages of validate, one per line.
+std::string issues(const Schema& schema) {
+  std::string text;
+  for (const Issue& issue : validate(schema)) text += (text.empty() ? "" : "\n") + issue.message;
+  return text;
+}
+
+TEST(Rules, refuse_sizes_that_do_not_fit_the_shape) {
+  EXPECT_EQ(issues(with({of("x", Shape::rotation, 2, 2)})),
+            "field 'x' has the type Rotation, but rows and cols are not 3");
+  EXPECT_EQ(issues(with({of("x", Shape::symmetric, 3, 2)})),
+            "field 'x' has the type Symmetric<3>, but rows and cols differ");
+  EXPECT_EQ(issues(with({of("x", Shape::vector, 3, 3)})), "field 'x' has the type Vector<3>, but cols is not 1");
+  EXPECT_EQ(issues(with({of("x", Shape::scalar, 2, 1)})), "field 'x' has the type Scalar, but rows and cols are not 1");
+  Field rotation = of("x", Shape::rotation, 3, 3);
+  rotation.element = Element::index;
+  EXPECT_EQ(issues(with({rotation})), "field 'x' has the type Rotation, whose elements must be real");
+}
+
+TEST(Rules, refuse_names_that_clang_would_not_let_through) {
+  EXPECT_NE(issues(with({scalar("")})), "");
+  EXPECT_NE(issues(with({scalar("1x")})), "");
+  EXPECT_NE(issues(with({scalar("a b")})), "");
+  EXPECT_EQ(issues(with({scalar("x"), scalar("x")})), "field 'x' is declared twice; rename or remove one");
+}
+
+TEST(Rules, refuse_nesting_that_does_not_end) {
+  EXPECT_EQ(issues(with({nested("a", "A")})),
+            "object 'A' contains itself; store an 'Index' of the other object instead");
+  Schema both = with({nested("b", "B")});
+  both.objects.push_back(both.objects[0]);
+  both.objects[1].name = "B";
+  both.objects[1].fields = {nested("a", "A")};
+  EXPECT_EQ(issues(both),
+            "field 'b' nests 'B', which is not declared before it; declare that object first (objects cannot nest each "
+            "other)");
+}
+
+TEST(Rules, count_the_elements_of_nested_objects) {
+  Schema schema = with({of("m", Shape::matrix, 1024, 512)});
+  schema.objects.push_back(schema.objects[0]);
+  schema.objects[1].name = "B";
+  schema.objects[1].fields = {nested("a", "A")};
+  schema.objects[1].fields[0].array_extent = 3;
+  ASSERT_EQ(validate(schema).size(), 1u) << issues(schema);
+  EXPECT_EQ(validate(schema)[0].place, (Place{false, 1, -1}));
+}
+
+TEST(Rules, refuse_a_schema_without_objects) { EXPECT_EQ(validate(Schema{}).size(), 1u); }
+
+}  // namespace
+}  // namespace physgen::model

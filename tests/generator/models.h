@@ -1,0 +1,53 @@
+// Models built by hand, for tests of the back half of the generator: no schema is parsed.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/model.h"
+
+namespace physgen::test {
+
+inline model::Field field(std::string name, model::Shape shape = model::Shape::scalar, int rows = 1, int cols = 1,
+                          model::Element element = model::Element::real) {
+  model::Field made;
+  made.name = std::move(name);
+  made.shape = shape;
+  made.rows = rows;
+  made.cols = cols;
+  made.element = element;
+  return made;
+}
+
+inline model::Field scalar(std::string name, model::Element element = model::Element::real) {
+  return field(std::move(name), model::Shape::scalar, 1, 1, element);
+}
+
+inline model::Field nested(std::string name, std::string object) {
+  model::Field made = field(std::move(name), model::Shape::object);
+  made.object = std::move(object);
+  return made;
+}
+
+inline model::Field array(model::Field entry, int extent) {
+  entry.array_extent = extent;
+  return entry;
+}
+
+inline model::Object object(std::string name, std::vector<model::Field> fields, std::string scope = "test") {
+  model::Object made;
+  made.name = std::move(name);
+  made.scope = std::move(scope);
+  made.fields = std::move(fields);
+  return made;
+}
+
+inline model::Schema schema(std::vector<model::Object> objects) {
+  model::Schema made;
+  made.file = "test.h";
+  made.objects = std::move(objects);
+  return made;
+}
+
+}  // namespace physgen::test

@@ -1,0 +1,113 @@
+// physbench: the benchmark of the paper's kernels over every layout. See README.md for what the columns mean.
+#include <omp.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "dataset.h"
+#include "kernel_list.h"
+#include "table.h"
+
+namespace physgen::bench {
+namespace {
+
+std::vector<Row> all_rows(Dataset& host, [[maybe_unused]] Dataset& cuda) {
+  std::vector<Row> rows;
+  AllKernels::for_each([&]<class Kernel>() { HostKernel<Kernel>::add_rows(rows, host); });
+#ifdef PHYSGEN_BENCH_CUDA
+  if (find_gpu().missing.empty()) {
+    AllKernels::for_each([&]<class Kernel>() { CudaKernel<Kernel>::add_rows(rows, cuda); });
+  }
+#endif
+  return rows;
+}
+
+// Hands Google Benchmark its flags. @throw Error when it does not know one
+void initialize_benchmark(char* program, Options& options) {
+  std::vector<char*> arguments{program};
+  for (std::string& flag : options.benchmark_flags) arguments.push_back(flag.data());
+  arguments.push_back(nullptr);
+  int count = static_cast<int>(arguments.size()) - 1;
+  benchmark::Initialize(&count, arguments.data());
+  if (count > 1) throw Error("there is no flag " + std::string(arguments[1]) + "; physbench --help lists them");
+}
+
+// Names as we write them: what Google Benchmark lists carries its suffix.
+void list(std::ostream& out) {
+  std::ostringstream names;
+  benchmark::ConsoleReporter reporter;
+  reporter.SetOutputStream(&names);
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  constexpr std::string_view suffix = "/manual_time";
+  std::istringstream lines(names.str());
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with(suffix)) line.resize(line.size() - suffix.size());
+    out << line << "\n";
+  }
+}
+
+// Whether a row failed; passes everything on to the reporter of the display.
+class Watch final : public benchmark::BenchmarkReporter {
+ public:
+  explicit Watch(benchmark::BenchmarkReporter& display) : display_(display) {}
+  bool ReportContext(const Context& context) override { return display_.ReportContext(context); }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) failed = failed || run.error_occurred;
+    display_.ReportRuns(runs);
+  }
+  void Finalize() override { display_.Finalize(); }
+  bool failed = false;
+
+ private:
+  benchmark::BenchmarkReporter& display_;
+};
+
+int run(int argc, char** argv) {
+  std::string command;
+  for (int a = 0; a < argc; ++a) command.append(a == 0 ? "" : " ").append(argv[a]);
+  Options options = parse(argc, argv);
+  omp_set_num_threads(options.threads);
+  for (const std::string& flag : options.benchmark_flags) {
+    if (flag == "--help") std::cout << help_text << std::flush;
+  }
+  initialize_benchmark(argv[0], options);
+
+  Dataset host(options.host_objects), cuda(options.cuda_objects);
+  Session session(all_rows(host, cuda), options.table);
+  session.register_rows();
+  if (options.list) {
+    list(std::cout);
+    return 0;
+  }
+  const Machine machine = describe_machine(options, command);
+  for (const auto& [what, value] : machine) benchmark::AddCustomContext(what, value);
+
+  std::unique_ptr<benchmark::BenchmarkReporter> display;
+  if (options.table) {
+    display = std::make_unique<TableReporter>(session.rows(), machine);
+  } else if (options.json) {
+    display = std::make_unique<PlainNames<benchmark::JSONReporter>>();
+  } else {
+    display = std::make_unique<PlainNames<benchmark::ConsoleReporter>>();
+  }
+  Watch watch(*display);
+  PlainNames<benchmark::JSONReporter> file;
+  const bool to_file = std::any_of(options.benchmark_flags.begin(), options.benchmark_flags.end(),
+                                   [](const std::string& flag) { return flag.rfind("--benchmark_out=", 0) == 0; });
+  const std::size_t ran = benchmark::RunSpecifiedBenchmarks(&watch, to_file ? &file : nullptr);
+  return ran == 0 || watch.failed ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace physgen::bench
+
+int main(int argc, char** argv) {
+  try {
+    return physgen::bench::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "physbench: " << error.what() << "\n";
+    return 2;
+  }
+}

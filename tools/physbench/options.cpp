@@ -1,0 +1,88 @@
+// Reads the command line.
+#include "options.h"
+
+#include <omp.h>
+#include <physgen/error.h>
+
+#include <charconv>
+#include <string_view>
+
+namespace physgen::bench {
+
+const char* const help_text = R"(physbench [FLAGS]
+
+Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter, runs everything and
+prints a table; with one, prints what Google Benchmark prints. Names are kernel/layout/storage/space/objects.
+
+  --threads=N    OpenMP threads of the CPU's rows (default: all)
+  --objects=N    tets (default: 1048576 on the CPU, 8388608 on the GPU); kernels over nodes and edges run over all of the
+                 smallest cube with at least N tets
+  --table        print the table in any case
+  --json=FILE    also write all results and the machine to FILE; short for --benchmark_out=FILE
+  --help         this text
+
+Exit status: 0 done, 1 a row failed or none matched, 2 wrong use. The flags of Google Benchmark:
+
+)";
+
+namespace {
+
+index_t number(std::string_view flag, std::string_view text, index_t largest) {
+  index_t value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size() || value < 1 || value > largest) {
+    throw Error(std::string(flag) + " takes a number from 1 to " + std::to_string(largest) + ", not '" +
+                std::string(text) + "'");
+  }
+  return value;
+}
+
+// Of our names the suffix that Google Benchmark appends is no part, so a filter may end with the name's end.
+std::string benchmark_flag(std::string argument) {
+  constexpr std::string_view filter = "--benchmark_filter=";
+  if (argument.rfind(filter, 0) == 0 && argument.back() == '$') {
+    argument.pop_back();
+    argument += "(/manual_time)?$";
+  }
+  return argument;
+}
+
+}  // namespace
+
+Options parse(int argc, const char* const* argv) {
+  Options options;
+  bool filtered = false, min_time = false;
+  for (int a = 1; a < argc; ++a) {
+    const std::string argument = argv[a];
+    const std::size_t equals = argument.find('=');
+    const std::string flag = argument.substr(0, equals);
+    const auto value = [&] {
+      if (equals != std::string::npos) return argument.substr(equals + 1);
+      if (a + 1 == argc) throw Error(flag + " needs a value: " + flag + "=VALUE");
+      return std::string(argv[++a]);
+    };
+    if (flag == "--threads") {
+      options.threads = static_cast<int>(number(flag, value(), 4096));
+    } else if (flag == "--objects") {
+      options.host_objects = options.cuda_objects = number(flag, value(), 100000000);
+    } else if (flag == "--json") {
+      options.benchmark_flags.push_back("--benchmark_out=" + value());
+    } else if (argument == "--table") {
+      options.table = true;
+    } else if (argument == "--help" || flag.rfind("--benchmark_", 0) == 0 || flag == "--v") {
+      filtered = filtered || flag == "--benchmark_filter";
+      min_time = min_time || flag == "--benchmark_min_time";
+      options.list = options.list || (flag == "--benchmark_list_tests" && argument.find("=false") == std::string::npos);
+      options.json = options.json || argument == "--benchmark_format=json" || argument == "--benchmark_format=csv";
+      options.benchmark_flags.push_back(benchmark_flag(argument));
+    } else {
+      throw Error("there is no flag " + argument + "; physbench --help lists them");
+    }
+  }
+  if (!min_time) options.benchmark_flags.emplace_back("--benchmark_min_time=0.06");
+  options.table = options.table || !(filtered || options.json || options.list);
+  if (options.threads == 0) options.threads = omp_get_max_threads();
+  return options;
+}
+
+}  // namespace physgen::bench

@@ -1,0 +1,64 @@
+// Preparation, timing and counters of rows.
+#include "session.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "errors.h"
+
+namespace physgen::bench {
+
+void Session::register_rows() {
+  for (const Row& row : rows_) {
+    benchmark::RegisterBenchmark(row.name().c_str(), [this, &row](benchmark::State& state) { run(row, state); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+void Session::prepare(const Row& row) {
+  if (prepared_ == &row) return;
+  prepared_ = nullptr;
+  case_.reset();  // its memory first: rows of one size follow each other
+  if (progress_) {
+    const auto number = static_cast<long>(&row - rows_.data()) + 1;
+    std::fprintf(stderr, "%3ld/%zu %s\n", number, rows_.size(), row.name().c_str());
+  }
+  case_ = row.make();
+  errors_ = case_->check();
+  for (int warm_up = 0; warm_up < 2; ++warm_up) {
+    case_->run();
+    case_->copy();
+  }
+  prepared_ = &row;
+}
+
+void Session::run(const Row& row, benchmark::State& state) {
+  std::vector<double> times, copies;
+  try {
+    prepare(row);
+    for (auto _ : state) {
+      times.push_back(case_->run());
+      copies.push_back(case_->copy());
+      state.SetIterationTime(times.back());
+    }
+  } catch (const std::exception& error) {
+    state.SkipWithError(error.what());
+    return;
+  }
+  const double time = median(times), copy = median(copies);
+  const double bytes = row.bytes_per_object * static_cast<double>(row.objects);
+  state.counters[counter::median_ms] = time * 1e3;
+  state.counters[counter::min_ms] = *std::min_element(times.begin(), times.end()) * 1e3;
+  state.counters[counter::copy_ms] = copy * 1e3;
+  state.counters[counter::bytes_per_object] = row.bytes_per_object;
+  state.counters[counter::gb_per_second] = bytes / time * 1e-9;
+  state.counters[counter::copy_fraction] = copy / time;
+  if (row.layout == "copy") return;
+  state.counters[counter::err_p50] = errors_.p50;
+  state.counters[counter::err_p99] = errors_.p99;
+  state.counters[counter::err_max] = errors_.max;
+}
+
+}  // namespace physgen::bench

@@ -1,0 +1,64 @@
+// Runs rows under Google Benchmark.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "row.h"
+
+namespace physgen::bench {
+
+/// Counters of a finished row, by name. Times are medians over the iterations.
+namespace counter {
+inline constexpr const char* median_ms = "median_ms";
+inline constexpr const char* min_ms = "min_ms";
+inline constexpr const char* copy_ms = "copy_ms";  ///< a copy of the same bytes, run in turn with the kernel
+inline constexpr const char* bytes_per_object = "bytes_per_object";
+inline constexpr const char* gb_per_second = "GBps";
+inline constexpr const char* copy_fraction = "copy_fraction";
+inline constexpr const char* err_p50 = "err_p50";
+inline constexpr const char* err_p99 = "err_p99";
+inline constexpr const char* err_max = "err_max";
+}  // namespace counter
+
+/// Holds the data of the row that runs; its rows must outlive all runs.
+class Session {
+ public:
+  /// @param progress say on stderr which row runs
+  Session(std::vector<Row> rows, bool progress) : rows_(std::move(rows)), progress_(progress) {}
+
+  /// Makes Google Benchmark know all rows.
+  void register_rows();
+  [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  void run(const Row& row, benchmark::State& state);
+  /// Puts the data of a row in place, checks its result and warms up; nothing when it is the row of the last call.
+  void prepare(const Row& row);
+
+  std::vector<Row> rows_;
+  bool progress_;
+  const Row* prepared_ = nullptr;
+  std::unique_ptr<Case> case_;
+  ErrorStats errors_;
+};
+
+/// Reporters of Google Benchmark, with our names: without the suffixes that it appends for the way of timing.
+template <class Reporter>
+class PlainNames final : public Reporter {
+ public:
+  using Reporter::Reporter;
+  void ReportRuns(const std::vector<benchmark::BenchmarkReporter::Run>& runs) override {
+    std::vector<benchmark::BenchmarkReporter::Run> named = runs;
+    for (auto& run : named) {
+      run.run_name.time_type.clear();
+      run.run_name.min_time.clear();
+    }
+    Reporter::ReportRuns(named);
+  }
+};
+
+}  // namespace physgen::bench

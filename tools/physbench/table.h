@@ -1,0 +1,31 @@
+// The table: rows side by side in the form of the paper's table 1.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "machine.h"
+#include "session.h"
+
+namespace physgen::bench {
+
+/// Collects finished rows and prints the table at the end.
+class TableReporter final : public benchmark::BenchmarkReporter {
+ public:
+  TableReporter(const std::vector<Row>& rows, Machine machine) : rows_(rows), machine_(std::move(machine)) {}
+  bool ReportContext(const Context& /*context*/) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override;
+  void Finalize() override;
+
+ private:
+  using Counters = std::map<std::string, double>;
+  void print_block(const std::string& space, const std::string& storage);
+  void print_row(const Row& row, const Counters& counters, double aos_ms, bool first);
+
+  const std::vector<Row>& rows_;
+  Machine machine_;
+  std::map<std::string, Counters> finished_;
+  std::map<std::string, std::string> failed_;
+};
+
+}  // namespace physgen::bench
