@@ -236,8 +236,7 @@ static_assert(physgen::is_sound_record<DeformationSvdObject, double>(168, 8));
 // ---- StressDerivative -----------------------------------------------------------------------------------------------
 
 /// Isotropic stress derivative in principal axes (12 scalars): x_iikk = d2psi/(ds_i ds_k), and for the pairs (a,b) =
-/// (2,1),
-/// (3,1), (3,2) the entries x_abab and x_abba.
+/// (2,1), (3,1), (3,2) the entries x_abab and x_abba.
 /// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct StressDerivative {

@@ -2,6 +2,7 @@
 #include "emit/printer.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace physgen::emit {
 namespace {
@@ -14,6 +15,10 @@ std::string_view without_end(std::string_view line) {
     line.remove_suffix(1);
   }
   return line;
+}
+
+bool begins_with_a_word(std::string_view line) {
+  return !line.empty() && (std::isalnum(static_cast<unsigned char>(line.front())) != 0 || line.front() == '(');
 }
 
 }  // namespace
@@ -86,22 +91,31 @@ void Printer::wrapped(const std::string& text) {
 
 void Printer::comment(std::string_view marker, std::string_view text) {
   const std::string start(marker);
+  std::string rest;  // of a line that was too long; it goes on in the next line of the same paragraph
   while (true) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view rest = without_end(text.substr(0, end));
-    do {
-      std::size_t length = rest.size();
-      if (!fits(start.size() + 1 + length)) {
-        const std::size_t room = columns - std::min(columns, indent_ + start.size() + 1);
-        length = rest.rfind(' ', room);
-        if (length == std::string_view::npos || rest.find_first_not_of(' ') > length) length = rest.find(' ', room);
-        length = std::min(length, rest.size());
-      }
-      const std::string_view piece = without_end(rest.substr(0, length));
-      line(piece.empty() ? start : start + " " + std::string(piece));
-      rest.remove_prefix(length);
-      rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-    } while (!rest.empty());
+    const std::string_view next = without_end(text.substr(0, end));
+    if (!rest.empty() && begins_with_a_word(next)) {
+      rest += ' ';
+    } else if (!rest.empty()) {
+      line(start + " " + rest);
+      rest.clear();
+    }
+    rest += next;
+    bool wrapped = false;
+    for (; !fits(start.size() + 1 + rest.size()); wrapped = true) {
+      const std::size_t room = columns - std::min(columns, indent_ + start.size() + 1);
+      const std::size_t text_begin = rest.find_first_not_of(' ');
+      std::size_t length = rest.rfind(' ', room);
+      if (length == std::string::npos || length < text_begin) length = rest.find(' ', text_begin);
+      if (length == std::string::npos) break;
+      line(start + " " + std::string(without_end(rest.substr(0, length))));
+      rest.erase(0, rest.find_first_not_of(' ', length));
+    }
+    if (!wrapped || end == text.size()) {
+      line(rest.empty() ? start : start + " " + rest);
+      rest.clear();
+    }
     if (end == text.size()) return;
     text.remove_prefix(end + 1);
   }

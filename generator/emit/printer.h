@@ -25,7 +25,8 @@ class Printer {
   void function(std::string_view signature, const std::vector<std::string>& statements);
   /// "head(first, second);" on one line if it fits, else broken before items, which are then aligned behind `head`.
   void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
-  /// A comment, each line after `marker` ("//" or "///"), its lines kept where they fit and wrapped where they do not.
+  /// A comment, each line after `marker` ("//" or "///"), its lines kept where they fit. One that does not is
+  /// wrapped, and the rest of its paragraph with it.
   void comment(std::string_view marker, std::string_view text);
 
   [[nodiscard]] std::string text() && { return std::move(text_); }

@@ -172,5 +172,12 @@ TEST(Printer, wraps_comments_and_keeps_their_lines) {
   EXPECT_EQ(std::move(out).text(), "{\n  /// short\n  ///\n  ///   indented\n  /// " + std::string(115, 'x') + "\n}\n");
 }
 
+TEST(Printer, wraps_the_rest_of_a_paragraph_with_a_long_line) {
+  const std::string words = "x" + std::string(80, 'x'), tail = std::string(50, 'y');
+  Printer out;
+  out.comment("//", words + " " + tail + "\n(goes on)\n@pre is kept");
+  EXPECT_EQ(std::move(out).text(), "// " + words + "\n// " + tail + " (goes on)\n// @pre is kept\n");
+}
+
 }  // namespace
 }  // namespace physgen::emit

@@ -53,6 +53,7 @@ template <Action action, class Ref, class Real>
 void walk(Walk<action>& w, const Ref& ref, tissue::model::Names<Real>& value) {
   w.one(ref.value(), value.value);
   w.one(ref.entry(), value.entry);
+  w.one(ref.S(), value.S);
   w.one(ref.R(), value.R);
   w.one(ref.at(), value.at);
   w.one(ref.cursor(), value.cursor);

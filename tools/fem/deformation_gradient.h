@@ -49,7 +49,7 @@ struct ComputeDeformationGradient {
     using S = lanes_t<Scalar, I>;
     const Matrix3<S> ds = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return positions[node].x().get(); });
     const Matrix3<S> dm_inverse = rest[i].dm_inverse();
-    gradient[i].F() = Matrix3<S>(ds * dm_inverse);
+    gradient[i].F() = multiply<S>(ds, dm_inverse);
   }
 };
 template <class... Views>
@@ -70,7 +70,7 @@ struct ComputeDeformationGradientDifferential {
     const Matrix3<S> ds =
         detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return displacements[node].dx().get(); });
     const Matrix3<S> dm_inverse = rest[i].dm_inverse();
-    differential[i].dF() = Matrix3<S>(ds * dm_inverse);
+    differential[i].dF() = multiply<S>(ds, dm_inverse);
   }
 };
 template <class... Views>

@@ -11,7 +11,8 @@ namespace detail {
 
 /// dP^ of dF^ in the principal frame. @param x an accessor or value of elasticity::StressDerivative
 template <class S, class Derivative>
-PHYSGEN_FUNCTION inline Matrix3<S> principal_differential(const Derivative& x, const Matrix3<S>& dF) {
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline Matrix3<S> principal_differential(const Derivative& x,
+                                                                                 const Matrix3<S>& dF) {
   const S x2211 = x.x2211(), x3311 = x.x3311(), x3322 = x.x3322();
   const S x2121 = x.x2121(), x2112 = x.x2112();
   const S x3131 = x.x3131(), x3113 = x.x3113();
@@ -31,12 +32,11 @@ PHYSGEN_FUNCTION inline Matrix3<S> principal_differential(const Derivative& x, c
 
 /// dP = U dP^(U^T dF V) V^T
 template <class S, class Derivative>
-PHYSGEN_FUNCTION inline Matrix3<S> stress_differential(const Matrix3<S>& U, const Matrix3<S>& V, const Derivative& x,
-                                                       const Matrix3<S>& dF) {
-  const Matrix3<S> half_rotated = U.transpose() * dF;
-  const Matrix3<S> principal = principal_differential<S>(x, half_rotated * V);
-  const Matrix3<S> back = U * principal;
-  return back * V.transpose();
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline Matrix3<S> stress_differential(const Matrix3<S>& U, const Matrix3<S>& V,
+                                                                              const Derivative& x,
+                                                                              const Matrix3<S>& dF) {
+  const Matrix3<S> principal = principal_differential<S>(x, multiply<S>(transpose_multiply<S>(U, dF), V));
+  return multiply_transpose<S>(multiply<S>(U, principal), V);
 }
 
 }  // namespace detail

@@ -12,8 +12,8 @@ namespace detail {
 /// -volume P Dm^-T
 template <class S>
 PHYSGEN_FUNCTION inline Matrix3<S> corner_forces(const Matrix3<S>& P, const Matrix3<S>& dm_inverse, const S& volume) {
-  const Matrix3<S> scaled = dm_inverse.transpose() * (-volume);
-  return P * scaled;
+  const Matrix3<S> scaled = P * (-volume);
+  return multiply_transpose<S>(scaled, dm_inverse);
 }
 
 /// Sum over the tets of a node of the force on it: column c - 1 of G at corner c > 0, minus all columns at corner 0.

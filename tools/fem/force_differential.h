@@ -64,7 +64,7 @@ struct ComputeCornerForceDifferentials {
     const auto rotations = decomposition[i];
     const Matrix3<S> dm_inverse = shape.dm_inverse(), U = rotations.U(), V = rotations.V();
     const S volume = shape.volume();
-    const Matrix3<S> dF = ds * dm_inverse;
+    const Matrix3<S> dF = multiply<S>(ds, dm_inverse);
     const Matrix3<S> dP = detail::stress_differential<S>(U, V, derivative[i], dF);
     differentials[i].G() = detail::corner_forces<S>(dP, dm_inverse, volume);
   }

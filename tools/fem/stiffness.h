@@ -70,15 +70,14 @@ struct ComputeTetStiffness {
     const Matrix3<S> dm_inverse = shape.dm_inverse(), U = decomposition[i].U(), V = decomposition[i].V();
     const S scale = -S(shape.volume());
     const detail::DerivativeTables<S> tables(derivative[i]);
-    const Matrix3<S> rotated = dm_inverse * V;  // row a: V^T grad of corner a + 1
+    const Matrix3<S> rotated = multiply<S>(dm_inverse, V);  // row a: V^T grad of corner a + 1
     Vector3<S> g[4];
     g[1] = rotated.row(0).transpose();
     g[2] = rotated.row(1).transpose();
     g[3] = rotated.row(2).transpose();
     g[0] = -(g[1] + g[2] + g[3]);
     const auto block = [&](const Vector3<S>& a, const Vector3<S>& b) {
-      const Matrix3<S> left = U * tables.block(a * scale, b);
-      return Matrix3<S>(left * U.transpose());
+      return multiply_transpose<S>(multiply<S>(U, tables.block(a * scale, b)), U);
     };
     const auto out = stiffness[i];
     PHYSGEN_UNROLL

@@ -23,7 +23,7 @@ struct ComputeStress {
     scaled.col(0) = U.col(0) * g[0];
     scaled.col(1) = U.col(1) * g[1];
     scaled.col(2) = U.col(2) * g[2];
-    stress[i].P() = Matrix3<S>(scaled * V.transpose());
+    stress[i].P() = multiply_transpose<S>(scaled, V);
   }
 };
 template <class... Arguments>

@@ -1,9 +1,11 @@
 // physbench: the benchmark of the paper's kernels over every layout. See README.md for what the columns mean.
+#include <malloc.h>
 #include <omp.h>
 #include <physgen/error.h>
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <sstream>
 
 #include "dataset.h"
@@ -22,6 +24,13 @@ std::vector<Row> all_rows(Dataset& host, [[maybe_unused]] Dataset& cuda) {
   }
 #endif
   return rows;
+}
+
+// Memory of a row that is done goes to the next one instead of back to the system, which would have to clear it again:
+// without this, a third of the run is page faults.
+void keep_memory() {
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 }
 
 // Hands Google Benchmark its flags. @throw Error when it does not know one
@@ -69,6 +78,7 @@ int run(int argc, char** argv) {
   for (int a = 0; a < argc; ++a) command.append(a == 0 ? "" : " ").append(argv[a]);
   Options options = parse(argc, argv);
   omp_set_num_threads(options.threads);
+  keep_memory();
   for (const std::string& flag : options.benchmark_flags) {
     if (flag == "--help") std::cout << help_text << std::flush;
   }

@@ -36,6 +36,8 @@ class Session {
 
  private:
   void run(const Row& row, benchmark::State& state);
+  /// One sample of the prepared row.
+  void measure();
   /// Puts the data of a row in place, checks its result and warms up; nothing when it is the row of the last call.
   void prepare(const Row& row);
 
@@ -44,6 +46,7 @@ class Session {
   const Row* prepared_ = nullptr;
   std::unique_ptr<Case> case_;
   ErrorStats errors_;
+  std::vector<double> times_, copies_;  // of the prepared row
 };
 
 /// Reporters of Google Benchmark, with our names: without the suffixes that it appends for the way of timing.

@@ -273,6 +273,7 @@ template <class Real>
 struct Names {
   Real value;
   Real entry;
+  Real S;
   Real R;
   Real at;
   Real cursor;
@@ -292,19 +293,20 @@ template <class Real>
 struct NamesRecord {
   static constexpr int value = 0;
   static constexpr int entry = sizeof(Real);
-  static constexpr int R = 2 * sizeof(Real);
-  static constexpr int at = 3 * sizeof(Real);
-  static constexpr int cursor = 4 * sizeof(Real);
-  static constexpr int name = 5 * sizeof(Real);
-  static constexpr int fields = 6 * sizeof(Real);
-  static constexpr int Layout = 7 * sizeof(Real);
-  static constexpr int Space = 8 * sizeof(Real);
-  static constexpr int field = 9 * sizeof(Real);
-  static constexpr int element = 10 * sizeof(Real);
-  static constexpr int nested = 11 * sizeof(Real);
-  static constexpr int self = 12 * sizeof(Real);
-  static constexpr int tissue = 14 * sizeof(Real);
-  static constexpr int bytes = 16 * sizeof(Real);
+  static constexpr int S = 2 * sizeof(Real);
+  static constexpr int R = 3 * sizeof(Real);
+  static constexpr int at = 4 * sizeof(Real);
+  static constexpr int cursor = 5 * sizeof(Real);
+  static constexpr int name = 6 * sizeof(Real);
+  static constexpr int fields = 7 * sizeof(Real);
+  static constexpr int Layout = 8 * sizeof(Real);
+  static constexpr int Space = 9 * sizeof(Real);
+  static constexpr int field = 10 * sizeof(Real);
+  static constexpr int element = 11 * sizeof(Real);
+  static constexpr int nested = 12 * sizeof(Real);
+  static constexpr int self = 13 * sizeof(Real);
+  static constexpr int tissue = 15 * sizeof(Real);
+  static constexpr int bytes = 17 * sizeof(Real);
   static constexpr int alignment = sizeof(Real);
 };
 
@@ -320,6 +322,7 @@ class NamesRef {
 
   PHYSGEN_FUNCTION decltype(auto) value() const { return at_.template element<Real>(Record::value); }
   PHYSGEN_FUNCTION decltype(auto) entry() const { return at_.template element<Real>(Record::entry); }
+  PHYSGEN_FUNCTION decltype(auto) S() const { return at_.template element<Real>(Record::S); }
   PHYSGEN_FUNCTION decltype(auto) R() const { return at_.template element<Real>(Record::R); }
   PHYSGEN_FUNCTION decltype(auto) at() const { return at_.template element<Real>(Record::at); }
   PHYSGEN_FUNCTION decltype(auto) cursor() const { return at_.template element<Real>(Record::cursor); }
@@ -342,6 +345,7 @@ class NamesRef {
     Value value_;
     value_.value = value();
     value_.entry = entry();
+    value_.S = S();
     value_.R = R();
     value_.at = at();
     value_.cursor = cursor();
@@ -360,6 +364,7 @@ class NamesRef {
   PHYSGEN_FUNCTION void put(const Value& value_) const {
     value() = value_.value;
     entry() = value_.entry;
+    S() = value_.S;
     R() = value_.R;
     at() = value_.at;
     cursor() = value_.cursor;
@@ -389,9 +394,10 @@ struct NamesObject {
   template <class Real, class Cursor>
   using Ref = NamesRef<Real, Cursor>;
   template <class Real>
-  static constexpr std::array<physgen::FieldInfo, 14> fields = {{
+  static constexpr std::array<physgen::FieldInfo, 15> fields = {{
       {"value", "", physgen::element_type<Real>, NamesRecord<Real>::value, 1, 0},
       {"entry", "", physgen::element_type<Real>, NamesRecord<Real>::entry, 1, 0},
+      {"S", "", physgen::element_type<Real>, NamesRecord<Real>::S, 1, 0},
       {"R", "", physgen::element_type<Real>, NamesRecord<Real>::R, 1, 0},
       {"at", "", physgen::element_type<Real>, NamesRecord<Real>::at, 1, 0},
       {"cursor", "", physgen::element_type<Real>, NamesRecord<Real>::cursor, 1, 0},
@@ -414,8 +420,8 @@ template <class Real, class Space = physgen::Host,
 using NamesArray = physgen::Array<NamesObject, Real, Space, Layout>;
 
 // Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<NamesObject, float>(64, 4));
-static_assert(physgen::is_sound_record<NamesObject, double>(128, 8));
+static_assert(physgen::is_sound_record<NamesObject, float>(68, 4));
+static_assert(physgen::is_sound_record<NamesObject, double>(136, 8));
 
 // ---- Entries --------------------------------------------------------------------------------------------------------
 
