@@ -13,9 +13,7 @@
 namespace physgen::fem {
 namespace {
 
-using reference::Jet;
-using reference::Quad;
-using reference::Random;
+using reference::Jet, reference::Quad, reference::Random;
 
 Jet energy_of(const NeoHookean<double>& m, const std::array<Jet, 3>& s) {
   const Jet J = s[0] * s[1] * s[2];
@@ -205,11 +203,13 @@ TYPED_TEST(MaterialOf, treats_the_principal_axes_alike) {
       const Vector3<double> s(random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.5, 2));
       const auto d = m.derivative(s), e = m.derivative(Vector3<double>(s[1], s[2], s[0]));
       const auto g = m.stress(s), h = m.stress(Vector3<double>(s[1], s[2], s[0]));
-      const double t = 1e-14 * (std::abs(d.h11) + std::abs(d.h22) + std::abs(d.h33) + m.mu);
-      EXPECT_NEAR(g[0], h[2], t), EXPECT_NEAR(g[1], h[0], t);
+      const double t = 1e-14 * (std::abs(d.h11) + std::abs(d.h33) + m.mu + std::abs(m.lambda) * 4);
+      EXPECT_NEAR(g[0], h[2], t);
+      EXPECT_NEAR(g[1], h[0], t);
       EXPECT_NEAR(d.h11, e.h33, t);
       EXPECT_NEAR(d.h21, e.h31, t);
-      EXPECT_NEAR(d.d21, e.d31, t), EXPECT_NEAR(d.s32, e.s21, t);
+      EXPECT_NEAR(d.d21, e.d31, t);
+      EXPECT_NEAR(d.s32, e.s21, t);
     }
   }
 }
@@ -237,7 +237,7 @@ TYPED_TEST(MaterialOf, gives_packs_what_it_gives_numbers) {
     const auto many = entries(m.derivative(packed));
     double scale = 0;
     for (const double x : one) scale = std::max(scale, std::abs(x));
-    for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(one[i], many[i].get(0), 1e-14 * scale);
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(one[i], many[i].get(0), 4e-14 * scale);
     EXPECT_NEAR(m.energy(s), m.energy(packed).get(0), 1e-13 * std::abs(m.energy(s)));
   }
 }

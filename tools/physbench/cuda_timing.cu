@@ -1,7 +1,7 @@
 // Events, the device's copy, and poison in device memory.
-#include "cuda_timing.h"
-
 #include <physgen/cuda/check.h>
+
+#include "cuda_timing.h"
 
 namespace physgen::bench {
 
@@ -31,8 +31,9 @@ TimedCudaCase::TimedCudaCase(double bytes)
 
 double TimedCudaCase::copy() {
   watch_.start();
-  cuda::check(cudaMemcpyAsync(to_.data(), from_.data(), static_cast<std::size_t>(from_.bytes()), cudaMemcpyDeviceToDevice),
-              "copying on the device");
+  cuda::check(
+      cudaMemcpyAsync(to_.data(), from_.data(), static_cast<std::size_t>(from_.bytes()), cudaMemcpyDeviceToDevice),
+      "copying on the device");
   return watch_.stop();
 }
 

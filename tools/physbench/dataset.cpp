@@ -1,12 +1,12 @@
 // Makes the inputs of the kernels: nodes from the Truth Cube, everything else by the naive kernels in double.
 #include "dataset.h"
 
+#include <fem/mesh_arrays.h>
+
 #include <Eigen/LU>
 #include <numbers>
 #include <random>
 #include <typeinfo>
-
-#include <fem/mesh_arrays.h>
 
 #include "naive.h"
 #include "values.h"
@@ -169,7 +169,9 @@ const Master<elasticity::DeformationGradientObject>& Dataset::deformation_gradie
   return output_of<DeformationGradient>();
 }
 const Master<elasticity::DeformationSvdObject>& Dataset::svds() { return output_of<Svd>(); }
-const Master<elasticity::StressDerivativeObject>& Dataset::stress_derivatives() { return output_of<StressDerivative>(); }
+const Master<elasticity::StressDerivativeObject>& Dataset::stress_derivatives() {
+  return output_of<StressDerivative>();
+}
 const Master<elasticity::StressObject>& Dataset::stresses() { return output_of<Stress>(); }
 const Master<elasticity::CornerForcesObject>& Dataset::corner_forces() { return output_of<ElasticForce>(); }
 const Master<elasticity::TetStiffnessObject>& Dataset::tet_stiffness() { return output_of<TetStiffness>(); }

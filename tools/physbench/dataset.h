@@ -1,14 +1,15 @@
-// The inputs of all kernels: the elements of the tetrahedralised Truth Cube, compressed. Made on first use, once, in double.
+// The inputs of all kernels: the elements of the tetrahedralised Truth Cube, compressed. Made on first use, once, in
+// double.
 #pragma once
+
+#include <elasticity.physgen.h>
+#include <fem/truth_cube.h>
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
-
-#include <elasticity.physgen.h>
-#include <fem/truth_cube.h>
 
 namespace physgen::bench {
 

@@ -1,11 +1,11 @@
 // Poisoning, the search for unwritten elements, and percentiles.
 #include "errors.h"
 
+#include <physgen/error.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-
-#include <physgen/error.h>
 
 namespace physgen::bench {
 
@@ -26,9 +26,7 @@ double percentile(std::vector<double>& values, double fraction) {
 
 }  // namespace
 
-void poison(const Storage& storage) {
-  std::memset(storage.base, 0xff, static_cast<std::size_t>(storage.bytes()));
-}
+void poison(const Storage& storage) { std::memset(storage.base, 0xff, static_cast<std::size_t>(storage.bytes())); }
 
 void check_written(const Storage& storage) {
   for (const FieldInfo& field : storage.fields) {

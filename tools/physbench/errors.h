@@ -1,9 +1,9 @@
 // Checks of results: that everything was written, and how far it is from the reference.
 #pragma once
 
-#include <vector>
-
 #include <physgen/storage.h>
+
+#include <vector>
 
 #include "row.h"
 

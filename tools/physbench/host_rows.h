@@ -1,11 +1,11 @@
-// Rows of the CPU: a kernel in every layout and storage, a plain copy beside it, the naive Eigen loop, and the reference
-// that all rows of the kernel are checked against.
+// Rows of the CPU: a kernel in every layout and storage, a plain copy beside it, the naive Eigen loop, and the
+// reference that all rows of the kernel are checked against.
 #pragma once
+
+#include <physgen/parallel_for.h>
 
 #include <type_traits>
 #include <vector>
-
-#include <physgen/parallel_for.h>
 
 #include "errors.h"
 #include "naive.h"
@@ -32,7 +32,8 @@ auto struct_inputs(Dataset& data, Inputs<Source...> /*list*/) {
 }
 
 template <class Kernel, class T>
-using Observed = decltype(Naive<Kernel>::template observe<T>(std::declval<typename Kernel::Output::Object::template Value<T>>()));
+using Observed =
+    decltype(Naive<Kernel>::template observe<T>(std::declval<typename Kernel::Output::Object::template Value<T>>()));
 
 template <class Kernel, class Real>
 std::vector<Observed<Kernel, Wider<Real>>> make_reference(Dataset& data) {
@@ -57,8 +58,9 @@ template <class Kernel, class Real, class At>
 ErrorStats compare(Dataset& data, const At& result) {
   using T = Wider<Real>;
   using Reference = std::vector<Observed<Kernel, T>>;
-  const auto& reference = data.reference<Reference>(std::string(Kernel::name) + (sizeof(Real) == 4 ? "/float" : "/double"),
-                                                    [&data] { return make_reference<Kernel, Real>(data); });
+  const auto& reference =
+      data.reference<Reference>(std::string(Kernel::name) + (sizeof(Real) == 4 ? "/float" : "/double"),
+                                [&data] { return make_reference<Kernel, Real>(data); });
   const auto n = static_cast<index_t>(reference.size());
   std::vector<double> errors(reference.size()), norms(reference.size());
 #pragma omp parallel for schedule(static)
@@ -75,8 +77,7 @@ ErrorStats compare(Dataset& data, const At& result) {
 template <class Kernel, class Real, class Layout, int kLanes>
 class HostCase final : public TimedHostCase {
  public:
-  explicit HostCase(Dataset& data)
-      : TimedHostCase(bytes_moved<Kernel, Real>(data)), data_(data), operands_(data) {}
+  explicit HostCase(Dataset& data) : TimedHostCase(bytes_moved<Kernel, Real>(data)), data_(data), operands_(data) {}
   double run() override {
     const auto kernel = operands_.kernel();
     const index_t n = operands_.output().size();

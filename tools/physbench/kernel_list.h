@@ -1,9 +1,9 @@
 // The list of all kernels, in the order in which they run and are printed: the paper's three first.
 #pragma once
 
-#include <vector>
-
 #include <physgen/storage.h>
+
+#include <vector>
 
 #include "row.h"
 

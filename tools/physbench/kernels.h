@@ -1,5 +1,5 @@
-// The kernels that are measured, one struct each: what it reads and writes, how many bytes it must move, and how to make it
-// from views. (Their references stand in naive.h.)
+// The kernels that are measured, one struct each: what it reads and writes, how many bytes it must move, and how to
+// make it from views. (Their references stand in naive.h.)
 #pragma once
 
 #include <fem/compute_svd.h>
@@ -229,7 +229,8 @@ struct AddForceDifferential {
 /// Matrix-free, per tet, before the sums at the nodes.
 struct ElementForceDifferential {
   static constexpr const char* name = "element_force_differential";
-  using Reads = Inputs<source::Tets, source::Displacements, source::RestShapes, source::Svds, source::StressDerivatives>;
+  using Reads =
+      Inputs<source::Tets, source::Displacements, source::RestShapes, source::Svds, source::StressDerivatives>;
   using Output = Streamed<elasticity::CornerForcesObject, Domain::tets>;
   static double bytes(const MeshSizes& n, double real) { return n.tets * (16 + 49 * real) + n.nodes * 3 * real; }
   template <class Real, class... View>

@@ -41,9 +41,11 @@ Gpu find_gpu() {
       cudaDriverGetVersion(&driver) != cudaSuccess) {
     return {"", "the CUDA device does not answer: rows of the GPU are left out"};
   }
-  const auto version = [](int number) { return std::to_string(number / 1000) + "." + std::to_string(number % 1000 / 10); };
-  return {std::string(properties.name) + ", " + std::to_string(properties.multiProcessorCount) + " multiprocessors, CUDA " +
-              version(runtime) + ", driver for CUDA " + version(driver),
+  const auto version = [](int number) {
+    return std::to_string(number / 1000) + "." + std::to_string(number % 1000 / 10);
+  };
+  return {std::string(properties.name) + ", " + std::to_string(properties.multiProcessorCount) +
+              " multiprocessors, CUDA " + version(runtime) + ", driver for CUDA " + version(driver),
           ""};
 #else
   return {"", "built without CUDA: rows of the GPU need the preset `cuda` (tools/dev gpu)"};

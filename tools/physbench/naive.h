@@ -1,11 +1,10 @@
 // Every kernel once more, for one object at a time, in plain Eigen and straight from the formulas. Computed in T from
-// values in any precision, it is the reference of errors (T wider than the kernel's type), makes the inputs (T = double),
-// and as a loop over vectors of structs it is the comparison called `eigen`.
+// values in any precision, it is the reference of errors (T wider than the kernel's type), makes the inputs (T =
+// double), and as a loop over vectors of structs it is the comparison called `eigen`.
 #pragma once
 
-#include <cmath>
-
 #include <Eigen/Dense>
+#include <cmath>
 
 #include "kernels.h"
 
@@ -87,12 +86,15 @@ Vector3<T> force_on(const Forces& forces, int corner) {
 template <>
 struct Naive<DeformationGradient> {
   template <class T, class Real>
-  static elasticity::DeformationGradient<T> value(index_t i, const auto& tets, const auto& positions, const auto& rest) {
+  static elasticity::DeformationGradient<T> value(index_t i, const auto& tets, const auto& positions,
+                                                  const auto& rest) {
     const Matrix3<T> ds = detail::edges<T>(tets[i].nodes, [&](index_t node) { return positions[node].x; });
     return {ds * rest[i].dm_inverse.template cast<T>()};
   }
   template <class T>
-  static Matrix3<T> observe(const auto& value) { return value.F.template cast<T>(); }
+  static Matrix3<T> observe(const auto& value) {
+    return value.F.template cast<T>();
+  }
 };
 
 /// U and V are not unique where stretches meet: compared are s, the rotation U V^T and F itself.
@@ -124,7 +126,9 @@ struct Naive<Stress> {
     return {svd.U.template cast<T>() * g.asDiagonal() * svd.V.template cast<T>().transpose()};
   }
   template <class T>
-  static Matrix3<T> observe(const auto& value) { return value.P.template cast<T>(); }
+  static Matrix3<T> observe(const auto& value) {
+    return value.P.template cast<T>();
+  }
 };
 
 template <>
@@ -159,7 +163,9 @@ struct Naive<DpFromDf> {
                                   differentials[i].dF.template cast<T>())};
   }
   template <class T>
-  static Matrix3<T> observe(const auto& value) { return value.dP.template cast<T>(); }
+  static Matrix3<T> observe(const auto& value) {
+    return value.dP.template cast<T>();
+  }
 };
 
 template <>
@@ -169,7 +175,9 @@ struct Naive<ElasticForce> {
     return {detail::corner_forces<T>(rest[i], stresses[i].P.template cast<T>())};
   }
   template <class T>
-  static Matrix3<T> observe(const auto& value) { return value.G.template cast<T>(); }
+  static Matrix3<T> observe(const auto& value) {
+    return value.G.template cast<T>();
+  }
 };
 
 template <>
@@ -183,7 +191,9 @@ struct Naive<GatherForces> {
     return {sum};
   }
   template <class T>
-  static Vector3<T> observe(const auto& value) { return value.f.template cast<T>(); }
+  static Vector3<T> observe(const auto& value) {
+    return value.f.template cast<T>();
+  }
 };
 
 template <>
@@ -216,7 +226,8 @@ struct Naive<TetStiffness> {
   template <class T>
   static Eigen::Matrix<T, 3, 30> observe(const auto& value) {
     Eigen::Matrix<T, 3, 30> all;
-    for (std::size_t a = 0; a < 4; ++a) all.template middleCols<3>(static_cast<int>(3 * a)) = value.k[a].template cast<T>();
+    for (std::size_t a = 0; a < 4; ++a)
+      all.template middleCols<3>(static_cast<int>(3 * a)) = value.k[a].template cast<T>();
     for (std::size_t e = 0; e < 6; ++e) {
       all.template middleCols<3>(static_cast<int>(12 + 3 * e)) = value.e[e].template cast<T>();
     }
@@ -253,7 +264,9 @@ struct Naive<EdgeStiffness> {
     return {sum};
   }
   template <class T>
-  static Matrix3<T> observe(const auto& value) { return value.E.template cast<T>(); }
+  static Matrix3<T> observe(const auto& value) {
+    return value.E.template cast<T>();
+  }
 };
 
 template <>
@@ -273,7 +286,9 @@ struct Naive<AddForceDifferential> {
     return {sum};
   }
   template <class T>
-  static Vector3<T> observe(const auto& value) { return value.df.template cast<T>(); }
+  static Vector3<T> observe(const auto& value) {
+    return value.df.template cast<T>();
+  }
 };
 
 template <>
@@ -288,7 +303,9 @@ struct Naive<ElementForceDifferential> {
     return {detail::corner_forces<T>(rest[i], dP)};
   }
   template <class T>
-  static Matrix3<T> observe(const auto& value) { return value.G.template cast<T>(); }
+  static Matrix3<T> observe(const auto& value) {
+    return value.G.template cast<T>();
+  }
 };
 
 }  // namespace physgen::bench

@@ -1,10 +1,11 @@
-// Where kernels find their data: which arrays a kernel reads and writes, and these arrays in one layout, storage and space.
+// Where kernels find their data: which arrays a kernel reads and writes, and these arrays in one layout, storage and
+// space.
 #pragma once
+
+#include <physgen/array.h>
 
 #include <tuple>
 #include <utility>
-
-#include <physgen/array.h>
 
 #include "dataset.h"
 #include "row.h"

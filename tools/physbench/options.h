@@ -1,20 +1,20 @@
 // The program's own flags. Flags of Google Benchmark pass through.
 #pragma once
 
+#include <physgen/config.h>
+
 #include <string>
 #include <vector>
-
-#include <physgen/config.h>
 
 namespace physgen::bench {
 
 struct Options {
-  int threads = 0;               ///< OpenMP threads of the CPU's rows; parse() fills in the default
+  int threads = 0;  ///< OpenMP threads of the CPU's rows; parse() fills in the default
   index_t host_objects = 1048576;
   index_t cuda_objects = 8388608;
-  bool table = false;            ///< print the table
-  bool list = false;             ///< names only
-  bool json = false;             ///< the display, too, is Google Benchmark's JSON or CSV: no table, no progress
+  bool table = false;  ///< print the table
+  bool list = false;   ///< names only
+  bool json = false;   ///< the display, too, is Google Benchmark's JSON or CSV: no table, no progress
   std::vector<std::string> benchmark_flags;  ///< what Google Benchmark gets
 };
 

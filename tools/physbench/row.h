@@ -1,12 +1,13 @@
-// What the program measures: a row is one kernel in one layout, storage and space; a case is a row with its data in place.
+// What the program measures: a row is one kernel in one layout, storage and space; a case is a row with its data in
+// place.
 #pragma once
+
+#include <physgen/config.h>
 
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <physgen/config.h>
 
 namespace physgen::bench {
 

@@ -1,11 +1,11 @@
 // Runs rows under Google Benchmark.
 #pragma once
 
+#include <benchmark/benchmark.h>
+
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <benchmark/benchmark.h>
 
 #include "row.h"
 

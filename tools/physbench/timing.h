@@ -1,9 +1,9 @@
 // Timing on the CPU: wall clock around one run, and the copy that kernels are compared with.
 #pragma once
 
-#include <chrono>
-
 #include <physgen/buffer.h>
+
+#include <chrono>
 
 #include "row.h"
 
