@@ -103,7 +103,7 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Object& object,
       if (!places.add(Aspect::alignment, option, "align(...)")) return;
       object.alignment = option.integer(0);
       if (object.alignment == 0)  // which the model reads as nothing asked for
-        report.error(option.range(), "alignment 0 is not a power of two from 1 to 4096; write one, such as align(16)");
+        report.error(option.range(), "alignment 0 is not a power of two from 1 to 256; write one, such as align(16)");
     } else {
       reject(option, "PHYSGEN_OBJECT", object_options, report);
     }

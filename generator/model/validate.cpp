@@ -82,7 +82,7 @@ class Checker {
     layout(Aspect::cuda_layout, object.cuda_layout);
     if (object.alignment != 0 && !is_power_of_two_up_to(object.alignment, max_alignment))
       report(Aspect::alignment, "alignment " + std::to_string(object.alignment) +
-                                    " is not a power of two from 1 to 4096; write one, such as align(16)");
+                                    " is not a power of two from 1 to 256; write one, such as align(16)");
     const Place self = place_;
     long long elements = 0;
     std::map<std::string, Place, std::less<>> names;

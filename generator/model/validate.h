@@ -33,12 +33,12 @@ inline constexpr int max_side = 1024;
 inline constexpr int max_extent = 65536;
 inline constexpr int max_elements = 1 << 20;
 inline constexpr int max_tile = 1024;
-inline constexpr int max_alignment = 4096;
+inline constexpr int max_alignment = 256;
 
 /// All broken rules, by object in order of declaration (imported ones first); empty: the model is sound.
 [[nodiscard]] std::vector<Issue> validate(const Schema& schema);
 
-/// "4096" is a power of two from 1 to `limit`; the rule of tiles and alignments.
+/// "256" is a power of two from 1 to `limit`; the rule of tiles and alignments.
 [[nodiscard]] bool is_power_of_two_up_to(int value, int limit);
 
 }  // namespace physgen::model

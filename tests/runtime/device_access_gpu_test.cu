@@ -21,6 +21,15 @@ struct SwapRotations {
   }
 };
 
+// Host and device compilers must lay out a kernel's views alike: this is compiled by both.
+struct ManyViews {
+  elasticity::DeformationSvdView<const float, Aosoa<32>> a;
+  elasticity::DeformationSvdView<float, Aosoa<32>> b;
+  elasticity::NodeForceView<float, AosPadded> c;
+  elasticity::NodeForceView<float, Soa> d;
+};
+static_assert(sizeof(ManyViews) == (2 + 2 + 2 + 3) * sizeof(void*));
+
 template <class Real, class Layout>
 void check_device_access() {
   std::mt19937 random(seed());

@@ -40,16 +40,14 @@ case $rule in
     expect "$out" '^threads +1,' ;;
   every_kernel_is_near_its_reference)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter=/host/
-    python3 - "$json" <<'PYTHON' || fail 'see above'
-import json, sys
-wrong = 0
-for row in json.load(open(sys.argv[1]))["benchmarks"]:
-    allowed = 1e-3 if "/float/" in row["name"] else 2e-12  # add_force_differential nearly cancels
-    if "/copy/" not in row["name"] and not row["err_max"] <= allowed:
-        wrong += 1
-        print(row["name"], row["err_max"], file=sys.stderr)
-sys.exit(wrong > 0)
-PYTHON
+    awk -F'[:,] *' '
+      $1 ~ /"name"/ { name = $2 }
+      $1 ~ /"err_max"/ {
+        allowed = name ~ /float/ ? 1e-3 : 2e-12  # add_force_differential nearly cancels
+        ++rows
+        if (!($2 <= allowed) || $2 == "NaN") { print name, $2; wrong = 1 }
+      }
+      END { exit wrong || rows < 50 }' "$json" >&2 || fail 'rows as above, or too few'
     ;;
   json_has_counters_and_machine)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000$'

@@ -8,7 +8,7 @@
 #include <random>
 #include <typeinfo>
 
-#include "naive.h"
+#include "naive_stiffness.h"
 #include "values.h"
 
 namespace physgen::bench {

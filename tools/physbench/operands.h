@@ -48,7 +48,7 @@ class OperandsOf<Kernel, Real, Space, Layout, Inputs<Source...>> {
       : inputs_(load<Array<typename Source::Object, Real, Space, typename Source::template Layout<Layout>>>(
             Source::of(data), data.count(Source::domain, Kernel::Output::domain))...),
         output_(data.count(Kernel::Output::domain, Kernel::Output::domain)) {
-    synchronize();
+    if constexpr (!host_accessible(Space::kind)) synchronize();
   }
   [[nodiscard]] auto kernel() {
     return std::apply(

@@ -111,7 +111,7 @@ inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
 /// @param pattern aos, aos_padded, soa or aosoa(tile)
 [[nodiscard]] constexpr detail::Layout layout(detail::Space space, detail::Pattern pattern) { return {space, pattern}; }
 
-/// Alignment of one record in the layouts aos and aos_padded: a power of two up to 4096 bytes.
+/// Alignment of one record in the layouts aos and aos_padded: a power of two up to 256 bytes.
 [[nodiscard]] constexpr detail::Alignment align(int bytes) { return {bytes}; }
 
 // ---- Options of fields ----

@@ -20,7 +20,9 @@ namespace physgen {
 /// With PHYSGEN_CHECKED, an index out of range, a null view and a view used from a space that cannot reach its memory
 /// are reported: an Error on the host, a message and a trap on the device.
 template <class Object, class Real, class Layout_>
-class View {
+class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_address]] members out unlike its host
+  using Pitch = typename Layout_::Pitch;
+
  public:
   using Layout = Layout_;
   using Precision = std::remove_const_t<Real>;
@@ -40,9 +42,9 @@ class View {
   View() : View(nullptr, 0, 0, SpaceKind::host) {}
   /// @pre base points to the memory of an array of `size` objects with this pitch, in `space`
   PHYSGEN_FUNCTION View(Byte* base, index_t size, index_t pitch, [[maybe_unused]] SpaceKind space)
-      : base_(base),
-        size_(size),
-        pitch_(pitch)
+      : Pitch(pitch),
+        base_(base),
+        size_(size)
 #ifdef PHYSGEN_CHECKED
         ,
         space_(space)
@@ -58,7 +60,7 @@ class View {
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
   [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const { return base_; }
-  [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return pitch_.value(); }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
   /// Where the objects lie; known in checked builds only, else host.
   [[nodiscard]] PHYSGEN_FUNCTION SpaceKind space() const {
 #ifdef PHYSGEN_CHECKED
@@ -72,7 +74,7 @@ class View {
   template <class I>
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
     check(i);
-    return Ref<I>(CursorAt<I>(base_, pitch_, i));
+    return Ref<I>(CursorAt<I>(base_, *this, i));
   }
   /// All fields of object(s) i, by value.
   template <class I>
@@ -126,7 +128,6 @@ class View {
 
   Byte* base_;
   index_t size_;
-  [[no_unique_address]] typename Layout::Pitch pitch_;
 #ifdef PHYSGEN_CHECKED
   SpaceKind space_;
 #endif

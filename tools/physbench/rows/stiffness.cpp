@@ -1,5 +1,6 @@
 // Rows of the CPU: assembly of the stiffness.
 #include "../host_rows.h"
+#include "../naive_stiffness.h"
 
 namespace physgen::bench {
 
