@@ -1,6 +1,7 @@
 // Allocation of buffers; CUDA and pinned memory come from the backend.
 #include <physgen/buffer.h>
 #include <physgen/error.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -12,18 +13,25 @@ namespace physgen {
 
 namespace {
 
-// Linux grants more than it has and kills the process that then touches it, so more than the machine's memory is refused.
+// A kernel streams several arrays of many channels; on pages of 4 KiB, each is a new page every few packs.
+constexpr index_t huge_page = index_t{2} << 20;
+
+// Linux grants more than it has and kills the process that then touches it, so more than the machine's memory is
+// refused.
 std::byte* allocate_host(index_t bytes, std::string& why) {
   const index_t memory = static_cast<index_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<index_t>(sysconf(_SC_PAGESIZE));
   if (bytes > memory) {
     why = "the machine has " + std::to_string(memory) + " bytes of memory";
     return nullptr;
   }
-  void* data = std::aligned_alloc(static_cast<std::size_t>(buffer_alignment), static_cast<std::size_t>(bytes));
+  const bool large = bytes >= 4 * huge_page;
+  const auto size = static_cast<std::size_t>(large ? align_up(bytes, huge_page) : bytes);
+  void* data = std::aligned_alloc(static_cast<std::size_t>(large ? huge_page : buffer_alignment), size);
   if (data == nullptr) {
     why = "the system has not as much memory free";
     return nullptr;
   }
+  if (large) madvise(data, size, MADV_HUGEPAGE);  // a wish: nothing is lost where the system does not grant it
   std::memset(data, 0, static_cast<std::size_t>(bytes));
   return static_cast<std::byte*>(data);
 }
