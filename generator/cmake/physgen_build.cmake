@@ -24,8 +24,6 @@ if(PHYSGEN_CUDA)
   set(CMAKE_CUDA_STANDARD_REQUIRED ON)
   set(CMAKE_CUDA_EXTENSIONS OFF)
   find_package(CUDAToolkit REQUIRED)
-  # Eigen's constexpr functions in device code, without a warning at each of its host functions.
-  add_compile_options("$<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr;-diag-suppress=20012>")
 endif()
 
 if(PHYSGEN_SANITIZE)

@@ -30,10 +30,15 @@ std::string values(const model::Field& field) {
   std::string text;
   if (field.range) text = "Range [" + number(field.range->low) + ", " + number(field.range->high) + "]";
   if (field.initial) text += (text.empty() ? "Initially " : "; initially ") + number(*field.initial);
+  if (field.initial && !initial_in_value(field)) text += " in a new array";
   return text.empty() ? text : text + ".";
 }
 
 }  // namespace
+
+bool initial_in_value(const model::Field& field) {
+  return field.initial && field.array_extent == 0 && field.shape != model::Shape::skew;
+}
 
 std::string number(double value) {
   char text[32];

@@ -31,6 +31,10 @@ namespace physgen::emit {
 /// The comment of a field: what the schema says, with unit, and what else holds for it. May be empty.
 [[nodiscard]] std::string field_comment(const model::Field& field);
 
+/// Whether the member of the value struct begins with the field's initial value. Fixed arrays have no short initializer
+/// and skew-symmetric matrices hold -x as well: these get their values in a new array only.
+[[nodiscard]] bool initial_in_value(const model::Field& field);
+
 /// `name` for a local variable, with an underscore if a field is called so: fields never end with one.
 [[nodiscard]] std::string local_name(const char* name, const model::Object& object);
 

@@ -36,8 +36,7 @@ std::string literal(model::Element element, double value) {
 
 // Only where the schema states a value: an object that a kernel is about to fill costs nothing.
 std::string initializer(const model::Field& field) {
-  const bool one_value = field.array_extent == 0 && field.shape != model::Shape::skew;  // skew matrices hold -x as well
-  if (!field.initial || !one_value) return {};
+  if (!initial_in_value(field)) return {};
   const std::string value = literal(field.element, *field.initial);
   return " = " +
          (field.shape == model::Shape::scalar ? value : "decltype(" + field.name + ")::Constant(" + value + ")");

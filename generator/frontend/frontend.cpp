@@ -50,7 +50,7 @@ class Action : public clang::ASTFrontendAction {
   model::Schema& schema_;
 };
 
-std::shared_ptr<clang::CompilerInvocation> invocation(const std::string& path, const Options& options) {
+std::shared_ptr<clang::CompilerInvocation> invocation(const std::string& path, const ParseOptions& options) {
   auto result = std::make_shared<clang::CompilerInvocation>();
   result->getTargetOpts().Triple = target;
   auto& language = result->getLangOpts();
@@ -83,7 +83,7 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> file_system() {
 
 }  // namespace
 
-Result parse(const std::string& path, const Options& options) {
+Result parse(const std::string& path, const ParseOptions& options) {
   Result result;
   model::Schema schema;
   llvm::raw_string_ostream diagnostics(result.diagnostics);

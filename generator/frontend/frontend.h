@@ -9,7 +9,7 @@
 
 namespace physgen::frontend {
 
-struct Options {
+struct ParseOptions {
   std::vector<std::string> include_dirs;  ///< where #include looks, beside the including file's own folder
 };
 
@@ -22,6 +22,6 @@ struct Result {
 /// Parses one schema and checks it completely: all its errors are reported, not only the first. The parse is hermetic:
 /// <physgen/schema.h> is built in, the system's headers and the host's target are not used.
 /// @pre the file at `path` can be read; if not, that is the one error
-[[nodiscard]] Result parse(const std::string& path, const Options& options = {});
+[[nodiscard]] Result parse(const std::string& path, const ParseOptions& options = {});
 
 }  // namespace physgen::frontend

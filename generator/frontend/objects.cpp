@@ -1,13 +1,14 @@
-// See objects.h. The walk goes through namespaces; within a struct every declaration that is not a plain public field
-// is an error. Rules about values come last, from model::validate, and get the carets remembered here.
+// See objects.h. The walk goes through everything that can hold a marker; objects stand at namespace scope, and within
+// one every declaration that is not a plain public field is an error. Rules about values come last, from
+// model::validate, and get the carets remembered here.
 #include "frontend/objects.h"
 
-#include <clang/AST/Attr.h>
 #include <clang/AST/DeclFriend.h>
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/RawCommentList.h>
 #include <clang/Basic/SourceManager.h>
 
+#include "frontend/constructs.h"
 #include "frontend/options.h"
 #include "frontend/types.h"
 #include "model/validate.h"
@@ -49,22 +50,19 @@ class SchemaReader {
   // ---- The walk ---------------------------------------------------------------------------------------------------
 
   void declarations(const clang::DeclContext& scope) {
-    for (const clang::Decl* declaration : scope.decls()) {
-      if (declaration->isImplicit() || in_vocabulary(*declaration)) continue;
-      if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(declaration)) {
-        declarations(*space);
-      } else if (llvm::isa<clang::LinkageSpecDecl>(declaration)) {
-        declarations(*llvm::cast<clang::LinkageSpecDecl>(declaration));
-      } else if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(declaration)) {
-        if (record->isThisDeclarationADefinition()) this->record(*record);
-      } else if (const auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(declaration)) {
-        if (const auto range = marker(*pattern->getTemplatedDecl(), object_annotation))
-          report_.error(pattern->getLocation(), "object " + quoted(pattern->getName()) +
-                                                    " is a template, and the generator needs its sizes; write a struct "
-                                                    "for each set of arguments");
-      } else {
-        misplaced_markers(*declaration);
-      }
+    for (const clang::Decl* declaration : scope.decls())
+      if (declaration->getLocation().isValid() && !in_vocabulary(*declaration)) this->declaration(*declaration);
+  }
+
+  void declaration(const clang::Decl& declaration) {
+    if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(&declaration)) return this->record(*record);
+    misplaced_markers(declaration);
+    if (const auto* pattern = llvm::dyn_cast<clang::TemplateDecl>(&declaration)) {
+      if (pattern->getTemplatedDecl() != nullptr) this->declaration(*pattern->getTemplatedDecl());
+    } else if (const auto* friendly = llvm::dyn_cast<clang::FriendDecl>(&declaration)) {
+      if (friendly->getFriendDecl() != nullptr) this->declaration(*friendly->getFriendDecl());
+    } else if (const auto* scope = llvm::dyn_cast<clang::DeclContext>(&declaration)) {
+      declarations(*scope);
     }
   }
 
@@ -75,21 +73,37 @@ class SchemaReader {
   void misplaced_markers(const clang::Decl& declaration) {
     if (const auto range = marker(declaration, object_annotation))
       report_.error(*range, "PHYSGEN_OBJECT belongs between 'struct' and the name of a struct; remove it here");
-    if (const auto range = marker(declaration, field_annotation))
+    const auto range = marker(declaration, field_annotation);
+    if (!range) return;
+    if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(declaration.getDeclContext()))
+      report_.error(*range, "PHYSGEN stands in " + quoted(record->getName()) +
+                                ", which is no object; write 'struct PHYSGEN_OBJECT() " + record->getName().str() +
+                                "'");
+    else
       report_.error(*range, "PHYSGEN belongs before the type of a field of an object; remove it here");
   }
 
   void record(const clang::CXXRecordDecl& record) {
+    if (clang::isTemplateInstantiation(record.getTemplateSpecializationKind())) return;  // of what is walked itself
+    const auto object_marker = marker(record, object_annotation);
+    const std::string what = "object " + quoted(record.getName());
+    if (object_marker && record.getDescribedClassTemplate() != nullptr)
+      return report_.error(record.getLocation(), what +
+                                                     " is a template, and the generator needs its sizes; write a "
+                                                     "struct for each set of arguments");
+    if (!record.isThisDeclarationADefinition()) return;
     if (const auto range = marker(record, field_annotation))
       report_.error(*range, "PHYSGEN is for fields; write PHYSGEN_OBJECT(...) for the options of a struct");
-    if (!is_object(record)) return not_an_object(record);
+    if (!is_object(record)) return declarations(record);
     if (record.getName().empty()) {
       if (report_.clang_errors()) return;  // Clang takes the name from a second definition
       return report_.error(record.getLocation(),
                            "an object needs a name, which the generated classes get; write "
                            "'struct PHYSGEN_OBJECT() Name'");
     }
-    const std::string what = "object " + quoted(record.getName());
+    if (!record.getDeclContext()->getRedeclContext()->isFileContext())
+      return report_.error(record.getLocation(),
+                           what + " is not at namespace scope, where object types stand; move it there");
     if (record.isUnion())
       return report_.error(record.getLocation(),
                            what + " is a union, whose members share memory; write a struct with one field per member");
@@ -102,14 +116,6 @@ class SchemaReader {
     object(record);
   }
 
-  void not_an_object(const clang::CXXRecordDecl& record) {
-    for (const clang::Decl* member : record.decls())
-      if (const auto range = marker(*member, field_annotation))
-        report_.error(*range, "PHYSGEN stands in " + quoted(record.getName()) +
-                                  ", which is no object; write 'struct PHYSGEN_OBJECT() " + record.getName().str() +
-                                  "'");
-  }
-
   // ---- One object -------------------------------------------------------------------------------------------------
 
   void object(const clang::CXXRecordDecl& record) {
@@ -120,15 +126,11 @@ class SchemaReader {
     object.location = location(record.getLocation());
     Places places;
     places.name = record.getLocation();
-    for (const auto* redeclaration : record.redecls())
-      if (marker(*redeclaration, object_annotation)) {
-        places.options = read_options(*redeclaration, object, report_);
-        break;
-      }
-    places.has_errors = record.isInvalidDecl() || !supported(record);
+    places.options = options(record, object);
+    places.has_errors = record.isInvalidDecl() || !is_plain_record(record, report_);
     for (const clang::Decl* member : record.decls()) {
       const auto* field = llvm::dyn_cast<clang::FieldDecl>(member);
-      if (!(field != nullptr ? this->field(record, *field, object, places) : harmless(record, *member)))
+      if (!(field != nullptr ? this->field(record, *field, object, places) : is_harmless(record, *member, report_)))
         places.has_errors = true;
     }
     share_comments(record, object);
@@ -138,50 +140,27 @@ class SchemaReader {
     (imported ? imported_ : own_).push_back(std::move(places));
   }
 
-  bool supported(const clang::CXXRecordDecl& record) {
-    const std::string what = "object " + quoted(record.getName());
-    for (const auto& base : record.bases())
-      report_.error(base.getSourceRange(), what + " has a base class; write a field of the base's type instead");
-    const auto* aligned = record.getAttr<clang::AlignedAttr>();
-    if (aligned != nullptr)
-      report_.error(aligned->getRange(),
-                    "alignas says nothing about generated records; write PHYSGEN_OBJECT(align(...))");
-    const auto* packed = record.getAttr<clang::PackedAttr>();
-    if (packed != nullptr)
-      report_.error(packed->getRange(), "generated records have no gaps to pack; remove the attribute");
-    return record.getNumBases() == 0 && aligned == nullptr && packed == nullptr;
-  }
-
-  /// @return whether a member that is no field may stand in an object
-  bool harmless(const clang::CXXRecordDecl& record, const clang::Decl& member) {
-    if (member.isImplicit() || llvm::isa<clang::AccessSpecDecl, clang::StaticAssertDecl, clang::EmptyDecl>(member))
-      return true;
-    if (llvm::isa<clang::IndirectFieldDecl>(member)) return false;  // its anonymous struct is reported
-    const std::string within = " in object " + quoted(record.getName());
-    const auto error = [&](const std::string& what) {
-      report_.error(member.getLocation(), what);
-      return false;
-    };
-    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&member); method != nullptr && method->isVirtual())
-      return error("virtual function" + within + "; an object is a record of numbers, remove it");
-    if (llvm::isa<clang::FunctionDecl, clang::FunctionTemplateDecl>(member))
-      return error("member function" + within +
-                   "; an object is a record of numbers, write a function beside it that "
-                   "takes the generated value");
-    if (llvm::isa<clang::VarDecl>(member))
-      return error("static member" + within + "; write a constexpr constant beside the object");
-    if (const auto* nested = llvm::dyn_cast<clang::CXXRecordDecl>(&member))
-      return error((nested->getName().empty() ? "anonymous " + nested->getKindName().str()
-                                              : nested->getKindName().str() + " " + quoted(nested->getName())) +
-                   " is defined" + within + "; write it as an object of its own before this one and nest it by name");
-    return error("declaration" + within + " that is not a field; write it beside the object");
+  /// The options of the one declaration that carries them.
+  OptionPlaces options(const clang::CXXRecordDecl& record, model::Object& object) {
+    OptionPlaces places;
+    std::optional<clang::SourceRange> first;
+    for (const auto* redeclaration : record.redecls()) {
+      const auto range = marker(*redeclaration, object_annotation);
+      if (range && first)
+        report_.error(*range, "PHYSGEN_OBJECT is given twice for " + quoted(record.getName()) + "; keep one of them",
+                      Note{*first, "the other one is here"});
+      else if (range)
+        places = read_options(*redeclaration, object, report_);
+      if (!first) first = range;
+    }
+    return places;
   }
 
   // ---- One field --------------------------------------------------------------------------------------------------
 
   bool field(const clang::CXXRecordDecl& record, const clang::FieldDecl& declaration, model::Object& object,
              Places& places) {
-    if (declaration.isInvalidDecl()) return recursive(record, declaration), false;
+    if (declaration.isInvalidDecl()) return report_recursion(record, declaration, report_), false;
     if (const auto* type = declaration.getType()->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
         type != nullptr && type->getDeclContext() == &record)
       return false;  // the nested definition is reported
@@ -191,27 +170,7 @@ class SchemaReader {
       report_.error(declaration.getLocation(), "field without a name; write one, or remove it");
       return false;
     }
-    const std::string what = "field " + quoted(declaration.getName());
-    bool good = true;
-    if (declaration.getAccess() != clang::AS_public) {
-      report_.error(declaration.getLocation(),
-                    what + " is " + (declaration.getAccess() == clang::AS_private ? "private" : "protected") +
-                        ", but generated code must reach it; write 'struct' and no '" +
-                        (declaration.getAccess() == clang::AS_private ? "private:'" : "protected:'"));
-      good = false;
-    }
-    if (const auto* initializer = declaration.getInClassInitializer()) {
-      report_.error(initializer->getSourceRange(),
-                    what + " has a C++ initializer; write PHYSGEN(initial(...)) before its type");
-      good = false;
-    }
-    if (const auto* aligned = declaration.getAttr<clang::AlignedAttr>()) {
-      report_.error(aligned->getRange(),
-                    what +
-                        " has an alignment, which is the layout's choice; remove alignas, or write "
-                        "PHYSGEN_OBJECT(align(...)) for the whole record");
-      good = false;
-    }
+    const bool good = is_plain_field(declaration, report_);
     model::Field field;
     field.name = declaration.getName().str();
     field.doc = comment(declaration);
@@ -224,15 +183,6 @@ class SchemaReader {
     object.fields.push_back(std::move(field));
     places.fields.push_back(std::move(field_places));
     return good;
-  }
-
-  /// Clang has said that the type is incomplete, but not what to do.
-  void recursive(const clang::CXXRecordDecl& record, const clang::FieldDecl& declaration) {
-    const auto* type = declaration.getType()->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
-    if (type == nullptr || type->getCanonicalDecl() != record.getCanonicalDecl()) return;
-    report_.error(declaration.getLocation(), "object " + quoted(record.getName()) + " contains itself in field " +
-                                                 quoted(declaration.getName()) +
-                                                 "; store an Index of the other object instead");
   }
 
   std::string comment(const clang::Decl& declaration) const {

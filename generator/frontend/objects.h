@@ -1,9 +1,6 @@
 // Walks a parsed schema: finds its objects, builds the model, and reports what cannot be an object or a field.
 #pragma once
 
-#include <set>
-#include <string>
-
 #include "frontend/report.h"
 #include "model/model.h"
 

@@ -9,11 +9,7 @@
 namespace physgen::frontend {
 
 void Report::error(clang::SourceRange range, std::string message, std::optional<Note> note) {
-  entries_.push_back({clang::DiagnosticsEngine::Error, range, std::move(message), std::move(note), 0});
-}
-
-void Report::warning(clang::SourceRange range, std::string message) {
-  entries_.push_back({clang::DiagnosticsEngine::Warning, range, std::move(message), {}, 0});
+  entries_.push_back({range, std::move(message), std::move(note), 0});
 }
 
 void Report::flush() {
@@ -24,34 +20,24 @@ void Report::flush() {
     if (place(a) == place(b)) return a.order < b.order;
     return sources.isBeforeInTranslationUnit(place(a), place(b));
   });
+  auto& engine = context_.getDiagnostics();
+  const unsigned error_id = engine.getCustomDiagID(clang::DiagnosticsEngine::Error, "%0");
+  const unsigned note_id = engine.getCustomDiagID(clang::DiagnosticsEngine::Note, "%0");
   for (const Entry& entry : entries_) {
-    emit(entry.level, entry.range, entry.message);
-    if (entry.note) emit(clang::DiagnosticsEngine::Note, entry.note->range, entry.note->message);
+    emit(error_id, entry.range, entry.message);
+    if (entry.note) emit(note_id, entry.note->range, entry.note->message);
   }
   entries_.clear();
 }
 
-void Report::emit(clang::DiagnosticsEngine::Level level, clang::SourceRange range, const std::string& message) {
+void Report::emit(unsigned id, clang::SourceRange range, const std::string& message) {
   const auto& sources = context_.getSourceManager();
-  auto& engine = context_.getDiagnostics();
-  unsigned id = 0;
-  switch (level) {
-    case clang::DiagnosticsEngine::Error:
-      id = engine.getCustomDiagID(clang::DiagnosticsEngine::Error, "%0");
-      break;
-    case clang::DiagnosticsEngine::Warning:
-      id = engine.getCustomDiagID(clang::DiagnosticsEngine::Warning, "%0");
-      break;
-    default:
-      id = engine.getCustomDiagID(clang::DiagnosticsEngine::Note, "%0");
-      break;
-  }
   // In terms of the file, not of the macros: what PHYSGEN() expands to is of no interest to the reader.
   const auto begin = sources.getFileLoc(range.getBegin());
   auto end = sources.getFileLoc(range.getEnd());
   if (range.getEnd().isMacroID() && !sources.isMacroArgExpansion(range.getEnd()))
     end = sources.getExpansionRange(range.getEnd()).getEnd();
-  engine.Report(begin, id) << message << clang::CharSourceRange::getTokenRange(begin, end);
+  context_.getDiagnostics().Report(begin, id) << message << clang::CharSourceRange::getTokenRange(begin, end);
 }
 
 namespace {

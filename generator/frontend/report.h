@@ -23,24 +23,22 @@ class Report {
 
   /// @param range what is underlined; the caret is at its beginning
   void error(clang::SourceRange range, std::string message, std::optional<Note> note = {});
-  void warning(clang::SourceRange range, std::string message);
 
   /// Sends everything to Clang's diagnostics, sorted by place.
   void flush();
 
-  [[nodiscard]] bool has_errors() const { return !entries_.empty(); }  // or warnings, not yet sent
+  [[nodiscard]] bool has_errors() const { return !entries_.empty(); }  // not yet sent
   [[nodiscard]] bool clang_errors() const { return clang_errors_; }
   [[nodiscard]] clang::ASTContext& context() const { return context_; }
 
  private:
   struct Entry {
-    clang::DiagnosticsEngine::Level level;
     clang::SourceRange range;
     std::string message;
     std::optional<Note> note;
     std::size_t order = 0;  // of reports about one place
   };
-  void emit(clang::DiagnosticsEngine::Level level, clang::SourceRange range, const std::string& message);
+  void emit(unsigned id, clang::SourceRange range, const std::string& message);
 
   clang::ASTContext& context_;
   bool clang_errors_;

@@ -15,8 +15,7 @@ namespace {
 
 constexpr const char* allowed =
     "write Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int or "
-    "an "
-    "object";
+    "an object";
 
 clang::SourceRange type_range(const clang::FieldDecl& declaration) {
   if (const auto* info = declaration.getTypeSourceInfo()) return info->getTypeLoc().getSourceRange();

@@ -12,8 +12,7 @@ namespace physgen::model {
 
 /// Reads what to_json writes; from_json(to_json(s)) == s.
 /// @throws std::invalid_argument naming the place ("objects[0].fields[2].shape: ...") of what is not JSON, missing,
-/// unknown
-///         or of the wrong type, and listing every rule of validate() that the model breaks.
+///         unknown or of the wrong type, and listing every rule of validate() that the model breaks.
 [[nodiscard]] Schema from_json(const std::string& text);
 
 }  // namespace physgen::model

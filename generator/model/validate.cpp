@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cfloat>
 #include <charconv>
 #include <climits>
 #include <cmath>
@@ -239,6 +240,7 @@ class Checker {
   void initial(const Field& field) {
     const double value = *field.initial;
     const bool whole = field.element == Element::index || field.element == Element::int32;
+    const bool is_float = field.element == Element::real || field.element == Element::float32;  // or can be
     if (!std::isfinite(value))
       report(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
     else if (field.shape == Shape::rotation)
@@ -246,6 +248,10 @@ class Checker {
     else if (whole && (value != std::floor(value) || value < INT_MIN || value > INT_MAX))
       report(Aspect::initial, "initial(" + number(value) + ") is not a 32-bit integer, as the elements of " +
                                   quoted(field.name) + " are; write one");
+    else if (is_float && std::abs(value) > FLT_MAX)
+      report(Aspect::initial, "initial(" + number(value) + ") is no float, as the elements of " + quoted(field.name) +
+                                  " are or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
+                                  ", or declare it double");
     else if (field.range && (value < field.range->low || value > field.range->high))
       report(Aspect::initial, "initial(" + number(value) + ") is outside range(" + number(field.range->low) + ", " +
                                   number(field.range->high) + "); change one of them");
@@ -253,9 +259,9 @@ class Checker {
 
   void layout(Aspect aspect, const std::optional<Layout>& layout) {
     if (!layout) return;
-    if (layout->kind == LayoutKind::aosoa && !is_power_of_two_up_to(layout->tile, max_tile))
+    if (layout->kind == LayoutKind::aosoa && (layout->tile < 2 || !is_power_of_two_up_to(layout->tile, max_tile)))
       report(aspect, "tile " + std::to_string(layout->tile) +
-                         " is not a power of two from 1 to 1024; write one, such as aosoa(32)");
+                         " is not a power of two from 2 to 1024; write one, such as aosoa(32)");
     if (layout->kind != LayoutKind::aosoa && layout->tile != 0)
       report(aspect, "only an aosoa layout has a tile; leave it out");
   }

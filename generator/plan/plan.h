@@ -48,9 +48,9 @@ struct Record {
 /// Finds the record of a nested object by its qualified name; it must outlive the records that nest it.
 using Lookup = std::function<const Record&(const std::string&)>;
 
-/// Plans the record of `object`, which must outlive it. Fields are ordered by alignment, which leaves no gaps: what is
-/// aligned to 8 bytes, then what is aligned to Real, then 4 bytes; in order of declaration among equals. A nested
-/// object lies there as a whole, rounded up to its natural alignment.
+/// Plans the record of `object`, which must outlive it. Fields are ordered by alignment: what is aligned to 8 bytes,
+/// then what is aligned to Real, then 4 bytes; in order of declaration among equals. That leaves no gaps between
+/// fields. A nested object lies there as a whole, rounded up to its natural alignment: the only bytes without data.
 /// @pre validate() has no objection to the object
 [[nodiscard]] Record plan_record(const model::Object& object, const Lookup& lookup);
 

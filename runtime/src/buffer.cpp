@@ -4,8 +4,10 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 
 #include "backend.h"
 
@@ -16,12 +18,20 @@ namespace {
 // A kernel streams several arrays of many channels; on pages of 4 KiB, each is a new page every few packs.
 constexpr index_t huge_page = index_t{2} << 20;
 
-// Linux grants more than it has and kills the process that then touches it, so more than the machine's memory is
-// refused.
+// Memory that this process may have: the machine's, or less where a control group (a container) sets a limit.
+index_t memory_limit() {
+  index_t limit = static_cast<index_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<index_t>(sysconf(_SC_PAGESIZE));
+  for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    index_t bytes = 0;
+    if (std::ifstream(file) >> bytes) limit = std::min(limit, bytes);  // "max" is no number: no limit
+  }
+  return limit;
+}
+
+// Linux grants more than it has and kills the process that then touches it, so more than there can be is refused.
 std::byte* allocate_host(index_t bytes, std::string& why) {
-  const index_t memory = static_cast<index_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<index_t>(sysconf(_SC_PAGESIZE));
-  if (bytes > memory) {
-    why = "the machine has " + std::to_string(memory) + " bytes of memory";
+  if (const index_t limit = memory_limit(); bytes > limit) {
+    why = "there are " + std::to_string(limit) + " bytes of memory in all";
     return nullptr;
   }
   const bool large = bytes >= 4 * huge_page;
@@ -39,6 +49,7 @@ std::byte* allocate_host(index_t bytes, std::string& why) {
 }  // namespace
 
 Buffer::Buffer(SpaceKind space, index_t bytes, const std::string& what) : bytes_(bytes), space_(space) {
+  if (bytes < 0) throw Error(what + ": cannot allocate " + std::to_string(bytes) + " bytes");
   if (bytes == 0) return;
   std::string why;
   const index_t rounded = align_up(bytes, buffer_alignment);

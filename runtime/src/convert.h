@@ -60,4 +60,20 @@ PHYSGEN_FUNCTION inline void convert_field(const Addressing& to, const Addressin
   }
 }
 
+/// Sets all elements of one field of object i to `value`.
+PHYSGEN_FUNCTION inline void fill_field(const Addressing& address, int offset, ElementType type, int count,
+                                        double value, index_t i) {
+  const int size = element_bytes(type);
+  for (int k = 0; k < count; ++k) {
+    std::byte* element = address.address(i, offset + k * size, size);
+    if (type == ElementType::int32) {
+      *reinterpret_cast<std::int32_t*>(element) = static_cast<std::int32_t>(value);
+    } else if (type == ElementType::float32) {
+      *reinterpret_cast<float*>(element) = static_cast<float>(value);
+    } else {
+      *reinterpret_cast<double*>(element) = value;
+    }
+  }
+}
+
 }  // namespace physgen::detail

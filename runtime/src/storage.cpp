@@ -90,42 +90,23 @@ void copy(const Storage& to, const Storage& from, Stream stream) {
   if (to.size != from.size) {
     throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": resize the target first");
   }
-  if (to.base == from.base) return;
+  if (to.base == from.base && to.base != nullptr) {
+    throw Error("cannot copy " + describe(from) + " to itself");
+  }
   copy_first(to, from, from.size, stream);
 }
 
 void initialize(const Storage& storage, index_t begin, index_t end) {
-  bool zero = true;
-  for (const FieldInfo& field : storage.fields) zero = zero && field.initial == 0;
-  if (zero || begin == end) return;  // buffers come zeroed
-  // The values are made on the host, in this very format, and go over in one piece.
-  Storage image = storage;
-  std::vector<std::byte> memory;
-  if (!host_accessible(storage.space)) {
-    memory.resize(static_cast<std::size_t>(storage.bytes()));
-    backend::copy_bytes(memory.data(), storage.base, storage.bytes(), nullptr);
-    synchronize();
-    image.base = memory.data();
-    image.space = SpaceKind::host;
-  }
-  const detail::Addressing address(image);
+  if (begin == end) return;
   for (const FieldInfo& field : storage.fields) {
-    const int size = element_bytes(field.type);
-    for (index_t i = begin; i < end; ++i) {
-      for (int k = 0; k < field.count; ++k) {
-        std::byte* element = address.address(i, field.offset + k * size, size);
-        if (field.type == ElementType::int32) {
-          *reinterpret_cast<std::int32_t*>(element) = static_cast<std::int32_t>(field.initial);
-        } else {
-          detail::convert_element(element, field.type, reinterpret_cast<const std::byte*>(&field.initial),
-                                  ElementType::float64);
-        }
-      }
+    if (field.initial == 0) continue;  // buffers come zeroed
+    if (host_accessible(storage.space)) {
+      const detail::Addressing address(storage);
+      for (index_t i = begin; i < end; ++i)
+        detail::fill_field(address, field.offset, field.type, field.count, field.initial, i);
+    } else {
+      backend::fill(storage, field, begin, end);
     }
-  }
-  if (image.base != storage.base) {
-    backend::copy_bytes(storage.base, image.base, storage.bytes(), nullptr);
-    synchronize();
   }
 }
 
@@ -133,7 +114,7 @@ double getdata(const Storage& storage, index_t i, int k) {
   const ElementInfo element = find_element(storage, i, k);
   const int size = element_bytes(element.type);
   const std::byte* from = detail::Addressing(storage).address(i, element.offset, size);
-  std::array<std::byte, 8> bytes{};
+  alignas(8) std::array<std::byte, 8> bytes{};
   if (host_accessible(storage.space)) {
     std::memcpy(bytes.data(), from, static_cast<std::size_t>(size));
   } else {

@@ -148,6 +148,17 @@ TEST_F(Command, refuses_two_schemas_that_would_write_one_header) {
   EXPECT_FALSE(exists("out"));
 }
 
+TEST_F(Command, refuses_an_empty_output_folder_and_a_schema_given_twice) {
+  folder.write("a.h", sound);
+  const auto empty = run("generate a.h -o ''");
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_EQ(empty.err, "physgen: error: the folder given with -o is empty; write -o . for this folder\n");
+  const auto twice = run("generate a.h a.h -o out");
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_EQ(twice.err, "physgen: error: 'a.h' is given twice\n");
+  EXPECT_FALSE(exists("out"));
+}
+
 TEST_F(Command, says_which_file_it_cannot_read) {
   folder.write("a.h", sound);
   auto outcome = run("generate a.h missing.h -o out");
@@ -221,8 +232,7 @@ TEST_F(Command, explains_itself) {
   EXPECT_EQ(run("--version").status, 0);
 }
 
-// ---- Speed is printed, and judged by people: test machines differ.
-// ----------------------------------------------------
+// ---- Speed is printed, and judged by people: test machines differ. --------------------------------------------------
 
 double best_of(int times, const std::function<void()>& work) {
   double best = 1e9;

@@ -1,6 +1,6 @@
 // How long generated code takes to compile: one object of 1000 scalars against 10 objects of 100, each read and written
-// as a whole by a kernel in a loop. Prints the times and their ratio, which should be below 3; the time a machine takes
-// is no reason to fail.
+// as a whole by a kernel in a loop. Prints the times and checks their ratio: how long a machine takes is no reason to
+// fail, that large objects cost more than their share is one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,6 +58,7 @@ TEST(CompileTime, of_one_object_of_1000_scalars_is_compared_with_10_objects_of_1
   std::filesystem::remove_all(folder);
   std::cout << "1 x 1000 scalars: " << one << " s, 10 x 100 scalars: " << ten << " s, ratio " << one / ten
             << " (bar: 3)\n";
+  EXPECT_LE(one / ten, 3);
   RecordProperty("ratio", std::to_string(one / ten));
 }
 

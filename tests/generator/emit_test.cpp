@@ -67,12 +67,16 @@ TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
   density.initial = 0.1;
   auto stiffness = field("K", Shape::symmetric, 3, 3);
   stiffness.unit = "N/m";
-  const std::string text = accessor_header(schema({object("A", {density, stiffness})}));
+  auto weights = scalar("w");
+  weights.array_extent = 4;
+  weights.initial = 0.25;
+  const std::string text = accessor_header(schema({object("A", {density, stiffness, weights})}));
   const std::string comment =
       "  /// Mass per volume.\n  /// Of the rest shape [kg/m^3]. Range [0, 0.5]; initially 0.1.\n";
   expect_contains(text, comment + "  Real density = physgen::all_lanes<Real>(0.1);\n");
   expect_contains(text, comment + "  PHYSGEN_FUNCTION decltype(auto) density() const");
   expect_contains(text, "  /// [N/m]. Symmetric, 6 stored.\n  Eigen::Matrix<Real, 3, 3> K;\n");
+  expect_contains(text, "  /// Initially 0.25 in a new array.\n  Real w[4];\n");
   expect_contains(text, "{\"density\", \"kg/m^3\", physgen::element_type<Real>, ARecord<Real>::density, 1, 0.1},\n");
 }
 

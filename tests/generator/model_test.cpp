@@ -147,7 +147,7 @@ TEST(Json, names_the_place_of_what_it_cannot_read) {
 
 TEST(Json, refuses_a_model_that_breaks_the_rules) {
   EXPECT_EQ(complaint("\"tile\": 16", "\"tile\": 17"),
-            "objects[0]: tile 17 is not a power of two from 1 to 1024; write one, such as aosoa(32)");
+            "objects[0]: tile 17 is not a power of two from 2 to 1024; write one, such as aosoa(32)");
   EXPECT_EQ(complaint("\"name\": \"x\"", "\"name\": \"double\""),
             "objects[0].fields[0]: field name 'double' is a keyword of C++; choose another name");
 }

@@ -1,7 +1,7 @@
 // Arrays: sizes, values, copies, addresses, and what is refused.
-#include "test_objects.h"
-
 #include <set>
+
+#include "test_objects.h"
 
 namespace physgen::test {
 namespace {
@@ -9,16 +9,6 @@ namespace {
 using elasticity::DeformationSvdArray;
 using elasticity::NodePositionArray;
 using elasticity::StressDerivativeArray;
-
-template <class Action>
-std::string message_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 template <class L>
 class ArrayIn : public ::testing::Test {};
@@ -86,7 +76,9 @@ TYPED_TEST(ArrayIn, holds_zeroed_memory_for_whole_packs_behind_the_last_object) 
   EXPECT_GE(array.storage().padded, 64);
   const auto view = array.view();
   for (int k = 0; k < 3; ++k) {
-    EXPECT_EQ(*reinterpret_cast<const float*>(view.data() + address_by_law(k * 4, 63, array.pitch(), array.record_bytes, 4)), 0);
+    EXPECT_EQ(
+        *reinterpret_cast<const float*>(view.data() + address_by_law(k * 4, 63, array.pitch(), array.record_bytes, 4)),
+        0);
   }
 }
 
@@ -135,11 +127,29 @@ TEST(Array, refuses_a_copy_between_sizes_and_names_both) {
   EXPECT_NE(message.find("elasticity::NodePosition[3] in host"), std::string::npos) << message;
 }
 
+TEST(Array, refuses_a_copy_to_itself) {
+  NodePositionArray<float> array(3);
+  EXPECT_NE(message_of([&] { copy(array, array); }).find("to itself"), std::string::npos);
+}
+
 TEST(Array, refuses_an_object_or_element_that_is_not_there) {
   NodePositionArray<float> array(3);
   EXPECT_NE(message_of([&] { (void)array.getdata(3, 0); }).find("there is no object 3"), std::string::npos);
   EXPECT_NE(message_of([&] { array.putdata(0, 3, 1); }).find("there is no element 3"), std::string::npos);
   EXPECT_NE(message_of([&] { array.putdata(0, -1, 1); }).find("there is no element -1"), std::string::npos);
+}
+
+TYPED_TEST(ArrayIn, addresses_objects_beyond_two_to_the_31st) {
+  // No memory stands behind these addresses; they are computed, not used.
+  using View = elasticity::DeformationSvdView<float, TypeParam>;
+  const index_t n = (index_t{1} << 33) + 5;
+  auto* base = reinterpret_cast<std::byte*>(std::uintptr_t{1} << 20);
+  const index_t pitch = TypeParam::pitch(n);
+  const View view(base, n, pitch, SpaceKind::host);
+  for (const index_t i : {(index_t{1} << 31) + 1, (index_t{1} << 32) + 37, n - 1}) {
+    const auto* element = reinterpret_cast<const std::byte*>(&view[i].s()(2));
+    ASSERT_EQ(element - base, address_by_law(20 * 4, i, pitch, View::record_bytes, 4));
+  }
 }
 
 TEST(View, is_a_trivially_copyable_value_of_two_or_three_words) {

@@ -9,16 +9,6 @@ namespace {
 using elasticity::NodePositionArray;
 using elasticity::NodePositionView;
 
-template <class Action>
-std::string message_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
 TEST(CheckedView, reports_an_index_out_of_range_with_object_type_and_size) {
   NodePositionArray<float> array(5);
   const auto view = array.view();
@@ -34,8 +24,9 @@ TEST(CheckedView, reports_a_null_view) {
 TEST(CheckedView, reports_device_memory_used_on_the_host) {
   std::vector<std::byte> memory(4096);
   const NodePositionView<float, Aosoa<32>> view(memory.data(), 5, 32, SpaceKind::cuda);
-  EXPECT_EQ(message_of([&] { (void)view[0]; }),
-            "physgen: elasticity::NodePosition: a view of cuda memory is used on the host; copy the array to Host first");
+  EXPECT_EQ(
+      message_of([&] { (void)view[0]; }),
+      "physgen: elasticity::NodePosition: a view of cuda memory is used on the host; copy the array to Host first");
 }
 
 TEST(CheckedView, reports_out_of_packs_and_threads) {
@@ -44,6 +35,7 @@ TEST(CheckedView, reports_out_of_packs_and_threads) {
   EXPECT_THROW(parallel_for(Host{}, 20001, [=](index_t i) { (void)view[i]; }), Error);
   EXPECT_THROW((void)view[Pack<8>{20000}], Error);
   EXPECT_NO_THROW((void)view[Pack<8>{19992}]);
+  EXPECT_THROW((void)view[Pack<8>{4}], Error) << "a pack that does not start at a multiple of its width";
 }
 
 TEST(CheckedView, reports_a_gathered_index_out_of_range) {

@@ -71,5 +71,28 @@ TYPED_TEST(DeviceAccess, gives_addresses_that_atomic_operations_take) {
   for (index_t i = 0; i < 3; ++i) EXPECT_EQ(force.getdata(i, 1), 1000);
 }
 
+struct NumberObjects {
+  elasticity::IncidenceView<float, Aosoa<32>> incidences;
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    incidences.put(i, {static_cast<std::int32_t>(i >> 20), static_cast<std::int32_t>(i & 0xfffff)});
+  }
+};
+
+class ManyObjects : public GpuTest {};
+
+TEST_F(ManyObjects, more_than_two_to_the_31st_are_ordinary) {
+  const index_t n = (index_t{1} << 31) + 33;  // 17 GB
+  std::size_t free = 0;
+  std::size_t total = 0;
+  cuda::check(cudaMemGetInfo(&free, &total), "asking for free memory");
+  if (static_cast<index_t>(free) < n * 9) GTEST_SKIP() << "this test needs 20 GB of device memory";
+  elasticity::IncidenceArray<float, Cuda, Aosoa<32>> incidences(n);
+  parallel_for(Cuda{}, n, NumberObjects{incidences.view()});
+  for (const index_t i : {index_t{0}, (index_t{1} << 31) - 1, index_t{1} << 31, n - 1}) {
+    EXPECT_EQ(incidences.getdata(i, 0), static_cast<double>(i >> 20));
+    EXPECT_EQ(incidences.getdata(i, 1), static_cast<double>(i & 0xfffff));
+  }
+}
+
 }  // namespace
 }  // namespace physgen::test

@@ -5,8 +5,8 @@
 
 namespace physgen::test {
 
-/// Sends random objects from a host Aos array to `Layout` in `Space` and back; every element must return bit for bit, and
-/// elements looked at on the way must stand where the law of addresses puts them.
+/// Sends random objects from a host Aos array to `Layout` in `Space` and back; every element must return bit for bit,
+/// and elements looked at on the way must stand where the law of addresses puts them.
 template <class Object, class Real, class Space, class Layout>
 void check_round_trip(index_t n, std::mt19937& random) {
   using HostAos = Array<Object, Real, Host, Aos>;

@@ -11,15 +11,26 @@
 
 namespace physgen::test {
 
-/// Seed of this run; printed, and set by GTEST_RANDOM_SEED when a failure is to be replayed.
+/// Seed of this run; printed, and set by PHYSGEN_TEST_SEED when a failure is to be replayed.
 inline unsigned seed() {
   static const unsigned value = [] {
-    const char* given = std::getenv("GTEST_RANDOM_SEED");
+    const char* given = std::getenv("PHYSGEN_TEST_SEED");
     const unsigned chosen = given != nullptr ? static_cast<unsigned>(std::stoul(given)) : std::random_device{}();
-    std::cout << "seed " << chosen << " (GTEST_RANDOM_SEED replays it)\n";
+    std::cout << "seed " << chosen << " (PHYSGEN_TEST_SEED replays it)\n";
     return chosen;
   }();
   return value;
+}
+
+/// The message of the Error that `action` throws.
+template <class Action>
+std::string message_of(const Action& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
 }
 
 /// The law of addresses in the plainest form, against which the runtime's is held.

@@ -11,7 +11,7 @@ rm -rf "$work"
 mkdir -p "$root/tools" "$work/bin" "$work/home"
 cp "$dev" "$root/tools/dev"
 export PATH="$work/bin:$PATH" calls work
-unset CUDACXX CUDA_HOME
+unset CUDACXX CUDA_HOME CUDAARCHS
 touch "$calls"
 
 fail() {
@@ -41,7 +41,7 @@ not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
 # A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
 every_package() {
   printf '%s\n' cmake ninja-build make g++ libeigen3-dev libxsimd-dev libgtest-dev:amd64 libbenchmark-dev:amd64 \
-    valgrind nlohmann-json3-dev libcli11-dev libclang-22-dev llvm-22-dev clang-22
+    nlohmann-json3-dev libcli11-dev libclang-22-dev llvm-22-dev clang-22
 }
 export apt_has='-22'
 every_package >"$work/installed"
@@ -145,6 +145,25 @@ case $rule in
     fake nvcc
     dev 0 run
     says 'this machine has no GPU'
+    called 'cmake --preset cuda -DCMAKE_CUDA_ARCHITECTURES=90$'
+    ;;
+  run_takes_cpu_rows_from_release_and_cuda_rows_from_cuda)
+    fake nvcc
+    fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else printf "8.6\n9.0\n"; fi'
+    recorder "$root/build/release/bin/physbench" 'echo "release rows: $*"'
+    recorder "$root/build/cuda/bin/physbench" 'echo "cuda rows: $*"'
+    dev 0 run
+    called 'cmake --preset cuda -DCMAKE_CUDA_ARCHITECTURES=86$'
+    grep -qx 'release rows: ' "$work/output" || fail 'no CPU rows'
+    says 'cuda rows: --table --benchmark_filter=/cuda/'
+    dev 0 run --benchmark_filter=svd --json=all.json
+    says 'release rows: --benchmark_filter=svd --json=all.json'
+    says 'cuda rows: --benchmark_filter=(svd).*/cuda/ --json=all.cuda.json'
+    dev 0 run --benchmark_filter=/cuda/
+    ! grep -q 'release rows' "$work/output" || fail 'the CPU program has no CUDA rows'
+    recorder "$root/build/release/bin/physbench" 'exit 3'
+    dev 3 run
+    says 'cuda rows'
     ;;
   gpu_runs_carried_programs_at_another_path)
     fake nvcc

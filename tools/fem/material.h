@@ -33,8 +33,8 @@ struct PrincipalDerivative {
 //     static constexpr const char* name;
 //     static Model from(double youngs_modulus, double poissons_ratio);                 // throws Error
 //     template <class S> S energy(const Vector3<S>& s) const;                          // psi(s) [J/m^3]
-//     template <class S> Vector3<S> stress(const Vector3<S>& s) const;                 // g = dpsi/ds, P = U diag(g)
-//     V^T template <class S> PrincipalDerivative<S> derivative(const Vector3<S>& s) const;
+//     template <class S> Vector3<S> stress(const Vector3<S>& s) const;                 // g = dpsi/ds
+//     template <class S> PrincipalDerivative<S> derivative(const Vector3<S>& s) const;
 //   };
 //
 // s1 >= s2 >= |s3| as svd() gives them; s3 < 0 (an inverted element) is ordinary input.

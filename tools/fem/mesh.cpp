@@ -57,7 +57,9 @@ std::vector<EdgeUse> edge_uses(const std::vector<std::array<Index, 4>>& tets) {
 }  // namespace
 
 TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets) {
-  check_entries(tets.size(), tet_edges.size(), "tets");
+  if (nodes < 0) throw Error("mesh: " + std::to_string(nodes) + " nodes; there must be 0 or more");
+  // 12: a loose tet has 6 edges of its own, and each edge is an incidence of two nodes.
+  check_entries(tets.size(), 2 * tet_edges.size(), "tets");
   for (std::size_t t = 0; t < tets.size(); ++t) {
     std::array<Index, 4> corners = tets[t];
     std::sort(corners.begin(), corners.end());

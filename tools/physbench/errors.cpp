@@ -46,6 +46,10 @@ void check_written(const Storage& storage) {
 
 ErrorStats error_stats(std::vector<double> errors, const std::vector<double>& norms) {
   if (errors.empty()) return {};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (std::isfinite(errors[i]) && std::isfinite(norms[i])) continue;
+    throw Error("the error of object " + std::to_string(i) + " is not a number: the result or its reference is not");
+  }
   double squares = 0;
   for (const double norm : norms) squares += norm * norm;
   const double floor = 1e-3 * std::sqrt(squares / static_cast<double>(norms.size()));

@@ -24,7 +24,7 @@ struct Arguments {
   std::string output_dir;
   std::string depfile;
   std::string stamp;
-  frontend::Options options;
+  frontend::ParseOptions options;
   bool verbose = false;
 };
 
@@ -65,13 +65,16 @@ void require_different_headers(const std::vector<std::string>& schemas) {
   std::map<std::string, std::string> written;
   for (const std::string& path : schemas) {
     const std::string header = model::generated_header(path);
-    if (const auto [first, is_new] = written.emplace(header, path); !is_new)
+    const auto [first, is_new] = written.emplace(header, path);
+    if (!is_new && first->second == path) throw UsageError("'" + path + "' is given twice");
+    if (!is_new)
       throw UsageError("'" + first->second + "' and '" + path + "' would both write '" + header +
                        "'; rename one, or generate them into different folders");
   }
 }
 
 int generate(const Arguments& arguments, const Streams& streams) {
+  if (arguments.output_dir.empty()) throw UsageError("the folder given with -o is empty; write -o . for this folder");
   require_different_headers(arguments.schemas);
   const auto parsed = parse_all(arguments, streams.err);
   if (!parsed) return schema_errors;

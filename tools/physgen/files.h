@@ -1,4 +1,4 @@
-// Reading and writing files for the command: whole files or none, and no new time for an unchanged file.
+// Reading and writing files for the command: no half-written file, and no new time for an unchanged one.
 #pragma once
 
 #include <stdexcept>
@@ -21,8 +21,8 @@ struct File {
 void require_readable(const std::string& path);
 
 /// Writes the files whose text is not there already; makes their folders. Each is written beside its place under
-/// another name and renamed, after all of them have been written: a failure leaves no half-written file, and no
-/// temporary one.
+/// another name and renamed, after all of them have been written: a failure leaves no half-written file and no
+/// temporary one. If a renaming fails, files before it in the list are new already.
 /// @return for each file whether it was changed
 /// @throws FileError
 std::vector<bool> write_changed(const std::vector<File>& files);

@@ -36,7 +36,8 @@ class Array {
   /// `size` objects with their fields' initial values (zero where the schema states none).
   /// @throw Error when size is negative or the memory cannot be had
   explicit Array(index_t size) { resize(size); }
-  Array(const Array& other) : Array(other.size_) { copy(storage(), other.storage()); }
+  /// On CUDA this works in the default stream. @pre work on `other` in other streams is done (see synchronize())
+  Array(const Array& other) : Array(other.size_) { copy_first(storage(), other.storage(), size_); }
   Array& operator=(const Array& other) {
     if (this != &other) {
       Array duplicate(other);
@@ -68,6 +69,7 @@ class Array {
   }
 
   /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
+  /// On CUDA this works in the default stream. @pre work on this array in other streams is done (see synchronize())
   /// @throw Error when size is negative or the memory cannot be had; the array is then unchanged
   void resize(index_t size) {
     if (size == size_) return;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 namespace physgen {
 
@@ -19,11 +20,10 @@ enum class ElementType : std::uint8_t { float32, float64, int32 };
 
 /// The ElementType of a C++ type.
 template <class T>
-inline constexpr ElementType element_type = ElementType::float32;
-template <>
-inline constexpr ElementType element_type<double> = ElementType::float64;
-template <>
-inline constexpr ElementType element_type<std::int32_t> = ElementType::int32;
+  requires(std::is_same_v<T, float> || std::is_same_v<T, double> || std::is_same_v<T, std::int32_t>)
+inline constexpr ElementType element_type = std::is_same_v<T, float>    ? ElementType::float32
+                                            : std::is_same_v<T, double> ? ElementType::float64
+                                                                        : ElementType::int32;
 
 /// One field of an object type: `count` elements of one type that follow each other from byte `offset` of the record
 /// on.

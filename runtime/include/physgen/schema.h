@@ -104,7 +104,7 @@ inline constexpr detail::Pattern aos{detail::Arrangement::aos, 0};
 inline constexpr detail::Pattern aos_padded{detail::Arrangement::aos_padded, 0};
 /// Every element of the record in an array of its own.
 inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
-/// As soa within tiles of `tile` objects, a power of two up to 1024: for objects that are streamed in order.
+/// As soa within tiles of `tile` objects, a power of two from 2 to 1024: for objects that are streamed in order.
 [[nodiscard]] constexpr detail::Pattern aosoa(int tile) { return {detail::Arrangement::aosoa, tile}; }
 
 /// The layout of arrays of this object in a space, where the program does not choose another: layout(cuda, aosoa(32)).

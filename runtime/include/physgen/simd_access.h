@@ -15,8 +15,10 @@ namespace detail {
 template <class T, int W>
 struct SizedBatch {
   using type = typename xsimd::make_sized_batch<T, static_cast<std::size_t>(W)>::type;
-  static_assert(!std::is_void_v<type>,
-                "this CPU has no SIMD register of W lanes of T; use a plain index for this object");
+  static_assert(
+      !std::is_void_v<type>,
+      "this CPU has no SIMD register of W lanes of T (a double field in a float pack?): give parallel_for fewer "
+      "lanes, parallel_for<W / 2>(...), or parallel_for<1>(...)");
 };
 
 }  // namespace detail

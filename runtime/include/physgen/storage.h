@@ -26,7 +26,7 @@ struct Storage {
 
 /// Copies all objects of `from` to `to`, converting layout, precision and space. Where both lie on the host it is done
 /// when this returns; else it is ordered in `stream`, and memory that is not pinned makes the call wait.
-/// @throw Error when the sizes differ, the object types differ, or the arrays overlap; `to` is then unchanged
+/// @throw Error when the sizes or the object types differ, or both are the same array; `to` is then unchanged
 void copy(const Storage& to, const Storage& from, Stream stream = nullptr);
 
 /// Copies the first `count` objects only. @pre count <= both sizes

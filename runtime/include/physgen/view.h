@@ -89,12 +89,16 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
 
  private:
 #ifdef PHYSGEN_CHECKED
+  template <int W>
+  PHYSGEN_FUNCTION static constexpr index_t width_of(Pack<W> /*pack*/) {
+    return W;
+  }
   template <class I>
   PHYSGEN_FUNCTION void check(const I& i) const {
     if constexpr (std::is_integral_v<I>) {
       check_range(static_cast<index_t>(i), 1);
     } else if constexpr (requires { i.begin; }) {
-      check_range(i.begin, 1);
+      check_range(i.begin % width_of(i) == 0 ? i.begin : -1, 1);
     } else {
       for (std::size_t l = 0; l < I::size; ++l) check_range(static_cast<index_t>(i.get(l)), 1);
     }

@@ -1,10 +1,10 @@
 // The CUDA backend: memory, transfers, and conversions on the device.
 #include <physgen/cuda/check.h>
 
+#include <algorithm>
+
 #include "../backend.h"
 #include "../convert.h"
-
-#include <algorithm>
 
 namespace physgen {
 
@@ -26,9 +26,17 @@ __global__ void convert_kernel(detail::Addressing to, detail::Addressing from, C
   for (int f = 0; f < conversions.count; ++f) detail::convert_field(to, from, conversions.fields[f], i);
 }
 
+__global__ void fill_kernel(detail::Addressing address, int offset, ElementType type, int count, double value,
+                            index_t begin, index_t end) {
+  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
+  if (i < end) detail::fill_field(address, offset, type, count, value, i);
+}
+
+constexpr int block = 256;
+
+[[nodiscard]] unsigned blocks_for(index_t objects) { return static_cast<unsigned>((objects + block - 1) / block); }
+
 void convert_on_device(const Storage& to, const Storage& from, index_t begin, index_t end, cudaStream_t stream) {
-  constexpr int block = 256;
-  const auto grid = static_cast<unsigned>((end - begin + block - 1) / block);
   for (std::size_t first = 0; first < to.fields.size(); first += fields_per_launch) {
     Conversions conversions{};
     conversions.count = static_cast<int>(std::min<std::size_t>(fields_per_launch, to.fields.size() - first));
@@ -37,7 +45,8 @@ void convert_on_device(const Storage& to, const Storage& from, index_t begin, in
       const FieldInfo& b = from.fields[first + static_cast<std::size_t>(f)];
       conversions.fields[f] = {a.offset, b.offset, a.type, b.type, a.count};
     }
-    convert_kernel<<<grid, block, 0, stream>>>(detail::Addressing(to), detail::Addressing(from), conversions, begin, end);
+    convert_kernel<<<blocks_for(end - begin), block, 0, stream>>>(detail::Addressing(to), detail::Addressing(from),
+                                                                  conversions, begin, end);
     check(cudaGetLastError(), "launching a conversion");
   }
 }
@@ -46,7 +55,8 @@ void convert_on_device(const Storage& to, const Storage& from, index_t begin, in
 class StreamMemory {
  public:
   StreamMemory(index_t bytes, cudaStream_t stream) : stream_(stream) {
-    check(cudaMallocAsync(&data_, static_cast<std::size_t>(bytes), stream), "allocating device memory for a conversion");
+    check(cudaMallocAsync(&data_, static_cast<std::size_t>(bytes), stream),
+          "allocating device memory for a conversion");
   }
   StreamMemory(const StreamMemory&) = delete;
   StreamMemory& operator=(const StreamMemory&) = delete;
@@ -86,13 +96,14 @@ void deallocate(SpaceKind space, std::byte* data) noexcept {
 }
 
 void copy_bytes(std::byte* to, const std::byte* from, index_t bytes, Stream stream) {
-  check(cudaMemcpyAsync(to, from, static_cast<std::size_t>(bytes), cudaMemcpyDefault, stream), "copying between spaces");
+  check(cudaMemcpyAsync(to, from, static_cast<std::size_t>(bytes), cudaMemcpyDefault, stream),
+        "copying between spaces");
 }
 
 void convert(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
-  // A side on the host is represented on the device by a copy of its bytes; of the target, too, since objects outside
+  // A side on the host is represented on the device by a copy of its bytes; the target, too, since objects outside
   // begin .. end-1 and padding must stay as they are.
-  if (!device_accessible(from.space) || from.space == SpaceKind::pinned) {
+  if (from.space != SpaceKind::cuda) {
     const StreamMemory memory(from.bytes(), stream);
     copy_bytes(memory.data(), from.base, from.bytes(), stream);
     Storage on_device = from;
@@ -100,7 +111,7 @@ void convert(const Storage& to, const Storage& from, index_t begin, index_t end,
     convert_on_device(to, on_device, begin, end, stream);
   } else if (to.space != SpaceKind::cuda) {
     const StreamMemory memory(to.bytes(), stream);
-    if (begin > 0 || end < to.padded) copy_bytes(memory.data(), to.base, to.bytes(), stream);
+    copy_bytes(memory.data(), to.base, to.bytes(), stream);
     Storage on_device = to;
     on_device.base = memory.data();
     convert_on_device(on_device, from, begin, end, stream);
@@ -108,6 +119,13 @@ void convert(const Storage& to, const Storage& from, index_t begin, index_t end,
   } else {
     convert_on_device(to, from, begin, end, stream);
   }
+}
+
+void fill(const Storage& storage, const FieldInfo& field, index_t begin, index_t end) {
+  fill_kernel<<<blocks_for(end - begin), block>>>(detail::Addressing(storage), field.offset, field.type, field.count,
+                                                  field.initial, begin, end);
+  check(cudaGetLastError(), "launching the fill of an array");
+  check(cudaDeviceSynchronize(), "filling an array");
 }
 
 }  // namespace backend

@@ -22,6 +22,9 @@ void copy_bytes(std::byte* /*to*/, const std::byte* /*from*/, index_t /*bytes*/,
 void convert(const Storage& /*to*/, const Storage& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
   throw Error(reason);
 }
+void fill(const Storage& /*storage*/, const FieldInfo& /*field*/, index_t /*begin*/, index_t /*end*/) {
+  throw Error(reason);
+}
 
 }  // namespace backend
 

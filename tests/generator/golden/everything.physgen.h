@@ -578,7 +578,7 @@ struct Options {
   physgen::same_lanes_t<Real, std::int32_t> label = -1;
   /// Initially 7.
   Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> group = decltype(group)::Constant(7);
-  /// Skew-symmetric, 3 stored. Initially 0.25.
+  /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
   Eigen::Matrix<Real, 3, 3> spin;
   /// Initially 1e-12.
   physgen::same_lanes_t<Real, double> fixed = 1e-12;
@@ -627,7 +627,7 @@ class OptionsRef {
   PHYSGEN_FUNCTION decltype(auto) group() const {
     return at_.template field<physgen::shape::Vector<2>, std::int32_t>(Record::group);
   }
-  /// Skew-symmetric, 3 stored. Initially 0.25.
+  /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
   PHYSGEN_FUNCTION decltype(auto) spin() const {
     return at_.template field<physgen::shape::Skew<3>, Real>(Record::spin);
   }

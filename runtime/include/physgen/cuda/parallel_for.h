@@ -21,7 +21,7 @@ __global__ void for_each_object(index_t size, const Kernel kernel) {
 /// @throw Error when the launch fails
 template <class Kernel>
 void parallel_for(Cuda /*space*/, index_t size, const Kernel& kernel, Stream stream = nullptr) {
-  if (size == 0) return;
+  if (size <= 0) return;
   constexpr int block = 256;
   const auto grid = static_cast<unsigned>((size + block - 1) / block);
   cuda::for_each_object<<<grid, block, 0, stream>>>(size, kernel);

@@ -12,7 +12,7 @@ using namespace physgen::schema;
 struct PHYSGEN_OBJECT(layout(host, aosoa(8))) Spring {
   PHYSGEN(unit("N/m")) Scalar stiffness;
   PHYSGEN(unit("m")) Scalar rest_length;
-  double damping;                               ///< in double, whatever the scene
+  double damping;                                ///< in double, whatever the scene
   PHYSGEN(unit("m")) Vector<dimensions> vector;  ///< from one end to the other
 };
 }  // namespace network
