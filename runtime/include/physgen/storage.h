@@ -40,7 +40,7 @@ void initialize(const Storage& storage, index_t begin, index_t end);
 [[nodiscard]] double getdata(const Storage& storage, index_t i, int k);
 void putdata(const Storage& storage, index_t i, int k, double value);
 
-/// Waits until all work in `stream` is done. Nothing to do in a build without CUDA.
+/// Waits until all work in `stream` is done. Nothing to do without CUDA or a device.
 /// @throw Error with CUDA's message when the work failed
 void synchronize(Stream stream = nullptr);
 
