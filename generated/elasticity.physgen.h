@@ -158,7 +158,7 @@ struct DeformationSvd {
   Eigen::Matrix<Real, 3, 3> U;
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
   Eigen::Matrix<Real, 3, 3> V;
-  /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 exactly when inverted [1]. Diagonal, 3 stored.
+  /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
   Eigen::Matrix<Real, 3, 1> s;
 };
 
@@ -186,7 +186,7 @@ class DeformationSvdRef {
   PHYSGEN_FUNCTION decltype(auto) U() const { return at_.template field<physgen::shape::Rotation, Real>(Record::U); }
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
   PHYSGEN_FUNCTION decltype(auto) V() const { return at_.template field<physgen::shape::Rotation, Real>(Record::V); }
-  /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 exactly when inverted [1]. Diagonal, 3 stored.
+  /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
   PHYSGEN_FUNCTION decltype(auto) s() const { return at_.template field<physgen::shape::Diagonal<3>, Real>(Record::s); }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -232,6 +232,225 @@ using DeformationSvdArray = physgen::Array<DeformationSvdObject, Real, Space, La
 // Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
 static_assert(physgen::is_sound_record<DeformationSvdObject, float>(84, 4));
 static_assert(physgen::is_sound_record<DeformationSvdObject, double>(168, 8));
+
+// ---- QuaternionSvd --------------------------------------------------------------------------------------------------
+
+/// The same with the rotations as unit quaternions: 11 scalars instead of 21.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct QuaternionSvd {
+  /// unit quaternions w, x, y, z of U and V, w >= 0
+  Eigen::Matrix<Real, 4, 1> u;
+  /// unit quaternions w, x, y, z of U and V, w >= 0
+  Eigen::Matrix<Real, 4, 1> v;
+  /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
+  Eigen::Matrix<Real, 3, 1> s;
+};
+
+/// Where each field begins in the record of one QuaternionSvd [bytes].
+template <class Real>
+struct QuaternionSvdRecord {
+  static constexpr int u = 0;
+  static constexpr int v = 4 * sizeof(Real);
+  static constexpr int s = 8 * sizeof(Real);
+  static constexpr int bytes = 11 * sizeof(Real);
+  static constexpr int alignment = sizeof(Real);
+};
+
+/// One QuaternionSvd of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Cursor>
+class QuaternionSvdRef {
+  using Record = QuaternionSvdRecord<Real>;
+
+ public:
+  using Value = QuaternionSvd<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit QuaternionSvdRef(const Cursor& cursor) : at_(cursor) {}
+
+  /// unit quaternions w, x, y, z of U and V, w >= 0
+  PHYSGEN_FUNCTION decltype(auto) u() const { return at_.template field<physgen::shape::Vector<4>, Real>(Record::u); }
+  /// unit quaternions w, x, y, z of U and V, w >= 0
+  PHYSGEN_FUNCTION decltype(auto) v() const { return at_.template field<physgen::shape::Vector<4>, Real>(Record::v); }
+  /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
+  PHYSGEN_FUNCTION decltype(auto) s() const { return at_.template field<physgen::shape::Diagonal<3>, Real>(Record::s); }
+
+  PHYSGEN_FUNCTION Value get() const {
+    Value value;
+    value.u = u().get();
+    value.v = v().get();
+    value.s = s().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    u() = value.u;
+    v() = value.v;
+    s() = value.s;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of QuaternionSvd.
+struct QuaternionSvdObject {
+  static constexpr std::string_view name = "elasticity::QuaternionSvd";
+  template <class Real>
+  using Value = QuaternionSvd<Real>;
+  template <class Real>
+  using Record = QuaternionSvdRecord<Real>;
+  template <class Real, class Cursor>
+  using Ref = QuaternionSvdRef<Real, Cursor>;
+  template <class Real>
+  static constexpr std::array<physgen::FieldInfo, 3> fields = {{
+      {"u", "", physgen::element_type<Real>, QuaternionSvdRecord<Real>::u, 4, 0},
+      {"v", "", physgen::element_type<Real>, QuaternionSvdRecord<Real>::v, 4, 0},
+      {"s", "1", physgen::element_type<Real>, QuaternionSvdRecord<Real>::s, 3, 0},
+  }};
+};
+
+template <class Real, class Layout>
+using QuaternionSvdView = physgen::View<QuaternionSvdObject, Real, Layout>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
+using QuaternionSvdArray = physgen::Array<QuaternionSvdObject, Real, Space, Layout>;
+
+// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
+static_assert(physgen::is_sound_record<QuaternionSvdObject, float>(44, 4));
+static_assert(physgen::is_sound_record<QuaternionSvdObject, double>(88, 8));
+
+// ---- PrincipalStretches ---------------------------------------------------------------------------------------------
+
+/// Principal stretches of the deformation gradient alone.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PrincipalStretches {
+  /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
+  Eigen::Matrix<Real, 3, 1> s;
+};
+
+/// Where each field begins in the record of one PrincipalStretches [bytes].
+template <class Real>
+struct PrincipalStretchesRecord {
+  static constexpr int s = 0;
+  static constexpr int bytes = 3 * sizeof(Real);
+  static constexpr int alignment = sizeof(Real);
+};
+
+/// One PrincipalStretches of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Cursor>
+class PrincipalStretchesRef {
+  using Record = PrincipalStretchesRecord<Real>;
+
+ public:
+  using Value = PrincipalStretches<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PrincipalStretchesRef(const Cursor& cursor) : at_(cursor) {}
+
+  /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
+  PHYSGEN_FUNCTION decltype(auto) s() const { return at_.template field<physgen::shape::Diagonal<3>, Real>(Record::s); }
+
+  PHYSGEN_FUNCTION Value get() const {
+    Value value;
+    value.s = s().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { s() = value.s; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PrincipalStretches.
+struct PrincipalStretchesObject {
+  static constexpr std::string_view name = "elasticity::PrincipalStretches";
+  template <class Real>
+  using Value = PrincipalStretches<Real>;
+  template <class Real>
+  using Record = PrincipalStretchesRecord<Real>;
+  template <class Real, class Cursor>
+  using Ref = PrincipalStretchesRef<Real, Cursor>;
+  template <class Real>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+      {"s", "1", physgen::element_type<Real>, PrincipalStretchesRecord<Real>::s, 3, 0},
+  }};
+};
+
+template <class Real, class Layout>
+using PrincipalStretchesView = physgen::View<PrincipalStretchesObject, Real, Layout>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
+using PrincipalStretchesArray = physgen::Array<PrincipalStretchesObject, Real, Space, Layout>;
+
+// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
+static_assert(physgen::is_sound_record<PrincipalStretchesObject, float>(12, 4));
+static_assert(physgen::is_sound_record<PrincipalStretchesObject, double>(24, 8));
+
+// ---- ElementRotation ------------------------------------------------------------------------------------------------
+
+/// A rotation: the polar factor R = U V^T of the deformation gradient, or principal directions by themselves.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct ElementRotation {
+  /// det R = 1. Rotation, 9 stored.
+  Eigen::Matrix<Real, 3, 3> R;
+};
+
+/// Where each field begins in the record of one ElementRotation [bytes].
+template <class Real>
+struct ElementRotationRecord {
+  static constexpr int R = 0;
+  static constexpr int bytes = 9 * sizeof(Real);
+  static constexpr int alignment = sizeof(Real);
+};
+
+/// One ElementRotation of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Cursor>
+class ElementRotationRef {
+  using Record = ElementRotationRecord<Real>;
+
+ public:
+  using Value = ElementRotation<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit ElementRotationRef(const Cursor& cursor) : at_(cursor) {}
+
+  /// det R = 1. Rotation, 9 stored.
+  PHYSGEN_FUNCTION decltype(auto) R() const { return at_.template field<physgen::shape::Rotation, Real>(Record::R); }
+
+  PHYSGEN_FUNCTION Value get() const {
+    Value value;
+    value.R = R().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { R() = value.R; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of ElementRotation.
+struct ElementRotationObject {
+  static constexpr std::string_view name = "elasticity::ElementRotation";
+  template <class Real>
+  using Value = ElementRotation<Real>;
+  template <class Real>
+  using Record = ElementRotationRecord<Real>;
+  template <class Real, class Cursor>
+  using Ref = ElementRotationRef<Real, Cursor>;
+  template <class Real>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+      {"R", "", physgen::element_type<Real>, ElementRotationRecord<Real>::R, 9, 0},
+  }};
+};
+
+template <class Real, class Layout>
+using ElementRotationView = physgen::View<ElementRotationObject, Real, Layout>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
+using ElementRotationArray = physgen::Array<ElementRotationObject, Real, Space, Layout>;
+
+// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
+static_assert(physgen::is_sound_record<ElementRotationObject, float>(36, 4));
+static_assert(physgen::is_sound_record<ElementRotationObject, double>(72, 8));
 
 // ---- StressDerivative -----------------------------------------------------------------------------------------------
 

@@ -23,7 +23,23 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) Deformat
 /// Rotation-variant SVD of the deformation gradient, F = U diag(s) V^T.
 struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) DeformationSvd {
   Rotation U, V;                     ///< principal directions: U in the current, V in the rest shape
-  PHYSGEN(unit("1")) Diagonal<3> s;  ///< principal stretches, s1 >= s2 >= |s3|; s3 < 0 exactly when inverted
+  PHYSGEN(unit("1")) Diagonal<3> s;  ///< principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted
+};
+
+/// The same with the rotations as unit quaternions: 11 scalars instead of 21.
+struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) QuaternionSvd {
+  Vector<4> u, v;                    ///< unit quaternions w, x, y, z of U and V, w >= 0
+  PHYSGEN(unit("1")) Diagonal<3> s;  ///< principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted
+};
+
+/// Principal stretches of the deformation gradient alone.
+struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) PrincipalStretches {
+  PHYSGEN(unit("1")) Diagonal<3> s;  ///< s1 >= s2 >= |s3|; s3 < 0 where inverted
+};
+
+/// A rotation: the polar factor R = U V^T of the deformation gradient, or principal directions by themselves.
+struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) ElementRotation {
+  Rotation R;  ///< det R = 1
 };
 
 /// Isotropic stress derivative in principal axes (12 scalars): x_iikk = d2psi/(ds_i ds_k), and for the pairs (a,b) =

@@ -6,10 +6,10 @@
 #include <elasticity.physgen.h>
 #include <fem/compute_svd.h>
 #include <fem/deformation_gradient.h>
-#include <fem/fixed_corotated.h>
 #include <fem/force_differential.h>
+#include <fem/materials/fixed_corotated.h>
+#include <fem/materials/neo_hookean.h>
 #include <fem/mesh_arrays.h>
-#include <fem/neo_hookean.h>
 #include <fem/stiffness.h>
 #include <fem/stress.h>
 #include <fem/stress_derivative.h>

@@ -155,7 +155,13 @@ case $rule in
     dev 0 run
     called 'cmake --preset cuda -DCMAKE_CUDA_ARCHITECTURES=86$'
     grep -qx 'release rows: ' "$work/output" || fail 'no CPU rows'
-    says 'cuda rows: --table --benchmark_filter=/cuda/'
+    says 'cuda rows: --table --benchmark_filter=/cuda/[0-9]+$'
+    dev 0 run errors --json=all.json
+    says 'release rows: errors --json=all.json'
+    says 'cuda rows: errors --json=all.cuda.json --benchmark_filter=/cuda/'
+    dev 0 run replay svd float 1
+    says 'cuda rows: replay svd float 1'
+    ! grep -q 'release rows' "$work/output" || fail 'one program replays on both'
     dev 0 run --benchmark_filter=svd --json=all.json
     says 'release rows: --benchmark_filter=svd --json=all.json'
     says 'cuda rows: --benchmark_filter=(svd).*/cuda/ --json=all.cuda.json'
@@ -178,7 +184,7 @@ case $rule in
     called 'physbench --benchmark_filter=svd$'
     printf '#!/bin/sh\nexit 3\n' >"$root/build/cuda/bin/runtime_gpu_test"
     dev 3 gpu
-    called 'physbench --benchmark_filter=/cuda/$'
+    called 'physbench --benchmark_filter=/cuda/\[0-9\]+\$$'
     ;;
   gpu_without_programs_or_device_exits_with_2)
     dev 2 gpu

@@ -13,12 +13,13 @@ expect_exit() {
   ((got == wanted)) || fail "exit $got instead of $wanted: $*"
 }
 expect() { grep -qE -- "$2" "$1" || fail "not found: $2"; }
+expect_no() { ! grep -qE -- "$2" "$1" || fail "found: $2"; }
 small=(--objects=1000 --threads=1 --benchmark_min_time=0.001)
 
 case $rule in
   help_explains_own_and_passed_flags)
     expect_exit 0 --help
-    for flag in --threads --objects --table --json --benchmark_filter; do expect "$out" "$flag"; done ;;
+    for flag in errors replay --threads --objects --table --json --benchmark_filter; do expect "$out" "$flag"; done ;;
   unknown_flag_exits_with_2)
     expect_exit 2 --colour
     expect "$err" 'there is no flag --colour'
@@ -28,18 +29,20 @@ case $rule in
     expect "$err" "from 1 to .*'none'"
     expect_exit 2 --objects=0
     expect_exit 2 --objects ;;
-  names_are_kernel_layout_storage_space_objects)
+  names_are_kernel_layout_storage_space_objects_set)
     expect_exit 0 --benchmark_list_tests --objects=1000
     expect "$out" '^dp_from_df/aosoa32/float/host/1000$'
-    [[ -z $(grep -vE '^[a-z_]+/[a-z_0-9]+/(float|double)/(host|cuda)/[0-9]+$' "$out") ]] || fail 'another kind of name' ;;
+    expect "$out" '^svd_3_sweeps/aosoa16/double/host/1000/near_rest$'
+    ! grep -qvE '^[a-z_0-9]+/[a-z_0-9]+/(float|double)/(host|cuda)/[0-9]+(/(random|near_rest|hard))?$' "$out" ||
+      fail 'another kind of name' ;;
   table_has_speed_ups_and_errors)
-    expect_exit 0 "${small[@]}" --table --benchmark_filter='^stress_derivative/.*/host/'
+    expect_exit 0 "${small[@]}" --table --benchmark_filter='^stress_derivative/.*/host/[0-9]+$'
     expect "$out" '^CPU, float'
     expect "$out" '^CPU, double'
     expect "$out" 'aosoa16 .*x .*e-0[78]'
     expect "$out" '^threads +1,' ;;
   every_kernel_is_near_its_reference)
-    expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter=/host/
+    expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='/host/[0-9]+$'
     awk -F'[:,] *' '
       $1 ~ /"name"/ { name = $2 }
       $1 ~ /"err_max"/ {
@@ -51,10 +54,80 @@ case $rule in
     ;;
   json_has_counters_and_machine)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000$'
-    for word in '"name": "svd/aosoa16/float/host/1000"' bytes_per_object GBps copy_fraction err_p50 err_p99 err_max \
-      '"cpu"' '"threads"' '"compiler"' '"command"' '"date"'; do
+    for word in '"name": "svd/aosoa16/float/host/1000"' bytes_per_object GBps copy_fraction err_p50 err_p99 err_p9999 \
+      err_max '"cpu"' '"threads"' '"compiler"' '"command"' '"date"'; do
       expect "$json" "$word"
     done ;;
+  without_a_command_there_are_no_rows_of_sets)
+    expect_exit 0 "${small[@]}"
+    expect "$out" '^CPU, float$'
+    expect_no "$out" 'random|near_rest|hard|Worst' ;;
+  errors_prints_a_table_of_error_against_speed)
+    expect_exit 0 errors "${small[@]}" --benchmark_filter='^(svd|singular_values)/.*/host/'
+    expect "$out" '^CPU, float, 1000 objects: error against speed, errors in eps$'
+    expect "$out" '^kernel .* bytes +set +ms +M/s +/copy +p50 +p99 +p99.99 +max .*failures$'
+    expect "$out" '^svd +eigen +120 +random '
+    expect "$out" '^svd +aosoa16 +120 +random '
+    expect "$out" '^singular_values +aosoa16 +96 +random .* - +- +0$'
+    expect "$out" '^ +near_rest '
+    expect "$out" '^ +hard '
+    expect "$out" '^  physbench replay svd float 0x1'
+    [[ -z $(awk 'length > 160 && !/replay|^command /' "$out") ]] || fail 'a line of more than 160 columns' ;;
+  errors_on_every_set_are_within_what_kernels_promise)
+    # 3 sweeps do not converge in double: that is why 4 are the usual number.
+    expect_exit 0 errors "${small[@]}" --objects=2000 --json="$json" --benchmark_filter='/aosoa16/.*/host/'
+    awk -F'[:,] *' '
+      $1 ~ /"name"/ { name = $2 }
+      $1 ~ /"(err_eps_max|orth_eps_max|failures)"/ && name !~ /svd_3_sweeps/ {
+        allowed = $1 ~ /failures/ ? 0 : $1 ~ /orth/ ? 32 : name ~ /^"stress_derivative_/ ? 16 : \
+                  name ~ /^"(stress_|dp_)/ ? 8 : name ~ /^"singular/ ? 16 : 24
+        ++numbers
+        if (!($2 <= allowed) || $2 == "NaN") { print name, $1, $2; wrong = 1 }
+      }
+      END { exit wrong || numbers < 160 }' "$json" >&2 || fail 'numbers as above, or too few'
+    ;;
+  json_of_a_set_has_errors_in_eps_and_the_worst_input)
+    expect_exit 0 errors "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000/hard$'
+    for word in err_eps_p50 err_eps_p99 err_eps_p9999 err_eps_max orth_eps_p50 orth_eps_max '"failures": 0' \
+      '"samples": 1.0*e\+03' worst_index '"label": "physbench replay svd float [-0-9a-fx.p+ ]*"'; do
+      expect "$json" "$word"
+    done ;;
+  replay_gives_the_error_of_the_row)
+    for kernel in svd svd_quaternions polar_rotation stress_derivative_clamped dp_from_df; do
+      for storage in float double; do
+        expect_exit 0 errors "${small[@]}" --json="$json" \
+          --benchmark_filter="^$kernel/aosoa16/$storage/host/1000/hard\$"
+        printf -v wanted '%.4g' "$(awk -F'[:,] *' '/"err_eps_max"/ { print $2 }' "$json")"
+        read -ra command <<<"$(sed -n 's/.*"label": "physbench \(.*\)",*/\1/p' "$json")"
+        expect_exit 0 "${command[@]}"
+        expect "$out" "^host, packs: error $wanted eps"
+        expect "$out" '^reference$'
+        expect "$out" '^host, one by one: error [0-9.]+ eps'
+      done
+    done ;;
+  replay_of_nan_and_infinity_gives_nan)
+    for bad in nan inf -inf; do
+      for kernel in svd_5_sweeps svd_quaternions; do  # of svd itself, cuSOLVER's answer would be among the results
+        expect_exit 0 replay "$kernel" double 1 0 0 0 "$bad" 0 0 0 1
+        (($(grep -c '^  s  *nan nan nan$' "$out") >= 3)) || fail "s of $bad is a number"
+        expect_no "$out" '^  [UVR] .*[0-9]'
+      done
+    done
+    expect_exit 0 replay stress_derivative_absolute float nan 1 1
+    (($(grep -c '^  x.* nan$' "$out") >= 3)) || fail 'x of nan is a number' ;;
+  wrong_replay_exits_with_2)
+    expect_exit 2 replay
+    expect "$err" 'KERNEL is one of svd svd_3_sweeps'
+    expect_exit 2 replay no_such_kernel float 1
+    expect "$err" "there is no kernel 'no_such_kernel'"
+    expect_exit 2 replay svd half 1
+    expect "$err" "float or double, not 'half'"
+    expect_exit 2 replay svd float 1 2 3
+    expect "$err" 'takes 9 numbers, F by columns, not 3'
+    expect_exit 2 replay stress_derivative float 1 1 one
+    expect "$err" "'one' is no number"
+    expect_exit 2 replay stress_derivative float 1e60 1 1
+    expect "$err" 'out of the range of float' ;;
   a_filter_that_matches_nothing_exits_with_1)
     expect_exit 1 --benchmark_filter=no_such_kernel ;;
   *) fail 'no such rule' ;;

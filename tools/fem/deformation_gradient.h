@@ -20,8 +20,8 @@ struct ComputeRestShape {
     using S = lanes_t<Scalar, I>;
     const Matrix3<S> dm = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return positions[node].x().get(); });
     const Vector3<S> a = dm.col(0), b = dm.col(1), c = dm.col(2);
-    const Vector3<S> bc = detail::cross3<S>(b, c), ca = detail::cross3<S>(c, a), ab = detail::cross3<S>(a, b);
-    const S determinant = fma(a[0], bc[0], fma(a[1], bc[1], a[2] * bc[2]));
+    const Vector3<S> bc = cross3<S>(b, c), ca = cross3<S>(c, a), ab = cross3<S>(a, b);
+    const S determinant = dot3<S>(a, bc);
     const S inverse = S(Scalar(1)) / determinant;
     Matrix3<S> dm_inverse;
     dm_inverse.row(0) = (bc * inverse).transpose();

@@ -25,18 +25,14 @@ struct ForceDifferential {
     const index_t begin = node_edges[node].begin(), end = node_edges[node].end();
     const Matrix3<Scalar> K = node_stiffness[node].K();
     const Vector3<Scalar> own = displacements[node].dx();
-    Vector3<Scalar> sum = K * own;
+    Vector3<Scalar> sum = multiply_add<Scalar>(K, own, Vector3<Scalar>::Zero());
     for (index_t k = begin; k < end; ++k) {
       const index_t edge = incidences[k].element();
       const int side = incidences[k].local();
       const index_t other = edges[edge].nodes()[1 - side];
       const Matrix3<Scalar> E = edge_stiffness[edge].E();
       const Vector3<Scalar> dx = displacements[other].dx();
-      if (side == 0) {
-        sum += E * dx;
-      } else {
-        sum += E.transpose() * dx;
-      }
+      sum = side == 0 ? multiply_add<Scalar>(E, dx, sum) : transpose_multiply_add<Scalar>(E, dx, sum);
     }
     differentials[node].df() = sum;
   }

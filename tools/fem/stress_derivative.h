@@ -1,24 +1,25 @@
 // Kernel: isotropic stress derivative in principal axes, 3 stretches in, 12 scalars out (60 bytes per element in
-// float).
+// float), made positive semidefinite if wanted.
 #pragma once
 
-#include <fem/material.h>
+#include <fem/definiteness.h>
 #include <physgen/pack.h>
 
 namespace physgen::fem {
 
-template <class Model, class SvdView, class DerivativeView>
+template <class Model, class SvdView, class DerivativeView, class Filter = Unfiltered>
 struct ComputeStressDerivative {
   using Scalar = typename DerivativeView::Precision;
   Model material;             ///< such as NeoHookean<Scalar>
   SvdView decomposition;      ///< elasticity::DeformationSvd, of which s alone is read
   DerivativeView derivative;  ///< elasticity::StressDerivative, written
+  Filter filter = {};         ///< Unfiltered, ClampEigenvalues or AbsoluteEigenvalues
 
   template <class I>
   PHYSGEN_FUNCTION void operator()(I i) const {
     using S = lanes_t<Scalar, I>;
     const S half(Scalar(0.5));
-    const PrincipalDerivative<S> d = material.derivative(Vector3<S>(decomposition[i].s()));
+    const PrincipalDerivative<S> d = filter(material.derivative(Vector3<S>(decomposition[i].s())));
     const auto out = derivative[i];
     out.x1111() = d.h11;
     out.x2211() = d.h21;

@@ -6,7 +6,8 @@
 
 namespace physgen::fem {
 
-/// A = U diag(s) V^T with U, V rotations (det +1) and s1 >= s2 >= |s3|; s3 < 0 exactly when det A < 0.
+/// A = U diag(s) V^T with U, V rotations (det +1), s1 >= s2 >= |s3|, and s3 of the sign of det A wherever |s3| is above
+/// the rounding of s1.
 template <class S>
 struct Svd {
   Matrix3<S> U;
@@ -16,115 +17,154 @@ struct Svd {
 
 namespace detail {
 
-/// Rotates columns p, q of A (and those of V with them) by the angle in [-pi/4, pi/4] that makes them orthogonal.
+// A column b of A V and the column v of V that belongs to it, both too long by the same factor: what rotations leave
+// out, see orthogonalise().
 template <class S>
-PHYSGEN_FUNCTION inline void orthogonalise(Vector3<S>& ap, Vector3<S>& aq, Vector3<S>& vp, Vector3<S>& vq) {
+struct JacobiColumn {
+  Vector3<S> b, v;
+  S square;  ///< |v|^2, from 1 up
+};
+
+// The same at its true length.
+template <class S>
+struct SvdColumn {
+  Vector3<S> b, v;
+  S square;  ///< |b|^2
+};
+
+/// Makes columns p and q of A V orthogonal by a rotation of at most 45 degrees, without its factor cos: b and v of both
+/// grow by 1 / cos, which `square` follows. So a rotation costs one fused multiply-add per number, and an inexact angle
+/// costs convergence but no orthogonality: the two coefficients fit each other whatever the angle is.
+template <class S>
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline void orthogonalise(JacobiColumn<S>& p, JacobiColumn<S>& q) {
   using Traits = math::ScalarTraits<S>;
   using Real = RealOf<S>;
-  const S zero(Real(0)), one(Real(1)), half(Real(0.5)), tiny(std::numeric_limits<Real>::min());
-  const S sum = fma(ap[0] + aq[0], ap[0] - aq[0], fma(ap[1] + aq[1], ap[1] - aq[1], (ap[2] + aq[2]) * (ap[2] - aq[2])));
-  const S dot = fma(ap[0], aq[0], fma(ap[1], aq[1], ap[2] * aq[2]));
+  // Below these, columns are too small to matter; above all roundings of columns that do.
+  const S tiny(std::numeric_limits<Real>::min()), small(std::numeric_limits<Real>::min() * Real(1 << 20));
+  const S dot = dot3(p.b, q.b);
   const S twice = dot + dot;
-  // tan(2 angle) = twice / sum; both below the root of the smallest number: columns too small to matter, left alone.
-  const S square = fma(sum, sum, twice * twice);
-  const auto matters = square > tiny;
-  const S inverse = Traits::inverse_sqrt(max(square, tiny));
-  const S cos2 = select(matters, abs(sum) * inverse, one);
-  const S sin2 = select(matters, copysign(one, sum) * twice * inverse, zero);
-  const S cos_square = fma(half, cos2, half);
-  const S inverse_cos = Traits::inverse_sqrt(cos_square);
-  const S c = cos_square * inverse_cos;
-  const S d = half * sin2 * inverse_cos;
-  const auto rotate = [&c, &d](S& x, S& y) {
-    const S kept = x;
-    x = fma(c, x, d * y);
-    y = fma(c, y, -(d * kept));
-  };
-  rotate(ap[0], aq[0]), rotate(ap[1], aq[1]), rotate(ap[2], aq[2]);
-  rotate(vp[0], vq[0]), rotate(vp[1], vq[1]), rotate(vp[2], vq[2]);
+  // tan(2 angle) = y / x with x the difference of the columns' squared lengths and y twice their product, both times
+  // p.square * q.square: then no division is needed.
+  const S x = fma(dot3(p.b, p.b), q.square, -(dot3(q.b, q.b) * p.square));
+  const S length_square = fma(x, x, fma(twice * (p.square * q.square), twice, tiny));
+  const S length = fma(length_square, Traits::rough_inverse_sqrt(length_square), small);
+  const S coefficient = copysign(Traits::rough_inverse(abs(x) + length), x) * twice;
+  const S from_q = coefficient * p.square, from_p = coefficient * q.square;
+  const S tan_square = from_q * from_p;
+  PHYSGEN_UNROLL
+  for (int k = 0; k < 3; ++k) {
+    const S b = p.b[k], v = p.v[k];
+    p.b[k] = fma(from_q, q.b[k], b);
+    p.v[k] = fma(from_q, q.v[k], v);
+    q.b[k] = fma(-from_p, b, q.b[k]);
+    q.v[k] = fma(-from_p, v, q.v[k]);
+  }
+  p.square = fma(p.square, tan_square, p.square);
+  q.square = fma(q.square, tan_square, q.square);
+}
+
+/// Gives a column its true length.
+template <class S>
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline SvdColumn<S> normalised(const JacobiColumn<S>& column) {
+  const S factor = math::ScalarTraits<S>::inverse_sqrt(column.square);
+  const Vector3<S> b(column.b[0] * factor, column.b[1] * factor, column.b[2] * factor);
+  return {b, {column.v[0] * factor, column.v[1] * factor, column.v[2] * factor}, dot3(b, b)};
 }
 
 /// Puts the longer column first; the sign keeps V a rotation.
 template <class S>
-PHYSGEN_FUNCTION inline void order(S& np, S& nq, Vector3<S>& ap, Vector3<S>& aq, Vector3<S>& vp, Vector3<S>& vq) {
-  const auto wrong = np < nq;
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline void order(SvdColumn<S>& p, SvdColumn<S>& q) {
+  const auto wrong = p.square < q.square;
   const auto exchange = [&wrong](S& x, S& y) {
     const S kept = x;
     x = select(wrong, y, x);
     y = select(wrong, -kept, y);
   };
-  exchange(ap[0], aq[0]), exchange(ap[1], aq[1]), exchange(ap[2], aq[2]);
-  exchange(vp[0], vq[0]), exchange(vp[1], vq[1]), exchange(vp[2], vq[2]);
-  const S kept = np;
-  np = max(np, nq);
-  nq = min(kept, nq);
+  PHYSGEN_UNROLL
+  for (int k = 0; k < 3; ++k) exchange(p.b[k], q.b[k]), exchange(p.v[k], q.v[k]);
+  const S kept = p.square;
+  p.square = max(p.square, q.square);
+  q.square = min(kept, q.square);
 }
 
+/// x * factor, at most the largest number; NaN stays.
 template <class S>
-PHYSGEN_FUNCTION inline S dot3(const Vector3<S>& a, const Vector3<S>& b) {
-  return fma(a[0], b[0], fma(a[1], b[1], a[2] * b[2]));
+PHYSGEN_FUNCTION inline S scaled(const S& x, const S& factor) {
+  const S largest(std::numeric_limits<RealOf<S>>::max()), product = x * factor;
+  return select(abs(product) > largest, copysign(largest, x), product);
 }
 
 }  // namespace detail
 
 /// @param A any finite 3x3 matrix: inverted, rank deficient, zero, of any magnitude.
-/// @return |U diag(s) V^T - A| <= 24 eps |A|, U and V orthogonal to 32 eps, always; NaN or infinity in gives NaN out.
-/// s of 2^k A is 2^k s of A, bit for bit. `Sweeps` trades time for error: 4 converge for every input known to us.
-template <int Sweeps = 4, class S>
+/// @return |U diag(s) V^T - A| <= 24 eps |A|, U and V orthogonal to 32 eps; s to 16 eps s1. An s beyond the largest
+/// number becomes the largest number. NaN or infinity in gives NaN out, everywhere. s of 2^k A is 2^k s of A, bit for
+/// bit, where nothing over- or underflows.
+/// @tparam kSweeps trades time for error: 4 converge for every input known to us, fewer leave larger residuals
+template <int kSweeps = 4, class S>
 PHYSGEN_FUNCTION inline Svd<S> svd(const Matrix3<S>& A) {
+  static_assert(kSweeps >= 1);
   using Traits = math::ScalarTraits<S>;
   using Real = RealOf<S>;
-  using detail::dot3;
   const S zero(Real(0)), one(Real(1)), tiny(std::numeric_limits<Real>::min());
 
   const auto largest = [&A](int j) { return max(abs(A(0, j)), max(abs(A(1, j)), abs(A(2, j)))); };
   const auto scale = Traits::normalising_scale(max(largest(0), max(largest(1), largest(2))));
-  Vector3<S> b1(A(0, 0) * scale.scale, A(1, 0) * scale.scale, A(2, 0) * scale.scale);
-  Vector3<S> b2(A(0, 1) * scale.scale, A(1, 1) * scale.scale, A(2, 1) * scale.scale);
-  Vector3<S> b3(A(0, 2) * scale.scale, A(1, 2) * scale.scale, A(2, 2) * scale.scale);
-  Vector3<S> v1(one, zero, zero), v2(zero, one, zero), v3(zero, zero, one);
+  const auto column = [&](int j) {
+    return detail::JacobiColumn<S>{{A(0, j) * scale.scale, A(1, j) * scale.scale, A(2, j) * scale.scale},
+                                   {j == 0 ? one : zero, j == 1 ? one : zero, j == 2 ? one : zero},
+                                   one};
+  };
+  detail::JacobiColumn<S> j1 = column(0), j2 = column(1), j3 = column(2);
 
   PHYSGEN_UNROLL
-  for (int sweep = 0; sweep < Sweeps; ++sweep) {
-    detail::orthogonalise(b1, b2, v1, v2);
-    detail::orthogonalise(b1, b3, v1, v3);
-    detail::orthogonalise(b2, b3, v2, v3);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    detail::orthogonalise(j1, j2);
+    detail::orthogonalise(j1, j3);
+    detail::orthogonalise(j2, j3);
   }
-  S n1 = dot3(b1, b1), n2 = dot3(b2, b2), n3 = dot3(b3, b3);
-  detail::order(n1, n2, b1, b2, v1, v2);
-  detail::order(n1, n3, b1, b3, v1, v3);
-  detail::order(n2, n3, b2, b3, v2, v3);
+  detail::SvdColumn<S> c1 = detail::normalised(j1), c2 = detail::normalised(j2), c3 = detail::normalised(j3);
+  detail::order(c1, c2), detail::order(c1, c3), detail::order(c2, c3);
+  const Vector3<S>&b1 = c1.b, &b2 = c2.b, &b3 = c3.b;
 
-  // U from the longest columns down, so that what rank deficiency leaves open is completed by cross products.
-  const auto nonzero = n1 > tiny;
-  const S i1 = Traits::inverse_sqrt(max(n1, tiny));
-  const Vector3<S> u1(select(nonzero, b1[0] * i1, one), select(nonzero, b1[1] * i1, zero),
-                      select(nonzero, b1[2] * i1, zero));
+  // U from the longest columns down, so that what rank deficiency leaves open is completed by cross products. NaN takes
+  // the other branch of each selection, and stays.
+  const auto is_zero = c1.square <= tiny;
+  const S i1 = Traits::inverse_sqrt(select(is_zero, one, c1.square));
+  const Vector3<S> u1(select(is_zero, one, b1[0] * i1), select(is_zero, zero, b1[1] * i1),
+                      select(is_zero, zero, b1[2] * i1));
   const S along = dot3(u1, b2);
   const Vector3<S> w(fma(-along, u1[0], b2[0]), fma(-along, u1[1], b2[1]), fma(-along, u1[2], b2[2]));
   // A second column below the rounding of the first has no direction of its own: any one across u1 will do.
   const Real eps = std::numeric_limits<Real>::epsilon();
-  const S nw = dot3(w, w);
-  const auto has_direction = nw > max(n1 * S(Real(4) * eps * eps), tiny);
+  const S w_square = dot3(w, w);
+  const auto no_direction = w_square <= max(c1.square * S(Real(4) * eps * eps), tiny);
   const auto flat = abs(u1[0]) < S(Real(0.6));
   const Vector3<S> across(select(flat, zero, -u1[2]), select(flat, u1[2], zero), select(flat, -u1[1], u1[0]));
-  const Vector3<S> t(select(has_direction, w[0], across[0]), select(has_direction, w[1], across[1]),
-                     select(has_direction, w[2], across[2]));
-  const S i2 = Traits::inverse_sqrt(select(has_direction, nw, dot3(across, across)));
+  const Vector3<S> t(select(no_direction, across[0], w[0]), select(no_direction, across[1], w[1]),
+                     select(no_direction, across[2], w[2]));
+  const S i2 = Traits::inverse_sqrt(select(no_direction, dot3(across, across), w_square));
   const Vector3<S> u2(t[0] * i2, t[1] * i2, t[2] * i2);
-  const Vector3<S> u3(fma(u1[1], u2[2], -(u1[2] * u2[1])), fma(u1[2], u2[0], -(u1[0] * u2[2])),
-                      fma(u1[0], u2[1], -(u1[1] * u2[0])));
+  const Vector3<S> u3 = cross3<S>(u1, u2);
 
   // s1 >= s2 >= |s3| by construction: rounding may disagree only where the values agree to a few eps.
   const S s1 = dot3(u1, b1);
-  const S s2 = min(max(dot3(u2, b2), zero), s1);
-  const S along3 = dot3(u3, b3);
-  const S s3 = copysign(min(abs(along3), s2), along3);
+  const S along2 = dot3(u2, b2), along3 = dot3(u3, b3);
+  const S positive = select(along2 < zero, zero, along2);
+  const S s2 = select(positive > s1, s1, positive);
+  const S s3 = select(abs(along3) > s2, copysign(s2, along3), along3);
   Svd<S> result;
   result.U << u1, u2, u3;
-  result.s << s1 * scale.inverse, s2 * scale.inverse, s3 * scale.inverse;
-  result.V << v1, v2, v3;
+  result.s << detail::scaled(s1, scale.inverse), detail::scaled(s2, scale.inverse), detail::scaled(s3, scale.inverse);
+  result.V << c1.v, c2.v, c3.v;
   return result;
+}
+
+/// The rotation next to A: the polar factor R = U V^T, det R = +1 for inverted A, too.
+template <class S>
+PHYSGEN_FUNCTION inline Matrix3<S> polar_rotation(const Matrix3<S>& A) {
+  const Svd<S> parts = svd(A);
+  return multiply_transpose<S>(parts.U, parts.V);
 }
 
 }  // namespace physgen::fem

@@ -22,9 +22,4 @@ PHYSGEN_FUNCTION inline Matrix3<lanes_t<Scalar, I>> edge_matrix(const TetView& t
   return edges;
 }
 
-template <class S>
-PHYSGEN_FUNCTION inline Vector3<S> cross3(const Vector3<S>& a, const Vector3<S>& b) {
-  return {fma(a[1], b[2], -(a[2] * b[1])), fma(a[2], b[0], -(a[0] * b[2])), fma(a[0], b[1], -(a[1] * b[0]))};
-}
-
 }  // namespace physgen::fem::detail

@@ -20,7 +20,7 @@ class CudaCase final : public TimedCudaCase {
     parallel_for(Cuda{}, operands_.output().size(), kernel);
     return watch().stop();
   }
-  ErrorStats check() override {
+  Accuracy check() override {
     poison_device(operands_.output().storage());
     run();
     Result<Kernel, Real> result(operands_.output().size());
@@ -40,7 +40,7 @@ class CudaCopyCase final : public TimedCudaCase {
  public:
   explicit CudaCopyCase(Dataset& data) : TimedCudaCase(bytes_moved<Kernel, Real>(data)) {}
   double run() override { return copy(); }
-  ErrorStats check() override { return {}; }
+  Accuracy check() override { return {}; }
 };
 
 template <class Kernel, class Real, class MeasuredCase>

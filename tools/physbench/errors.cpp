@@ -17,13 +17,6 @@ bool all_numbers(const std::byte* tile, index_t elements) {
   return std::none_of(values, values + elements, [](Real x) { return std::isnan(x); });
 }
 
-double percentile(std::vector<double>& values, double fraction) {
-  if (values.empty()) return 0;
-  const auto k = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
-}
-
 }  // namespace
 
 void poison(const Storage& storage) { std::memset(storage.base, 0xff, static_cast<std::size_t>(storage.bytes())); }
@@ -44,7 +37,7 @@ void check_written(const Storage& storage) {
   }
 }
 
-ErrorStats error_stats(std::vector<double> errors, const std::vector<double>& norms) {
+Accuracy relative_errors(std::vector<double> errors, const std::vector<double>& norms) {
   if (errors.empty()) return {};
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (std::isfinite(errors[i]) && std::isfinite(norms[i])) continue;
@@ -57,11 +50,18 @@ ErrorStats error_stats(std::vector<double> errors, const std::vector<double>& no
     const double scale = std::max(norms[i], floor);
     if (scale > 0) errors[i] /= scale;
   }
-  const double largest = *std::max_element(errors.begin(), errors.end());
-  const double p99 = percentile(errors, 0.99);
-  return {percentile(errors, 0.5), p99, largest};
+  fem::reference::ErrorDistribution distribution;
+  distribution.reserve(errors.size());
+  for (const double error : errors) distribution.add(error);
+  Accuracy accuracy;
+  accuracy.errors = distribution.summary();
+  return accuracy;
 }
 
-double median(std::vector<double> values) { return percentile(values, 0.5); }
+double median(const std::vector<double>& values) {
+  fem::reference::ErrorDistribution distribution;
+  for (const double value : values) distribution.add(value);
+  return distribution.percentile(0.5);
+}
 
 }  // namespace physgen::bench

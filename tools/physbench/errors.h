@@ -16,11 +16,11 @@ void poison(const Storage& storage);
 /// @throw Error naming the first object that has an element which is not a number
 void check_written(const Storage& storage);
 
-/// Percentiles of errors[i] / max(norms[i], 1e-3 rms(norms)): the floor keeps results that nearly cancel from being
-/// measured against zero.
-[[nodiscard]] ErrorStats error_stats(std::vector<double> errors, const std::vector<double>& norms);
+/// The distribution of errors[i] / max(norms[i], 1e-3 rms(norms)): the floor keeps results that nearly cancel from
+/// being measured against zero.
+[[nodiscard]] Accuracy relative_errors(std::vector<double> errors, const std::vector<double>& norms);
 
 /// The median, 0 of nothing.
-[[nodiscard]] double median(std::vector<double> values);
+[[nodiscard]] double median(const std::vector<double>& values);
 
 }  // namespace physgen::bench

@@ -5,7 +5,6 @@
 #include <physgen/parallel_for.h>
 
 #include <cstring>
-#include <type_traits>
 #include <vector>
 
 #include "errors.h"
@@ -15,10 +14,6 @@
 #include "values.h"
 
 namespace physgen::bench {
-
-/// The type that the reference of a result in Real is computed in.
-template <class Real>
-using Wider = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
 
 namespace detail {
 
@@ -56,7 +51,7 @@ std::vector<Observed<Kernel, Wider<Real>>> make_reference(Dataset& data) {
 
 /// Errors of result(i), i = 0 .. n-1.
 template <class Kernel, class Real, class At>
-ErrorStats compare(Dataset& data, const At& result) {
+Accuracy compare(Dataset& data, const At& result) {
   using T = Wider<Real>;
   using Reference = std::vector<Observed<Kernel, T>>;
   const auto& reference =
@@ -71,7 +66,7 @@ ErrorStats compare(Dataset& data, const At& result) {
         static_cast<double>((Naive<Kernel>::template observe<T>(result(i)) - expected).norm());
     norms[static_cast<std::size_t>(i)] = static_cast<double>(expected.norm());
   }
-  return error_stats(std::move(errors), norms);
+  return relative_errors(std::move(errors), norms);
 }
 
 /// A kernel over arrays. kLanes as parallel_for takes it.
@@ -86,7 +81,7 @@ class HostCase final : public TimedHostCase {
     parallel_for<kLanes>(Host{}, n, kernel);
     return watch.seconds();
   }
-  ErrorStats check() override {
+  Accuracy check() override {
     poison(operands_.output().storage());
     run();
     Result<Kernel, Real> result(operands_.output().size());
@@ -105,7 +100,7 @@ class HostCopyCase final : public TimedHostCase {
  public:
   explicit HostCopyCase(Dataset& data) : TimedHostCase(bytes_moved<Kernel, Real>(data)) {}
   double run() override { return copy(); }
-  ErrorStats check() override { return {}; }
+  Accuracy check() override { return {}; }
 };
 
 /// The naive kernel over std::vectors of structs.
@@ -132,7 +127,7 @@ class EigenCase final : public TimedHostCase {
         inputs_);
     return watch.seconds();
   }
-  ErrorStats check() override {
+  Accuracy check() override {
     std::memset(static_cast<void*>(output_.data()), 0xff, output_.size() * sizeof(Value));  // NaN, as poison() does
     run();
     return compare<Kernel, Real>(data_, [this](index_t i) { return output_[static_cast<std::size_t>(i)]; });
@@ -188,7 +183,7 @@ void HostKernel<Kernel>::add_rows(std::vector<Row>& rows, Dataset& data) {
 }
 
 template <class Kernel>
-ErrorStats HostKernel<Kernel>::check(Dataset& data, const Storage& result) {
+Accuracy HostKernel<Kernel>::check(Dataset& data, const Storage& result) {
   check_written(result);
   const auto compare = [&]<class Real>(Real /*storage*/) {
     const typename Result<Kernel, Real>::ConstView view(result.base, result.size, result.pitch, result.space);

@@ -29,7 +29,7 @@ struct HostKernel {
   /// Compares an output with the reference, for rows of all spaces.
   /// @param result in the form of operands.h's Result, float or double
   /// @throw Error when an element is not a number, as after poison() when it was not written
-  static ErrorStats check(Dataset& data, const Storage& result);
+  static Accuracy check(Dataset& data, const Storage& result);
 };
 
 /// Rows of one kernel on the GPU. Defined in cuda_rows.h, instantiated once in rows/*.cu.

@@ -7,7 +7,7 @@
 #include <fem/dp_from_df.h>
 #include <fem/elastic_force.h>
 #include <fem/force_differential.h>
-#include <fem/neo_hookean.h>
+#include <fem/materials/neo_hookean.h>
 #include <fem/stiffness.h>
 #include <fem/stress.h>
 #include <fem/stress_derivative.h>

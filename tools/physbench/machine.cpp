@@ -8,6 +8,8 @@
 
 #ifdef PHYSGEN_BENCH_CUDA
 #include <cuda_runtime_api.h>
+
+#include "accuracy/cusolver.h"
 #endif
 
 namespace physgen::bench {
@@ -54,13 +56,17 @@ Gpu find_gpu() {
 
 Machine describe_machine(const Options& options, const std::string& command) {
   const Gpu gpu = find_gpu();
-  return {{"cpu", cpu_model()},
-          {"threads", std::to_string(options.threads) + ", packs of " + std::to_string(native_lanes<float>) +
-                          " float or " + std::to_string(native_lanes<double>) + " double"},
-          {"gpu", gpu.missing.empty() ? gpu.name : gpu.missing},
-          {"compiler", compiler()},
-          {"physgen", PHYSGEN_BENCH_VERSION},
-          {"command", command}};
+  Machine machine{{"cpu", cpu_model()},
+                  {"threads", std::to_string(options.threads) + ", packs of " + std::to_string(native_lanes<float>) +
+                                  " float or " + std::to_string(native_lanes<double>) + " double"},
+                  {"gpu", gpu.missing.empty() ? gpu.name : gpu.missing},
+                  {"compiler", compiler()},
+                  {"physgen", PHYSGEN_BENCH_VERSION},
+                  {"command", command}};
+#ifdef PHYSGEN_BENCH_CUDA
+  if (gpu.missing.empty() && !cusolver_missing().empty()) machine.emplace_back("cusolver", cusolver_missing());
+#endif
+  return machine;
 }
 
 }  // namespace physgen::bench

@@ -8,6 +8,8 @@
 #include <limits>
 #include <sstream>
 
+#include "accuracy/cusolver.h"
+#include "accuracy/replay.h"
 #include "dataset.h"
 #include "kernel_list.h"
 #include "table.h"
@@ -15,15 +17,30 @@
 namespace physgen::bench {
 namespace {
 
-std::vector<Row> all_rows(Dataset& host, [[maybe_unused]] Dataset& cuda) {
-  std::vector<Row> rows;
+// Rows of the Truth Cube.
+void add_cube_rows(std::vector<Row>& rows, Dataset& host, [[maybe_unused]] Dataset& cuda) {
   AllKernels::for_each([&]<class Kernel>() { HostKernel<Kernel>::add_rows(rows, host); });
 #ifdef PHYSGEN_BENCH_CUDA
   if (find_gpu().missing.empty()) {
     AllKernels::for_each([&]<class Kernel>() { CudaKernel<Kernel>::add_rows(rows, cuda); });
   }
 #endif
-  return rows;
+}
+
+// Rows of the sets of inputs.
+void add_set_rows(std::vector<Row>& rows, InputSets& sets) {
+  AllVariants::for_each([&]<class Variant>() {
+    HostVariant<Variant, float>::add_rows(rows, sets);
+    HostVariant<Variant, double>::add_rows(rows, sets);
+  });
+#ifdef PHYSGEN_BENCH_CUDA
+  if (!find_gpu().missing.empty()) return;
+  if (cusolver_missing().empty()) add_cusolver_rows(rows, sets);
+  AllVariants::for_each([&]<class Variant>() {
+    CudaVariant<Variant, float>::add_rows(rows, sets);
+    CudaVariant<Variant, double>::add_rows(rows, sets);
+  });
+#endif
 }
 
 // Memory of a row that is done goes to the next one instead of back to the system, which would have to clear it again:
@@ -74,6 +91,10 @@ class Watch final : public benchmark::BenchmarkReporter {
 };
 
 int run(int argc, char** argv) {
+  if (argc > 1 && std::string(argv[1]) == "replay") {
+    std::cout << replay({argv + 2, argv + argc});
+    return 0;
+  }
   std::string command;
   for (int a = 0; a < argc; ++a) command.append(a == 0 ? "" : " ").append(argv[a]);
   Options options = parse(argc, argv);
@@ -85,7 +106,11 @@ int run(int argc, char** argv) {
   initialize_benchmark(argv[0], options);
 
   Dataset host(options.host_objects), cuda(options.cuda_objects);
-  Session session(all_rows(host, cuda), options.table);
+  InputSets sets(options.set_objects);
+  std::vector<Row> rows;
+  if (!options.errors) add_cube_rows(rows, host, cuda);
+  add_set_rows(rows, sets);
+  Session session(std::move(rows), options.table);
   session.register_rows();
   if (options.list) {
     list(std::cout);

@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 #include "kernels.h"
 
@@ -14,6 +16,10 @@ template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
+
+/// The type that the reference of a result in Real is computed in.
+template <class Real>
+using Wider = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
 
 /// Specialised for each kernel: value<T, Real>(i, inputs...) is the output for object i, inputs[j] being the values of
 /// object j in Real; observe<T>(value) is what is compared, as an Eigen matrix.
@@ -29,6 +35,19 @@ struct Lame {
   T lambda = T(Real(youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio))));
 };
 
+/// phi'(J) and phi''(J) [Pa] of the Neo-Hookean psi = mu/2 (I1 - 3) + phi(J), phi = -mu ln J + lambda/2 ln^2 J, with
+/// phi' continued linearly below J0.
+template <class T>
+struct VolumeSlopes {
+  T first, second;
+};
+template <class T, class Real>
+VolumeSlopes<T> volume_slopes(const Lame<T, Real>& lame, T J) {
+  const T J0 = T(fem::NeoHookean<Real>().smallest_volume_ratio), held = J < J0 ? J0 : J, log = std::log(held);
+  const T second = (lame.mu + lame.lambda * (1 - log)) / (held * held);
+  return {(lame.lambda * log - lame.mu) / held + second * (J - held), second};
+}
+
 /// Edge vectors of a tet from corner i, by columns. @param at at(node) is a vector
 template <class T, class Nodes, class At>
 Matrix3<T> edges(const Nodes& nodes, const At& at) {
@@ -40,8 +59,13 @@ Matrix3<T> edges(const Nodes& nodes, const At& at) {
 
 template <class T>
 elasticity::DeformationSvd<T> svd(const Matrix3<T>& F) {
-  const Eigen::JacobiSVD<Matrix3<T>> found(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
   elasticity::DeformationSvd<T> result;
+  if (!F.allFinite()) {  // Eigen gives nothing then, not even NaN
+    result.U = result.V = Matrix3<T>::Constant(std::numeric_limits<T>::quiet_NaN());
+    result.s = result.U.col(0);
+    return result;
+  }
+  const Eigen::JacobiSVD<Matrix3<T>> found(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
   result.U = found.matrixU();
   result.V = found.matrixV();
   result.s = found.singularValues();
@@ -121,8 +145,8 @@ struct Naive<Stress> {
     const detail::Lame<T, Real> lame;
     const auto& svd = svds[i];
     const Vector3<T> s = svd.s.template cast<T>();
-    const T q = lame.mu - lame.lambda * std::log(s.prod());
-    const Vector3<T> g = lame.mu * s - q * s.cwiseInverse();
+    const Vector3<T> c(s[1] * s[2], s[0] * s[2], s[0] * s[1]);  // dJ/ds
+    const Vector3<T> g = lame.mu * s + detail::volume_slopes(lame, s.prod()).first * c;
     return {svd.U.template cast<T>() * g.asDiagonal() * svd.V.template cast<T>().transpose()};
   }
   template <class T>
@@ -137,10 +161,12 @@ struct Naive<StressDerivative> {
   static elasticity::StressDerivative<T> value(index_t i, const auto& svds) {
     const detail::Lame<T, Real> lame;
     const Vector3<T> s = svds[i].s.template cast<T>();
-    const T mu = lame.mu, q = mu - lame.lambda * std::log(s.prod());
-    const auto same = [&](int a) { return mu + (lame.lambda + q) / (s[a] * s[a]); };
-    const auto mixed = [&](int a, int b) { return lame.lambda / (s[a] * s[b]); };
-    const auto swapped = [&](int a, int b) { return q / (s[a] * s[b]); };  // (D - S) / 2; (D + S) / 2 is mu
+    const auto phi = detail::volume_slopes(lame, s.prod());
+    const Vector3<T> c(s[1] * s[2], s[0] * s[2], s[0] * s[1]);  // dJ/ds
+    const T mu = lame.mu;
+    const auto same = [&](int a) { return mu + phi.second * c[a] * c[a]; };
+    const auto mixed = [&](int a, int b) { return phi.second * c[a] * c[b] + phi.first * s[3 - a - b]; };
+    const auto swapped = [&](int a, int b) { return -phi.first * s[3 - a - b]; };  // (D - S) / 2; (D + S) / 2 is mu
     return {same(0), mixed(1, 0),   mixed(2, 0), same(1),       mixed(2, 1), same(2),
             mu,      swapped(1, 0), mu,          swapped(2, 0), mu,          swapped(2, 1)};
   }

@@ -9,15 +9,21 @@
 
 namespace physgen::bench {
 
-const char* const help_text = R"(physbench [FLAGS]
+const char* const help_text = R"(physbench [errors] [FLAGS]
+physbench replay KERNEL STORAGE NUMBERS...
 
-Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter, runs all rows in float
-and the paper's three kernels in double, and prints a table; with one, runs what it says (all: --benchmark_filter=.) and
-prints what Google Benchmark prints. Names are kernel/layout/storage/space/objects.
+Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter, runs all rows of the
+Truth Cube in float and the paper's three kernels in double, and prints a table; with one, runs what it says (all:
+--benchmark_filter=.) and prints what Google Benchmark prints. Names are kernel/layout/storage/space/objects, and those of
+the sets of inputs end with /random, /near_rest or /hard.
+
+  errors         rows of the sets only, and the table of error against speed (the worst input of each at its end)
+  replay         runs a kernel on one input everywhere, and prints the results, the reference and the errors; numbers
+                 are decimal, hexadecimal, nan or inf: replay svd float 1 0 0 0 0x1.8p+0 0 0 0 1
 
   --threads=N    OpenMP threads of the CPU's rows (default: all)
-  --objects=N    tets (default: 1048576 on the CPU, 8388608 on the GPU); kernels over nodes and edges run over all of the
-                 smallest cube with at least N tets
+  --objects=N    tets (default: 1048576 on the CPU and for sets, 8388608 on the GPU); kernels over nodes and edges run
+                 over all of the smallest cube with at least N tets
   --table        print the table in any case
   --json=FILE    also write all results and the machine to FILE; short for --benchmark_out=FILE
   --help         this text
@@ -55,6 +61,10 @@ Options parse(int argc, const char* const* argv) {
   bool filtered = false, min_time = false;
   for (int a = 1; a < argc; ++a) {
     const std::string argument = argv[a];
+    if (a == 1 && argument == "errors") {
+      options.errors = true;
+      continue;
+    }
     const std::size_t equals = argument.find('=');
     const std::string flag = argument.substr(0, equals);
     const auto value = [&] {
@@ -65,7 +75,7 @@ Options parse(int argc, const char* const* argv) {
     if (flag == "--threads") {
       options.threads = static_cast<int>(number(flag, value(), 4096));
     } else if (flag == "--objects") {
-      options.host_objects = options.cuda_objects = number(flag, value(), 100000000);
+      options.host_objects = options.cuda_objects = options.set_objects = number(flag, value(), 100000000);
     } else if (flag == "--json") {
       options.benchmark_flags.push_back("--benchmark_out=" + value());
     } else if (argument == "--table") {
@@ -81,11 +91,14 @@ Options parse(int argc, const char* const* argv) {
     }
   }
   if (!filtered && !options.list) {
-    options.benchmark_flags.emplace_back(
-        "--benchmark_filter=/float/|^(dp_from_df|stress_derivative|add_force_differential)/");
+    // Names of the Truth Cube end with the number of objects; `errors` has no others than those of the sets.
+    options.benchmark_flags.push_back(benchmark_flag(
+        options.errors
+            ? "--benchmark_filter=."
+            : "--benchmark_filter=(/float/|^(dp_from_df|stress_derivative|add_force_differential)/).*[0-9]$"));
   }
   if (!min_time) options.benchmark_flags.emplace_back("--benchmark_min_time=0.06");
-  options.table = options.table || !(filtered || options.json || options.list);
+  options.table = options.table || ((options.errors || !filtered) && !(options.json || options.list));
   if (options.threads == 0) options.threads = omp_get_max_threads();
   return options;
 }

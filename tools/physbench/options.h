@@ -12,9 +12,11 @@ struct Options {
   int threads = 0;  ///< OpenMP threads of the CPU's rows; parse() fills in the default
   index_t host_objects = 1048576;
   index_t cuda_objects = 8388608;
-  bool table = false;  ///< print the table
-  bool list = false;   ///< names only
-  bool json = false;   ///< the display, too, is Google Benchmark's JSON or CSV: no table, no progress
+  index_t set_objects = 1048576;  ///< of rows of the sets, on both
+  bool errors = false;            ///< rows of the sets only
+  bool table = false;             ///< print the table
+  bool list = false;              ///< names only
+  bool json = false;              ///< the display, too, is Google Benchmark's JSON or CSV: no table, no progress
   std::vector<std::string> benchmark_flags;  ///< what Google Benchmark gets
 };
 

@@ -2,10 +2,13 @@
 // place.
 #pragma once
 
+#include <fem/reference/distribution.h>
 #include <physgen/config.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +16,13 @@ namespace physgen::bench {
 
 class Dataset;
 
-/// Relative errors of all objects of a result against the reference, |x - ref| / max(|ref|, 1e-3 rms |ref|).
-struct ErrorStats {
-  double p50 = 0, p99 = 0, max = 0;
+/// How far the results of a row are from the reference. Rows of the Truth Cube give relative errors, |x - ref| /
+/// max(|ref|, 1e-3 rms |ref|), and nothing else; rows of a set of inputs give errors in eps of their storage.
+struct Accuracy {
+  fem::reference::ErrorSummary errors;
+  std::optional<fem::reference::ErrorSummary> orthogonality;  ///< of the rotations, where there are any [eps]
+  std::int64_t failures = 0;                                  ///< results that are not finite, or off by a percent
+  std::string worst;                                          ///< the command that runs the worst input again
 };
 
 /// A kernel with its inputs and output in one layout, storage and space, ready to run again and again.
@@ -32,7 +39,7 @@ class Case {
   virtual double copy() = 0;
   /// Runs the kernel on a poisoned output and compares all of it with the reference.
   /// @throws Error when an element was not written
-  virtual ErrorStats check() = 0;
+  virtual Accuracy check() = 0;
 };
 
 struct Row {
@@ -40,13 +47,15 @@ struct Row {
   std::string layout;   ///< "aosoa32"; also "copy" and "eigen"
   std::string storage;  ///< "float" or "double"
   std::string space;    ///< "host" or "cuda"
+  std::string set;      ///< "random", "near_rest", "hard"; empty: the elements of the Truth Cube
   index_t objects = 0;
   double bytes_per_object = 0;  ///< what the kernel must read and write, whatever the layout
   std::function<std::unique_ptr<Case>()> make;
 
-  /// kernel/layout/storage/space/objects
+  /// kernel/layout/storage/space/objects, and /set where there is one
   [[nodiscard]] std::string name() const {
-    return kernel + "/" + layout + "/" + storage + "/" + space + "/" + std::to_string(objects);
+    const std::string name = kernel + "/" + layout + "/" + storage + "/" + space + "/" + std::to_string(objects);
+    return set.empty() ? name : name + "/" + set;
   }
 };
 

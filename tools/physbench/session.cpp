@@ -26,7 +26,7 @@ void Session::prepare(const Row& row) {
     std::fprintf(stderr, "%3ld/%zu %s\n", number, rows_.size(), row.name().c_str());
   }
   case_ = row.make();
-  errors_ = case_->check();
+  accuracy_ = case_->check();
   times_.clear();
   copies_.clear();
   case_->copy();  // check() has run the kernel; both have touched all their memory now
@@ -61,9 +61,24 @@ void Session::run(const Row& row, benchmark::State& state) {
   state.counters[counter::gb_per_second] = bytes / time * 1e-9;
   state.counters[counter::copy_fraction] = copy / time;
   if (row.layout == "copy") return;
-  state.counters[counter::err_p50] = errors_.p50;
-  state.counters[counter::err_p99] = errors_.p99;
-  state.counters[counter::err_max] = errors_.max;
+  report(row, state);
+}
+
+void Session::report(const Row& row, benchmark::State& state) const {
+  const auto put = [&state](const std::string& name, double value) { state.counters[name] = value; };
+  const auto put_errors = [&put](const std::string& what, const fem::reference::ErrorSummary& errors) {
+    put(what + counter::p50, errors.p50);
+    put(what + counter::p99, errors.p99);
+    put(what + counter::p9999, errors.p9999);
+    put(what + counter::max, errors.max);
+  };
+  put_errors(row.set.empty() ? counter::err : counter::err_eps, accuracy_.errors);
+  if (row.set.empty()) return;
+  if (accuracy_.orthogonality) put_errors(counter::orth_eps, *accuracy_.orthogonality);
+  put(counter::failures, static_cast<double>(accuracy_.failures));
+  put(counter::samples, static_cast<double>(accuracy_.errors.count));
+  put(counter::worst_index, static_cast<double>(accuracy_.errors.worst_index));
+  state.SetLabel(accuracy_.worst);
 }
 
 }  // namespace physgen::bench

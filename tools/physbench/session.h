@@ -19,9 +19,17 @@ inline constexpr const char* copy_ms = "copy_ms";  ///< a copy of the same bytes
 inline constexpr const char* bytes_per_object = "bytes_per_object";
 inline constexpr const char* gb_per_second = "GBps";
 inline constexpr const char* copy_fraction = "copy_fraction";
-inline constexpr const char* err_p50 = "err_p50";
-inline constexpr const char* err_p99 = "err_p99";
-inline constexpr const char* err_max = "err_max";
+// Errors: err_p50, err_eps_max and so on.
+inline constexpr const char* err = "err_";            ///< relative, of rows of the Truth Cube
+inline constexpr const char* err_eps = "err_eps_";    ///< in eps of the storage, of rows of a set
+inline constexpr const char* orth_eps = "orth_eps_";  ///< of the rotations, in eps
+inline constexpr const char* p50 = "p50";
+inline constexpr const char* p99 = "p99";
+inline constexpr const char* p9999 = "p9999";
+inline constexpr const char* max = "max";
+inline constexpr const char* failures = "failures";        ///< among the samples
+inline constexpr const char* samples = "samples";          ///< different inputs of a set
+inline constexpr const char* worst_index = "worst_index";  ///< of the sample with the largest error
 }  // namespace counter
 
 /// Holds the data of the row that runs; its rows must outlive all runs.
@@ -36,6 +44,8 @@ class Session {
 
  private:
   void run(const Row& row, benchmark::State& state);
+  /// Counters of the errors of the prepared row; the worst input of a set is the label.
+  void report(const Row& row, benchmark::State& state) const;
   /// One sample of the prepared row.
   void measure();
   /// Puts the data of a row in place, checks its result and warms up; nothing when it is the row of the last call.
@@ -45,7 +55,7 @@ class Session {
   bool progress_;
   const Row* prepared_ = nullptr;
   std::unique_ptr<Case> case_;
-  ErrorStats errors_;
+  Accuracy accuracy_;
   std::vector<double> times_, copies_;  // of the prepared row
 };
 

@@ -2,21 +2,10 @@
 #include "table.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "format.h"
 
 namespace physgen::bench {
-
-namespace {
-
-// Strings of printf's make.
-template <class... Argument>
-std::string format(const char* pattern, Argument... arguments) {
-  char text[256];
-  std::snprintf(text, sizeof text, pattern, arguments...);
-  return text;
-}
-
-}  // namespace
 
 void TableReporter::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
@@ -24,8 +13,9 @@ void TableReporter::ReportRuns(const std::vector<Run>& runs) {
     if (run.error_occurred) {
       failed_[name] = run.error_message;
     } else if (run.run_type == Run::RT_Iteration || run.aggregate_name == "median") {
-      Counters& counters = finished_[name];
-      for (const auto& [key, value] : run.counters) counters[key] = value.value;
+      Finished& row = finished_[name];
+      for (const auto& [key, value] : run.counters) row.counters[key] = value.value;
+      row.label = run.report_label;
     }
   }
 }
@@ -35,6 +25,7 @@ void TableReporter::Finalize() {
     for (const char* storage : {"float", "double"}) print_block(space, storage);
   }
   std::ostream& out = GetOutputStream();
+  print_errors_table(out, rows_, finished_);
   for (const auto& [name, message] : failed_) out << "FAILED " << name << ": " << message << "\n";
   for (const auto& [what, value] : machine_) out << format("%-10s ", what.c_str()) << value << "\n";
   out.flush();
@@ -45,7 +36,7 @@ void TableReporter::print_block(const std::string& space, const std::string& sto
   std::string kernel;
   for (const Row& row : rows_) {
     const auto found = finished_.find(row.name());
-    if (row.space != space || row.storage != storage || found == finished_.end()) continue;
+    if (!row.set.empty() || row.space != space || row.storage != storage || found == finished_.end()) continue;
     if (!any) {
       GetOutputStream() << (space == "host" ? "CPU, " : "GPU, ") << storage << "\n"
                         << format("%-26s %9s %6s  %-10s %9s %8s %6s %7s  %8s %8s %8s\n", "kernel", "objects", "bytes",
@@ -55,13 +46,14 @@ void TableReporter::print_block(const std::string& space, const std::string& sto
     // AoS is the faster of its two ways on the CPU.
     double aos_ms = 0;
     for (const Row& other : rows_) {
-      if (other.kernel != row.kernel || other.storage != storage || other.space != space) continue;
+      if (!other.set.empty() || other.kernel != row.kernel || other.storage != storage || other.space != space)
+        continue;
       const auto aos = finished_.find(other.name());
       if (aos == finished_.end() || (other.layout != "aos" && other.layout != "aos_scalar")) continue;
-      const double ms = aos->second.at(counter::median_ms);
+      const double ms = aos->second.counters.at(counter::median_ms);
       aos_ms = aos_ms == 0 ? ms : std::min(aos_ms, ms);
     }
-    print_row(row, found->second, aos_ms, row.kernel != kernel);
+    print_row(row, found->second.counters, aos_ms, row.kernel != kernel);
     kernel = row.kernel;
   }
   if (any) GetOutputStream() << "\n";
@@ -76,9 +68,8 @@ void TableReporter::print_row(const Row& row, const Counters& counters, double a
       << format("  %-10s %9.3f %8.1f %6.2f ", row.layout.c_str(), ms, counters.at(counter::gb_per_second),
                 counters.at(counter::copy_fraction))
       << (aos_ms > 0 ? format("%6.2fx", aos_ms / ms) : format("%7s", "-"));
-  if (counters.contains(counter::err_p50)) {
-    out << format("  %8.1e %8.1e %8.1e", counters.at(counter::err_p50), counters.at(counter::err_p99),
-                  counters.at(counter::err_max));
+  if (counters.contains("err_p50")) {
+    out << format("  %8.1e %8.1e %8.1e", counters.at("err_p50"), counters.at("err_p99"), counters.at("err_max"));
   }
   out << "\n";
 }

@@ -4,12 +4,13 @@
 #include <map>
 #include <string>
 
+#include "errors_table.h"
 #include "machine.h"
 #include "session.h"
 
 namespace physgen::bench {
 
-/// Collects finished rows and prints the table at the end.
+/// Collects finished rows and prints the table, and that of error against speed, at the end.
 class TableReporter final : public benchmark::BenchmarkReporter {
  public:
   TableReporter(const std::vector<Row>& rows, Machine machine) : rows_(rows), machine_(std::move(machine)) {}
@@ -24,7 +25,7 @@ class TableReporter final : public benchmark::BenchmarkReporter {
 
   const std::vector<Row>& rows_;
   Machine machine_;
-  std::map<std::string, Counters> finished_;
+  std::map<std::string, Finished> finished_;
   std::map<std::string, std::string> failed_;
 };
 

@@ -45,6 +45,12 @@ struct PowerOfTwo {
   S scale, inverse;
 };
 
+/// x = mantissa * 2^exponent; the exponent is an integer held in an S.
+template <class S>
+struct MantissaExponent {
+  S mantissa, exponent;
+};
+
 /// What generic code must know of a scalar type beyond its arithmetic; simd.h specialises it for packs.
 template <class S>
 struct ScalarTraits {
@@ -55,14 +61,30 @@ struct ScalarTraits {
   /// 1 / sqrt(x) for normal x > 0; error <= 2 eps.
   PHYSGEN_FUNCTION static S inverse_sqrt(S x) {
 #ifdef __CUDA_ARCH__
+    if constexpr (sizeof(S) == 4) return cuda_inverse_sqrt(x);
     return ::rsqrt(x);
 #else
     return S(1) / std::sqrt(x);
 #endif
   }
 
-  /// The power of two that brings finite x >= 0 into [4, 8), with its inverse. Subnormal x (and zero) get the largest
-  /// one whose inverse is normal; both ends are chosen so that neither number can over- or underflow.
+  /// The same and 1 / x as fast as the hardware has them, for what is corrected later: float to 11 bits or more,
+  /// double exact to a few eps. For normal x > 0 whose result is normal.
+  PHYSGEN_FUNCTION static S rough_inverse_sqrt(S x) { return inverse_sqrt(x); }
+  PHYSGEN_FUNCTION static S rough_inverse(S x) {
+#ifdef __CUDA_ARCH__
+    if constexpr (sizeof(S) == 4) {
+      float result;
+      asm("rcp.approx.ftz.f32 %0, %1;" : "=f"(result) : "f"(x));
+      return result;
+    }
+#endif
+    return S(1) / x;
+  }
+
+  /// The power of two that brings finite x >= 0 into [4, 8), with its inverse. x near the smallest normal number and
+  /// below gets the largest one whose inverse is normal; both ends are chosen so that neither number can over- or
+  /// underflow.
   PHYSGEN_FUNCTION static PowerOfTwo<S> normalising_scale(S x) {
     using Bits = std::conditional_t<sizeof(S) == 4, std::int32_t, std::int64_t>;
     constexpr int mantissa = std::numeric_limits<S>::digits - 1;
@@ -72,6 +94,28 @@ struct ScalarTraits {
     const Bits scale = wanted < 2 * bias - 1 ? wanted : 2 * bias - 1;
     return {std::bit_cast<S>(scale << mantissa), std::bit_cast<S>((2 * bias - scale) << mantissa)};
   }
+
+  /// Of a normal x > 0, exactly, with sqrt(1/2) <= mantissa < sqrt(2). Of any other x: some finite numbers.
+  PHYSGEN_FUNCTION static MantissaExponent<S> split(S x) {
+    using Bits = std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>;
+    using Exponent = std::conditional_t<sizeof(S) == 4, std::int32_t, std::int64_t>;
+    constexpr int mantissa = std::numeric_limits<S>::digits - 1;
+    constexpr Exponent bias = std::numeric_limits<S>::max_exponent - 1;
+    constexpr Bits least = std::bit_cast<Bits>(S(0.70710678118654752440L));
+    const Bits raised = std::bit_cast<Bits>(x) + ((Bits(bias) << mantissa) - least);
+    const Bits low = raised & ((Bits(1) << mantissa) - 1);
+    return {std::bit_cast<S>(low + least), static_cast<S>(static_cast<Exponent>(raised >> mantissa) - bias)};
+  }
+
+ private:
+#ifdef __CUDA_ARCH__
+  // One instruction, error < 1.1 eps; CUDA's rsqrtf adds the handling of subnormal x.
+  __device__ static float cuda_inverse_sqrt(float x) {
+    float result;
+    asm("rsqrt.approx.ftz.f32 %0, %1;" : "=f"(result) : "f"(x));
+    return result;
+  }
+#endif
 };
 
 }  // namespace physgen::math

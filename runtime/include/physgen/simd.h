@@ -12,6 +12,38 @@
 #include <type_traits>
 #include <xsimd/xsimd.hpp>
 
+namespace xsimd {
+
+// xsimd 8.1 has no fused multiply-add for AVX-512 and for SSE: it multiplies, then adds. These overloads are more
+// special than its own, and found wherever that one is. Kernels name each fusion, and contraction by the compiler is
+// off, so that packs of all widths, single numbers and CUDA round alike.
+template <class A>
+[[gnu::always_inline]] inline batch<float, A> fma(const batch<float, A>& x, const batch<float, A>& y,
+                                                  const batch<float, A>& z) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(x) == 64) return _mm512_fmadd_ps(x, y, z);
+#endif
+#if defined(__FMA__)
+  if constexpr (sizeof(x) == 32) return _mm256_fmadd_ps(x, y, z);
+  if constexpr (sizeof(x) == 16) return _mm_fmadd_ps(x, y, z);
+#endif
+  return kernel::fma<A>(x, y, z, A{});
+}
+template <class A>
+[[gnu::always_inline]] inline batch<double, A> fma(const batch<double, A>& x, const batch<double, A>& y,
+                                                   const batch<double, A>& z) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(x) == 64) return _mm512_fmadd_pd(x, y, z);
+#endif
+#if defined(__FMA__)
+  if constexpr (sizeof(x) == 32) return _mm256_fmadd_pd(x, y, z);
+  if constexpr (sizeof(x) == 16) return _mm_fmadd_pd(x, y, z);
+#endif
+  return kernel::fma<A>(x, y, z, A{});
+}
+
+}  // namespace xsimd
+
 namespace physgen {
 
 /// The widest batch of the target architecture.
@@ -20,13 +52,63 @@ using Batch = xsimd::batch<Real>;
 
 namespace math {
 
+namespace detail {
+
+/// Bits of the estimates that x86 has for packs of float; 0 where there are none.
+template <class S>
+constexpr int estimate_bits() {
+#if defined(__AVX__)
+  if constexpr (std::is_same_v<typename S::value_type, float>) return sizeof(S) == 64 ? 14 : sizeof(S) == 32 ? 11 : 0;
+#endif
+  return 0;
+}
+
+template <class S>
+S rough_inverse_sqrt(const S& x) {
+#if defined(__AVX512F__)
+  if constexpr (estimate_bits<S>() == 14) return _mm512_rsqrt14_ps(x);
+#endif
+#if defined(__AVX__)
+  if constexpr (estimate_bits<S>() == 11) return _mm256_rsqrt_ps(x);
+#endif
+  return S(typename S::value_type(1)) / xsimd::sqrt(x);
+}
+
+template <class S>
+S rough_inverse(const S& x) {
+#if defined(__AVX512F__)
+  if constexpr (estimate_bits<S>() == 14) return _mm512_rcp14_ps(x);
+#endif
+#if defined(__AVX__)
+  if constexpr (estimate_bits<S>() == 11) return _mm256_rcp_ps(x);
+#endif
+  return S(typename S::value_type(1)) / x;
+}
+
+/// An estimate and Newton's steps, each of which doubles its bits: a third of the time of a root and a quotient.
+template <class S>
+S inverse_sqrt(const S& x) {
+  using T = typename S::value_type;
+  S y = rough_inverse_sqrt(x);
+  constexpr int bits = estimate_bits<S>();
+  for (int have = bits; have != 0 && have < 24; have *= 2) {
+    const S rest = xsimd::fma(-x * y, y, S(T(1)));
+    y = xsimd::fma(y * S(T(0.5)), rest, y);
+  }
+  return y;
+}
+
+}  // namespace detail
+
 template <class T, class A>
 struct ScalarTraits<xsimd::batch<T, A>> {
   using S = xsimd::batch<T, A>;
   using Real = T;
   static constexpr int width = static_cast<int>(S::size);
 
-  static S inverse_sqrt(const S& x) { return S(T(1)) / xsimd::sqrt(x); }
+  static S inverse_sqrt(const S& x) { return detail::inverse_sqrt(x); }
+  static S rough_inverse_sqrt(const S& x) { return detail::rough_inverse_sqrt(x); }
+  static S rough_inverse(const S& x) { return detail::rough_inverse(x); }
 
   static PowerOfTwo<S> normalising_scale(const S& x) {
     using Int = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
@@ -36,6 +118,20 @@ struct ScalarTraits<xsimd::batch<T, A>> {
     const Bits exponent = xsimd::bitwise_cast<Bits>(x) >> mantissa;
     const Bits scale = xsimd::min(Bits(2 * bias + 2) - exponent, Bits(2 * bias - 1));
     return {xsimd::bitwise_cast<S>(scale << mantissa), xsimd::bitwise_cast<S>((Bits(2 * bias) - scale) << mantissa)};
+  }
+
+  static MantissaExponent<S> split(const S& x) {
+    using Int = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    using Bits = xsimd::batch<Int, A>;
+    constexpr int mantissa = std::numeric_limits<T>::digits - 1;
+    constexpr Int bias = std::numeric_limits<T>::max_exponent - 1;
+    constexpr Int least = std::bit_cast<Int>(T(0.70710678118654752440L));
+    // An integer below 2^mantissa, put into the low bits of this number, is added to it: the conversion to S.
+    constexpr T holder = static_cast<T>(Int(1) << mantissa);
+    const Bits raised = xsimd::bitwise_cast<Bits>(x) + Bits((bias << mantissa) - least);
+    const Bits low = raised & Bits((Int(1) << mantissa) - 1);
+    const Bits held = (raised >> mantissa) + Bits(std::bit_cast<Int>(holder));
+    return {xsimd::bitwise_cast<S>(low + Bits(least)), xsimd::bitwise_cast<S>(held) - S(holder + T(bias))};
   }
 };
 
