@@ -2,7 +2,6 @@
 #include "agreement.h"
 
 #include <fem/reference/matrix_families.h>
-#include <physgen/parallel_for.h>
 #include <unistd.h>
 
 #include <algorithm>

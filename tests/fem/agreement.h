@@ -9,6 +9,11 @@
 #include <fem/materials.h>
 #include <fem/stress.h>
 #include <fem/stress_derivative.h>
+#ifdef __CUDACC__
+#include <physgen/cuda/parallel_for.h>
+#else
+#include <physgen/parallel_for.h>
+#endif
 
 #include <map>
 #include <string>

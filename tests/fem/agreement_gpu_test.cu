@@ -1,6 +1,4 @@
 // CUDA against the file that a CPU run in packs wrote.
-#include <physgen/cuda/parallel_for.h>
-
 #include "agreement_checks.h"
 #include "run_case.h"
 

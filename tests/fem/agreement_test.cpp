@@ -1,5 +1,4 @@
 // Packs against single numbers and narrower packs, through the file of results.
-#include <physgen/parallel_for.h>
 #include <unistd.h>
 
 #include <filesystem>

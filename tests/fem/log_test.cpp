@@ -70,7 +70,9 @@ TYPED_TEST(LogTwoPart, keeps_its_relative_accuracy_next_to_one) {
     this->add(TypeParam(1 + ulps * this->eps), 0);
     this->add(TypeParam(1 - ulps * this->eps / 2), 0);
   }
-  for (double distance = 0.3; distance > 64 * this->eps; distance *= 0.9) {
+  double distance = 0.3;
+  while (distance > 64 * this->eps) {
+    distance *= 0.9;
     this->add(TypeParam(1 + distance * random.uniform(0.5, 1)), 0);
     this->add(TypeParam(1 - distance * random.uniform(0.5, 1)), 0);
   }

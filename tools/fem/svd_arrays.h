@@ -55,7 +55,7 @@ constexpr bool goes_with() {
 /// @param U, V arrays of types whose only field is a Rotation or Matrix<3, 3>, written; or `skip`
 /// @param s array of a type whose only field is a Diagonal<3> or Vector<3>, written; or `skip`
 /// @tparam kSweeps see svd(A)
-/// @pre F is none of the others
+/// @pre all four differ
 /// @throw Error when sizes differ; nothing is written then
 template <int kSweeps = 4, class Gradients, class Left, class Stretches, class Right>
 void svd(const Gradients& F, Left&& U, Stretches&& s, Right&& V) {

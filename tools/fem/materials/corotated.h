@@ -24,7 +24,7 @@ struct Corotated {
   }
 
   /// @return psi [J/m^3]
-  /// Error <= 8 eps of |psi| + mu |s - 1|^2 (measured 2.3).
+  /// Error <= 8 eps of |psi| + mu |s - 1|^2.
   template <class S>
   PHYSGEN_FUNCTION S energy(const Vector3<S>& s) const {
     const S one(Real(1)), T = trace(s).head;
@@ -33,14 +33,14 @@ struct Corotated {
   }
 
   /// @return g = dpsi/ds [Pa]
-  /// Error <= 8 eps |H| |s| (measured 0.8).
+  /// Error <= 8 eps |H| |s|.
   template <class S>
   PHYSGEN_FUNCTION Vector3<S> stress(const Vector3<S>& s) const {
     const S one(Real(1)), m2(2 * mu), pressure = S(lambda) * trace(s).head;
     return {fma(m2, s[0] - one, pressure), fma(m2, s[1] - one, pressure), fma(m2, s[2] - one, pressure)};
   }
 
-  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest (measured 2.4).
+  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest.
   /// 2 mu - lambda T comes from T in two parts, which keeps its digits where it vanishes beside the pole.
   template <class S>
   PHYSGEN_FUNCTION PrincipalDerivative<S> derivative(const Vector3<S>& s) const {

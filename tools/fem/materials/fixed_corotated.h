@@ -24,7 +24,7 @@ struct FixedCorotated {
   }
 
   /// @return psi [J/m^3]
-  /// Error <= 8 eps of |psi| + mu |s - 1|^2 (measured 2.9).
+  /// Error <= 8 eps of |psi| + mu |s - 1|^2.
   template <class S>
   PHYSGEN_FUNCTION S energy(const Vector3<S>& s) const {
     const S one(Real(1)), half(Real(0.5));
@@ -34,7 +34,7 @@ struct FixedCorotated {
   }
 
   /// @return g = dpsi/ds [Pa]
-  /// Error <= 8 eps |H| |s| (measured 1).
+  /// Error <= 8 eps |H| |s|.
   template <class S>
   PHYSGEN_FUNCTION Vector3<S> stress(const Vector3<S>& s) const {
     const S one(Real(1)), m2(2 * mu);
@@ -43,7 +43,7 @@ struct FixedCorotated {
             fma(m2, s[2] - one, p * (s[0] * s[1]))};
   }
 
-  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest (measured 2.7).
+  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest.
   template <class S>
   PHYSGEN_FUNCTION PrincipalDerivative<S> derivative(const Vector3<S>& s) const {
     const S l(lambda), m2(2 * mu), smallest(smallest_stretch_sum);

@@ -24,7 +24,7 @@ struct NeoHookean {
   }
 
   /// @return psi [J/m^3], without cancellation near rest
-  /// Error <= 8 eps of |psi| + mu |s - 1|^2 (measured 3.4).
+  /// Error <= 8 eps of |psi| + mu |s - 1|^2.
   template <class S>
   PHYSGEN_FUNCTION S energy(const Vector3<S>& s) const {
     const S half(Real(0.5)), m(mu), l(lambda);
@@ -38,13 +38,13 @@ struct NeoHookean {
   }
 
   /// @return g = dpsi/ds [Pa]; zero at rest, with errors of a few eps of the strain near it
-  /// Error <= 8 eps |H| |s| (measured 3.8).
+  /// Error <= 8 eps |H| |s|.
   template <class S>
   PHYSGEN_FUNCTION Vector3<S> stress(const Vector3<S>& s) const {
     return detail::shear_and_volume_stress(S(mu), volume(s).slope_from_rest, s);
   }
 
-  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest (measured 3.4).
+  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest.
   template <class S>
   PHYSGEN_FUNCTION PrincipalDerivative<S> derivative(const Vector3<S>& s) const {
     return detail::shear_and_volume_derivative(S(mu), volume(s).term, s);

@@ -20,7 +20,7 @@ struct StVenantKirchhoff {
   }
 
   /// @return psi [J/m^3], without cancellation near rest
-  /// Error <= 8 eps of |psi| + mu |s - 1|^2 (measured 3.6).
+  /// Error <= 8 eps of |psi| + mu |s - 1|^2.
   template <class S>
   PHYSGEN_FUNCTION S energy(const Vector3<S>& s) const {
     const Vector3<S> q = twice_green_strain(s);
@@ -30,7 +30,7 @@ struct StVenantKirchhoff {
   }
 
   /// @return g = dpsi/ds [Pa]; zero at rest, with errors of a few eps of the strain near it
-  /// Error <= 8 eps |H| |s| (measured 1.7).
+  /// Error <= 8 eps |H| |s|.
   template <class S>
   PHYSGEN_FUNCTION Vector3<S> stress(const Vector3<S>& s) const {
     const Vector3<S> q = twice_green_strain(s);
@@ -38,7 +38,7 @@ struct StVenantKirchhoff {
     return {s[0] * fma(m, q[0], pressure), s[1] * fma(m, q[1], pressure), s[2] * fma(m, q[2], pressure)};
   }
 
-  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest (measured 2.6).
+  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest.
   template <class S>
   PHYSGEN_FUNCTION PrincipalDerivative<S> derivative(const Vector3<S>& s) const {
     const S m(mu), l(lambda), stiff(3 * mu + lambda);

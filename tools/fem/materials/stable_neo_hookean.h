@@ -23,7 +23,7 @@ struct StableNeoHookean {
   }
 
   /// @return psi [J/m^3], without cancellation near rest
-  /// Error <= 8 eps of |psi| + mu |s - 1|^2 (measured 3.0).
+  /// Error <= 8 eps of |psi| + mu |s - 1|^2.
   template <class S>
   PHYSGEN_FUNCTION S energy(const Vector3<S>& s) const {
     const S half(Real(0.5));
@@ -32,13 +32,13 @@ struct StableNeoHookean {
   }
 
   /// @return g = dpsi/ds [Pa]; zero at rest, with errors of a few eps of the strain near it
-  /// Error <= 8 eps |H| |s| (measured 1).
+  /// Error <= 8 eps |H| |s|.
   template <class S>
   PHYSGEN_FUNCTION Vector3<S> stress(const Vector3<S>& s) const {
     return detail::shear_and_volume_stress<S>(S(mu), S(lambda) * detail::volume_change(detail::volume_ratio(s)), s);
   }
 
-  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest (measured 1.9).
+  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest.
   template <class S>
   PHYSGEN_FUNCTION PrincipalDerivative<S> derivative(const Vector3<S>& s) const {
     const S m(mu), l(lambda);

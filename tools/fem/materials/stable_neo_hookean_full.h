@@ -26,7 +26,7 @@ struct StableNeoHookeanFull {
 
   /// @return psi [J/m^3], without cancellation near rest: the terms of first order are taken together,
   /// 3/4 mu ((I1 - 3)/2 - (J - 1)) + lambda/2 (J - 1)^2 + mu/2 (x - ln(1 + x)), x = (I1 - 3) / 4.
-  /// Error <= 8 eps of |psi| + mu |s - 1|^2 (measured 3.0).
+  /// Error <= 8 eps of |psi| + mu |s - 1|^2.
   template <class S>
   PHYSGEN_FUNCTION S energy(const Vector3<S>& s) const {
     const S one(Real(1)), half(Real(0.5)), m(mu);
@@ -38,7 +38,7 @@ struct StableNeoHookeanFull {
   }
 
   /// @return g = dpsi/ds [Pa]; zero at rest, with errors of a few eps of the strain near it
-  /// Error <= 8 eps |H| |s| (measured 1.1).
+  /// Error <= 8 eps |H| |s|.
   template <class S>
   PHYSGEN_FUNCTION Vector3<S> stress(const Vector3<S>& s) const {
     const Shear<S> k = shear(s);
@@ -48,7 +48,7 @@ struct StableNeoHookeanFull {
     return detail::shear_and_volume_stress(k.modulus, from_rest, s);
   }
 
-  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest (measured 2.2).
+  /// @return the 12 entries [Pa]. Error <= 8 eps of the largest.
   template <class S>
   PHYSGEN_FUNCTION PrincipalDerivative<S> derivative(const Vector3<S>& s) const {
     const S l(lambda), m(Real(0.75) * mu);

@@ -36,7 +36,7 @@ class ErrorDistribution {
   [[nodiscard]] double percentile(double fraction) const {
     if (errors_.empty()) return 0;
     std::vector<double> values = errors_;
-    const double last = static_cast<double>(values.size() - 1);
+    const auto last = static_cast<double>(values.size() - 1);
     const auto k = static_cast<std::ptrdiff_t>(std::ceil(fraction * last));
     std::nth_element(values.begin(), values.begin() + k, values.end());
     return values[static_cast<std::size_t>(k)];

@@ -131,12 +131,12 @@ void add_stretches(Families& f, const Precision& p) {
   // Numbers from 0.5 to 1 are half an epsilon apart, from 0.25 to 0.5 a quarter.
   for (const double ulps : {1., 2., 10., 1000.}) {
     const double below_1 = ulps * p.epsilon / 2, below_half = ulps * p.epsilon / 4;
-    stretches.push_back({"2, 1, 1 - " + number(ulps) + " ulp", V(2, 1, 1 - below_1)});
-    stretches.push_back({"1, 1 - " + number(ulps) + " ulp, 0.5", V(1, 1 - below_1, 0.5)});
-    stretches.push_back({"all within " + number(ulps) + " ulp", V(1, 1 - below_1, 1 - 2 * below_1)});
-    stretches.push_back({"1, 0.5, -0.5 + " + number(ulps) + " ulp", V(1, 0.5, -0.5 + below_half)});
-    stretches.push_back({"1, 1, " + number(ulps) + " epsilon", V(1, 1, ulps * p.epsilon)});
-    stretches.push_back({"1, 1, -" + number(ulps) + " epsilon", V(1, 1, -ulps * p.epsilon)});
+    stretches.emplace_back("2, 1, 1 - " + number(ulps) + " ulp", V(2, 1, 1 - below_1));
+    stretches.emplace_back("1, 1 - " + number(ulps) + " ulp, 0.5", V(1, 1 - below_1, 0.5));
+    stretches.emplace_back("all within " + number(ulps) + " ulp", V(1, 1 - below_1, 1 - 2 * below_1));
+    stretches.emplace_back("1, 0.5, -0.5 + " + number(ulps) + " ulp", V(1, 0.5, -0.5 + below_half));
+    stretches.emplace_back("1, 1, " + number(ulps) + " epsilon", V(1, 1, ulps * p.epsilon));
+    stretches.emplace_back("1, 1, -" + number(ulps) + " epsilon", V(1, 1, -ulps * p.epsilon));
   }
   for (const auto& [name, s] : stretches) {
     f.push_back({"s = " + name, [s = s](RandomMatrices& r) -> M { return turned(r, s); }});

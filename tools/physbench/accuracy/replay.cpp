@@ -80,6 +80,7 @@ std::vector<Real> read_numbers(const char* kernel, const std::vector<std::string
   const std::string message = "replay " + std::string(kernel) + " takes " + expected;
   if (words.size() != count) throw Error(message + ", not " + std::to_string(words.size()));
   std::vector<Real> numbers;
+  numbers.reserve(count);
   for (const std::string& word : words) numbers.push_back(read_number<Real>(word, message));
   return numbers;
 }
