@@ -3,8 +3,8 @@
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 1
-#error "elasticity.physgen.h is for version 1 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 2
+#error "elasticity.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace elasticity {
@@ -19,18 +19,28 @@ struct DeformationGradient {
   Eigen::Matrix<Real, 3, 3> F;
 };
 
+/// How the fields of one DeformationGradient are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of DeformationGradientArray.
+template <class Space>
+struct DeformationGradientFormats {
+  using F = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one DeformationGradient [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct DeformationGradientRecord {
-  static constexpr int F = 0;
-  static constexpr int bytes = 9 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),
+  }});
+  static constexpr int F = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One DeformationGradient of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class DeformationGradientRef {
-  using Record = DeformationGradientRecord<Real>;
+  using Record = DeformationGradientRecord<Real, Formats>;
 
  public:
   using Value = DeformationGradient<typename Cursor::template Lanes<Real>>;
@@ -39,7 +49,7 @@ class DeformationGradientRef {
 
   /// current over rest shape; the identity at rest [1]
   PHYSGEN_FUNCTION decltype(auto) F() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::F);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -58,25 +68,33 @@ struct DeformationGradientObject {
   static constexpr std::string_view name = "elasticity::DeformationGradient";
   template <class Real>
   using Value = DeformationGradient<Real>;
-  template <class Real>
-  using Record = DeformationGradientRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = DeformationGradientRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = DeformationGradientRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = DeformationGradientRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"F", "1", physgen::element_type<Real>, DeformationGradientRecord<Real>::F, 9, 0},
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
+        "F", "1", DeformationGradientRecord<Real, Formats>::F, 1, 0),
   }};
+  template <class Space>
+  using Formats = DeformationGradientFormats<Space>;
 };
 
-template <class Real, class Layout>
-using DeformationGradientView = physgen::View<DeformationGradientObject, Real, Layout>;
+template <class Real, class Layout, class Formats = DeformationGradientFormats<physgen::Host>>
+using DeformationGradientView = physgen::View<DeformationGradientObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using DeformationGradientArray = physgen::Array<DeformationGradientObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<DeformationGradientObject, Space>>
+using DeformationGradientArray = physgen::Array<DeformationGradientObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<DeformationGradientObject, float>(36, 4));
-static_assert(physgen::is_sound_record<DeformationGradientObject, double>(72, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<DeformationGradientObject, float, DeformationGradientFormats<physgen::Host>>(
+    36, 4, {0}));
+static_assert(physgen::is_sound_record<DeformationGradientObject, double, DeformationGradientFormats<physgen::Host>>(
+    72, 8, {0}));
 
 // ---- DeformationGradientDifferential --------------------------------------------------------------------------------
 
@@ -88,19 +106,30 @@ struct DeformationGradientDifferential {
   Eigen::Matrix<Real, 3, 3> dF;
 };
 
+/// How the fields of one DeformationGradientDifferential are stored in a memory space. To store some otherwise, derive
+/// from it, declare those anew, and name the derived struct as the last argument of
+/// DeformationGradientDifferentialArray.
+template <class Space>
+struct DeformationGradientDifferentialFormats {
+  using dF = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one DeformationGradientDifferential [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct DeformationGradientDifferentialRecord {
-  static constexpr int dF = 0;
-  static constexpr int bytes = 9 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(),
+  }});
+  static constexpr int dF = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One DeformationGradientDifferential of an array, or those under a SIMD index: fields by name, all of them by get and
 /// put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class DeformationGradientDifferentialRef {
-  using Record = DeformationGradientDifferentialRecord<Real>;
+  using Record = DeformationGradientDifferentialRecord<Real, Formats>;
 
  public:
   using Value = DeformationGradientDifferential<typename Cursor::template Lanes<Real>>;
@@ -109,7 +138,7 @@ class DeformationGradientDifferentialRef {
 
   /// change of F along a displacement differential [1]
   PHYSGEN_FUNCTION decltype(auto) dF() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::dF);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(Record::dF);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -128,25 +157,36 @@ struct DeformationGradientDifferentialObject {
   static constexpr std::string_view name = "elasticity::DeformationGradientDifferential";
   template <class Real>
   using Value = DeformationGradientDifferential<Real>;
-  template <class Real>
-  using Record = DeformationGradientDifferentialRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = DeformationGradientDifferentialRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = DeformationGradientDifferentialRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = DeformationGradientDifferentialRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"dF", "1", physgen::element_type<Real>, DeformationGradientDifferentialRecord<Real>::dF, 9, 0},
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(
+        "dF", "1", DeformationGradientDifferentialRecord<Real, Formats>::dF, 1, 0),
   }};
+  template <class Space>
+  using Formats = DeformationGradientDifferentialFormats<Space>;
 };
 
-template <class Real, class Layout>
-using DeformationGradientDifferentialView = physgen::View<DeformationGradientDifferentialObject, Real, Layout>;
+template <class Real, class Layout, class Formats = DeformationGradientDifferentialFormats<physgen::Host>>
+using DeformationGradientDifferentialView = physgen::View<DeformationGradientDifferentialObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using DeformationGradientDifferentialArray = physgen::Array<DeformationGradientDifferentialObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<DeformationGradientDifferentialObject, Space>>
+using DeformationGradientDifferentialArray = physgen::Array<DeformationGradientDifferentialObject, Real, Space, Layout,
+    Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<DeformationGradientDifferentialObject, float>(36, 4));
-static_assert(physgen::is_sound_record<DeformationGradientDifferentialObject, double>(72, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<DeformationGradientDifferentialObject, float,
+    DeformationGradientDifferentialFormats<physgen::Host>>(
+    36, 4, {0}));
+static_assert(physgen::is_sound_record<DeformationGradientDifferentialObject, double,
+    DeformationGradientDifferentialFormats<physgen::Host>>(
+    72, 8, {0}));
 
 // ---- DeformationSvd -------------------------------------------------------------------------------------------------
 
@@ -162,20 +202,34 @@ struct DeformationSvd {
   Eigen::Matrix<Real, 3, 1> s;
 };
 
+/// How the fields of one DeformationSvd are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of DeformationSvdArray.
+template <class Space>
+struct DeformationSvdFormats {
+  using U = physgen::format::Native;
+  using V = physgen::format::Native;
+  using s = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one DeformationSvd [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct DeformationSvdRecord {
-  static constexpr int U = 0;
-  static constexpr int V = 9 * sizeof(Real);
-  static constexpr int s = 18 * sizeof(Real);
-  static constexpr int bytes = 21 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<3>({{
+    physgen::slot<physgen::shape::Rotation, typename Formats::U, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::V, Real>(),
+    physgen::slot<physgen::shape::Diagonal<3>, typename Formats::s, Real>(),
+  }});
+  static constexpr int U = plan_.offset[0];
+  static constexpr int V = plan_.offset[1];
+  static constexpr int s = plan_.offset[2];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One DeformationSvd of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class DeformationSvdRef {
-  using Record = DeformationSvdRecord<Real>;
+  using Record = DeformationSvdRecord<Real, Formats>;
 
  public:
   using Value = DeformationSvd<typename Cursor::template Lanes<Real>>;
@@ -183,11 +237,17 @@ class DeformationSvdRef {
   PHYSGEN_FUNCTION explicit DeformationSvdRef(const Cursor& cursor) : at_(cursor) {}
 
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  PHYSGEN_FUNCTION decltype(auto) U() const { return at_.template field<physgen::shape::Rotation, Real>(Record::U); }
+  PHYSGEN_FUNCTION decltype(auto) U() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::U, Real>(Record::U);
+  }
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  PHYSGEN_FUNCTION decltype(auto) V() const { return at_.template field<physgen::shape::Rotation, Real>(Record::V); }
+  PHYSGEN_FUNCTION decltype(auto) V() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::V, Real>(Record::V);
+  }
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) s() const { return at_.template field<physgen::shape::Diagonal<3>, Real>(Record::s); }
+  PHYSGEN_FUNCTION decltype(auto) s() const {
+    return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -211,27 +271,37 @@ struct DeformationSvdObject {
   static constexpr std::string_view name = "elasticity::DeformationSvd";
   template <class Real>
   using Value = DeformationSvd<Real>;
-  template <class Real>
-  using Record = DeformationSvdRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = DeformationSvdRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = DeformationSvdRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = DeformationSvdRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 3> fields = {{
-      {"U", "", physgen::element_type<Real>, DeformationSvdRecord<Real>::U, 9, 0},
-      {"V", "", physgen::element_type<Real>, DeformationSvdRecord<Real>::V, 9, 0},
-      {"s", "1", physgen::element_type<Real>, DeformationSvdRecord<Real>::s, 3, 0},
+    physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
+        "U", "", DeformationSvdRecord<Real, Formats>::U, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::V, Real>(
+        "V", "", DeformationSvdRecord<Real, Formats>::V, 1, 0),
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
+        "s", "1", DeformationSvdRecord<Real, Formats>::s, 1, 0),
   }};
+  template <class Space>
+  using Formats = DeformationSvdFormats<Space>;
 };
 
-template <class Real, class Layout>
-using DeformationSvdView = physgen::View<DeformationSvdObject, Real, Layout>;
+template <class Real, class Layout, class Formats = DeformationSvdFormats<physgen::Host>>
+using DeformationSvdView = physgen::View<DeformationSvdObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using DeformationSvdArray = physgen::Array<DeformationSvdObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<DeformationSvdObject, Space>>
+using DeformationSvdArray = physgen::Array<DeformationSvdObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<DeformationSvdObject, float>(84, 4));
-static_assert(physgen::is_sound_record<DeformationSvdObject, double>(168, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<DeformationSvdObject, float, DeformationSvdFormats<physgen::Host>>(
+    84, 4, {0, 36, 72}));
+static_assert(physgen::is_sound_record<DeformationSvdObject, double, DeformationSvdFormats<physgen::Host>>(
+    168, 8, {0, 72, 144}));
 
 // ---- QuaternionSvd --------------------------------------------------------------------------------------------------
 
@@ -247,20 +317,34 @@ struct QuaternionSvd {
   Eigen::Matrix<Real, 3, 1> s;
 };
 
+/// How the fields of one QuaternionSvd are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of QuaternionSvdArray.
+template <class Space>
+struct QuaternionSvdFormats {
+  using u = physgen::format::Native;
+  using v = physgen::format::Native;
+  using s = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one QuaternionSvd [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct QuaternionSvdRecord {
-  static constexpr int u = 0;
-  static constexpr int v = 4 * sizeof(Real);
-  static constexpr int s = 8 * sizeof(Real);
-  static constexpr int bytes = 11 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<3>({{
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::u, Real>(),
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::v, Real>(),
+    physgen::slot<physgen::shape::Diagonal<3>, typename Formats::s, Real>(),
+  }});
+  static constexpr int u = plan_.offset[0];
+  static constexpr int v = plan_.offset[1];
+  static constexpr int s = plan_.offset[2];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One QuaternionSvd of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class QuaternionSvdRef {
-  using Record = QuaternionSvdRecord<Real>;
+  using Record = QuaternionSvdRecord<Real, Formats>;
 
  public:
   using Value = QuaternionSvd<typename Cursor::template Lanes<Real>>;
@@ -268,11 +352,17 @@ class QuaternionSvdRef {
   PHYSGEN_FUNCTION explicit QuaternionSvdRef(const Cursor& cursor) : at_(cursor) {}
 
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  PHYSGEN_FUNCTION decltype(auto) u() const { return at_.template field<physgen::shape::Vector<4>, Real>(Record::u); }
+  PHYSGEN_FUNCTION decltype(auto) u() const {
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::u, Real>(Record::u);
+  }
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  PHYSGEN_FUNCTION decltype(auto) v() const { return at_.template field<physgen::shape::Vector<4>, Real>(Record::v); }
+  PHYSGEN_FUNCTION decltype(auto) v() const {
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::v, Real>(Record::v);
+  }
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) s() const { return at_.template field<physgen::shape::Diagonal<3>, Real>(Record::s); }
+  PHYSGEN_FUNCTION decltype(auto) s() const {
+    return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -296,27 +386,37 @@ struct QuaternionSvdObject {
   static constexpr std::string_view name = "elasticity::QuaternionSvd";
   template <class Real>
   using Value = QuaternionSvd<Real>;
-  template <class Real>
-  using Record = QuaternionSvdRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = QuaternionSvdRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = QuaternionSvdRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = QuaternionSvdRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 3> fields = {{
-      {"u", "", physgen::element_type<Real>, QuaternionSvdRecord<Real>::u, 4, 0},
-      {"v", "", physgen::element_type<Real>, QuaternionSvdRecord<Real>::v, 4, 0},
-      {"s", "1", physgen::element_type<Real>, QuaternionSvdRecord<Real>::s, 3, 0},
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::u, Real>(
+        "u", "", QuaternionSvdRecord<Real, Formats>::u, 1, 0),
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::v, Real>(
+        "v", "", QuaternionSvdRecord<Real, Formats>::v, 1, 0),
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
+        "s", "1", QuaternionSvdRecord<Real, Formats>::s, 1, 0),
   }};
+  template <class Space>
+  using Formats = QuaternionSvdFormats<Space>;
 };
 
-template <class Real, class Layout>
-using QuaternionSvdView = physgen::View<QuaternionSvdObject, Real, Layout>;
+template <class Real, class Layout, class Formats = QuaternionSvdFormats<physgen::Host>>
+using QuaternionSvdView = physgen::View<QuaternionSvdObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using QuaternionSvdArray = physgen::Array<QuaternionSvdObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<QuaternionSvdObject, Space>>
+using QuaternionSvdArray = physgen::Array<QuaternionSvdObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<QuaternionSvdObject, float>(44, 4));
-static_assert(physgen::is_sound_record<QuaternionSvdObject, double>(88, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<QuaternionSvdObject, float, QuaternionSvdFormats<physgen::Host>>(
+    44, 4, {0, 16, 32}));
+static_assert(physgen::is_sound_record<QuaternionSvdObject, double, QuaternionSvdFormats<physgen::Host>>(
+    88, 8, {0, 32, 64}));
 
 // ---- PrincipalStretches ---------------------------------------------------------------------------------------------
 
@@ -328,18 +428,28 @@ struct PrincipalStretches {
   Eigen::Matrix<Real, 3, 1> s;
 };
 
+/// How the fields of one PrincipalStretches are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of PrincipalStretchesArray.
+template <class Space>
+struct PrincipalStretchesFormats {
+  using s = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one PrincipalStretches [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct PrincipalStretchesRecord {
-  static constexpr int s = 0;
-  static constexpr int bytes = 3 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Diagonal<3>, typename Formats::s, Real>(),
+  }});
+  static constexpr int s = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One PrincipalStretches of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class PrincipalStretchesRef {
-  using Record = PrincipalStretchesRecord<Real>;
+  using Record = PrincipalStretchesRecord<Real, Formats>;
 
  public:
   using Value = PrincipalStretches<typename Cursor::template Lanes<Real>>;
@@ -347,7 +457,9 @@ class PrincipalStretchesRef {
   PHYSGEN_FUNCTION explicit PrincipalStretchesRef(const Cursor& cursor) : at_(cursor) {}
 
   /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) s() const { return at_.template field<physgen::shape::Diagonal<3>, Real>(Record::s); }
+  PHYSGEN_FUNCTION decltype(auto) s() const {
+    return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -365,25 +477,33 @@ struct PrincipalStretchesObject {
   static constexpr std::string_view name = "elasticity::PrincipalStretches";
   template <class Real>
   using Value = PrincipalStretches<Real>;
-  template <class Real>
-  using Record = PrincipalStretchesRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = PrincipalStretchesRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = PrincipalStretchesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PrincipalStretchesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"s", "1", physgen::element_type<Real>, PrincipalStretchesRecord<Real>::s, 3, 0},
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
+        "s", "1", PrincipalStretchesRecord<Real, Formats>::s, 1, 0),
   }};
+  template <class Space>
+  using Formats = PrincipalStretchesFormats<Space>;
 };
 
-template <class Real, class Layout>
-using PrincipalStretchesView = physgen::View<PrincipalStretchesObject, Real, Layout>;
+template <class Real, class Layout, class Formats = PrincipalStretchesFormats<physgen::Host>>
+using PrincipalStretchesView = physgen::View<PrincipalStretchesObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using PrincipalStretchesArray = physgen::Array<PrincipalStretchesObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PrincipalStretchesObject, Space>>
+using PrincipalStretchesArray = physgen::Array<PrincipalStretchesObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<PrincipalStretchesObject, float>(12, 4));
-static_assert(physgen::is_sound_record<PrincipalStretchesObject, double>(24, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PrincipalStretchesObject, float, PrincipalStretchesFormats<physgen::Host>>(
+    12, 4, {0}));
+static_assert(physgen::is_sound_record<PrincipalStretchesObject, double, PrincipalStretchesFormats<physgen::Host>>(
+    24, 8, {0}));
 
 // ---- ElementRotation ------------------------------------------------------------------------------------------------
 
@@ -395,18 +515,28 @@ struct ElementRotation {
   Eigen::Matrix<Real, 3, 3> R;
 };
 
+/// How the fields of one ElementRotation are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of ElementRotationArray.
+template <class Space>
+struct ElementRotationFormats {
+  using R = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one ElementRotation [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct ElementRotationRecord {
-  static constexpr int R = 0;
-  static constexpr int bytes = 9 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Rotation, typename Formats::R, Real>(),
+  }});
+  static constexpr int R = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One ElementRotation of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class ElementRotationRef {
-  using Record = ElementRotationRecord<Real>;
+  using Record = ElementRotationRecord<Real, Formats>;
 
  public:
   using Value = ElementRotation<typename Cursor::template Lanes<Real>>;
@@ -414,7 +544,9 @@ class ElementRotationRef {
   PHYSGEN_FUNCTION explicit ElementRotationRef(const Cursor& cursor) : at_(cursor) {}
 
   /// det R = 1. Rotation, 9 stored.
-  PHYSGEN_FUNCTION decltype(auto) R() const { return at_.template field<physgen::shape::Rotation, Real>(Record::R); }
+  PHYSGEN_FUNCTION decltype(auto) R() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::R, Real>(Record::R);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -432,25 +564,33 @@ struct ElementRotationObject {
   static constexpr std::string_view name = "elasticity::ElementRotation";
   template <class Real>
   using Value = ElementRotation<Real>;
-  template <class Real>
-  using Record = ElementRotationRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = ElementRotationRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = ElementRotationRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = ElementRotationRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"R", "", physgen::element_type<Real>, ElementRotationRecord<Real>::R, 9, 0},
+    physgen::field_info<physgen::shape::Rotation, typename Formats::R, Real>(
+        "R", "", ElementRotationRecord<Real, Formats>::R, 1, 0),
   }};
+  template <class Space>
+  using Formats = ElementRotationFormats<Space>;
 };
 
-template <class Real, class Layout>
-using ElementRotationView = physgen::View<ElementRotationObject, Real, Layout>;
+template <class Real, class Layout, class Formats = ElementRotationFormats<physgen::Host>>
+using ElementRotationView = physgen::View<ElementRotationObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using ElementRotationArray = physgen::Array<ElementRotationObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<ElementRotationObject, Space>>
+using ElementRotationArray = physgen::Array<ElementRotationObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<ElementRotationObject, float>(36, 4));
-static_assert(physgen::is_sound_record<ElementRotationObject, double>(72, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<ElementRotationObject, float, ElementRotationFormats<physgen::Host>>(
+    36, 4, {0}));
+static_assert(physgen::is_sound_record<ElementRotationObject, double, ElementRotationFormats<physgen::Host>>(
+    72, 8, {0}));
 
 // ---- StressDerivative -----------------------------------------------------------------------------------------------
 
@@ -485,29 +625,61 @@ struct StressDerivative {
   Real x3223;
 };
 
+/// How the fields of one StressDerivative are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of StressDerivativeArray.
+template <class Space>
+struct StressDerivativeFormats {
+  using x1111 = physgen::format::Native;
+  using x2211 = physgen::format::Native;
+  using x3311 = physgen::format::Native;
+  using x2222 = physgen::format::Native;
+  using x3322 = physgen::format::Native;
+  using x3333 = physgen::format::Native;
+  using x2121 = physgen::format::Native;
+  using x2112 = physgen::format::Native;
+  using x3131 = physgen::format::Native;
+  using x3113 = physgen::format::Native;
+  using x3232 = physgen::format::Native;
+  using x3223 = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one StressDerivative [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct StressDerivativeRecord {
-  static constexpr int x1111 = 0;
-  static constexpr int x2211 = sizeof(Real);
-  static constexpr int x3311 = 2 * sizeof(Real);
-  static constexpr int x2222 = 3 * sizeof(Real);
-  static constexpr int x3322 = 4 * sizeof(Real);
-  static constexpr int x3333 = 5 * sizeof(Real);
-  static constexpr int x2121 = 6 * sizeof(Real);
-  static constexpr int x2112 = 7 * sizeof(Real);
-  static constexpr int x3131 = 8 * sizeof(Real);
-  static constexpr int x3113 = 9 * sizeof(Real);
-  static constexpr int x3232 = 10 * sizeof(Real);
-  static constexpr int x3223 = 11 * sizeof(Real);
-  static constexpr int bytes = 12 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<12>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::x1111, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2211, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3311, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2222, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3322, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3333, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2121, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2112, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3131, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3113, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3232, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3223, Real>(),
+  }});
+  static constexpr int x1111 = plan_.offset[0];
+  static constexpr int x2211 = plan_.offset[1];
+  static constexpr int x3311 = plan_.offset[2];
+  static constexpr int x2222 = plan_.offset[3];
+  static constexpr int x3322 = plan_.offset[4];
+  static constexpr int x3333 = plan_.offset[5];
+  static constexpr int x2121 = plan_.offset[6];
+  static constexpr int x2112 = plan_.offset[7];
+  static constexpr int x3131 = plan_.offset[8];
+  static constexpr int x3113 = plan_.offset[9];
+  static constexpr int x3232 = plan_.offset[10];
+  static constexpr int x3223 = plan_.offset[11];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One StressDerivative of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class StressDerivativeRef {
-  using Record = StressDerivativeRecord<Real>;
+  using Record = StressDerivativeRecord<Real, Formats>;
 
  public:
   using Value = StressDerivative<typename Cursor::template Lanes<Real>>;
@@ -515,29 +687,53 @@ class StressDerivativeRef {
   PHYSGEN_FUNCTION explicit StressDerivativeRef(const Cursor& cursor) : at_(cursor) {}
 
   /// stretch: the symmetric 3x3 block [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x1111() const { return at_.template element<Real>(Record::x1111); }
+  PHYSGEN_FUNCTION decltype(auto) x1111() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x1111, Real>(Record::x1111);
+  }
   /// stretch: the symmetric 3x3 block [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x2211() const { return at_.template element<Real>(Record::x2211); }
+  PHYSGEN_FUNCTION decltype(auto) x2211() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2211, Real>(Record::x2211);
+  }
   /// stretch: the symmetric 3x3 block [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x3311() const { return at_.template element<Real>(Record::x3311); }
+  PHYSGEN_FUNCTION decltype(auto) x3311() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3311, Real>(Record::x3311);
+  }
   /// stretch: the symmetric 3x3 block [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x2222() const { return at_.template element<Real>(Record::x2222); }
+  PHYSGEN_FUNCTION decltype(auto) x2222() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2222, Real>(Record::x2222);
+  }
   /// stretch: the symmetric 3x3 block [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x3322() const { return at_.template element<Real>(Record::x3322); }
+  PHYSGEN_FUNCTION decltype(auto) x3322() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3322, Real>(Record::x3322);
+  }
   /// stretch: the symmetric 3x3 block [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x3333() const { return at_.template element<Real>(Record::x3333); }
+  PHYSGEN_FUNCTION decltype(auto) x3333() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3333, Real>(Record::x3333);
+  }
   /// shear: one 2x2 block per pair [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x2121() const { return at_.template element<Real>(Record::x2121); }
+  PHYSGEN_FUNCTION decltype(auto) x2121() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2121, Real>(Record::x2121);
+  }
   /// shear: one 2x2 block per pair [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x2112() const { return at_.template element<Real>(Record::x2112); }
+  PHYSGEN_FUNCTION decltype(auto) x2112() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2112, Real>(Record::x2112);
+  }
   /// shear: one 2x2 block per pair [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x3131() const { return at_.template element<Real>(Record::x3131); }
+  PHYSGEN_FUNCTION decltype(auto) x3131() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3131, Real>(Record::x3131);
+  }
   /// shear: one 2x2 block per pair [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x3113() const { return at_.template element<Real>(Record::x3113); }
+  PHYSGEN_FUNCTION decltype(auto) x3113() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3113, Real>(Record::x3113);
+  }
   /// shear: one 2x2 block per pair [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x3232() const { return at_.template element<Real>(Record::x3232); }
+  PHYSGEN_FUNCTION decltype(auto) x3232() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3232, Real>(Record::x3232);
+  }
   /// shear: one 2x2 block per pair [Pa]
-  PHYSGEN_FUNCTION decltype(auto) x3223() const { return at_.template element<Real>(Record::x3223); }
+  PHYSGEN_FUNCTION decltype(auto) x3223() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3223, Real>(Record::x3223);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -579,36 +775,55 @@ struct StressDerivativeObject {
   static constexpr std::string_view name = "elasticity::StressDerivative";
   template <class Real>
   using Value = StressDerivative<Real>;
-  template <class Real>
-  using Record = StressDerivativeRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = StressDerivativeRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = StressDerivativeRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = StressDerivativeRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 12> fields = {{
-      {"x1111", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x1111, 1, 0},
-      {"x2211", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x2211, 1, 0},
-      {"x3311", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x3311, 1, 0},
-      {"x2222", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x2222, 1, 0},
-      {"x3322", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x3322, 1, 0},
-      {"x3333", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x3333, 1, 0},
-      {"x2121", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x2121, 1, 0},
-      {"x2112", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x2112, 1, 0},
-      {"x3131", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x3131, 1, 0},
-      {"x3113", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x3113, 1, 0},
-      {"x3232", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x3232, 1, 0},
-      {"x3223", "Pa", physgen::element_type<Real>, StressDerivativeRecord<Real>::x3223, 1, 0},
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x1111, Real>(
+        "x1111", "Pa", StressDerivativeRecord<Real, Formats>::x1111, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2211, Real>(
+        "x2211", "Pa", StressDerivativeRecord<Real, Formats>::x2211, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3311, Real>(
+        "x3311", "Pa", StressDerivativeRecord<Real, Formats>::x3311, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2222, Real>(
+        "x2222", "Pa", StressDerivativeRecord<Real, Formats>::x2222, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3322, Real>(
+        "x3322", "Pa", StressDerivativeRecord<Real, Formats>::x3322, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3333, Real>(
+        "x3333", "Pa", StressDerivativeRecord<Real, Formats>::x3333, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2121, Real>(
+        "x2121", "Pa", StressDerivativeRecord<Real, Formats>::x2121, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2112, Real>(
+        "x2112", "Pa", StressDerivativeRecord<Real, Formats>::x2112, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3131, Real>(
+        "x3131", "Pa", StressDerivativeRecord<Real, Formats>::x3131, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3113, Real>(
+        "x3113", "Pa", StressDerivativeRecord<Real, Formats>::x3113, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3232, Real>(
+        "x3232", "Pa", StressDerivativeRecord<Real, Formats>::x3232, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3223, Real>(
+        "x3223", "Pa", StressDerivativeRecord<Real, Formats>::x3223, 1, 0),
   }};
+  template <class Space>
+  using Formats = StressDerivativeFormats<Space>;
 };
 
-template <class Real, class Layout>
-using StressDerivativeView = physgen::View<StressDerivativeObject, Real, Layout>;
+template <class Real, class Layout, class Formats = StressDerivativeFormats<physgen::Host>>
+using StressDerivativeView = physgen::View<StressDerivativeObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using StressDerivativeArray = physgen::Array<StressDerivativeObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<StressDerivativeObject, Space>>
+using StressDerivativeArray = physgen::Array<StressDerivativeObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<StressDerivativeObject, float>(48, 4));
-static_assert(physgen::is_sound_record<StressDerivativeObject, double>(96, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<StressDerivativeObject, float, StressDerivativeFormats<physgen::Host>>(
+    48, 4, {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44}));
+static_assert(physgen::is_sound_record<StressDerivativeObject, double, StressDerivativeFormats<physgen::Host>>(
+    96, 8, {0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88}));
 
 // ---- Stress ---------------------------------------------------------------------------------------------------------
 
@@ -620,18 +835,28 @@ struct Stress {
   Eigen::Matrix<Real, 3, 3> P;
 };
 
+/// How the fields of one Stress are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of StressArray.
+template <class Space>
+struct StressFormats {
+  using P = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Stress [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct StressRecord {
-  static constexpr int P = 0;
-  static constexpr int bytes = 9 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::P, Real>(),
+  }});
+  static constexpr int P = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Stress of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class StressRef {
-  using Record = StressRecord<Real>;
+  using Record = StressRecord<Real, Formats>;
 
  public:
   using Value = Stress<typename Cursor::template Lanes<Real>>;
@@ -640,7 +865,7 @@ class StressRef {
 
   /// dpsi/dF: force in the current shape per area of the rest shape [Pa]
   PHYSGEN_FUNCTION decltype(auto) P() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::P);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::P, Real>(Record::P);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -659,25 +884,31 @@ struct StressObject {
   static constexpr std::string_view name = "elasticity::Stress";
   template <class Real>
   using Value = Stress<Real>;
-  template <class Real>
-  using Record = StressRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = StressRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = StressRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = StressRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"P", "Pa", physgen::element_type<Real>, StressRecord<Real>::P, 9, 0},
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::P, Real>(
+        "P", "Pa", StressRecord<Real, Formats>::P, 1, 0),
   }};
+  template <class Space>
+  using Formats = StressFormats<Space>;
 };
 
-template <class Real, class Layout>
-using StressView = physgen::View<StressObject, Real, Layout>;
+template <class Real, class Layout, class Formats = StressFormats<physgen::Host>>
+using StressView = physgen::View<StressObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using StressArray = physgen::Array<StressObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<StressObject, Space>>
+using StressArray = physgen::Array<StressObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<StressObject, float>(36, 4));
-static_assert(physgen::is_sound_record<StressObject, double>(72, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<StressObject, float, StressFormats<physgen::Host>>(36, 4, {0}));
+static_assert(physgen::is_sound_record<StressObject, double, StressFormats<physgen::Host>>(72, 8, {0}));
 
 // ---- StressDifferential ---------------------------------------------------------------------------------------------
 
@@ -689,18 +920,28 @@ struct StressDifferential {
   Eigen::Matrix<Real, 3, 3> dP;
 };
 
+/// How the fields of one StressDifferential are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of StressDifferentialArray.
+template <class Space>
+struct StressDifferentialFormats {
+  using dP = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one StressDifferential [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct StressDifferentialRecord {
-  static constexpr int dP = 0;
-  static constexpr int bytes = 9 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(),
+  }});
+  static constexpr int dP = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One StressDifferential of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class StressDifferentialRef {
-  using Record = StressDifferentialRecord<Real>;
+  using Record = StressDifferentialRecord<Real, Formats>;
 
  public:
   using Value = StressDifferential<typename Cursor::template Lanes<Real>>;
@@ -709,7 +950,7 @@ class StressDifferentialRef {
 
   /// change of P along dF [Pa]
   PHYSGEN_FUNCTION decltype(auto) dP() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::dP);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(Record::dP);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -728,25 +969,33 @@ struct StressDifferentialObject {
   static constexpr std::string_view name = "elasticity::StressDifferential";
   template <class Real>
   using Value = StressDifferential<Real>;
-  template <class Real>
-  using Record = StressDifferentialRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = StressDifferentialRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = StressDifferentialRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = StressDifferentialRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"dP", "Pa", physgen::element_type<Real>, StressDifferentialRecord<Real>::dP, 9, 0},
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(
+        "dP", "Pa", StressDifferentialRecord<Real, Formats>::dP, 1, 0),
   }};
+  template <class Space>
+  using Formats = StressDifferentialFormats<Space>;
 };
 
-template <class Real, class Layout>
-using StressDifferentialView = physgen::View<StressDifferentialObject, Real, Layout>;
+template <class Real, class Layout, class Formats = StressDifferentialFormats<physgen::Host>>
+using StressDifferentialView = physgen::View<StressDifferentialObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using StressDifferentialArray = physgen::Array<StressDifferentialObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<StressDifferentialObject, Space>>
+using StressDifferentialArray = physgen::Array<StressDifferentialObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<StressDifferentialObject, float>(36, 4));
-static_assert(physgen::is_sound_record<StressDifferentialObject, double>(72, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<StressDifferentialObject, float, StressDifferentialFormats<physgen::Host>>(
+    36, 4, {0}));
+static_assert(physgen::is_sound_record<StressDifferentialObject, double, StressDifferentialFormats<physgen::Host>>(
+    72, 8, {0}));
 
 // ---- RestShape ------------------------------------------------------------------------------------------------------
 
@@ -760,19 +1009,31 @@ struct RestShape {
   Real volume;
 };
 
+/// How the fields of one RestShape are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of RestShapeArray.
+template <class Space>
+struct RestShapeFormats {
+  using dm_inverse = physgen::format::Native;
+  using volume = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one RestShape [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct RestShapeRecord {
-  static constexpr int dm_inverse = 0;
-  static constexpr int volume = 9 * sizeof(Real);
-  static constexpr int bytes = 10 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::dm_inverse, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::volume, Real>(),
+  }});
+  static constexpr int dm_inverse = plan_.offset[0];
+  static constexpr int volume = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One RestShape of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class RestShapeRef {
-  using Record = RestShapeRecord<Real>;
+  using Record = RestShapeRecord<Real, Formats>;
 
  public:
   using Value = RestShape<typename Cursor::template Lanes<Real>>;
@@ -781,10 +1042,12 @@ class RestShapeRef {
 
   /// Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns [1/m]
   PHYSGEN_FUNCTION decltype(auto) dm_inverse() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::dm_inverse);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dm_inverse, Real>(Record::dm_inverse);
   }
   /// det(Dm) / 6, positive [m^3]
-  PHYSGEN_FUNCTION decltype(auto) volume() const { return at_.template element<Real>(Record::volume); }
+  PHYSGEN_FUNCTION decltype(auto) volume() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::volume, Real>(Record::volume);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -806,26 +1069,33 @@ struct RestShapeObject {
   static constexpr std::string_view name = "elasticity::RestShape";
   template <class Real>
   using Value = RestShape<Real>;
-  template <class Real>
-  using Record = RestShapeRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = RestShapeRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = RestShapeRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = RestShapeRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-      {"dm_inverse", "1/m", physgen::element_type<Real>, RestShapeRecord<Real>::dm_inverse, 9, 0},
-      {"volume", "m^3", physgen::element_type<Real>, RestShapeRecord<Real>::volume, 1, 0},
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dm_inverse, Real>(
+        "dm_inverse", "1/m", RestShapeRecord<Real, Formats>::dm_inverse, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::volume, Real>(
+        "volume", "m^3", RestShapeRecord<Real, Formats>::volume, 1, 0),
   }};
+  template <class Space>
+  using Formats = RestShapeFormats<Space>;
 };
 
-template <class Real, class Layout>
-using RestShapeView = physgen::View<RestShapeObject, Real, Layout>;
+template <class Real, class Layout, class Formats = RestShapeFormats<physgen::Host>>
+using RestShapeView = physgen::View<RestShapeObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using RestShapeArray = physgen::Array<RestShapeObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<RestShapeObject, Space>>
+using RestShapeArray = physgen::Array<RestShapeObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<RestShapeObject, float>(40, 4));
-static_assert(physgen::is_sound_record<RestShapeObject, double>(80, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<RestShapeObject, float, RestShapeFormats<physgen::Host>>(40, 4, {0, 36}));
+static_assert(physgen::is_sound_record<RestShapeObject, double, RestShapeFormats<physgen::Host>>(80, 8, {0, 72}));
 
 // ---- CornerForces ---------------------------------------------------------------------------------------------------
 
@@ -837,18 +1107,28 @@ struct CornerForces {
   Eigen::Matrix<Real, 3, 3> G;
 };
 
+/// How the fields of one CornerForces are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of CornerForcesArray.
+template <class Space>
+struct CornerForcesFormats {
+  using G = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one CornerForces [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct CornerForcesRecord {
-  static constexpr int G = 0;
-  static constexpr int bytes = 9 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(),
+  }});
+  static constexpr int G = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One CornerForces of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class CornerForcesRef {
-  using Record = CornerForcesRecord<Real>;
+  using Record = CornerForcesRecord<Real, Formats>;
 
  public:
   using Value = CornerForces<typename Cursor::template Lanes<Real>>;
@@ -857,7 +1137,7 @@ class CornerForcesRef {
 
   /// G = -volume P Dm^-T [N]
   PHYSGEN_FUNCTION decltype(auto) G() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::G);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(Record::G);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -876,25 +1156,315 @@ struct CornerForcesObject {
   static constexpr std::string_view name = "elasticity::CornerForces";
   template <class Real>
   using Value = CornerForces<Real>;
-  template <class Real>
-  using Record = CornerForcesRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = CornerForcesRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = CornerForcesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = CornerForcesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"G", "N", physgen::element_type<Real>, CornerForcesRecord<Real>::G, 9, 0},
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(
+        "G", "N", CornerForcesRecord<Real, Formats>::G, 1, 0),
   }};
+  template <class Space>
+  using Formats = CornerForcesFormats<Space>;
 };
 
-template <class Real, class Layout>
-using CornerForcesView = physgen::View<CornerForcesObject, Real, Layout>;
+template <class Real, class Layout, class Formats = CornerForcesFormats<physgen::Host>>
+using CornerForcesView = physgen::View<CornerForcesObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using CornerForcesArray = physgen::Array<CornerForcesObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<CornerForcesObject, Space>>
+using CornerForcesArray = physgen::Array<CornerForcesObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<CornerForcesObject, float>(36, 4));
-static_assert(physgen::is_sound_record<CornerForcesObject, double>(72, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<CornerForcesObject, float, CornerForcesFormats<physgen::Host>>(36, 4, {0}));
+static_assert(physgen::is_sound_record<CornerForcesObject, double, CornerForcesFormats<physgen::Host>>(72, 8, {0}));
+
+// ---- ElementRecord --------------------------------------------------------------------------------------------------
+
+/// All that dP from dF reads and writes of one element, in one record of 48 scalars: what simulators with an array of
+/// whole elements have. For comparison.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct ElementRecord {
+  /// principal directions. Rotation, 9 stored.
+  Eigen::Matrix<Real, 3, 3> U;
+  /// principal directions. Rotation, 9 stored.
+  Eigen::Matrix<Real, 3, 3> V;
+  /// as in StressDerivative [Pa]
+  Real x1111;
+  /// as in StressDerivative [Pa]
+  Real x2211;
+  /// as in StressDerivative [Pa]
+  Real x3311;
+  /// as in StressDerivative [Pa]
+  Real x2222;
+  /// as in StressDerivative [Pa]
+  Real x3322;
+  /// as in StressDerivative [Pa]
+  Real x3333;
+  /// as in StressDerivative [Pa]
+  Real x2121;
+  /// as in StressDerivative [Pa]
+  Real x2112;
+  /// as in StressDerivative [Pa]
+  Real x3131;
+  /// as in StressDerivative [Pa]
+  Real x3113;
+  /// as in StressDerivative [Pa]
+  Real x3232;
+  /// as in StressDerivative [Pa]
+  Real x3223;
+  /// change of F along a displacement differential [1]
+  Eigen::Matrix<Real, 3, 3> dF;
+  /// change of P along dF [Pa]
+  Eigen::Matrix<Real, 3, 3> dP;
+};
+
+/// How the fields of one ElementRecord are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of ElementRecordArray.
+template <class Space>
+struct ElementRecordFormats {
+  using U = physgen::format::Native;
+  using V = physgen::format::Native;
+  using x1111 = physgen::format::Native;
+  using x2211 = physgen::format::Native;
+  using x3311 = physgen::format::Native;
+  using x2222 = physgen::format::Native;
+  using x3322 = physgen::format::Native;
+  using x3333 = physgen::format::Native;
+  using x2121 = physgen::format::Native;
+  using x2112 = physgen::format::Native;
+  using x3131 = physgen::format::Native;
+  using x3113 = physgen::format::Native;
+  using x3232 = physgen::format::Native;
+  using x3223 = physgen::format::Native;
+  using dF = physgen::format::Native;
+  using dP = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one ElementRecord [bytes].
+template <class Real, class Formats>
+struct ElementRecordRecord {
+  static constexpr auto plan_ = physgen::plan_record<16>({{
+    physgen::slot<physgen::shape::Rotation, typename Formats::U, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::V, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x1111, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2211, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3311, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2222, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3322, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3333, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2121, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2112, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3131, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3113, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3232, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3223, Real>(),
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(),
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(),
+  }});
+  static constexpr int U = plan_.offset[0];
+  static constexpr int V = plan_.offset[1];
+  static constexpr int x1111 = plan_.offset[2];
+  static constexpr int x2211 = plan_.offset[3];
+  static constexpr int x3311 = plan_.offset[4];
+  static constexpr int x2222 = plan_.offset[5];
+  static constexpr int x3322 = plan_.offset[6];
+  static constexpr int x3333 = plan_.offset[7];
+  static constexpr int x2121 = plan_.offset[8];
+  static constexpr int x2112 = plan_.offset[9];
+  static constexpr int x3131 = plan_.offset[10];
+  static constexpr int x3113 = plan_.offset[11];
+  static constexpr int x3232 = plan_.offset[12];
+  static constexpr int x3223 = plan_.offset[13];
+  static constexpr int dF = plan_.offset[14];
+  static constexpr int dP = plan_.offset[15];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One ElementRecord of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class ElementRecordRef {
+  using Record = ElementRecordRecord<Real, Formats>;
+
+ public:
+  using Value = ElementRecord<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit ElementRecordRef(const Cursor& cursor) : at_(cursor) {}
+
+  /// principal directions. Rotation, 9 stored.
+  PHYSGEN_FUNCTION decltype(auto) U() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::U, Real>(Record::U);
+  }
+  /// principal directions. Rotation, 9 stored.
+  PHYSGEN_FUNCTION decltype(auto) V() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::V, Real>(Record::V);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x1111() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x1111, Real>(Record::x1111);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x2211() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2211, Real>(Record::x2211);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x3311() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3311, Real>(Record::x3311);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x2222() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2222, Real>(Record::x2222);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x3322() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3322, Real>(Record::x3322);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x3333() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3333, Real>(Record::x3333);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x2121() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2121, Real>(Record::x2121);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x2112() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2112, Real>(Record::x2112);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x3131() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3131, Real>(Record::x3131);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x3113() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3113, Real>(Record::x3113);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x3232() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3232, Real>(Record::x3232);
+  }
+  /// as in StressDerivative [Pa]
+  PHYSGEN_FUNCTION decltype(auto) x3223() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3223, Real>(Record::x3223);
+  }
+  /// change of F along a displacement differential [1]
+  PHYSGEN_FUNCTION decltype(auto) dF() const {
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(Record::dF);
+  }
+  /// change of P along dF [Pa]
+  PHYSGEN_FUNCTION decltype(auto) dP() const {
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(Record::dP);
+  }
+
+  PHYSGEN_FUNCTION Value get() const {
+    Value value;
+    value.U = U().get();
+    value.V = V().get();
+    value.x1111 = x1111();
+    value.x2211 = x2211();
+    value.x3311 = x3311();
+    value.x2222 = x2222();
+    value.x3322 = x3322();
+    value.x3333 = x3333();
+    value.x2121 = x2121();
+    value.x2112 = x2112();
+    value.x3131 = x3131();
+    value.x3113 = x3113();
+    value.x3232 = x3232();
+    value.x3223 = x3223();
+    value.dF = dF().get();
+    value.dP = dP().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    U() = value.U;
+    V() = value.V;
+    x1111() = value.x1111;
+    x2211() = value.x2211;
+    x3311() = value.x3311;
+    x2222() = value.x2222;
+    x3322() = value.x3322;
+    x3333() = value.x3333;
+    x2121() = value.x2121;
+    x2112() = value.x2112;
+    x3131() = value.x3131;
+    x3113() = value.x3113;
+    x3232() = value.x3232;
+    x3223() = value.x3223;
+    dF() = value.dF;
+    dP() = value.dP;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of ElementRecord.
+struct ElementRecordObject {
+  static constexpr std::string_view name = "elasticity::ElementRecord";
+  template <class Real>
+  using Value = ElementRecord<Real>;
+  template <class Real, class Formats>
+  using Record = ElementRecordRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = ElementRecordRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 16> fields = {{
+    physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
+        "U", "", ElementRecordRecord<Real, Formats>::U, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::V, Real>(
+        "V", "", ElementRecordRecord<Real, Formats>::V, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x1111, Real>(
+        "x1111", "Pa", ElementRecordRecord<Real, Formats>::x1111, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2211, Real>(
+        "x2211", "Pa", ElementRecordRecord<Real, Formats>::x2211, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3311, Real>(
+        "x3311", "Pa", ElementRecordRecord<Real, Formats>::x3311, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2222, Real>(
+        "x2222", "Pa", ElementRecordRecord<Real, Formats>::x2222, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3322, Real>(
+        "x3322", "Pa", ElementRecordRecord<Real, Formats>::x3322, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3333, Real>(
+        "x3333", "Pa", ElementRecordRecord<Real, Formats>::x3333, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2121, Real>(
+        "x2121", "Pa", ElementRecordRecord<Real, Formats>::x2121, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2112, Real>(
+        "x2112", "Pa", ElementRecordRecord<Real, Formats>::x2112, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3131, Real>(
+        "x3131", "Pa", ElementRecordRecord<Real, Formats>::x3131, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3113, Real>(
+        "x3113", "Pa", ElementRecordRecord<Real, Formats>::x3113, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3232, Real>(
+        "x3232", "Pa", ElementRecordRecord<Real, Formats>::x3232, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3223, Real>(
+        "x3223", "Pa", ElementRecordRecord<Real, Formats>::x3223, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(
+        "dF", "1", ElementRecordRecord<Real, Formats>::dF, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(
+        "dP", "Pa", ElementRecordRecord<Real, Formats>::dP, 1, 0),
+  }};
+  template <class Space>
+  using Formats = ElementRecordFormats<Space>;
+};
+
+template <class Real, class Layout, class Formats = ElementRecordFormats<physgen::Host>>
+using ElementRecordView = physgen::View<ElementRecordObject, Real, Layout, Formats>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<ElementRecordObject, Space>>
+using ElementRecordArray = physgen::Array<ElementRecordObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<ElementRecordObject, float, ElementRecordFormats<physgen::Host>>(
+    192, 4, {0, 36, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116, 120, 156}));
+static_assert(physgen::is_sound_record<ElementRecordObject, double, ElementRecordFormats<physgen::Host>>(
+    384, 8, {0, 72, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 312}));
 
 // ---- NodePosition ---------------------------------------------------------------------------------------------------
 
@@ -906,18 +1476,28 @@ struct NodePosition {
   Eigen::Matrix<Real, 3, 1> x;
 };
 
+/// How the fields of one NodePosition are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of NodePositionArray.
+template <class Space>
+struct NodePositionFormats {
+  using x = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one NodePosition [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct NodePositionRecord {
-  static constexpr int x = 0;
-  static constexpr int bytes = 3 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::x, Real>(),
+  }});
+  static constexpr int x = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One NodePosition of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class NodePositionRef {
-  using Record = NodePositionRecord<Real>;
+  using Record = NodePositionRecord<Real, Formats>;
 
  public:
   using Value = NodePosition<typename Cursor::template Lanes<Real>>;
@@ -925,7 +1505,9 @@ class NodePositionRef {
   PHYSGEN_FUNCTION explicit NodePositionRef(const Cursor& cursor) : at_(cursor) {}
 
   /// position [m]
-  PHYSGEN_FUNCTION decltype(auto) x() const { return at_.template field<physgen::shape::Vector<3>, Real>(Record::x); }
+  PHYSGEN_FUNCTION decltype(auto) x() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::x, Real>(Record::x);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -943,25 +1525,31 @@ struct NodePositionObject {
   static constexpr std::string_view name = "elasticity::NodePosition";
   template <class Real>
   using Value = NodePosition<Real>;
-  template <class Real>
-  using Record = NodePositionRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = NodePositionRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = NodePositionRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodePositionRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"x", "m", physgen::element_type<Real>, NodePositionRecord<Real>::x, 3, 0},
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::x, Real>(
+        "x", "m", NodePositionRecord<Real, Formats>::x, 1, 0),
   }};
+  template <class Space>
+  using Formats = NodePositionFormats<Space>;
 };
 
-template <class Real, class Layout>
-using NodePositionView = physgen::View<NodePositionObject, Real, Layout>;
+template <class Real, class Layout, class Formats = NodePositionFormats<physgen::Host>>
+using NodePositionView = physgen::View<NodePositionObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>>
-using NodePositionArray = physgen::Array<NodePositionObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
+          class Formats = physgen::FormatsOf<NodePositionObject, Space>>
+using NodePositionArray = physgen::Array<NodePositionObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<NodePositionObject, float>(12, 4));
-static_assert(physgen::is_sound_record<NodePositionObject, double>(24, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodePositionObject, float, NodePositionFormats<physgen::Host>>(12, 4, {0}));
+static_assert(physgen::is_sound_record<NodePositionObject, double, NodePositionFormats<physgen::Host>>(24, 8, {0}));
 
 // ---- NodeForce ------------------------------------------------------------------------------------------------------
 
@@ -973,18 +1561,28 @@ struct NodeForce {
   Eigen::Matrix<Real, 3, 1> f;
 };
 
+/// How the fields of one NodeForce are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of NodeForceArray.
+template <class Space>
+struct NodeForceFormats {
+  using f = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one NodeForce [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct NodeForceRecord {
-  static constexpr int f = 0;
-  static constexpr int bytes = 3 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::f, Real>(),
+  }});
+  static constexpr int f = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One NodeForce of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class NodeForceRef {
-  using Record = NodeForceRecord<Real>;
+  using Record = NodeForceRecord<Real, Formats>;
 
  public:
   using Value = NodeForce<typename Cursor::template Lanes<Real>>;
@@ -992,7 +1590,9 @@ class NodeForceRef {
   PHYSGEN_FUNCTION explicit NodeForceRef(const Cursor& cursor) : at_(cursor) {}
 
   /// sum of the elements' forces on the node [N]
-  PHYSGEN_FUNCTION decltype(auto) f() const { return at_.template field<physgen::shape::Vector<3>, Real>(Record::f); }
+  PHYSGEN_FUNCTION decltype(auto) f() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::f, Real>(Record::f);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -1010,25 +1610,31 @@ struct NodeForceObject {
   static constexpr std::string_view name = "elasticity::NodeForce";
   template <class Real>
   using Value = NodeForce<Real>;
-  template <class Real>
-  using Record = NodeForceRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = NodeForceRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = NodeForceRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeForceRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"f", "N", physgen::element_type<Real>, NodeForceRecord<Real>::f, 3, 0},
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::f, Real>(
+        "f", "N", NodeForceRecord<Real, Formats>::f, 1, 0),
   }};
+  template <class Space>
+  using Formats = NodeForceFormats<Space>;
 };
 
-template <class Real, class Layout>
-using NodeForceView = physgen::View<NodeForceObject, Real, Layout>;
+template <class Real, class Layout, class Formats = NodeForceFormats<physgen::Host>>
+using NodeForceView = physgen::View<NodeForceObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>>
-using NodeForceArray = physgen::Array<NodeForceObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
+          class Formats = physgen::FormatsOf<NodeForceObject, Space>>
+using NodeForceArray = physgen::Array<NodeForceObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<NodeForceObject, float>(12, 4));
-static_assert(physgen::is_sound_record<NodeForceObject, double>(24, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeForceObject, float, NodeForceFormats<physgen::Host>>(12, 4, {0}));
+static_assert(physgen::is_sound_record<NodeForceObject, double, NodeForceFormats<physgen::Host>>(24, 8, {0}));
 
 // ---- NodeDisplacement -----------------------------------------------------------------------------------------------
 
@@ -1040,18 +1646,28 @@ struct NodeDisplacement {
   Eigen::Matrix<Real, 3, 1> dx;
 };
 
+/// How the fields of one NodeDisplacement are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of NodeDisplacementArray.
+template <class Space>
+struct NodeDisplacementFormats {
+  using dx = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one NodeDisplacement [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct NodeDisplacementRecord {
-  static constexpr int dx = 0;
-  static constexpr int bytes = 3 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::dx, Real>(),
+  }});
+  static constexpr int dx = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One NodeDisplacement of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class NodeDisplacementRef {
-  using Record = NodeDisplacementRecord<Real>;
+  using Record = NodeDisplacementRecord<Real, Formats>;
 
  public:
   using Value = NodeDisplacement<typename Cursor::template Lanes<Real>>;
@@ -1059,7 +1675,9 @@ class NodeDisplacementRef {
   PHYSGEN_FUNCTION explicit NodeDisplacementRef(const Cursor& cursor) : at_(cursor) {}
 
   /// direction in which forces are differentiated [m]
-  PHYSGEN_FUNCTION decltype(auto) dx() const { return at_.template field<physgen::shape::Vector<3>, Real>(Record::dx); }
+  PHYSGEN_FUNCTION decltype(auto) dx() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::dx, Real>(Record::dx);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -1077,25 +1695,33 @@ struct NodeDisplacementObject {
   static constexpr std::string_view name = "elasticity::NodeDisplacement";
   template <class Real>
   using Value = NodeDisplacement<Real>;
-  template <class Real>
-  using Record = NodeDisplacementRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = NodeDisplacementRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = NodeDisplacementRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeDisplacementRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"dx", "m", physgen::element_type<Real>, NodeDisplacementRecord<Real>::dx, 3, 0},
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::dx, Real>(
+        "dx", "m", NodeDisplacementRecord<Real, Formats>::dx, 1, 0),
   }};
+  template <class Space>
+  using Formats = NodeDisplacementFormats<Space>;
 };
 
-template <class Real, class Layout>
-using NodeDisplacementView = physgen::View<NodeDisplacementObject, Real, Layout>;
+template <class Real, class Layout, class Formats = NodeDisplacementFormats<physgen::Host>>
+using NodeDisplacementView = physgen::View<NodeDisplacementObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>>
-using NodeDisplacementArray = physgen::Array<NodeDisplacementObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
+          class Formats = physgen::FormatsOf<NodeDisplacementObject, Space>>
+using NodeDisplacementArray = physgen::Array<NodeDisplacementObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<NodeDisplacementObject, float>(12, 4));
-static_assert(physgen::is_sound_record<NodeDisplacementObject, double>(24, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeDisplacementObject, float, NodeDisplacementFormats<physgen::Host>>(
+    12, 4, {0}));
+static_assert(physgen::is_sound_record<NodeDisplacementObject, double, NodeDisplacementFormats<physgen::Host>>(
+    24, 8, {0}));
 
 // ---- NodeForceDifferential ------------------------------------------------------------------------------------------
 
@@ -1107,18 +1733,28 @@ struct NodeForceDifferential {
   Eigen::Matrix<Real, 3, 1> df;
 };
 
+/// How the fields of one NodeForceDifferential are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of NodeForceDifferentialArray.
+template <class Space>
+struct NodeForceDifferentialFormats {
+  using df = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one NodeForceDifferential [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct NodeForceDifferentialRecord {
-  static constexpr int df = 0;
-  static constexpr int bytes = 3 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::df, Real>(),
+  }});
+  static constexpr int df = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One NodeForceDifferential of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class NodeForceDifferentialRef {
-  using Record = NodeForceDifferentialRecord<Real>;
+  using Record = NodeForceDifferentialRecord<Real, Formats>;
 
  public:
   using Value = NodeForceDifferential<typename Cursor::template Lanes<Real>>;
@@ -1126,7 +1762,9 @@ class NodeForceDifferentialRef {
   PHYSGEN_FUNCTION explicit NodeForceDifferentialRef(const Cursor& cursor) : at_(cursor) {}
 
   /// change of the node's force along the displacement differential [N]
-  PHYSGEN_FUNCTION decltype(auto) df() const { return at_.template field<physgen::shape::Vector<3>, Real>(Record::df); }
+  PHYSGEN_FUNCTION decltype(auto) df() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::df, Real>(Record::df);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -1144,25 +1782,34 @@ struct NodeForceDifferentialObject {
   static constexpr std::string_view name = "elasticity::NodeForceDifferential";
   template <class Real>
   using Value = NodeForceDifferential<Real>;
-  template <class Real>
-  using Record = NodeForceDifferentialRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = NodeForceDifferentialRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = NodeForceDifferentialRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeForceDifferentialRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"df", "N", physgen::element_type<Real>, NodeForceDifferentialRecord<Real>::df, 3, 0},
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::df, Real>(
+        "df", "N", NodeForceDifferentialRecord<Real, Formats>::df, 1, 0),
   }};
+  template <class Space>
+  using Formats = NodeForceDifferentialFormats<Space>;
 };
 
-template <class Real, class Layout>
-using NodeForceDifferentialView = physgen::View<NodeForceDifferentialObject, Real, Layout>;
+template <class Real, class Layout, class Formats = NodeForceDifferentialFormats<physgen::Host>>
+using NodeForceDifferentialView = physgen::View<NodeForceDifferentialObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>>
-using NodeForceDifferentialArray = physgen::Array<NodeForceDifferentialObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
+          class Formats = physgen::FormatsOf<NodeForceDifferentialObject, Space>>
+using NodeForceDifferentialArray = physgen::Array<NodeForceDifferentialObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<NodeForceDifferentialObject, float>(12, 4));
-static_assert(physgen::is_sound_record<NodeForceDifferentialObject, double>(24, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeForceDifferentialObject, float, NodeForceDifferentialFormats<physgen::Host>>(
+    12, 4, {0}));
+static_assert(physgen::is_sound_record<NodeForceDifferentialObject, double,
+    NodeForceDifferentialFormats<physgen::Host>>(
+    24, 8, {0}));
 
 // ---- NodeStiffness --------------------------------------------------------------------------------------------------
 
@@ -1174,18 +1821,28 @@ struct NodeStiffness {
   Eigen::Matrix<Real, 3, 3> K;
 };
 
+/// How the fields of one NodeStiffness are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of NodeStiffnessArray.
+template <class Space>
+struct NodeStiffnessFormats {
+  using K = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one NodeStiffness [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct NodeStiffnessRecord {
-  static constexpr int K = 0;
-  static constexpr int bytes = 6 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::K, Real>(),
+  }});
+  static constexpr int K = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One NodeStiffness of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class NodeStiffnessRef {
-  using Record = NodeStiffnessRecord<Real>;
+  using Record = NodeStiffnessRecord<Real, Formats>;
 
  public:
   using Value = NodeStiffness<typename Cursor::template Lanes<Real>>;
@@ -1194,7 +1851,7 @@ class NodeStiffnessRef {
 
   /// df(v)/dx(v) [N/m]. Symmetric, 6 stored.
   PHYSGEN_FUNCTION decltype(auto) K() const {
-    return at_.template field<physgen::shape::Symmetric<3>, Real>(Record::K);
+    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::K, Real>(Record::K);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -1213,29 +1870,35 @@ struct NodeStiffnessObject {
   static constexpr std::string_view name = "elasticity::NodeStiffness";
   template <class Real>
   using Value = NodeStiffness<Real>;
-  template <class Real>
-  using Record = NodeStiffnessRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = NodeStiffnessRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = NodeStiffnessRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeStiffnessRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"K", "N/m", physgen::element_type<Real>, NodeStiffnessRecord<Real>::K, 6, 0},
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::K, Real>(
+        "K", "N/m", NodeStiffnessRecord<Real, Formats>::K, 1, 0),
   }};
+  template <class Space>
+  using Formats = NodeStiffnessFormats<Space>;
 };
 
-template <class Real, class Layout>
-using NodeStiffnessView = physgen::View<NodeStiffnessObject, Real, Layout>;
+template <class Real, class Layout, class Formats = NodeStiffnessFormats<physgen::Host>>
+using NodeStiffnessView = physgen::View<NodeStiffnessObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using NodeStiffnessArray = physgen::Array<NodeStiffnessObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<NodeStiffnessObject, Space>>
+using NodeStiffnessArray = physgen::Array<NodeStiffnessObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<NodeStiffnessObject, float>(24, 4));
-static_assert(physgen::is_sound_record<NodeStiffnessObject, double>(48, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeStiffnessObject, float, NodeStiffnessFormats<physgen::Host>>(24, 4, {0}));
+static_assert(physgen::is_sound_record<NodeStiffnessObject, double, NodeStiffnessFormats<physgen::Host>>(48, 8, {0}));
 
 // ---- EdgeStiffness --------------------------------------------------------------------------------------------------
 
-/// Off-diagonal block of an edge (m,n). Nodes gather it, so on CUDA whole records are read: half the time of tiles.
+/// Off-diagonal block of an edge (m,n). The symmetric product streams it, edge after edge.
 /// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct EdgeStiffness {
@@ -1243,18 +1906,28 @@ struct EdgeStiffness {
   Eigen::Matrix<Real, 3, 3> E;
 };
 
+/// How the fields of one EdgeStiffness are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of EdgeStiffnessArray.
+template <class Space>
+struct EdgeStiffnessFormats {
+  using E = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one EdgeStiffness [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct EdgeStiffnessRecord {
-  static constexpr int E = 0;
-  static constexpr int bytes = 9 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::E, Real>(),
+  }});
+  static constexpr int E = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One EdgeStiffness of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class EdgeStiffnessRef {
-  using Record = EdgeStiffnessRecord<Real>;
+  using Record = EdgeStiffnessRecord<Real, Formats>;
 
  public:
   using Value = EdgeStiffness<typename Cursor::template Lanes<Real>>;
@@ -1263,7 +1936,7 @@ class EdgeStiffnessRef {
 
   /// df(m)/dx(n) [N/m]
   PHYSGEN_FUNCTION decltype(auto) E() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::E);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::E, Real>(Record::E);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -1282,25 +1955,31 @@ struct EdgeStiffnessObject {
   static constexpr std::string_view name = "elasticity::EdgeStiffness";
   template <class Real>
   using Value = EdgeStiffness<Real>;
-  template <class Real>
-  using Record = EdgeStiffnessRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = EdgeStiffnessRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = EdgeStiffnessRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = EdgeStiffnessRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"E", "N/m", physgen::element_type<Real>, EdgeStiffnessRecord<Real>::E, 9, 0},
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::E, Real>(
+        "E", "N/m", EdgeStiffnessRecord<Real, Formats>::E, 1, 0),
   }};
+  template <class Space>
+  using Formats = EdgeStiffnessFormats<Space>;
 };
 
-template <class Real, class Layout>
-using EdgeStiffnessView = physgen::View<EdgeStiffnessObject, Real, Layout>;
+template <class Real, class Layout, class Formats = EdgeStiffnessFormats<physgen::Host>>
+using EdgeStiffnessView = physgen::View<EdgeStiffnessObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aos>>
-using EdgeStiffnessArray = physgen::Array<EdgeStiffnessObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<EdgeStiffnessObject, Space>>
+using EdgeStiffnessArray = physgen::Array<EdgeStiffnessObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<EdgeStiffnessObject, float>(36, 4));
-static_assert(physgen::is_sound_record<EdgeStiffnessObject, double>(72, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<EdgeStiffnessObject, float, EdgeStiffnessFormats<physgen::Host>>(36, 4, {0}));
+static_assert(physgen::is_sound_record<EdgeStiffnessObject, double, EdgeStiffnessFormats<physgen::Host>>(72, 8, {0}));
 
 // ---- TetStiffness ---------------------------------------------------------------------------------------------------
 
@@ -1314,19 +1993,31 @@ struct TetStiffness {
   Eigen::Matrix<Real, 3, 3> e[6];
 };
 
+/// How the fields of one TetStiffness are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of TetStiffnessArray.
+template <class Space>
+struct TetStiffnessFormats {
+  using k = physgen::format::Native;
+  using e = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one TetStiffness [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct TetStiffnessRecord {
-  static constexpr int k = 0;
-  static constexpr int e = 24 * sizeof(Real);
-  static constexpr int bytes = 78 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::k, Real>(4),
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::e, Real>(6),
+  }});
+  static constexpr int k = plan_.offset[0];
+  static constexpr int e = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One TetStiffness of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class TetStiffnessRef {
-  using Record = TetStiffnessRecord<Real>;
+  using Record = TetStiffnessRecord<Real, Formats>;
 
  public:
   using Value = TetStiffness<typename Cursor::template Lanes<Real>>;
@@ -1336,12 +2027,14 @@ class TetStiffnessRef {
   /// corners i, j, k, l [N/m]. Symmetric, 6 stored.
   /// @pre 0 <= entry < 4
   PHYSGEN_FUNCTION decltype(auto) k(int entry) const {
-    return at_.template field<physgen::shape::Symmetric<3>, Real>(Record::k + entry * int{6 * sizeof(Real)});
+    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
+        Record::k + entry * Record::plan_.stride[0]);
   }
   /// edges ij, ik, il, jk, jl, kl: df(first)/dx(second) [N/m]
   /// @pre 0 <= entry < 6
   PHYSGEN_FUNCTION decltype(auto) e(int entry) const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::e + entry * int{9 * sizeof(Real)});
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::e, Real>(
+        Record::e + entry * Record::plan_.stride[1]);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -1368,26 +2061,34 @@ struct TetStiffnessObject {
   static constexpr std::string_view name = "elasticity::TetStiffness";
   template <class Real>
   using Value = TetStiffness<Real>;
-  template <class Real>
-  using Record = TetStiffnessRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = TetStiffnessRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = TetStiffnessRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = TetStiffnessRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-      {"k", "N/m", physgen::element_type<Real>, TetStiffnessRecord<Real>::k, 24, 0},
-      {"e", "N/m", physgen::element_type<Real>, TetStiffnessRecord<Real>::e, 54, 0},
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
+        "k", "N/m", TetStiffnessRecord<Real, Formats>::k, 4, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::e, Real>(
+        "e", "N/m", TetStiffnessRecord<Real, Formats>::e, 6, 0),
   }};
+  template <class Space>
+  using Formats = TetStiffnessFormats<Space>;
 };
 
-template <class Real, class Layout>
-using TetStiffnessView = physgen::View<TetStiffnessObject, Real, Layout>;
+template <class Real, class Layout, class Formats = TetStiffnessFormats<physgen::Host>>
+using TetStiffnessView = physgen::View<TetStiffnessObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using TetStiffnessArray = physgen::Array<TetStiffnessObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<TetStiffnessObject, Space>>
+using TetStiffnessArray = physgen::Array<TetStiffnessObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<TetStiffnessObject, float>(312, 4));
-static_assert(physgen::is_sound_record<TetStiffnessObject, double>(624, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<TetStiffnessObject, float, TetStiffnessFormats<physgen::Host>>(312, 4, {0, 96}));
+static_assert(physgen::is_sound_record<TetStiffnessObject, double, TetStiffnessFormats<physgen::Host>>(
+    624, 8, {0, 192}));
 
 // ---- Tet ------------------------------------------------------------------------------------------------------------
 
@@ -1399,18 +2100,27 @@ struct Tet {
   Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
 };
 
+/// How the fields of one Tet are stored in a memory space. To store some otherwise, derive from it, declare those anew,
+/// and name the derived struct as the last argument of TetArray.
+template <class Space>
+struct TetFormats {
+};
+
 /// Where each field begins in the record of one Tet [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct TetRecord {
-  static constexpr int nodes = 0;
-  static constexpr int bytes = 16;
-  static constexpr int alignment = 4;
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int nodes = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Tet of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class TetRef {
-  using Record = TetRecord<Real>;
+  using Record = TetRecord<Real, Formats>;
 
  public:
   using Value = Tet<typename Cursor::template Lanes<Real>>;
@@ -1419,7 +2129,7 @@ class TetRef {
 
   /// corners i, j, k, l; det(Dm) > 0
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<4>, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -1438,25 +2148,31 @@ struct TetObject {
   static constexpr std::string_view name = "elasticity::Tet";
   template <class Real>
   using Value = Tet<Real>;
-  template <class Real>
-  using Record = TetRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = TetRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = TetRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = TetRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"nodes", "", physgen::ElementType::int32, TetRecord<Real>::nodes, 4, 0},
+    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+        "nodes", "", TetRecord<Real, Formats>::nodes, 1, 0),
   }};
+  template <class Space>
+  using Formats = TetFormats<Space>;
 };
 
-template <class Real, class Layout>
-using TetView = physgen::View<TetObject, Real, Layout>;
+template <class Real, class Layout, class Formats = TetFormats<physgen::Host>>
+using TetView = physgen::View<TetObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using TetArray = physgen::Array<TetObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<TetObject, Space>>
+using TetArray = physgen::Array<TetObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<TetObject, float>(16, 4));
-static_assert(physgen::is_sound_record<TetObject, double>(16, 4));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<TetObject, float, TetFormats<physgen::Host>>(16, 4, {0}));
+static_assert(physgen::is_sound_record<TetObject, double, TetFormats<physgen::Host>>(16, 4, {0}));
 
 // ---- Edge -----------------------------------------------------------------------------------------------------------
 
@@ -1468,18 +2184,27 @@ struct Edge {
   Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes;
 };
 
+/// How the fields of one Edge are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of EdgeArray.
+template <class Space>
+struct EdgeFormats {
+};
+
 /// Where each field begins in the record of one Edge [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct EdgeRecord {
-  static constexpr int nodes = 0;
-  static constexpr int bytes = 8;
-  static constexpr int alignment = 4;
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int nodes = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Edge of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class EdgeRef {
-  using Record = EdgeRecord<Real>;
+  using Record = EdgeRecord<Real, Formats>;
 
  public:
   using Value = Edge<typename Cursor::template Lanes<Real>>;
@@ -1488,7 +2213,7 @@ class EdgeRef {
 
   /// m and n: the block of the edge is df(m)/dx(n)
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<2>, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -1507,25 +2232,31 @@ struct EdgeObject {
   static constexpr std::string_view name = "elasticity::Edge";
   template <class Real>
   using Value = Edge<Real>;
-  template <class Real>
-  using Record = EdgeRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = EdgeRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = EdgeRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = EdgeRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-      {"nodes", "", physgen::ElementType::int32, EdgeRecord<Real>::nodes, 2, 0},
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "nodes", "", EdgeRecord<Real, Formats>::nodes, 1, 0),
   }};
+  template <class Space>
+  using Formats = EdgeFormats<Space>;
 };
 
-template <class Real, class Layout>
-using EdgeView = physgen::View<EdgeObject, Real, Layout>;
+template <class Real, class Layout, class Formats = EdgeFormats<physgen::Host>>
+using EdgeView = physgen::View<EdgeObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using EdgeArray = physgen::Array<EdgeObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<EdgeObject, Space>>
+using EdgeArray = physgen::Array<EdgeObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<EdgeObject, float>(8, 4));
-static_assert(physgen::is_sound_record<EdgeObject, double>(8, 4));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<EdgeObject, float, EdgeFormats<physgen::Host>>(8, 4, {0}));
+static_assert(physgen::is_sound_record<EdgeObject, double, EdgeFormats<physgen::Host>>(8, 4, {0}));
 
 // ---- IncidenceRange -------------------------------------------------------------------------------------------------
 
@@ -1539,19 +2270,29 @@ struct IncidenceRange {
   physgen::same_lanes_t<Real, std::int32_t> end;
 };
 
+/// How the fields of one IncidenceRange are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of IncidenceRangeArray.
+template <class Space>
+struct IncidenceRangeFormats {
+};
+
 /// Where each field begins in the record of one IncidenceRange [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct IncidenceRangeRecord {
-  static constexpr int begin = 0;
-  static constexpr int end = 4;
-  static constexpr int bytes = 8;
-  static constexpr int alignment = 4;
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int begin = plan_.offset[0];
+  static constexpr int end = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One IncidenceRange of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class IncidenceRangeRef {
-  using Record = IncidenceRangeRecord<Real>;
+  using Record = IncidenceRangeRecord<Real, Formats>;
 
  public:
   using Value = IncidenceRange<typename Cursor::template Lanes<Real>>;
@@ -1559,9 +2300,13 @@ class IncidenceRangeRef {
   PHYSGEN_FUNCTION explicit IncidenceRangeRef(const Cursor& cursor) : at_(cursor) {}
 
   /// half-open range
-  PHYSGEN_FUNCTION decltype(auto) begin() const { return at_.template element<std::int32_t>(Record::begin); }
+  PHYSGEN_FUNCTION decltype(auto) begin() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::begin);
+  }
   /// half-open range
-  PHYSGEN_FUNCTION decltype(auto) end() const { return at_.template element<std::int32_t>(Record::end); }
+  PHYSGEN_FUNCTION decltype(auto) end() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::end);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -1583,25 +2328,34 @@ struct IncidenceRangeObject {
   static constexpr std::string_view name = "elasticity::IncidenceRange";
   template <class Real>
   using Value = IncidenceRange<Real>;
-  template <class Real>
-  using Record = IncidenceRangeRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = IncidenceRangeRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = IncidenceRangeRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = IncidenceRangeRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-      {"begin", "", physgen::ElementType::int32, IncidenceRangeRecord<Real>::begin, 1, 0},
-      {"end", "", physgen::ElementType::int32, IncidenceRangeRecord<Real>::end, 1, 0},
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "begin", "", IncidenceRangeRecord<Real, Formats>::begin, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "end", "", IncidenceRangeRecord<Real, Formats>::end, 1, 0),
   }};
+  template <class Space>
+  using Formats = IncidenceRangeFormats<Space>;
 };
 
-template <class Real, class Layout>
-using IncidenceRangeView = physgen::View<IncidenceRangeObject, Real, Layout>;
-template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>>
-using IncidenceRangeArray = physgen::Array<IncidenceRangeObject, Real, Space, Layout>;
+template <class Real, class Layout, class Formats = IncidenceRangeFormats<physgen::Host>>
+using IncidenceRangeView = physgen::View<IncidenceRangeObject, Real, Layout, Formats>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<IncidenceRangeObject, Space>>
+using IncidenceRangeArray = physgen::Array<IncidenceRangeObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<IncidenceRangeObject, float>(8, 4));
-static_assert(physgen::is_sound_record<IncidenceRangeObject, double>(8, 4));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<IncidenceRangeObject, float, IncidenceRangeFormats<physgen::Host>>(
+    8, 4, {0, 4}));
+static_assert(physgen::is_sound_record<IncidenceRangeObject, double, IncidenceRangeFormats<physgen::Host>>(
+    8, 4, {0, 4}));
 
 // ---- Incidence ------------------------------------------------------------------------------------------------------
 
@@ -1615,19 +2369,29 @@ struct Incidence {
   physgen::same_lanes_t<Real, std::int32_t> local;
 };
 
+/// How the fields of one Incidence are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of IncidenceArray.
+template <class Space>
+struct IncidenceFormats {
+};
+
 /// Where each field begins in the record of one Incidence [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct IncidenceRecord {
-  static constexpr int element = 0;
-  static constexpr int local = 4;
-  static constexpr int bytes = 8;
-  static constexpr int alignment = 4;
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int element = plan_.offset[0];
+  static constexpr int local = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Incidence of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class IncidenceRef {
-  using Record = IncidenceRecord<Real>;
+  using Record = IncidenceRecord<Real, Formats>;
 
  public:
   using Value = Incidence<typename Cursor::template Lanes<Real>>;
@@ -1635,9 +2399,13 @@ class IncidenceRef {
   PHYSGEN_FUNCTION explicit IncidenceRef(const Cursor& cursor) : at_(cursor) {}
 
   /// which tet, or which edge
-  PHYSGEN_FUNCTION decltype(auto) element() const { return at_.template element<std::int32_t>(Record::element); }
+  PHYSGEN_FUNCTION decltype(auto) element() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::element);
+  }
   /// which of its corners, or of its edges, it is
-  PHYSGEN_FUNCTION decltype(auto) local() const { return at_.template element<std::int32_t>(Record::local); }
+  PHYSGEN_FUNCTION decltype(auto) local() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::local);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -1659,24 +2427,31 @@ struct IncidenceObject {
   static constexpr std::string_view name = "elasticity::Incidence";
   template <class Real>
   using Value = Incidence<Real>;
-  template <class Real>
-  using Record = IncidenceRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = IncidenceRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = IncidenceRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = IncidenceRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-      {"element", "", physgen::ElementType::int32, IncidenceRecord<Real>::element, 1, 0},
-      {"local", "", physgen::ElementType::int32, IncidenceRecord<Real>::local, 1, 0},
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "element", "", IncidenceRecord<Real, Formats>::element, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "local", "", IncidenceRecord<Real, Formats>::local, 1, 0),
   }};
+  template <class Space>
+  using Formats = IncidenceFormats<Space>;
 };
 
-template <class Real, class Layout>
-using IncidenceView = physgen::View<IncidenceObject, Real, Layout>;
-template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>>
-using IncidenceArray = physgen::Array<IncidenceObject, Real, Space, Layout>;
+template <class Real, class Layout, class Formats = IncidenceFormats<physgen::Host>>
+using IncidenceView = physgen::View<IncidenceObject, Real, Layout, Formats>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<IncidenceObject, Space>>
+using IncidenceArray = physgen::Array<IncidenceObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<IncidenceObject, float>(8, 4));
-static_assert(physgen::is_sound_record<IncidenceObject, double>(8, 4));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<IncidenceObject, float, IncidenceFormats<physgen::Host>>(8, 4, {0, 4}));
+static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats<physgen::Host>>(8, 4, {0, 4}));
 
 }  // namespace elasticity

@@ -70,6 +70,16 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) CornerFo
   PHYSGEN(unit("N")) Matrix<3, 3> G;  ///< G = -volume P Dm^-T
 };
 
+/// All that dP from dF reads and writes of one element, in one record of 48 scalars: what simulators with an array of
+/// whole elements have. For comparison.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) ElementRecord {
+  Rotation U, V;                                                        ///< principal directions
+  PHYSGEN(unit("Pa")) Scalar x1111, x2211, x3311, x2222, x3322, x3333;  ///< as in StressDerivative
+  PHYSGEN(unit("Pa")) Scalar x2121, x2112, x3131, x3113, x3232, x3223;  ///< as in StressDerivative
+  PHYSGEN(unit("1")) Matrix<3, 3> dF;   ///< change of F along a displacement differential
+  PHYSGEN(unit("Pa")) Matrix<3, 3> dP;  ///< change of P along dF
+};
+
 // ---- Per node: vectors that elements gather ----
 
 /// Current position of a node.
@@ -99,8 +109,8 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) NodeStif
   PHYSGEN(unit("N/m")) Symmetric<3> K;  ///< df(v)/dx(v)
 };
 
-/// Off-diagonal block of an edge (m,n). Nodes gather it, so on CUDA whole records are read: half the time of tiles.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aos)) EdgeStiffness {
+/// Off-diagonal block of an edge (m,n). The symmetric product streams it, edge after edge.
+struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) EdgeStiffness {
   PHYSGEN(unit("N/m")) Matrix<3, 3> E;  ///< df(m)/dx(n)
 };
 

@@ -2,7 +2,6 @@
 #include "emit/emitter.h"
 
 #include <set>
-#include <stdexcept>
 
 #include "emit/pieces.h"
 #include "plan/proof.h"
@@ -31,17 +30,20 @@ void head(Printer& out, const model::Schema& schema) {
   if (!headers.empty()) out.line();
 }
 
-void object_code(Printer& out, const plan::Record& record) {
-  std::string title = "// ---- " + record.object->name + " ";
+void object_code(Printer& out, const plan::Record& host, const plan::Record& cuda) {
+  const model::Object& object = *host.object;
+  std::string title = "// ---- " + object.name + " ";
   out.line(title.append(Printer::columns - std::min(Printer::columns, title.size()), '-'));
   out.line();
-  value_struct(out, record);
+  value_struct(out, host);
   out.line();
-  record_struct(out, record);
+  formats_struct(out, object);
   out.line();
-  ref_class(out, record);
+  record_struct(out, host);
   out.line();
-  object_tag(out, record);
+  ref_class(out, host);
+  out.line();
+  object_tag(out, host, cuda);
   out.line();
 }
 
@@ -50,7 +52,7 @@ void object_code(Printer& out, const plan::Record& record) {
 std::string accessor_header(const model::Schema& schema) {
   Printer out;
   head(out, schema);
-  const plan::Records records(schema);
+  const plan::Records host(schema, model::Space::host), cuda(schema, model::Space::cuda);
   std::string scope;
   const auto enter = [&](const std::string& next) {
     if (next == scope) return;
@@ -64,12 +66,11 @@ std::string accessor_header(const model::Schema& schema) {
     out.line();
   };
   for (const model::Object& object : schema.objects) {
-    const plan::Record& record = records.of(object.qualified_name());
-    if (const auto wrong = plan::violations(record); !wrong.empty()) {
-      throw std::logic_error("physgen planned a record that is not sound: " + wrong.front());
-    }
+    const std::string name = object.qualified_name();
+    plan::require_sound(host.of(name));
+    plan::require_sound(cuda.of(name));
     enter(object.scope);
-    object_code(out, record);
+    object_code(out, host.of(name), cuda.of(name));
   }
   enter("");
   std::string text = std::move(out).text();

@@ -22,90 +22,115 @@ std::string layout_type(const model::Layout& layout) {
   return "physgen::Aosoa<" + std::to_string(layout.tile) + ">";
 }
 
-std::string element_type(model::Element element) {
-  switch (element) {
-    case model::Element::real:
-      return "physgen::element_type<Real>";
-    case model::Element::float32:
-      return "physgen::ElementType::float32";
-    case model::Element::float64:
-      return "physgen::ElementType::float64";
-    case model::Element::index:
-    case model::Element::int32:
-      break;
-  }
-  return "physgen::ElementType::int32";
-}
-
 // In terms of the records that accessors use, so that the proofs below are about the accessors' addresses.
 std::string offset(const plan::Run& run, const model::Object& user) {
-  std::string text;
+  std::string text, formats = "Formats";
   for (const plan::Step& step : run.path) {
     if (!text.empty()) text += " + ";
-    text += type_name(*step.record->object, "Record", user) + "<Real>::" + step.declaration().name;
-    if (step.entry > 0) text += " + " + std::to_string(step.entry) + " * " + bytes(step.slot().stride);
+    const std::string record = type_name(*step.record->object, "Record", user) + "<Real, " + formats + ">::";
+    text += record + step.declaration().name;
+    if (step.entry > 0) {
+      text += " + " + std::to_string(step.entry) + " * " + record + "plan_.stride[" + std::to_string(step.field) + "]";
+    }
+    formats = (formats == "Formats" ? "typename Formats::" : formats + "::") + step.declaration().name;
   }
+  return text;
+}
+
+// "typename Formats::svd::U"
+std::string format(const plan::Run& run) {
+  if (!has_format(run.field())) return "physgen::format::Native";
+  std::string text = "typename Formats";
+  for (const plan::Step& step : run.path) text += "::" + step.declaration().name;
   return text;
 }
 
 void fields(Printer& out, const plan::Record& record) {
   const std::vector<plan::Run> runs = plan::runs(record);
-  out.line("template <class Real>");
+  out.line("template <class Real, class Formats>");
   out.open("static constexpr std::array<physgen::FieldInfo, " + std::to_string(runs.size()) + "> fields = {{");
   for (const plan::Run& run : runs) {
     const model::Field& field = run.field();
-    out.list("  {",
-             {"\"" + run.name() + "\"", "\"" + field.unit + "\"", element_type(field.element),
-              offset(run, *record.object), std::to_string(run.count), number(field.initial.value_or(0))},
-             "},");
+    out.filled(
+        "physgen::field_info<" + shape_type(field) + ", " + format(run) + ", " + stored_type(field.element) + ">(",
+        {"\"" + run.name() + "\"", "\"" + field.unit + "\"", offset(run, *record.object),
+         std::to_string(field.array_extent == 0 ? 1 : field.array_extent), number(field.initial.value_or(0))},
+        "),");
   }
   out.close("}};");
 }
 
 void aliases(Printer& out, const model::Object& object) {
   const std::string tag = object.name + "Object";
-  out.line("template <class Real, class Layout>");
-  out.line("using " + object.name + "View = physgen::View<" + tag + ", Real, Layout>;");
+  const std::string formats = object.name + "Formats";
+  out.list("template <", {"class Real", "class Layout", "class Formats = " + formats + "<physgen::Host>"}, ">");
+  out.wrapped("using " + object.name + "View = physgen::View<" + tag + ", Real, Layout, Formats>;");
   const std::string host = layout_type(object.host_layout.value_or(default_host));
   const std::string cuda = layout_type(object.cuda_layout.value_or(default_cuda));
   out.list("template <",
            {"class Real", "class Space = physgen::Host",
-            "class Layout = physgen::PerSpace<Space, " + host + ", " + cuda + ">"},
+            "class Layout = physgen::PerSpace<Space, " + host + ", " + cuda + ">",
+            "class Formats = physgen::FormatsOf<" + tag + ", Space>"},
            ">");
-  out.line("using " + object.name + "Array = physgen::Array<" + tag + ", Real, Space, Layout>;");
+  out.wrapped("using " + object.name + "Array = physgen::Array<" + tag + ", Real, Space, Layout, Formats>;");
 }
 
-void proofs(Printer& out, const plan::Record& record) {
-  out.line(
-      "// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds "
-      "all.");
-  const auto proof = [&](const char* real, int bytes, int alignment) {
-    out.line("static_assert(physgen::is_sound_record<" + record.object->name + "Object, " + real + ">(" +
-             std::to_string(bytes) + ", " + std::to_string(alignment) + "));");
-  };
-  proof("float", record.bytes.with_float, record.alignment.with_float);
-  proof("double", record.bytes.with_double, record.alignment.with_double);
+// Offsets of all runs, so that what was proved here of the plan is what compilers find of the accessors.
+void proof(Printer& out, const plan::Record& record, const char* real, int plan::Bytes::* precision) {
+  std::vector<std::string> numbers{std::to_string(record.bytes.*precision),
+                                   std::to_string(record.alignment.*precision)};
+  for (const plan::Run& run : plan::runs(record)) {
+    numbers.push_back((numbers.size() == 2 ? "{" : "") + std::to_string(run.offset.*precision));
+  }
+  numbers.back() += "}";
+  const std::string& name = record.object->name;
+  const char* space = record.space == model::Space::host ? "physgen::Host" : "physgen::Cuda";
+  out.filled(
+      "static_assert(physgen::is_sound_record<" + name + "Object, " + real + ", " + name + "Formats<" + space + ">>(",
+      numbers, "));");
+}
+
+bool same(const plan::Record& a, const plan::Record& b) {
+  const auto runs_a = plan::runs(a), runs_b = plan::runs(b);
+  for (std::size_t r = 0; r < runs_a.size(); ++r) {
+    if (runs_a[r].offset != runs_b[r].offset || runs_a[r].count != runs_b[r].count) return false;
+  }
+  return a.bytes == b.bytes && a.alignment == b.alignment;
+}
+
+void proofs(Printer& out, const plan::Record& host, const plan::Record& cuda) {
+  out.comment("//",
+              "Proved by physgen for every layout and every number of objects, and compared with what the compiler "
+              "finds: bytes and alignment of the record, offsets of the fields; no two channels share a byte, each is "
+              "aligned to its elements and lies inside its tile.");
+  for (const plan::Record* record : {&host, &cuda}) {
+    if (record == &cuda && same(host, cuda)) return;
+    proof(out, *record, "float", &plan::Bytes::with_float);
+    proof(out, *record, "double", &plan::Bytes::with_double);
+  }
 }
 
 }  // namespace
 
-void object_tag(Printer& out, const plan::Record& record) {
-  const model::Object& object = *record.object;
+void object_tag(Printer& out, const plan::Record& host, const plan::Record& cuda) {
+  const model::Object& object = *host.object;
   out.line("/// What the runtime knows of " + object.name + ".");
   out.open("struct " + object.name + "Object {");
   out.line("static constexpr std::string_view name = \"" + object.qualified_name() + "\";");
-  for (const char* piece : {"Value", "Record"}) {
-    out.line("template <class Real>");
-    out.line("using " + std::string(piece) + " = " + object.name + (piece[0] == 'V' ? "" : piece) + "<Real>;");
-  }
-  out.line("template <class Real, class Cursor>");
-  out.line("using Ref = " + object.name + "Ref<Real, Cursor>;");
-  fields(out, record);
+  out.line("template <class Real>");
+  out.line("using Value = " + object.name + "<Real>;");
+  out.line("template <class Real, class Formats>");
+  out.line("using Record = " + object.name + "Record<Real, Formats>;");
+  out.line("template <class Real, class Formats, class Cursor>");
+  out.line("using Ref = " + object.name + "Ref<Real, Formats, Cursor>;");
+  fields(out, host);
+  out.line("template <class Space>");
+  out.line("using Formats = " + object.name + "Formats<Space>;");
   out.close("};");
   out.line();
   aliases(out, object);
   out.line();
-  proofs(out, record);
+  proofs(out, host, cuda);
 }
 
 }  // namespace physgen::emit

@@ -9,13 +9,16 @@ namespace physgen::emit {
 /// `template <class Real> struct Name`: all fields of one object, by value.
 void value_struct(Printer& out, const plan::Record& record);
 
-/// `NameRecord<Real>`: the byte offsets of the fields.
+/// `NameFormats<Space>`: how the fields are stored.
+void formats_struct(Printer& out, const model::Object& object);
+
+/// `NameRecord<Real, Formats>`: the byte offsets of the fields.
 void record_struct(Printer& out, const plan::Record& record);
 
-/// `NameRef<Real, Cursor>`: the accessors.
+/// `NameRef<Real, Formats, Cursor>`: the accessors.
 void ref_class(Printer& out, const plan::Record& record);
 
-/// `NameObject`: what the runtime is told, the aliases `NameView` and `NameArray`, and the proofs.
-void object_tag(Printer& out, const plan::Record& record);
+/// `NameObject`: what the runtime is told, the aliases `NameView` and `NameArray`, and the proofs for both spaces.
+void object_tag(Printer& out, const plan::Record& host, const plan::Record& cuda);
 
 }  // namespace physgen::emit

@@ -78,15 +78,38 @@ void Printer::wrapped(const std::string& text) {
   const std::size_t room = columns - std::min(columns, indent_);
   const std::size_t call = text.find('(', begin);
   const std::size_t sum = text.rfind(" + ", room - std::min<std::size_t>(room, 2));
+  const std::size_t comma = text.rfind(", ", room - std::min<std::size_t>(room, 1));
   std::size_t end = text.size();
   if (text.compare(begin, 7, "return ") == 0 && call < room) {
     end = call + 1;
   } else if (sum != std::string::npos && sum > begin) {
     end = sum + 2;
+  } else if (comma != std::string::npos && comma > begin) {
+    end = comma + 1;
   }
   line(text.substr(0, end));
   if (end == text.size()) return;
   wrapped(std::string(begin + 2 * step, ' ') + text.substr(text[end] == ' ' ? end + 1 : end));
+}
+
+void Printer::filled(std::string_view head, const std::vector<std::string>& items, std::string_view tail) {
+  std::string whole(head);
+  for (std::size_t i = 0; i < items.size(); ++i) whole += (i == 0 ? "" : ", ") + items[i];
+  whole += tail;
+  if (fits(whole.size())) return line(whole);
+  wrapped(std::string(head));
+  std::string rest = "    ";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string item = items[i] + (i + 1 == items.size() ? std::string(tail) : ",");
+    if (rest != "    " && !fits(rest.size() + item.size())) {
+      rest.pop_back();  // the space that was to separate
+      wrapped(rest);
+      rest = "    ";
+    }
+    rest += item + " ";
+  }
+  rest.pop_back();
+  wrapped(rest);
 }
 
 void Printer::comment(std::string_view marker, std::string_view text) {

@@ -19,12 +19,15 @@ class Printer {
   void open(std::string_view text);
   void close(std::string_view text);
 
-  /// A line, broken where it is too long: a return statement behind its first "(", anything else behind a " +".
+  /// A line, broken where it is too long: a return statement behind its first "(", anything else behind a " +"
+  /// or, where there is none, a ",".
   void wrapped(const std::string& text);
   /// A function, on one line if it is one statement that fits: "signature { statement }".
   void function(std::string_view signature, const std::vector<std::string>& statements);
   /// "head(first, second);" on one line if it fits, else broken before items, which are then aligned behind `head`.
   void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
+  /// The same, broken behind `head`, with as many items on each further line as fit.
+  void filled(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
   /// A comment, each line after `marker` ("//" or "///"), its lines kept where they fit. One that does not is
   /// wrapped, and the rest of its paragraph with it.
   void comment(std::string_view marker, std::string_view text);

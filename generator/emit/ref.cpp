@@ -8,26 +8,26 @@ namespace {
 // Longer loops stay loops: code size and compile time must not grow with the extent of an array.
 constexpr int longest_unrolled = 32;
 
-void accessor(Printer& out, const model::Object& object, const model::Field& field, const plan::Slot& slot) {
+void accessor(Printer& out, const model::Object& object, std::size_t number) {
+  const model::Field& field = object.fields[number];
   std::string comment = field_comment(field);
   std::string offset = "Record::" + field.name;
   std::string parameter;
   if (field.array_extent != 0) {
     comment += comment.empty() ? "" : "\n";
     comment += "@pre 0 <= entry < " + std::to_string(field.array_extent);
-    offset += " + entry * " + bytes_as_int(slot.stride);
+    offset += " + entry * Record::plan_.stride[" + std::to_string(number) + "]";
     parameter = "int entry";
   }
   if (!comment.empty()) out.comment("///", comment);
   const std::string name = field.name + "(" + parameter + ") const";
-  if (slot.nested != nullptr) {
-    const std::string ref = type_name(*slot.nested->object, "Ref", object) + "<Real, Cursor>";
+  if (field.shape == model::Shape::object) {
+    const std::string ref =
+        nested_type_name(field, "Ref", object) + "<Real, typename Formats::" + field.name + ", Cursor>";
     out.function("PHYSGEN_FUNCTION " + ref + " " + name, {"return " + ref + "(at_.nested(" + offset + "));"});
     return;
   }
-  const std::string stored = stored_type(field.element);
-  const std::string access = field.shape == model::Shape::scalar ? "element<" + stored + ">"
-                                                                 : "field<" + shape_type(field) + ", " + stored + ">";
+  const std::string access = "field<" + stored_as(field) + ">";
   out.function("PHYSGEN_FUNCTION decltype(auto) " + name, {"return at_.template " + access + "(" + offset + ");"});
 }
 
@@ -79,16 +79,16 @@ void ref_class(Printer& out, const plan::Record& record) {
   const std::string name = object.name + "Ref";
   out.comment("///", "One " + object.name +
                          " of an array, or those under a SIMD index: fields by name, all of them by get and put.");
-  out.line("template <class Real, class Cursor>");
+  out.line("template <class Real, class Formats, class Cursor>");
   out.open("class " + name + " {");
-  out.line("using Record = " + object.name + "Record<Real>;");
+  out.line("using Record = " + object.name + "Record<Real, Formats>;");
   out.line();
   out.label("public:");
   out.line("using Value = " + object.name + "<typename Cursor::template Lanes<Real>>;");
   out.line();
   out.line("PHYSGEN_FUNCTION explicit " + name + "(const Cursor& cursor) : at_(cursor) {}");
   out.line();
-  for (std::size_t f = 0; f < object.fields.size(); ++f) accessor(out, object, object.fields[f], record.slots[f]);
+  for (std::size_t f = 0; f < object.fields.size(); ++f) accessor(out, object, f);
   out.line();
   get(out, object);
   put(out, object);

@@ -3,10 +3,19 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 #include <string_view>
 
 namespace physgen::emit {
 namespace {
+
+// To two digits, for people.
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
 
 std::string structure(const model::Field& field) {
   const auto stored = [&](const char* what) {
@@ -34,6 +43,92 @@ std::string values(const model::Field& field) {
   return text.empty() ? text : text + ".";
 }
 
+// k of the power of two 2^k that brings the larger end of the range into (16384, 32768]; 0 without a range, and for
+// rotations, whose entries end at 1.
+int half_exponent(const model::Field& field) {
+  if (!field.range || field.shape == model::Shape::rotation) return 0;
+  const double size = std::max(std::abs(field.range->low), std::abs(field.range->high));
+  if (size == 0) return 0;
+  int exponent = 0;
+  const double mantissa = std::frexp(size, &exponent);  // size = mantissa * 2^exponent, mantissa in [0.5, 1)
+  return std::clamp(exponent - (mantissa == 0.5 ? 16 : 15), -100, 100);
+}
+
+// Components of quaternions and entries of rotations lie between -1 and 1.
+model::Range steps_range(const model::Field& field) {
+  return field.shape == model::Shape::rotation || !field.range ? model::Range{-1, 1} : *field.range;
+}
+
+std::string real(double value) {
+  const std::string text = number(value);
+  return text + (text.find_first_of(".e") == std::string::npos ? ".0" : "");
+}
+
+std::string encoded_type(const model::Field& field, model::Encoding encoding) {
+  const std::string prefix = "physgen::format::";
+  switch (encoding) {
+    case model::Encoding::native:
+      return prefix + "Native";
+    case model::Encoding::float32:
+      return prefix + "Float32";
+    case model::Encoding::float64:
+      return prefix + "Float64";
+    case model::Encoding::bfloat16:
+      return prefix + "Bfloat16";
+    case model::Encoding::half: {
+      const int exponent = half_exponent(field);
+      return prefix + "Half<" + (exponent == 0 ? "" : std::to_string(exponent)) + ">";
+    }
+    case model::Encoding::snorm16:
+      break;
+  }
+  const model::Range range = steps_range(field);
+  return prefix + "Snorm16<" + real(range.low) + ", " + real(range.high) + ">";
+}
+
+// "half, relative error up to 4.9e-4 (up to 32768 and from 6.1e-5 on)"
+std::string describe_format(const model::Field& field, const model::Format& format) {
+  std::string text = format.quaternion ? "unit quaternion" : "";
+  const auto say = [&](const std::string& plain, const char* component, const char* matrix_error) {
+    if (format.quaternion) return text + component + ", error of an entry up to " + matrix_error;
+    return plain;
+  };
+  switch (format.encoding) {
+    case model::Encoding::native:
+      return say("", "", "10 eps");
+    case model::Encoding::float32:
+      return say("float, relative error up to 6e-8", " of floats", "1.2e-6");
+    case model::Encoding::float64:
+      return say("double, relative error up to 1.1e-16", " of doubles", "10 eps");
+    case model::Encoding::bfloat16:
+      return say("bfloat16, relative error up to 3.9e-3", " of bfloat16", "1.6e-2");
+    case model::Encoding::half: {
+      const double scale = std::ldexp(1.0, half_exponent(field));
+      return say("half, relative error up to 4.9e-4 for sizes from " + rounded(6.104e-5 * scale) + " to " +
+                     rounded(65504 * scale),
+                 " of halves", "2e-3");
+    }
+    case model::Encoding::snorm16:
+      break;
+  }
+  const model::Range range = steps_range(field);
+  return say("16-bit steps over [" + number(range.low) + ", " + number(range.high) + "], error up to " +
+                 rounded((range.high - range.low) / 131068),
+             " of 16-bit steps", "9e-5");
+}
+
+// "Stored as half, ...", where the schema says how.
+std::string storage(const model::Field& field) {
+  if (field.shape == model::Shape::object) return {};
+  const std::string host = describe_format(field, field.host_format), cuda = describe_format(field, field.cuda_format);
+  if (host.empty() && cuda.empty()) return {};
+  if (host == cuda) return "Stored as " + host + ".";
+  std::string text;
+  if (!host.empty()) text = "Stored on the host as " + host;
+  if (!cuda.empty()) text += (text.empty() ? "Stored on CUDA as " : "; on CUDA as ") + cuda;
+  return text + ".";
+}
+
 }  // namespace
 
 bool initial_in_value(const model::Field& field) {
@@ -43,20 +138,6 @@ bool initial_in_value(const model::Field& field) {
 std::string number(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-std::string bytes(plan::Bytes value) {
-  if (value.with_float == value.with_double) return std::to_string(value.with_float);
-  if (value.with_float % 4 == 0 && value.with_double == 2 * value.with_float) {
-    return value.with_float == 4 ? "sizeof(Real)" : std::to_string(value.with_float / 4) + " * sizeof(Real)";
-  }
-  return "physgen::by_precision<Real>(" + std::to_string(value.with_float) + ", " + std::to_string(value.with_double) +
-         ")";
-}
-
-std::string bytes_as_int(plan::Bytes value) {
-  const std::string text = bytes(value);
-  return text.find("sizeof") == std::string::npos ? text : "int{" + text + "}";
 }
 
 std::string stored_type(model::Element element) {
@@ -102,6 +183,31 @@ std::string shape_type(const model::Field& field) {
   return shape + "Scalar";
 }
 
+bool has_format(const model::Field& field) {
+  return field.shape == model::Shape::object ||
+         (field.element != model::Element::index && field.element != model::Element::int32);
+}
+
+std::string format_type(const model::Field& field, model::Space space) {
+  const auto& [encoding, quaternion] = field.format(space);
+  const std::string name = encoded_type(field, encoding);
+  if (!quaternion) return name;
+  return "physgen::format::Quaternion<" + (encoding == model::Encoding::native ? "" : name) + ">";
+}
+
+std::string stored_as(const model::Field& field) {
+  const std::string format = has_format(field) ? "typename Formats::" + field.name : "physgen::format::Native";
+  return shape_type(field) + ", " + format + ", " + stored_type(field.element);
+}
+
+std::string nested_type_name(const model::Field& field, const char* ending, const model::Object& user) {
+  const auto colons = field.object.rfind("::");
+  model::Object target;
+  target.name = colons == std::string::npos ? field.object : field.object.substr(colons + 2);
+  target.scope = colons == std::string::npos ? "" : field.object.substr(0, colons);
+  return type_name(target, ending, user);
+}
+
 std::string type_name(const model::Object& target, const char* ending, const model::Object& user) {
   const std::string name = target.name + ending;
   if (target.scope == user.scope) return name;
@@ -115,7 +221,7 @@ std::string field_comment(const model::Field& field) {
     ended = ended && !text.empty();
     text += (text.empty() ? "[" : " [") + field.unit + "]";
   }
-  for (const std::string& sentence : {structure(field), values(field)}) {
+  for (const std::string& sentence : {structure(field), values(field), storage(field)}) {
     if (sentence.empty()) continue;
     text += (text.empty() ? "" : ended ? " " : ". ") + sentence;
     ended = true;

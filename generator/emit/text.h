@@ -10,20 +10,27 @@ namespace physgen::emit {
 /// Shortest text that reads back as `value`: "0.5", "1e-12".
 [[nodiscard]] std::string number(double value);
 
-/// A number of bytes as a constant expression in Real: "36", "9 * sizeof(Real)", "physgen::by_precision<Real>(36, 72)".
-[[nodiscard]] std::string bytes(plan::Bytes value);
-
-/// The same as an int, to be multiplied by a variable.
-[[nodiscard]] std::string bytes_as_int(plan::Bytes value);
-
 /// C++ type of a stored element: "Real", "float", "double", "std::int32_t".
 [[nodiscard]] std::string stored_type(model::Element element);
 
 /// Type of an element of a value struct, whose Real may be a SIMD batch: "Real", "physgen::same_lanes_t<Real, float>".
 [[nodiscard]] std::string value_type(model::Element element);
 
-/// "physgen::shape::Symmetric<3>". @pre neither a scalar nor an object
+/// "physgen::shape::Symmetric<3>". @pre not an object
 [[nodiscard]] std::string shape_type(const model::Field& field);
+
+/// Whether the schema can say how the field is stored: integers have one form.
+[[nodiscard]] bool has_format(const model::Field& field);
+
+/// "physgen::format::Half<4>": how elements of the field are stored in a space. @pre has_format(), and not an object
+[[nodiscard]] std::string format_type(const model::Field& field, model::Space space);
+
+/// Shape, format and type to compute with, as template arguments: "physgen::shape::Rotation, typename Formats::U,
+/// Real".
+[[nodiscard]] std::string stored_as(const model::Field& field);
+
+/// Name of a type generated for the object that `field` nests, as written in the code of `user`.
+[[nodiscard]] std::string nested_type_name(const model::Field& field, const char* ending, const model::Object& user);
 
 /// Name of a type generated for `target`, as written in the code of `user`: qualified when the namespaces differ.
 [[nodiscard]] std::string type_name(const model::Object& target, const char* ending, const model::Object& user);

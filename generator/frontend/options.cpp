@@ -14,7 +14,7 @@ namespace {
 using model::Aspect;
 
 constexpr const char* object_options = "layout(...) and align(...)";
-constexpr const char* field_options = "unit(...), range(...) and initial(...)";
+constexpr const char* field_options = "unit(...), range(...), initial(...) and format(...)";
 
 /// One argument of a macro: which option it is, and its evaluated members.
 struct Option {
@@ -127,6 +127,15 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, R
       if (places.add(Aspect::range, option, "range(...)")) field.range = model::Range{option.real(0), option.real(1)};
     } else if (option.type == "Initial") {
       if (places.add(Aspect::initial, option, "initial(...)")) field.initial = option.real(0);
+    } else if (option.type == "Format") {
+      const bool host = option.integer(0) == 0;
+      if (!places.add(host ? Aspect::host_format : Aspect::cuda_format, option,
+                      host ? "format(host, ...)" : "format(cuda, ...)"))
+        return;
+      const auto& storage = option.value.getStructField(1);
+      const auto encoding = static_cast<model::Encoding>(storage.getStructField(0).getInt().getExtValue());
+      const bool quaternion = !storage.getStructField(1).getInt().isZero();
+      (host ? field.host_format : field.cuda_format) = model::Format{encoding, quaternion};
     } else {
       reject(option, "PHYSGEN", field_options, report);
     }

@@ -39,6 +39,13 @@ constexpr Words<LayoutKind, 4> layouts = {{{LayoutKind::aos, "aos"},
                                            {LayoutKind::soa, "soa"},
                                            {LayoutKind::aosoa, "aosoa"}}};
 
+constexpr Words<Encoding, 6> encodings = {{{Encoding::native, "native"},
+                                           {Encoding::float32, "float32"},
+                                           {Encoding::float64, "float64"},
+                                           {Encoding::half, "half"},
+                                           {Encoding::bfloat16, "bfloat16"},
+                                           {Encoding::snorm16, "snorm16"}}};
+
 template <class Enum, std::size_t N>
 std::string_view word(const Words<Enum, N>& words, Enum value) {
   for (const auto& [candidate, text] : words)
@@ -60,6 +67,12 @@ Json write(const Layout& layout) {
   return json;
 }
 
+Json write(const Format& format) {
+  Json json = {{"encoding", word(encodings, format.encoding)}};
+  if (format.quaternion) json["quaternion"] = true;
+  return json;
+}
+
 Json write(const Field& field) {
   Json json;
   json["name"] = field.name;
@@ -76,6 +89,8 @@ Json write(const Field& field) {
   write(json, "unit", field.unit);
   if (field.range) json["range"] = {field.range->low, field.range->high};
   if (field.initial) json["initial"] = *field.initial;
+  if (field.host_format != Format{}) json["host_format"] = write(field.host_format);
+  if (field.cuda_format != Format{}) json["cuda_format"] = write(field.cuda_format);
   if (field.location != Location{}) json["location"] = write(field.location);
   return json;
 }
@@ -145,6 +160,11 @@ class Reader {
     return json_.get<double>();
   }
 
+  [[nodiscard]] bool boolean() const {
+    if (!json_.is_boolean()) fail("must be true or false, not " + json_.dump());
+    return json_.get<bool>();
+  }
+
   template <class Enum, std::size_t N>
   [[nodiscard]] Enum one_of(const Words<Enum, N>& words) const {
     const std::string value = text();
@@ -178,9 +198,15 @@ std::optional<Layout> read_layout(const Reader& reader, const char* key) {
   return Layout{json.at("kind").one_of(layouts), json.integer_or("tile", 0)};
 }
 
+Format read_format(const Reader& reader, const char* key) {
+  if (!reader.has(key)) return {};
+  const Reader json = reader.at(key).members({"encoding", "quaternion"});
+  return {json.at("encoding").one_of(encodings), json.has("quaternion") && json.at("quaternion").boolean()};
+}
+
 Field read_field(const Reader& json) {
   json.members({"name", "doc", "shape", "object", "element", "rows", "cols", "array_extent", "unit", "range", "initial",
-                "location"});
+                "host_format", "cuda_format", "location"});
   Field field;
   field.name = json.at("name").text();
   field.doc = json.text_or_empty("doc");
@@ -200,6 +226,8 @@ Field read_field(const Reader& json) {
     field.range = Range{ends[0].number(), ends[1].number()};
   }
   if (json.has("initial")) field.initial = json.at("initial").number();
+  field.host_format = read_format(json, "host_format");
+  field.cuda_format = read_format(json, "cuda_format");
   field.location = read_location(json);
   return field;
 }

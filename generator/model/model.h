@@ -38,6 +38,19 @@ struct Layout {
   bool operator==(const Layout&) const = default;
 };
 
+enum class Encoding { native, float32, float64, half, bfloat16, snorm16 };
+
+/// How a field is stored in a memory space: the encoding of its elements, or, of a rotation stored as a quaternion, of
+/// that one's four components.
+struct Format {
+  Encoding encoding = Encoding::native;
+  bool quaternion = false;
+  bool operator==(const Format&) const = default;
+};
+
+/// The memory spaces that layouts and formats are stated for.
+enum class Space { host, cuda };
+
 /// One data member of an object.
 struct Field {
   std::string name;
@@ -51,8 +64,12 @@ struct Field {
   std::string unit;      ///< "Pa", empty: none stated
   std::optional<Range> range;
   std::optional<double> initial;  ///< value of every element of a new object; none: 0
+  Format host_format;
+  Format cuda_format;
   Location location;
   bool operator==(const Field&) const = default;
+
+  [[nodiscard]] const Format& format(Space space) const { return space == Space::host ? host_format : cuda_format; }
 };
 
 /// One object type.

@@ -25,13 +25,13 @@ constexpr std::string_view keywords[] = {
     "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
     "xor_eq"};
 
-constexpr std::string_view reserved_fields[] = {"get",   "put",       "Real",    "Cursor", "Value", "Record",
-                                                "bytes", "alignment", "physgen", "std",    "Eigen"};
+constexpr std::string_view reserved_fields[] = {"get",       "put",     "Real", "Cursor", "Value",   "Record", "bytes",
+                                                "alignment", "physgen", "std",  "Eigen",  "Formats", "Space"};
 // Objects must not hide what generated code says beside them: its template parameters, and the words of the schema.
 constexpr std::string_view reserved_objects[] = {
-    "Real",   "Cursor",    "Value",  "Record", "Layout",    "Space",    "View", "Array",    "Ref",
-    "Object", "Scalar",    "Vector", "Matrix", "Symmetric", "Diagonal", "Skew", "Rotation", "Index",
-    "bytes",  "alignment", "get",    "put",    "physgen",   "std",      "Eigen"};
+    "Real",   "Cursor",    "Value",  "Record", "Layout",    "Space",    "View",  "Array",    "Ref",
+    "Object", "Scalar",    "Vector", "Matrix", "Symmetric", "Diagonal", "Skew",  "Rotation", "Index",
+    "bytes",  "alignment", "get",    "put",    "physgen",   "std",      "Eigen", "Formats"};
 // Macros of system headers and compilers.
 constexpr std::string_view macros[] = {"NULL", "NAN", "INFINITY", "EOF", "errno", "assert", "linux", "unix"};
 constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen"};

@@ -137,7 +137,7 @@ class Checker {
         report(Aspect::name, "field name " + quoted(field.name) + " is also the name of a type generated for object " +
                                  quoted(object.name) + "; choose another name");
     for (const Field& other : object.fields)
-      for (const char* ending : {"", "Ref"})
+      for (const char* ending : {"", "Formats", "Record", "Ref"})
         if (other.shape == Shape::object && field.name != object.name &&
             field.name == other.object.substr(other.object.rfind(':') + 1) + ending)
           report(Aspect::name, "field name " + quoted(field.name) + " is also the name of the object type " +
@@ -213,11 +213,50 @@ class Checker {
       if (!field.unit.empty()) report(Aspect::unit, "unit()" + advice);
       if (field.range) report(Aspect::range, "range()" + advice);
       if (field.initial) report(Aspect::initial, "initial()" + advice);
+      if (field.host_format != Format{}) report(Aspect::host_format, "format()" + advice);
+      if (field.cuda_format != Format{}) report(Aspect::cuda_format, "format()" + advice);
       return;
     }
     unit(field.unit);
     if (field.range) range(*field.range);
     if (field.initial) initial(field);
+    format(Aspect::host_format, field, field.host_format);
+    format(Aspect::cuda_format, field, field.cuda_format);
+  }
+
+  void format(Aspect aspect, const Field& field, const Format& format) {
+    if (format == Format{}) return;
+    if (field.element == Element::index || field.element == Element::int32)
+      report(aspect,
+             "the elements of " + quoted(field.name) + " are integers, which have no other format; leave it out");
+    else if (format.quaternion && field.shape != Shape::rotation)
+      report(aspect, "only a Rotation can be stored as a quaternion; " + quoted(field.name) + " is a " + sized(field));
+    else if (format.encoding == Encoding::snorm16 && field.shape != Shape::rotation && !field.range)
+      report(aspect, "snorm16 has equal steps over a range, and " + quoted(field.name) +
+                         " states none; add one, such as range(-1, 1)");
+    else if (format.encoding == Encoding::snorm16 && field.shape != Shape::rotation &&
+             !(field.range->low < field.range->high))
+      report(aspect,
+             "snorm16 has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
+    else if (format.encoding == Encoding::half && field.initial && std::abs(*field.initial) > 65504 && !field.range)
+      report(aspect, "initial(" + number(*field.initial) + ") is no half, which ends at 65504; state the range of " +
+                         quoted(field.name) + ", and it is scaled");
+    else
+      magnitudes(aspect, field, format.encoding);
+  }
+
+  // Stated values that the format would lose: halves are scaled by 2^-100 to 2^100, the others end where float does.
+  void magnitudes(Aspect aspect, const Field& field, Encoding encoding) {
+    if (encoding == Encoding::native || encoding == Encoding::float64 || field.shape == Shape::rotation) return;
+    if (encoding == Encoding::snorm16 && field.element == Element::float64) return;
+    const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
+    const double largest = std::max(end, std::abs(field.initial.value_or(0)));
+    const double limit = encoding == Encoding::half ? 0x1p115 : encoding == Encoding::bfloat16 ? 0x1.FEp127 : FLT_MAX;
+    const double least = encoding == Encoding::half && end > 0 ? 0x1p-86 : 0;
+    if (largest <= limit && (end == 0 || end >= least)) return;
+    report(aspect, "the range or initial value of " + quoted(field.name) + " is beyond what this format holds, " +
+                       (least > 0 ? "ranges from " + number(least) + " to " : "sizes up to ") + number(limit) +
+                       "; choose float64");
   }
 
   void unit(const std::string& unit) {

@@ -10,7 +10,20 @@
 namespace physgen::model {
 
 /// What a rule was broken by; the frontend points its caret there.
-enum class Aspect { name, scope, fields, type, unit, range, initial, host_layout, cuda_layout, alignment };
+enum class Aspect {
+  name,
+  scope,
+  fields,
+  type,
+  unit,
+  range,
+  initial,
+  host_format,
+  cuda_format,
+  host_layout,
+  cuda_layout,
+  alignment
+};
 
 /// An object of a schema, or one of its fields.
 struct Place {

@@ -2,9 +2,7 @@
 #include "plan/plan.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
-#include <tuple>
 
 namespace physgen::plan {
 namespace {
@@ -25,7 +23,7 @@ void append_runs(const Record& record, Bytes base, std::vector<Step>& path, std:
     const model::Field& field = record.object->fields[f];
     path.push_back({&record, static_cast<int>(f)});
     if (slot.nested == nullptr) {
-      all.push_back({path, base + slot.offset, entries(field) * model::element_count(field)});
+      all.push_back({path, base + slot.offset, entries(field) * stored_count(field, record.space)});
     } else {
       for (int entry = 0; entry < entries(field); ++entry) {
         path.back().entry = field.array_extent == 0 ? -1 : entry;
@@ -36,10 +34,34 @@ void append_runs(const Record& record, Bytes base, std::vector<Step>& path, std:
   }
 }
 
+// Gives every field its offset, and the record its bytes, in one precision.
+void place(Record& record, const std::vector<Bytes>& alignments, int Bytes::* precision) {
+  for (int alignment = 8; alignment > 0; alignment /= 2) {
+    for (std::size_t f = 0; f < record.slots.size(); ++f) {
+      if (alignments[f].*precision != alignment) continue;
+      Slot& slot = record.slots[f];
+      slot.offset.*precision = record.bytes.*precision;
+      record.bytes.*precision += entries(record.object->fields[f]) * (slot.stride.*precision);
+    }
+  }
+}
+
 }  // namespace
 
-Bytes element_bytes(model::Element element) {
-  switch (element) {
+Bytes element_bytes(const model::Field& field, model::Space space) {
+  switch (field.format(space).encoding) {
+    case model::Encoding::float32:
+      return {4, 4};
+    case model::Encoding::float64:
+      return {8, 8};
+    case model::Encoding::half:
+    case model::Encoding::bfloat16:
+    case model::Encoding::snorm16:
+      return {2, 2};
+    case model::Encoding::native:
+      break;
+  }
+  switch (field.element) {
     case model::Element::real:
       return {4, 8};
     case model::Element::float64:
@@ -52,9 +74,15 @@ Bytes element_bytes(model::Element element) {
   return {4, 4};
 }
 
-Record plan_record(const model::Object& object, const Lookup& lookup) {
+int stored_count(const model::Field& field, model::Space space) {
+  return field.format(space).quaternion ? 4 : model::element_count(field);
+}
+
+Record plan_record(const model::Object& object, model::Space space, const Lookup& lookup) {
   Record record;
   record.object = &object;
+  record.space = space;
+  record.natural_alignment = {1, 1};
   std::vector<Bytes> alignments;
   for (const model::Field& field : object.fields) {
     Slot slot;
@@ -63,36 +91,24 @@ Record plan_record(const model::Object& object, const Lookup& lookup) {
       alignments.push_back(slot.nested->natural_alignment);
       slot.stride = align_up(slot.nested->bytes, slot.nested->natural_alignment);
     } else {
-      alignments.push_back(element_bytes(field.element));
-      slot.stride = model::element_count(field) * alignments.back();
+      alignments.push_back(element_bytes(field, space));
+      slot.stride = stored_count(field, space) * alignments.back();
     }
+    record.natural_alignment = max(record.natural_alignment, alignments.back());
     record.slots.push_back(slot);
   }
-
-  record.order.resize(record.slots.size());
-  std::iota(record.order.begin(), record.order.end(), 0);
-  const auto alignment_of = [&](int field) {
-    const Bytes alignment = alignments[static_cast<std::size_t>(field)];
-    return std::tuple(alignment.with_float, alignment.with_double);
-  };
-  std::stable_sort(record.order.begin(), record.order.end(),
-                   [&](int a, int b) { return alignment_of(a) > alignment_of(b); });
-
-  record.natural_alignment = {1, 1};
-  for (const int f : record.order) {
-    const auto field = static_cast<std::size_t>(f);
-    record.slots[field].offset = align_up(record.bytes, alignments[field]);
-    record.bytes = record.slots[field].offset + entries(object.fields[field]) * record.slots[field].stride;
-    record.natural_alignment = max(record.natural_alignment, alignments[field]);
-  }
+  place(record, alignments, &Bytes::with_float);
+  place(record, alignments, &Bytes::with_double);
   record.alignment = max(record.natural_alignment, {object.alignment, object.alignment});
   return record;
 }
 
-Records::Records(const model::Schema& schema) {
+Records::Records(const model::Schema& schema, model::Space space) {
   const auto lookup = [this](const std::string& name) -> const Record& { return of(name); };
   for (const auto* objects : {&schema.imported, &schema.objects}) {
-    for (const model::Object& object : *objects) records_.emplace(object.qualified_name(), plan_record(object, lookup));
+    for (const model::Object& object : *objects) {
+      records_.emplace(object.qualified_name(), plan_record(object, space, lookup));
+    }
   }
 }
 

@@ -1,5 +1,6 @@
-// Where everything lies: byte offsets of the fields of an object in its record, for both precisions at once. Emitters
-// print what is decided here; proof.h checks it.
+// Where everything lies: byte offsets of the fields of an object in its record, in one memory space, for both
+// precisions at once. The runtime computes the same at compile time, for formats that a program chooses, too; emitters
+// print what is planned here for compilers to compare, and proof.h checks it.
 #pragma once
 
 #include <functional>
@@ -22,8 +23,11 @@ struct Bytes {
 }
 [[nodiscard]] constexpr Bytes operator*(int n, Bytes b) { return {n * b.with_float, n * b.with_double}; }
 
-/// Bytes of one stored element; also its alignment.
-[[nodiscard]] Bytes element_bytes(model::Element element);
+/// Bytes of one stored element of `field`; also its alignment.
+[[nodiscard]] Bytes element_bytes(const model::Field& field, model::Space space);
+
+/// Stored elements of one entry of `field`: model::element_count(), but 4 for a rotation stored as a quaternion.
+[[nodiscard]] int stored_count(const model::Field& field, model::Space space);
 
 struct Record;
 
@@ -38,8 +42,8 @@ struct Slot {
 /// `alignment`, the tiled layouts do not.
 struct Record {
   const model::Object* object = nullptr;
+  model::Space space = model::Space::host;
   std::vector<Slot> slots;  ///< parallel to object->fields
-  std::vector<int> order;   ///< field numbers in the order in which the fields lie in the record
   Bytes bytes;
   Bytes natural_alignment;  ///< of the largest element; what an object that nests this one keeps to
   Bytes alignment;  ///< of a record in an array of structs: natural, or what the schema asks for if that is more
@@ -48,17 +52,17 @@ struct Record {
 /// Finds the record of a nested object by its qualified name; it must outlive the records that nest it.
 using Lookup = std::function<const Record&(const std::string&)>;
 
-/// Plans the record of `object`, which must outlive it. Fields are ordered by alignment: what is aligned to 8 bytes,
-/// then what is aligned to Real, then 4 bytes; in order of declaration among equals. That leaves no gaps between
-/// fields. A nested object lies there as a whole, rounded up to its natural alignment: the only bytes without data.
+/// Plans the record of `object`, which must outlive it. Fields are ordered by alignment, largest first, and by
+/// declaration among equals. That leaves no gaps between fields. A nested object lies there as a whole, rounded up to
+/// its natural alignment: the only bytes without data.
 /// @pre validate() has no objection to the object
-[[nodiscard]] Record plan_record(const model::Object& object, const Lookup& lookup);
+[[nodiscard]] Record plan_record(const model::Object& object, model::Space space, const Lookup& lookup);
 
 /// The records of all objects of a schema, which must outlive them.
 class Records {
  public:
   /// @throws std::invalid_argument when an object nests one that is not declared before it
-  explicit Records(const model::Schema& schema);
+  Records(const model::Schema& schema, model::Space space);
   [[nodiscard]] const Record& of(const std::string& qualified_name) const;
 
  private:
@@ -80,7 +84,7 @@ struct Step {
 struct Run {
   std::vector<Step> path;
   Bytes offset;
-  int count = 0;
+  int count = 0;  ///< stored elements
   [[nodiscard]] const model::Field& field() const { return path.back().declaration(); }
   /// "x", "svd.U", "points[2].x"
   [[nodiscard]] std::string name() const;

@@ -14,11 +14,24 @@ void deallocate(SpaceKind space, std::byte* data) noexcept;
 /// Plain copy of bytes where at least one side is in CUDA memory, ordered in `stream`.
 void copy_bytes(std::byte* to, const std::byte* from, index_t bytes, Stream stream);
 
-/// Converts objects begin .. end-1 where at least one side is in CUDA memory. Done on the device: what lies on the host
-/// is transferred in its own layout.
-void convert(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream);
+/// Copies `rows` rows of `bytes` bytes that lie `to_pitch` and `from_pitch` bytes apart, where at least one side is in
+/// CUDA memory, ordered in `stream`.
+void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int rows,
+               Stream stream);
+
+/// Converts objects begin .. end-1 where at least one side is in CUDA memory; see cuda/transfer.cu for what travels and
+/// where it is converted.
+/// @return bytes that travelled between host and device; between arrays of the device, those of the objects read
+index_t convert(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream);
 
 /// Sets one field of objects begin .. end-1 in CUDA memory to its initial value; done when this returns.
 void fill(const Storage& storage, const FieldInfo& field, index_t begin, index_t end);
+
+/// What the formats of `to` could not hold of objects begin .. end-1 of `from`, which lies in CUDA memory; done when
+/// this returns.
+[[nodiscard]] Losses count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream);
+
+/// Waits for all work of the device.
+void synchronize_device();
 
 }  // namespace physgen::backend

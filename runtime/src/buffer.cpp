@@ -59,6 +59,16 @@ Buffer::Buffer(SpaceKind space, index_t bytes, const std::string& what) : bytes_
   }
 }
 
+void copy_memory(std::byte* to, SpaceKind to_space, const std::byte* from, SpaceKind from_space, index_t bytes) {
+  if (bytes == 0) return;
+  if (host_accessible(to_space) && host_accessible(from_space)) {
+    std::memcpy(to, from, static_cast<std::size_t>(bytes));
+  } else {
+    backend::copy_bytes(to, from, bytes, nullptr);
+    synchronize();
+  }
+}
+
 Buffer::~Buffer() {
   if (data_ == nullptr) return;
   if (space_ == SpaceKind::host) {

@@ -1,7 +1,11 @@
-// Conversion of one object between two arrays, on host and device: the law of addresses with run-time values.
+// A conversion of objects between two arrays as data: which elements move where, on host and device.
 #pragma once
 
 #include <physgen/storage.h>
+
+#include <vector>
+
+#include "element_codec.h"
 
 namespace physgen::detail {
 
@@ -11,69 +15,116 @@ struct Addressing {
   index_t pitch;
   int shift;
   int record_bytes;
+  index_t first;  // the number of the object that lies at its beginning
 
-  explicit Addressing(const Storage& storage)
-      : base(storage.base), pitch(storage.pitch), shift(63), record_bytes(storage.record_bytes) {
+  explicit Addressing(const Storage& storage, index_t first_object = 0)
+      : base(storage.base), pitch(storage.pitch), shift(63), record_bytes(storage.record_bytes), first(first_object) {
     if (storage.pitch < storage.padded || storage.pitch == 1) {
       for (shift = 0; (index_t{1} << shift) < storage.pitch;) ++shift;
     }
   }
   [[nodiscard]] PHYSGEN_FUNCTION std::byte* address(index_t i, int offset, int size) const {
-    const index_t tile = i >> shift;
-    const index_t lane = i - (tile << shift);
+    const index_t here = i - first;
+    const index_t tile = here >> shift;
+    const index_t lane = here - (tile << shift);
     return base + tile * pitch * record_bytes + offset * pitch + lane * size;
   }
+  /// Whether whole records follow each other.
+  [[nodiscard]] PHYSGEN_FUNCTION bool records() const { return pitch == 1; }
 };
 
-/// How one field is converted.
-struct FieldConversion {
+/// One element of every object.
+struct ElementMove {
   int to_offset;
   int from_offset;
-  ElementType to_type;
-  ElementType from_type;
-  int count;
+  Encoding to;
+  Encoding from;
 };
 
-PHYSGEN_FUNCTION inline void convert_element(std::byte* to, ElementType to_type, const std::byte* from,
-                                             ElementType from_type) {
-  if (to_type == ElementType::int32) {
-    *reinterpret_cast<std::int32_t*>(to) = *reinterpret_cast<const std::int32_t*>(from);
-  } else if (to_type == ElementType::float32) {
-    *reinterpret_cast<float*>(to) = from_type == ElementType::float32
-                                        ? *reinterpret_cast<const float*>(from)
-                                        : static_cast<float>(*reinterpret_cast<const double*>(from));
-  } else {
-    *reinterpret_cast<double*>(to) = from_type == ElementType::float32
-                                         ? static_cast<double>(*reinterpret_cast<const float*>(from))
-                                         : *reinterpret_cast<const double*>(from);
-  }
-}
+/// One rotation of every object, a matrix on one side and a quaternion on the other.
+struct RotationMove {
+  ElementMove first;  ///< of its elements
+  bool to_quaternion;
 
-/// Converts one field of object i.
-PHYSGEN_FUNCTION inline void convert_field(const Addressing& to, const Addressing& from, const FieldConversion& field,
-                                           index_t i) {
-  const int to_size = element_bytes(field.to_type);
-  const int from_size = element_bytes(field.from_type);
-  for (int k = 0; k < field.count; ++k) {
-    convert_element(to.address(i, field.to_offset + k * to_size, to_size), field.to_type,
-                    from.address(i, field.from_offset + k * from_size, from_size), field.from_type);
+  template <class S>
+  PHYSGEN_FUNCTION Eigen::Matrix<S, 3, 3> read(const Addressing& from, index_t i) const {
+    const int size = element_bytes(first.from.type);
+    return decode_rotation<S>(first.from, !to_quaternion,
+                              [&](int k) { return from.address(i, first.from_offset + k * size, size); });
   }
-}
-
-/// Sets all elements of one field of object i to `value`.
-PHYSGEN_FUNCTION inline void fill_field(const Addressing& address, int offset, ElementType type, int count,
-                                        double value, index_t i) {
-  const int size = element_bytes(type);
-  for (int k = 0; k < count; ++k) {
-    std::byte* element = address.address(i, offset + k * size, size);
-    if (type == ElementType::int32) {
-      *reinterpret_cast<std::int32_t*>(element) = static_cast<std::int32_t>(value);
-    } else if (type == ElementType::float32) {
-      *reinterpret_cast<float*>(element) = static_cast<float>(value);
+  /// Computed in double if one of the sides is.
+  PHYSGEN_FUNCTION void run(const Addressing& to, const Addressing& from, index_t i) const {
+    const int size = element_bytes(first.to.type);
+    const auto at = [&](int k) { return to.address(i, first.to_offset + k * size, size); };
+    if (size == 8 || element_bytes(first.from.type) == 8) {
+      encode_rotation<double>(first.to, to_quaternion, at, read<double>(from, i));
     } else {
-      *reinterpret_cast<double*>(element) = value;
+      encode_rotation<float>(first.to, to_quaternion, at, read<float>(from, i));
     }
   }
+};
+
+/// All of a conversion.
+struct Conversion {
+  std::vector<ElementMove> elements;
+  std::vector<RotationMove> rotations;
+
+  Conversion(const Storage& to, const Storage& from) {
+    for (std::size_t f = 0; f < to.fields.size(); ++f) {
+      const FieldInfo &a = to.fields[f], &b = from.fields[f];
+      const int to_size = element_bytes(a.type), from_size = element_bytes(b.type);
+      const ElementMove first{a.offset, b.offset, encoding_of(a), encoding_of(b)};
+      const auto at = [&](int to_element, int from_element) {
+        ElementMove move = first;
+        move.to_offset += to_element * to_size;
+        move.from_offset += from_element * from_size;
+        return move;
+      };
+      if (a.quaternion == b.quaternion) {
+        for (int k = 0; k < a.count; ++k) elements.push_back(at(k, k));
+      } else {
+        for (int r = 0; r < a.visible_count() / 9; ++r) {
+          rotations.push_back({at(r * (a.quaternion ? 4 : 9), r * (b.quaternion ? 4 : 9)), a.quaternion});
+        }
+      }
+    }
+  }
+};
+
+/// The initial value of one field. A rotation stored as a quaternion begins as the identity where no value is stated:
+/// four zeros stand for no rotation.
+struct Fill {
+  int offset;
+  int count;
+  Encoding encoding;
+  bool quaternion;
+  double value;
+
+  explicit Fill(const FieldInfo& field)
+      : offset(field.offset),
+        count(field.count),
+        encoding(encoding_of(field)),
+        quaternion(field.quaternion),
+        value(field.initial) {}
+  PHYSGEN_FUNCTION void run(const Addressing& array, index_t i) const {
+    const int size = element_bytes(encoding.type);
+    for (int k = 0; k < count; ++k) {
+      encode(array.address(i, offset + k * size, size), encoding, quaternion ? (k % 4 == 0 ? 1.0 : 0.0) : value);
+    }
+  }
+};
+
+/// Counts what `move` could not hold of object i.
+PHYSGEN_FUNCTION inline void count_element(Losses& losses, const ElementMove& move, const Addressing& from, index_t i) {
+  alignas(8) std::byte stored[8];
+  const double value = decode<double>(from.address(i, move.from_offset, element_bytes(move.from.type)), move.from);
+  encode(stored, move.to, value);
+  count_loss(losses, move.to.type, move.to.scale, value, decode<double>(stored, move.to), i, move.to_offset);
+}
+PHYSGEN_FUNCTION inline void count_rotation(Losses& losses, const RotationMove& move, const Addressing& from,
+                                            index_t i) {
+  if (move.to_quaternion)
+    count_deviation(losses, rotation_deviation(move.read<double>(from, i)), i, move.first.to_offset);
 }
 
 }  // namespace physgen::detail

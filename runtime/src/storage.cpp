@@ -5,82 +5,81 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <sstream>
 #include <string>
-#include <vector>
 
 #include "backend.h"
 #include "convert.h"
+#include "describe.h"
+#include "host_convert.h"
+#include "plain_copy.h"
 
 namespace physgen {
 
 namespace {
 
-std::string describe(const Storage& storage) {
-  return std::string(storage.object) + "[" + std::to_string(storage.size) + "] in " + name(storage.space) + " memory";
-}
+using detail::describe;
 
-// Whether a tile of `a` and one of `b` hold the same bytes for the same objects.
-bool same_tiles(const Storage& a, const Storage& b) {
-  if (a.pitch != b.pitch || a.record_bytes != b.record_bytes) return false;
-  for (std::size_t f = 0; f < a.fields.size(); ++f) {
-    if (a.fields[f].type != b.fields[f].type || a.fields[f].offset != b.fields[f].offset) return false;
-  }
-  return true;
-}
+// A field and which of its elements, as code counts them.
+struct Found {
+  const FieldInfo& field;
+  int element;
+};
 
-void convert_on_host(const Storage& to, const Storage& from, index_t begin, index_t end) {
-  const detail::Addressing to_address(to);
-  const detail::Addressing from_address(from);
-  // Blocks of objects keep the records of both sides in the cache while field after field is converted.
-  constexpr index_t block = 1024;
-  const index_t blocks = (end - begin + block - 1) / block;
-#pragma omp parallel for if (blocks > 8)
-  for (index_t b = 0; b < blocks; ++b) {
-    const index_t first = begin + b * block;
-    const index_t last = first + block < end ? first + block : end;
-    for (std::size_t f = 0; f < to.fields.size(); ++f) {
-      const detail::FieldConversion field{to.fields[f].offset, from.fields[f].offset, to.fields[f].type,
-                                          from.fields[f].type, to.fields[f].count};
-      for (index_t i = first; i < last; ++i) detail::convert_field(to_address, from_address, field, i);
-    }
-  }
-}
-
-ElementInfo find_element(const Storage& storage, index_t i, int k) {
+Found find_element(const Storage& storage, index_t i, int k) {
   if (i < 0 || i >= storage.size) {
     throw Error(describe(storage) + ": there is no object " + std::to_string(i));
   }
   int rest = k;
   for (const FieldInfo& field : storage.fields) {
-    if (rest >= 0 && rest < field.count) return {field.type, field.offset + rest * element_bytes(field.type)};
-    rest -= field.count;
+    if (rest >= 0 && rest < field.visible_count()) return {field, rest};
+    rest -= field.visible_count();
   }
   throw Error(describe(storage) + ": there is no element " + std::to_string(k));
 }
 
+bool overlap(const Storage& a, const Storage& b) {
+  return a.bytes() > 0 && b.bytes() > 0 && a.base < b.base + b.bytes() && b.base < a.base + a.bytes();
+}
+
+Losses count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+  if (begin == end) return {};
+  if (!host_accessible(from.space)) return backend::count_losses(to, from, begin, end, stream);
+  if (from.space == SpaceKind::pinned) synchronize(stream);  // a transfer may be writing there
+  return detail::count_on_host(to, from, begin, end);
+}
+
+#ifdef PHYSGEN_CHECKED
+constexpr bool checked = true;
+#else
+constexpr bool checked = false;
+#endif
+
 }  // namespace
 
+index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+  if (begin < 0 || begin > end || end > std::min(to.size, from.size)) {
+    throw Error("cannot copy objects " + std::to_string(begin) + " up to " + std::to_string(end) + " of " +
+                describe(from) + " to " + describe(to));
+  }
+  if (begin == end) return 0;
+  if (checked && !detail::same_records(to, from)) throw_if_falsified(count_losses(to, from, begin, end, stream), to);
+  if (detail::same_records(to, from) && detail::same_runs(to, from)) {
+    // To the end of both arrays the last tile moves whole, padding included, which makes it one run with the others.
+    const bool to_the_end = end == to.size && end == from.size && to.pitch == from.pitch;
+    const bool whole_tiles = begin == 0 || to.pitch < to.padded;
+    const index_t last = to_the_end && whole_tiles ? align_up(end, to.pitch) : end;
+    return detail::copy_plain(to, begin, from, begin, last - begin, stream);
+  }
+  if (host_accessible(from.space) && host_accessible(to.space)) {
+    detail::convert_on_host(to, 0, from, 0, begin, end);
+    return (end - begin) * from.record_bytes;
+  }
+  return backend::convert(to, from, begin, end, stream);
+}
+
 void copy_first(const Storage& to, const Storage& from, index_t count, Stream stream) {
-  if (count == 0) return;
-  const bool on_host = host_accessible(to.space) && host_accessible(from.space);
-  index_t whole = 0;  // objects that move as plain bytes: all, or those in whole tiles
-  if (same_tiles(to, from)) {
-    whole = count == from.size && count == to.size ? std::min(to.padded, from.padded) : count / to.pitch * to.pitch;
-  }
-  if (whole > 0) {
-    const index_t bytes = whole * to.record_bytes;
-    if (on_host) {
-      std::memcpy(to.base, from.base, static_cast<std::size_t>(bytes));
-    } else {
-      backend::copy_bytes(to.base, from.base, bytes, stream);
-    }
-  }
-  if (whole >= count) return;
-  if (on_host) {
-    convert_on_host(to, from, whole, count);
-  } else {
-    backend::convert(to, from, whole, count, stream);
-  }
+  copy_range(to, from, 0, count, stream);
 }
 
 void copy(const Storage& to, const Storage& from, Stream stream) {
@@ -90,20 +89,66 @@ void copy(const Storage& to, const Storage& from, Stream stream) {
   if (to.size != from.size) {
     throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": resize the target first");
   }
-  if (to.base == from.base && to.base != nullptr) {
-    throw Error("cannot copy " + describe(from) + " to itself");
+  if (overlap(to, from)) {
+    throw Error("cannot copy " + describe(from) + " to " + describe(to) +
+                ": they share memory; copy to an array of its own");
+  }
+  for (const Storage* side : {&to, &from}) {
+    if (side->size > 0 && side->base == nullptr) {
+      throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": one of them has no memory (null)");
+    }
   }
   copy_first(to, from, from.size, stream);
+}
+
+Losses losses_of_copy(const Storage& to, const Storage& from, Stream stream) {
+  return count_losses(to, from, 0, from.size, stream);
+}
+
+void throw_if_falsified(const Losses& losses, const Storage& storage) {
+  if (losses.falsified() == 0) return;
+  std::string field = "byte " + std::to_string(losses.offset);
+  for (const FieldInfo& candidate : storage.fields) {
+    const int at = losses.offset - candidate.offset, size = element_bytes(candidate.type);
+    if (at >= 0 && at < candidate.count * size) {
+      field = std::string(candidate.name) + (candidate.count > 1 ? "[" + std::to_string(at / size) + "]" : "");
+    }
+  }
+  std::ostringstream message;
+  message << describe(storage) << ": its storage formats cannot hold " << losses.falsified() << " values ("
+          << losses.out_of_range << " out of range, " << losses.not_a_number << " NaN or infinite, "
+          << losses.not_a_rotation << " not rotations); the first is " << losses.value << " in " << field
+          << " of object " << losses.object << "; choose a format with a wider range, or state the range in the schema";
+  throw Error(message.str());
+}
+
+Losses take_losses(Losses& counters, index_t objects, SpaceKind space) {
+  Losses fresh, taken;
+  fresh.objects = objects;
+  if (host_accessible(space)) {
+    if (space == SpaceKind::pinned) backend::synchronize_device();
+    taken = counters;
+    counters = fresh;
+  } else {
+    backend::synchronize_device();
+    backend::copy_bytes(reinterpret_cast<std::byte*>(&taken), reinterpret_cast<const std::byte*>(&counters),
+                        sizeof taken, nullptr);
+    synchronize();
+    backend::copy_bytes(reinterpret_cast<std::byte*>(&counters), reinterpret_cast<const std::byte*>(&fresh),
+                        sizeof fresh, nullptr);
+    synchronize();
+  }
+  return taken;
 }
 
 void initialize(const Storage& storage, index_t begin, index_t end) {
   if (begin == end) return;
   for (const FieldInfo& field : storage.fields) {
-    if (field.initial == 0) continue;  // buffers come zeroed
+    if (field.initial == 0 && field.centre == 0 && !field.quaternion) continue;  // buffers come zeroed
     if (host_accessible(storage.space)) {
-      const detail::Addressing address(storage);
-      for (index_t i = begin; i < end; ++i)
-        detail::fill_field(address, field.offset, field.type, field.count, field.initial, i);
+      const detail::Addressing array(storage);
+      const detail::Fill fill(field);
+      for (index_t i = begin; i < end; ++i) fill.run(array, i);
     } else {
       backend::fill(storage, field, begin, end);
     }
@@ -111,37 +156,44 @@ void initialize(const Storage& storage, index_t begin, index_t end) {
 }
 
 double getdata(const Storage& storage, index_t i, int k) {
-  const ElementInfo element = find_element(storage, i, k);
-  const int size = element_bytes(element.type);
-  const std::byte* from = detail::Addressing(storage).address(i, element.offset, size);
-  alignas(8) std::array<std::byte, 8> bytes{};
-  if (host_accessible(storage.space)) {
-    std::memcpy(bytes.data(), from, static_cast<std::size_t>(size));
-  } else {
-    backend::copy_bytes(bytes.data(), from, size, nullptr);
-    synchronize();
+  const auto [field, element] = find_element(storage, i, k);
+  const int size = element_bytes(field.type);
+  // A single element, or all those of a quaternion.
+  alignas(8) std::array<std::byte, 32> bytes{};
+  const int first = field.quaternion ? element / 9 * 4 : element, count = field.quaternion ? 4 : 1;
+  const detail::Addressing array(storage);
+  for (int e = 0; e < count; ++e) {
+    const std::byte* from = array.address(i, field.offset + (first + e) * size, size);
+    if (host_accessible(storage.space)) {
+      std::memcpy(bytes.data() + e * size, from, static_cast<std::size_t>(size));
+    } else {
+      backend::copy_bytes(bytes.data() + e * size, from, size, nullptr);
+    }
   }
-  if (element.type == ElementType::int32) {
-    std::int32_t value = 0;
-    std::memcpy(&value, bytes.data(), sizeof value);
-    return value;
-  }
-  double value = 0;
-  detail::convert_element(reinterpret_cast<std::byte*>(&value), ElementType::float64, bytes.data(), element.type);
-  return value;
+  if (!host_accessible(storage.space)) synchronize();
+  const detail::Encoding encoding = detail::encoding_of(field);
+  if (!field.quaternion) return detail::decode<double>(bytes.data(), encoding);
+  const auto R =
+      detail::decode_rotation<double>(encoding, true, [&bytes, size](int e) { return bytes.data() + e * size; });
+  return R(element % 9 % 3, element % 9 / 3);
 }
 
 void putdata(const Storage& storage, index_t i, int k, double value) {
-  const ElementInfo element = find_element(storage, i, k);
-  const int size = element_bytes(element.type);
-  std::byte* to = detail::Addressing(storage).address(i, element.offset, size);
+  const auto [field, element] = find_element(storage, i, k);
+  if (field.quaternion) {
+    throw Error(describe(storage) + ": " + std::string(field.name) +
+                " is stored as a quaternion, which has no single matrix elements; assign the rotation through a view");
+  }
+  const int size = element_bytes(field.type);
+  std::byte* to = detail::Addressing(storage).address(i, field.offset + element * size, size);
   alignas(8) std::array<std::byte, 8> bytes{};
-  if (element.type == ElementType::int32) {
-    const auto integer = static_cast<std::int32_t>(value);
-    std::memcpy(bytes.data(), &integer, sizeof integer);
-  } else {
-    detail::convert_element(bytes.data(), element.type, reinterpret_cast<const std::byte*>(&value),
-                            ElementType::float64);
+  const detail::Encoding encoding = detail::encoding_of(field);
+  detail::encode(bytes.data(), encoding, value);
+  if (checked) {
+    Losses losses;
+    detail::count_loss(losses, encoding.type, encoding.scale, value, detail::decode<double>(bytes.data(), encoding), i,
+                       field.offset + element * size);
+    throw_if_falsified(losses, storage);
   }
   if (host_accessible(storage.space)) {
     std::memcpy(to, bytes.data(), static_cast<std::size_t>(size));

@@ -32,7 +32,7 @@ TEST(Emitter, is_written_for_this_runtime) { EXPECT_EQ(runtime_version, PHYSGEN_
 
 TEST(Emitter, refuses_another_runtime_by_an_error) {
   const std::string text = accessor_header(schema({object("A", {scalar("x")})}));
-  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 1\n#error \"test.physgen.h is for version 1 of the physgen");
+  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 2\n#error \"test.physgen.h is for version 2 of the physgen");
 }
 
 TEST(Emitter, writes_the_same_text_for_the_same_model) {
@@ -51,12 +51,20 @@ TEST(Emitter, does_not_depend_on_where_the_schema_lies) {
 TEST(Emitter, gives_one_line_of_address_arithmetic_per_field) {
   const std::string text = accessor_header(schema({object("A", {scalar("x"), field("F", Shape::matrix, 3, 3)})}));
   expect_contains(text,
-                  "  static constexpr int F = sizeof(Real);\n  static constexpr int bytes = 10 * sizeof(Real);\n");
-  expect_contains(text,
-                  "  PHYSGEN_FUNCTION decltype(auto) x() const { return at_.template element<Real>(Record::x); }\n");
-  expect_contains(text, "    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::F);\n");
+                  "  static constexpr auto plan_ = physgen::plan_record<2>({{\n"
+                  "    physgen::slot<physgen::shape::Scalar, typename Formats::x, Real>(),\n"
+                  "    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),\n  }});\n"
+                  "  static constexpr int x = plan_.offset[0];\n  static constexpr int F = plan_.offset[1];\n"
+                  "  static constexpr int bytes = plan_.bytes;\n");
+  expect_contains(
+      text,
+      "  PHYSGEN_FUNCTION decltype(auto) x() const {\n"
+      "    return at_.template field<physgen::shape::Scalar, typename Formats::x, Real>(Record::x);\n  }\n");
+  expect_contains(
+      text, "    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);\n");
   expect_contains(text, "    value.x = x();\n    value.F = F().get();\n");
-  expect_contains(text, "static_assert(physgen::is_sound_record<AObject, double>(80, 8));\n");
+  expect_contains(
+      text, "static_assert(physgen::is_sound_record<AObject, double, AFormats<physgen::Host>>(80, 8, {0, 8}));\n");
 }
 
 TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
@@ -77,7 +85,10 @@ TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
   expect_contains(text, comment + "  PHYSGEN_FUNCTION decltype(auto) density() const");
   expect_contains(text, "  /// [N/m]. Symmetric, 6 stored.\n  Eigen::Matrix<Real, 3, 3> K;\n");
   expect_contains(text, "  /// Initially 0.25 in a new array.\n  Real w[4];\n");
-  expect_contains(text, "{\"density\", \"kg/m^3\", physgen::element_type<Real>, ARecord<Real>::density, 1, 0.1},\n");
+  expect_contains(text,
+                  "    physgen::field_info<physgen::shape::Scalar, typename Formats::density, Real>(\n"
+                  "        \"density\", \"kg/m^3\", ARecord<Real, Formats>::density, 1, 0.1),\n");
+  expect_contains(text, "\"w\", \"\", ARecord<Real, Formats>::w, 4, 0.25),\n");
 }
 
 TEST(Emitter, uses_the_declared_layouts_or_the_runtimes_default) {
@@ -85,8 +96,12 @@ TEST(Emitter, uses_the_declared_layouts_or_the_runtimes_default) {
   padded.host_layout = model::Layout{model::LayoutKind::aos_padded, 0};
   padded.cuda_layout = model::Layout{model::LayoutKind::aosoa, 64};
   const std::string text = accessor_header(schema({padded, object("B", {scalar("x")})}));
-  expect_contains(text, "physgen::PerSpace<Space, physgen::AosPadded, physgen::Aosoa<64>>>\nusing AArray");
-  expect_contains(text, "physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>\nusing BArray");
+  expect_contains(text,
+                  "physgen::PerSpace<Space, physgen::AosPadded, physgen::Aosoa<64>>,\n          "
+                  "class Formats = AFormats<Space>>\nusing AArray");
+  expect_contains(text,
+                  "physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,\n          "
+                  "class Formats = BFormats<Space>>\nusing BArray");
 }
 
 TEST(Emitter, includes_the_headers_of_imported_objects_once) {
@@ -152,16 +167,6 @@ TEST(Emitter, takes_time_in_proportion_to_the_objects) {
   std::cout << "1000 objects of 12 scalars: " << took.count() << " ms, " << bytes << " bytes\n";
 }
 
-TEST(Text, writes_offsets_in_terms_of_Real_where_they_follow_it) {
-  EXPECT_EQ(bytes({0, 0}), "0");
-  EXPECT_EQ(bytes({36, 36}), "36");
-  EXPECT_EQ(bytes({4, 8}), "sizeof(Real)");
-  EXPECT_EQ(bytes({36, 72}), "9 * sizeof(Real)");
-  EXPECT_EQ(bytes({36, 40}), "physgen::by_precision<Real>(36, 40)");
-  EXPECT_EQ(bytes_as_int({36, 72}), "int{9 * sizeof(Real)}");
-  EXPECT_EQ(bytes_as_int({36, 40}), "physgen::by_precision<Real>(36, 40)");
-}
-
 TEST(Text, writes_the_shortest_number_that_reads_back) {
   EXPECT_EQ(number(0.1), "0.1");
   EXPECT_EQ(number(1060), "1060");
@@ -181,6 +186,22 @@ TEST(Printer, wraps_the_rest_of_a_paragraph_with_a_long_line) {
   Printer out;
   out.comment("//", words + " " + tail + "\n(goes on)\n@pre is kept");
   EXPECT_EQ(std::move(out).text(), "// " + words + "\n// " + tail + " (goes on)\n// @pre is kept\n");
+}
+
+TEST(Printer, fills_further_lines_with_what_does_not_fit_on_the_first) {
+  const std::vector<std::string> items(5, std::string(40, 'x'));
+  Printer out;
+  out.filled("call(", {"a", "b"}, ");");
+  out.filled("call(", items, ");");
+  const std::string& item = items.front();
+  EXPECT_EQ(std::move(out).text(), "call(a, b);\ncall(\n    " + item + ", " + item + ",\n    " + item + ", " + item +
+                                       ",\n    " + item + ");\n");
+}
+
+TEST(Printer, fills_with_an_item_that_is_too_long_for_any_line) {
+  Printer out;
+  out.filled("call(", {std::string(130, 'x'), "y"}, ");");
+  EXPECT_EQ(std::move(out).text(), "call(\n    " + std::string(130, 'x') + ",\n    y);\n");
 }
 
 }  // namespace

@@ -84,6 +84,31 @@ TEST(Frontend, reads_options_of_objects_and_fields) {
   EXPECT_FALSE(schema.objects.at(1).cuda_layout.has_value());
 }
 
+TEST(Frontend, reads_formats_per_memory_space) {
+  using model::Encoding;
+  using model::Format;
+  const auto schema =
+      sound(object("PHYSGEN(format(host, float32), format(cuda, half)) Scalar a;\n"
+                   "  PHYSGEN(format(cuda, bfloat16)) Vector<3> b;\n"
+                   "  PHYSGEN(range(0, 2), format(host, snorm16), format(cuda, float64)) Scalar c, d;\n"
+                   "  PHYSGEN(format(host, quaternion()), format(cuda, quaternion(snorm16))) Rotation e[2];\n"
+                   "  PHYSGEN(format(host, quaternion(half)), format(cuda, half)) Rotation f;\n  Scalar g;"));
+  const std::vector<std::pair<Format, Format>> expected = {{{Encoding::float32, false}, {Encoding::half, false}},
+                                                           {{}, {Encoding::bfloat16, false}},
+                                                           {{Encoding::snorm16, false}, {Encoding::float64, false}},
+                                                           {{Encoding::snorm16, false}, {Encoding::float64, false}},
+                                                           {{Encoding::native, true}, {Encoding::snorm16, true}},
+                                                           {{Encoding::half, true}, {Encoding::half, false}},
+                                                           {{}, {}}};
+  const auto& fields = schema.objects.at(0).fields;
+  ASSERT_EQ(fields.size(), expected.size());
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    EXPECT_EQ(fields[f].host_format, expected[f].first) << fields[f].name;
+    EXPECT_EQ(fields[f].cuda_format, expected[f].second) << fields[f].name;
+    EXPECT_EQ(fields[f].format(model::Space::cuda), expected[f].second);
+  }
+}
+
 TEST(Frontend, carries_doc_comments_of_objects_and_fields) {
   const auto schema = sound(
       "/// An object.\n/// Second line.\nstruct PHYSGEN_OBJECT(align(16)) A {\n"

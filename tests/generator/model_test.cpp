@@ -58,7 +58,11 @@ Schema everything() {
   object.fields[0].range = Range{-0.1, 1e300};
   object.fields[0].initial = 0;
   object.fields[0].location = {"a.h", 13, 10};
+  object.fields[1].host_format = {Encoding::half, false};
+  object.fields[1].cuda_format = {Encoding::bfloat16, false};
   object.fields[2].array_extent = 4;
+  object.fields.push_back(of("R", Shape::rotation, 3, 3));
+  object.fields[3].cuda_format = {Encoding::snorm16, true};
   Object corner;
   corner.name = "Corner";
   corner.scope = "shape";
@@ -108,6 +112,20 @@ TEST(Json, returns_the_same_model_for_every_shape_and_element) {
   }
 }
 
+TEST(Json, returns_the_same_formats) {
+  for (const Encoding encoding : {Encoding::native, Encoding::float32, Encoding::float64, Encoding::half,
+                                  Encoding::bfloat16, Encoding::snorm16}) {
+    for (const bool quaternion : {false, true}) {
+      Field turn = of("R", Shape::rotation, 3, 3);
+      turn.host_format = {encoding, quaternion};
+      EXPECT_EQ(from_json(to_json(with({turn}))), with({turn}));
+      std::swap(turn.host_format, turn.cuda_format);
+      EXPECT_EQ(from_json(to_json(with({turn}))), with({turn}));
+    }
+  }
+  EXPECT_EQ(to_json(with({scalar("x")})).find("format\""), std::string::npos) << "what the schema does not say";
+}
+
 TEST(Json, writes_text_that_is_not_utf8_with_replacements) {
   Schema schema = with({scalar("x")});
   schema.objects[0].doc = "20 \xb0 C";
@@ -138,6 +156,17 @@ TEST(Json, names_the_place_of_what_it_cannot_read) {
             "objects[0].fields[1].rows: must be a 32-bit integer, not 3000000000");
   EXPECT_EQ(complaint("\"unit\": \"1/m\"", "\"unit\": 1"), "objects[0].fields[0].unit: must be a string, not number");
   EXPECT_EQ(complaint("\"unit\"", "\"units\""), "objects[0].fields[0]: has an unknown member 'units'");
+  EXPECT_EQ(complaint("\"encoding\": \"half\"", "\"encoding\": \"float16\""),
+            "objects[0].fields[1].host_format.encoding: must be one of native, float32, float64, half, bfloat16, "
+            "snorm16, not 'float16'");
+  EXPECT_EQ(complaint("\"encoding\": \"half\"", "\"quaternion\": false"),
+            "objects[0].fields[1].host_format: has no member 'encoding'");
+  EXPECT_EQ(complaint("\"quaternion\": true", "\"quaternion\": 1"),
+            "objects[0].fields[3].cuda_format.quaternion: must be true or false, not 1");
+  EXPECT_EQ(complaint("\"quaternion\": true", "\"quaternions\": true"),
+            "objects[0].fields[3].cuda_format: has an unknown member 'quaternions'");
+  EXPECT_EQ(complaint("\"cuda_format\": {", "\"cuda_format\": \"half\", \"x\": {").substr(0, 45),
+            "objects[0].fields[1]: has an unknown member '");
   EXPECT_EQ(complaint("\"file\": \"a.h\"", "\"doc\": \"\""), "model: has an unknown member 'doc'");
   EXPECT_EQ(complaint("\"name\": \"Corner\",", ""), "imported[0]: has no member 'name'");
   EXPECT_EQ(complaint("\"physgen_model\": 1", "\"physgen_model\": 2"),
@@ -198,6 +227,87 @@ TEST(Rules, count_the_elements_of_nested_objects) {
   schema.objects[1].fields[0].array_extent = 3;
   ASSERT_EQ(validate(schema).size(), 1u) << issues(schema);
   EXPECT_EQ(validate(schema)[0].place, (Place{false, 1, -1}));
+}
+
+Field stored(Field field, Encoding encoding, bool quaternion = false) {
+  field.host_format = {encoding, quaternion};
+  return field;
+}
+
+TEST(Rules, refuse_formats_of_integers) {
+  Field index = stored(scalar("i"), Encoding::half);
+  for (const Element element : {Element::index, Element::int32}) {
+    index.element = element;
+    EXPECT_EQ(issues(with({index})), "the elements of 'i' are integers, which have no other format; leave it out");
+  }
+}
+
+TEST(Rules, refuse_quaternions_of_what_is_no_rotation) {
+  EXPECT_EQ(issues(with({stored(of("F", Shape::matrix, 3, 3), Encoding::native, true)})),
+            "only a Rotation can be stored as a quaternion; 'F' is a Matrix<3, 3>");
+  EXPECT_EQ(issues(with({stored(of("q", Shape::vector, 4, 1), Encoding::half, true)})),
+            "only a Rotation can be stored as a quaternion; 'q' is a Vector<4>");
+  EXPECT_EQ(issues(with({stored(of("R", Shape::rotation, 3, 3), Encoding::half, true)})), "");
+}
+
+TEST(Rules, refuse_equal_steps_without_a_range_to_take_them_over) {
+  Field angle = stored(scalar("angle"), Encoding::snorm16);
+  EXPECT_EQ(issues(with({angle})),
+            "snorm16 has equal steps over a range, and 'angle' states none; add one, such as range(-1, 1)");
+  angle.range = Range{2, 2};
+  EXPECT_EQ(issues(with({angle})),
+            "snorm16 has equal steps over a range of more than one value; widen the range of 'angle'");
+  angle.range = Range{2, 3};
+  EXPECT_EQ(issues(with({angle})), "");
+  EXPECT_EQ(issues(with({stored(of("R", Shape::rotation, 3, 3), Encoding::snorm16)})), "") << "from -1 to 1";
+}
+
+TEST(Rules, refuse_an_initial_value_that_no_half_holds) {
+  Field load = stored(scalar("load"), Encoding::half);
+  load.initial = -65505;
+  EXPECT_EQ(issues(with({load})),
+            "initial(-65505) is no half, which ends at 65504; state the range of 'load', and it is scaled");
+  load.range = Range{-1e6, 0};
+  EXPECT_EQ(issues(with({load})), "");
+  load.range.reset();
+  load.initial = 65504;
+  EXPECT_EQ(issues(with({load})), "");
+}
+
+TEST(Rules, refuse_formats_of_nested_objects) {
+  Schema schema = with({scalar("x")});
+  schema.objects.push_back(schema.objects[0]);
+  schema.objects[1].name = "B";
+  schema.objects[1].fields = {stored(nested("a", "A"), Encoding::half)};
+  EXPECT_EQ(issues(schema), "format() has no meaning for nested object 'a'; write it at the fields of 'A'");
+}
+
+TEST(Rules, place_an_issue_at_the_format_of_its_space) {
+  Field field = stored(of("F", Shape::matrix, 3, 3), Encoding::native, true);
+  EXPECT_EQ(validate(with({field})).at(0).aspect, Aspect::host_format);
+  std::swap(field.host_format, field.cuda_format);
+  EXPECT_EQ(validate(with({field})).at(0).aspect, Aspect::cuda_format);
+}
+
+TEST(Rules, keep_the_names_of_formats_for_generated_code) {
+  const std::string reserved = " is a name that generated code needs for itself; choose another name";
+  EXPECT_EQ(issues(with({scalar("Formats")})), "field name 'Formats'" + reserved);
+  EXPECT_EQ(issues(with({scalar("Space")})), "field name 'Space'" + reserved);
+  EXPECT_EQ(issues(with({scalar("AFormats")})),
+            "field name 'AFormats' is also the name of a type generated for object 'A'; choose another name");
+}
+
+// Its record says BRecord, its formats BFormats, its references BRef: fields of these names would change the meaning.
+TEST(Rules, refuse_fields_named_as_a_type_of_a_nested_object_that_is_said_beside_them) {
+  for (const char* ending : {"", "Formats", "Record", "Ref"}) {
+    Schema schema = with({scalar("x")});
+    schema.objects[0].name = "B";
+    schema.objects.push_back(schema.objects[0]);
+    schema.objects[1].name = "A";
+    schema.objects[1].fields = {nested("b", "B"), scalar(std::string("B") + ending)};
+    EXPECT_EQ(issues(schema), "field name 'B" + std::string(ending) + "' is also the name of the object type 'B" +
+                                  ending + "' nested here; choose another name");
+  }
 }
 
 TEST(Rules, refuse_a_schema_without_objects) { EXPECT_EQ(validate(Schema{}).size(), 1u); }

@@ -35,6 +35,20 @@ inline model::Field array(model::Field entry, int extent) {
   return entry;
 }
 
+/// The field, stored so in both memory spaces.
+inline model::Field stored(model::Field made, model::Encoding encoding, bool quaternion = false) {
+  made.host_format = made.cuda_format = {encoding, quaternion};
+  return made;
+}
+
+/// The field, stored so in CUDA memory, and as computed on the host.
+inline model::Field stored_on_cuda(model::Field made, model::Encoding encoding, bool quaternion = false) {
+  made.cuda_format = {encoding, quaternion};
+  return made;
+}
+
+inline model::Field rotation(std::string name) { return field(std::move(name), model::Shape::rotation, 3, 3); }
+
 inline model::Object object(std::string name, std::vector<model::Field> fields, std::string scope = "test") {
   model::Object made;
   made.name = std::move(name);

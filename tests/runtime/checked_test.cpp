@@ -45,5 +45,56 @@ TEST(CheckedView, reports_a_gathered_index_out_of_range) {
   EXPECT_THROW((void)view[index], Error);
 }
 
+/// Everything in formats that lose.
+struct Coarse : elasticity::StressDerivativeFormats<Host> {
+  using x1111 = format::Half<>;
+  using x2211 = format::Snorm16<-1.0, 1.0>;
+};
+struct QuaternionRotations : elasticity::DeformationSvdFormats<Host> {
+  using U = format::Quaternion<>;
+};
+
+TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) {
+  Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(40);
+  const auto view = array.view();
+  for (index_t i = 0; i < array.size(); ++i) view[i].x1111() = 1.0F;
+  EXPECT_EQ(array.take_losses().falsified(), 0U);
+  view[33].x1111() = 70000.0F;
+  view[34].x2211() = -3.0F;
+  view[35].x2211() = std::numeric_limits<float>::quiet_NaN();
+  view[36].x1111() = 1e-7F;
+  const Losses losses = array.take_losses();
+  EXPECT_EQ(losses.out_of_range, 2U);
+  EXPECT_EQ(losses.not_a_number, 1U);
+  EXPECT_EQ(losses.imprecise, 1U);
+  EXPECT_EQ(losses.object, 33);
+  const std::string message = message_of([&] { throw_if_falsified(losses, array.storage()); });
+  EXPECT_NE(message.find("the first is 70000 in x1111 of object 33"), std::string::npos) << message;
+  EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
+}
+
+TEST(CheckedFormats, count_in_packs_and_not_in_padding) {
+  Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(20);
+  constexpr int W = native_lanes<float>;
+  const auto view = array.view();
+  for (index_t i = 0; i < 20; i += W) view[Pack<W>{i}].x1111() = batch_t<float, W>(1e6F);
+  EXPECT_EQ(array.take_losses().out_of_range, 20U);
+  const batch_t<std::int32_t, W> same(7);
+  view[same].x1111() = batch_t<float, W>(1e6F);
+  const Losses gathered = array.take_losses();
+  EXPECT_EQ(gathered.out_of_range, static_cast<unsigned>(W));
+  EXPECT_EQ(gathered.object, 7);
+}
+
+TEST(CheckedFormats, count_matrices_that_are_no_rotations) {
+  Array<elasticity::DeformationSvdObject, float, Host, Soa, QuaternionRotations> array(3);
+  array.view()[0].U() = Eigen::Matrix3f::Identity();
+  array.view()[1].U() = Eigen::Matrix3f(-Eigen::Matrix3f::Identity());
+  array.view()[2].U() = Eigen::Matrix3f(Eigen::Matrix3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  const Losses losses = array.take_losses();
+  EXPECT_EQ(losses.not_a_rotation, 2U);
+  EXPECT_EQ(losses.object, 1);
+}
+
 }  // namespace
 }  // namespace physgen::test

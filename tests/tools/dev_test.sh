@@ -63,7 +63,7 @@ touch "$work/output"
 case $rule in
   help_names_every_command)
     dev 0 help
-    for name in setup build run test gpu format tidy clean; do says "  $name "; done
+    for name in setup build run test gpu report format tidy clean; do says "  $name "; done
     dev 0
     ;;
   unknown_command_exits_with_2)

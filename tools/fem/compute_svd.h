@@ -2,7 +2,6 @@
 // written is not computed.
 #pragma once
 
-#include <fem/quaternion.h>
 #include <fem/svd.h>
 #include <physgen/pack.h>
 

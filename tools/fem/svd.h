@@ -100,8 +100,8 @@ PHYSGEN_FUNCTION inline S scaled(const S& x, const S& factor) {
 /// @return U and V orthogonal to 32 eps; |U diag(s) V^T - A| <= 24 eps |A| and s to 16 eps s1, each with one smallest
 /// subnormal more, except that an s beyond the largest number becomes the largest number. NaN or infinity in gives NaN
 /// out, everywhere. s of 2^k A is 2^k s of A, bit for bit, where nothing over- or underflows.
-/// @tparam kSweeps trades time for error: 4 converge for every input known to us. 3 leave residuals up to 160 eps in
-/// float, and of 1e-5 |A| in double, where they are of no use
+/// @tparam kSweeps trades time for error: 4 converge for every input known to us. 3 leave residuals of some
+/// tens of eps in float (`physbench errors` has the figures), and are of no use in double
 template <int kSweeps = 4, class S>
 PHYSGEN_FUNCTION inline Svd<S> svd(const Matrix3<S>& A) {
   static_assert(kSweeps >= 1);

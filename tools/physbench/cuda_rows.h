@@ -10,10 +10,11 @@ namespace physgen::bench {
 
 namespace detail {
 
-template <class Kernel, class Real, class Layout>
+template <class Kernel, class Real, class Layout, class Scheme = SchemaFormats>
 class CudaCase final : public TimedCudaCase {
  public:
-  explicit CudaCase(Dataset& data) : TimedCudaCase(bytes_moved<Kernel, Real>(data)), data_(data), operands_(data) {}
+  explicit CudaCase(Dataset& data, double bytes = 0)
+      : TimedCudaCase(bytes > 0 ? bytes : bytes_moved<Kernel, Real>(data)), data_(data), operands_(data) {}
   double run() override {
     const auto kernel = operands_.kernel();
     watch().start();
@@ -31,7 +32,7 @@ class CudaCase final : public TimedCudaCase {
 
  private:
   Dataset& data_;
-  Operands<Kernel, Real, Cuda, Layout> operands_;
+  Operands<Kernel, Real, Cuda, Layout, Scheme> operands_;
 };
 
 /// The copy alone.

@@ -36,6 +36,7 @@ class Dataset {
   /// The same, of all objects.
   [[nodiscard]] MeshSizes sizes(Domain kernel_domain) const;
   [[nodiscard]] fem::Index cells() const { return cells_; }
+  const fem::TetMesh& mesh() { return cube().mesh; }
 
   /// Incidences of a domain: a range of entries for each node or edge.
   struct Incidences {

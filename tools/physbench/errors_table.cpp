@@ -37,7 +37,7 @@ bool print_block(std::ostream& out, const std::vector<Row>& rows, const std::map
   std::string last;
   for (const Row& row : rows) {
     const auto found = finished.find(row.name());
-    if (row.set.empty() || row.space != space || row.storage != storage || found == finished.end()) continue;
+    if (!row.errors_in_eps || row.space != space || row.storage != storage || found == finished.end()) continue;
     if (!any) {
       out << (space == "host" ? "CPU, " : "GPU, ") << storage << ", " << row.objects
           << " objects: error against speed, "
@@ -65,7 +65,7 @@ void print_errors_table(std::ostream& out, const std::vector<Row>& rows,
   out << "Worst inputs\n";
   for (const Row& row : rows) {
     const auto found = finished.find(row.name());
-    if (row.set.empty() || found == finished.end()) continue;
+    if (!row.errors_in_eps || found == finished.end()) continue;
     out << row.name() << ", error " << error(found->second, std::string(counter::err_eps) + counter::max) << " eps:\n  "
         << found->second.label << "\n";
   }

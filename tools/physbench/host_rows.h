@@ -70,10 +70,11 @@ Accuracy compare(Dataset& data, const At& result) {
 }
 
 /// A kernel over arrays. kLanes as parallel_for takes it.
-template <class Kernel, class Real, class Layout, int kLanes>
+template <class Kernel, class Real, class Layout, int kLanes, class Scheme = SchemaFormats>
 class HostCase final : public TimedHostCase {
  public:
-  explicit HostCase(Dataset& data) : TimedHostCase(bytes_moved<Kernel, Real>(data)), data_(data), operands_(data) {}
+  explicit HostCase(Dataset& data, double bytes = 0)
+      : TimedHostCase(bytes > 0 ? bytes : bytes_moved<Kernel, Real>(data)), data_(data), operands_(data) {}
   double run() override {
     const auto kernel = operands_.kernel();
     const index_t n = operands_.output().size();
@@ -91,7 +92,7 @@ class HostCase final : public TimedHostCase {
 
  private:
   Dataset& data_;
-  Operands<Kernel, Real, Host, Layout> operands_;
+  Operands<Kernel, Real, Host, Layout, Scheme> operands_;
 };
 
 /// The copy alone.

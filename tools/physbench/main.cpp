@@ -4,13 +4,16 @@
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <deque>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
 #include "accuracy/cusolver.h"
 #include "accuracy/replay.h"
 #include "dataset.h"
+#include "groups.h"
 #include "kernel_list.h"
 #include "table.h"
 
@@ -40,6 +43,39 @@ void add_set_rows(std::vector<Row>& rows, InputSets& sets) {
     CudaVariant<Variant, float>::add_rows(rows, sets);
     CudaVariant<Variant, double>::add_rows(rows, sets);
   });
+#endif
+}
+
+// dP from dF over ever more objects, each number with data of its own.
+void add_growth_rows(std::vector<Row>& rows, std::deque<Dataset>& sizes) {
+  constexpr int smallest = 10, largest = 24, largest_host = 22;
+  for (int power = smallest; power <= largest; ++power) {
+    Dataset& data = sizes.emplace_back(index_t{1} << power);
+    std::vector<Row> all;
+    if (power <= largest_host) HostKernel<DpFromDf>::add_rows(all, data);
+#ifdef PHYSGEN_BENCH_CUDA
+    if (find_gpu().missing.empty()) CudaKernel<DpFromDf>::add_rows(all, data);
+#endif
+    std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
+                 [](const Row& row) { return row.storage == "float" && row.layout != "eigen"; });
+  }
+}
+
+void add_rows(std::vector<Row>& rows, Group group, Dataset& host, Dataset& cuda, std::deque<Dataset>& sizes) {
+  [[maybe_unused]] const bool gpu = find_gpu().missing.empty();
+  if (group == Group::storage) add_host_storage_rows(rows, host);
+  if (group == Group::conversions) add_host_conversion_rows(rows, host.count(Domain::tets, Domain::tets));
+  if (group == Group::gathers) add_host_gather_rows(rows, host);
+  if (group == Group::forces) add_host_force_rows(rows, host);
+  if (group == Group::growth) add_growth_rows(rows, sizes);
+#ifdef PHYSGEN_BENCH_CUDA
+  if (!gpu) return;
+  if (group == Group::storage) add_cuda_storage_rows(rows, cuda);
+  if (group == Group::conversions) add_cuda_conversion_rows(rows, cuda.count(Domain::tets, Domain::tets));
+  if (group == Group::gathers) add_cuda_gather_rows(rows, cuda);
+  if (group == Group::forces) add_cuda_force_rows(rows, cuda);
+#else
+  static_cast<void>(cuda);
 #endif
 }
 
@@ -105,11 +141,15 @@ int run(int argc, char** argv) {
   }
   initialize_benchmark(argv[0], options);
 
-  Dataset host(options.host_objects), cuda(options.cuda_objects);
+  // The mesh on which products with the assembled stiffness are compared: 1,030,301 nodes.
+  const bool whole_million = options.group == Group::forces && !options.objects_given;
+  Dataset host(options.host_objects), cuda(whole_million ? 6000000 : options.cuda_objects);
   InputSets sets(options.set_objects);
   std::vector<Row> rows;
-  if (!options.errors) add_cube_rows(rows, host, cuda);
-  add_set_rows(rows, sets);
+  std::deque<Dataset> sizes;
+  if (options.group == Group::kernels) add_cube_rows(rows, host, cuda);
+  if (options.group == Group::kernels || options.group == Group::errors) add_set_rows(rows, sets);
+  add_rows(rows, options.group, host, cuda, sizes);
   Session session(std::move(rows), options.table);
   session.register_rows();
   if (options.list) {

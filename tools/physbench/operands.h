@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "coalescing.h"
 #include "dataset.h"
 #include "row.h"
 
@@ -27,26 +28,35 @@ struct Fixed {
   using Object = Object_;
   static constexpr Domain domain = kDomain;
   template <class Measured>
-  using Layout = Kept;
+  using Layout = std::conditional_t<is_traced<Measured>, Traced<Kept>, Kept>;
 };
 
 /// The inputs of a kernel, in the order in which it takes them. Each has `of(Dataset&)`, which gives its values.
 template <class... Source>
 struct Inputs {};
 
+/// The storage formats of the schema. Others are named in schemes.h.
+struct SchemaFormats {
+  template <class Object, class Space>
+  using Formats = FormatsOf<Object, Space>;
+};
+
 namespace detail {
 
-template <class Kernel, class Real, class Space, class Layout, class List>
+template <class Kernel, class Real, class Space, class Layout, class Scheme, class List>
 class OperandsOf;
 
-template <class Kernel, class Real, class Space, class Layout, class... Source>
-class OperandsOf<Kernel, Real, Space, Layout, Inputs<Source...>> {
+template <class Kernel, class Real, class Space, class Layout, class Scheme, class... Source>
+class OperandsOf<Kernel, Real, Space, Layout, Scheme, Inputs<Source...>> {
+  template <class Operand>
+  using ArrayOf = Array<typename Operand::Object, Real, Space, typename Operand::template Layout<Layout>,
+                        typename Scheme::template Formats<typename Operand::Object, Space>>;
+
  public:
-  using Output = Array<typename Kernel::Output::Object, Real, Space, typename Kernel::Output::template Layout<Layout>>;
+  using Output = ArrayOf<typename Kernel::Output>;
 
   explicit OperandsOf(Dataset& data)
-      : inputs_(load<Array<typename Source::Object, Real, Space, typename Source::template Layout<Layout>>>(
-            Source::of(data), data.count(Source::domain, Kernel::Output::domain))...),
+      : inputs_(load<ArrayOf<Source>>(Source::of(data), data.count(Source::domain, Kernel::Output::domain))...),
         output_(data.count(Kernel::Output::domain, Kernel::Output::domain)) {
     if constexpr (!host_accessible(Space::kind)) synchronize();
   }
@@ -64,7 +74,7 @@ class OperandsOf<Kernel, Real, Space, Layout, Inputs<Source...>> {
     return to;
   }
 
-  std::tuple<Array<typename Source::Object, Real, Space, typename Source::template Layout<Layout>>...> inputs_;
+  std::tuple<ArrayOf<Source>...> inputs_;
   Output output_;
 };
 
@@ -79,8 +89,8 @@ class OperandsOf<Kernel, Real, Space, Layout, Inputs<Source...>> {
 ///     static double bytes(const MeshSizes&, double real);         that it must move, with numbers of `real` bytes
 ///     template <class Real, class... View> static auto make(const View&... view);  over inputs and output
 ///   };
-template <class Kernel, class Real, class Space, class Layout>
-using Operands = detail::OperandsOf<Kernel, Real, Space, Layout, typename Kernel::Reads>;
+template <class Kernel, class Real, class Space, class Layout, class Scheme = SchemaFormats>
+using Operands = detail::OperandsOf<Kernel, Real, Space, Layout, Scheme, typename Kernel::Reads>;
 
 /// A kernel's output as it is compared with the reference.
 template <class Kernel, class Real>

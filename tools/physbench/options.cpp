@@ -4,12 +4,14 @@
 #include <omp.h>
 #include <physgen/error.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <string_view>
 
 namespace physgen::bench {
 
-const char* const help_text = R"(physbench [errors] [FLAGS]
+const char* const help_text = R"(physbench [GROUP] [FLAGS]
 physbench replay KERNEL STORAGE NUMBERS...
 
 Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter, runs all rows of the
@@ -17,7 +19,14 @@ Truth Cube in float and the paper's three kernels in double, and prints a table;
 --benchmark_filter=.) and prints what Google Benchmark prints. Names are kernel/layout/storage/space/objects, and those of
 the sets of inputs end with /random, /near_rest or /hard.
 
+GROUP is one of these, each with its own rows, all of which are run where no filter is given:
   errors         rows of the sets only, and the table of error against speed (the worst input of each at its end)
+  storage        dP from dF in every storage scheme: speed against error
+  conversions    copies between layouts and formats, and between host and device
+  gathers        nodes gathered under an ordered, a random and a renumbered mesh, in every layout of the nodes
+  forces         the product with the assembled stiffness: by gathers, by its symmetric half, by cuSPARSE
+  growth         dP from dF from 2^10 to 2^24 objects (to 2^22 on the CPU)
+and
   replay         runs a kernel on one input everywhere, and prints the results, the reference and the errors; numbers
                  are decimal, hexadecimal, nan or inf: replay svd float 1 0 0 0 0x1.8p+0 0 0 0 1
 
@@ -33,6 +42,13 @@ Exit status: 0 done, 1 a row failed or none matched, 2 wrong use. The flags of G
 )";
 
 namespace {
+
+constexpr std::array<std::pair<std::string_view, Group>, 6> groups{{{"errors", Group::errors},
+                                                                    {"storage", Group::storage},
+                                                                    {"conversions", Group::conversions},
+                                                                    {"gathers", Group::gathers},
+                                                                    {"forces", Group::forces},
+                                                                    {"growth", Group::growth}}};
 
 index_t number(std::string_view flag, std::string_view text, index_t largest) {
   index_t value = 0;
@@ -61,9 +77,12 @@ Options parse(int argc, const char* const* argv) {
   bool filtered = false, min_time = false;
   for (int a = 1; a < argc; ++a) {
     const std::string argument = argv[a];
-    if (a == 1 && argument == "errors") {
-      options.errors = true;
-      continue;
+    if (a == 1) {
+      const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == argument; });
+      if (found != groups.end()) {
+        options.group = found->second;
+        continue;
+      }
     }
     const std::size_t equals = argument.find('=');
     const std::string flag = argument.substr(0, equals);
@@ -76,6 +95,7 @@ Options parse(int argc, const char* const* argv) {
       options.threads = static_cast<int>(number(flag, value(), 4096));
     } else if (flag == "--objects") {
       options.host_objects = options.cuda_objects = options.set_objects = number(flag, value(), 100000000);
+      options.objects_given = true;
     } else if (flag == "--json") {
       options.benchmark_flags.push_back("--benchmark_out=" + value());
     } else if (argument == "--table") {
@@ -91,14 +111,14 @@ Options parse(int argc, const char* const* argv) {
     }
   }
   if (!filtered && !options.list) {
-    // Names of the Truth Cube end with the number of objects; `errors` has no others than those of the sets.
+    // Names of the Truth Cube end with the number of objects; other groups have no others than their own.
     options.benchmark_flags.push_back(benchmark_flag(
-        options.errors
+        options.group != Group::kernels
             ? "--benchmark_filter=."
             : "--benchmark_filter=(/float/|^(dp_from_df|stress_derivative|add_force_differential)/).*[0-9]$"));
   }
   if (!min_time) options.benchmark_flags.emplace_back("--benchmark_min_time=0.06");
-  options.table = options.table || ((options.errors || !filtered) && !(options.json || options.list));
+  options.table = options.table || ((options.group == Group::errors || !filtered) && !(options.json || options.list));
   if (options.threads == 0) options.threads = omp_get_max_threads();
   return options;
 }

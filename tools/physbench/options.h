@@ -8,12 +8,16 @@
 
 namespace physgen::bench {
 
+/// Which rows there are: the first word of the command line, or those of the kernels.
+enum class Group { kernels, errors, storage, conversions, gathers, forces, growth };
+
 struct Options {
+  Group group = Group::kernels;
   int threads = 0;  ///< OpenMP threads of the CPU's rows; parse() fills in the default
   index_t host_objects = 1048576;
   index_t cuda_objects = 8388608;
   index_t set_objects = 1048576;  ///< of rows of the sets, on both
-  bool errors = false;            ///< rows of the sets only
+  bool objects_given = false;     ///< by --objects
   bool table = false;             ///< print the table
   bool list = false;              ///< names only
   bool json = false;              ///< the display, too, is Google Benchmark's JSON or CSV: no table, no progress

@@ -47,7 +47,8 @@ struct Row {
   std::string layout;   ///< "aosoa32"; also "copy" and "eigen"
   std::string storage;  ///< "float" or "double"
   std::string space;    ///< "host" or "cuda"
-  std::string set;      ///< "random", "near_rest", "hard"; empty: the elements of the Truth Cube
+  std::string set;      ///< "random", "near_rest", "hard"; or a numbering of nodes; empty: the Truth Cube as it is
+  bool errors_in_eps = false;  ///< and more of Accuracy: rows of the sets of inputs
   index_t objects = 0;
   double bytes_per_object = 0;  ///< what the kernel must read and write, whatever the layout
   std::function<std::unique_ptr<Case>()> make;

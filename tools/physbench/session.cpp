@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "errors.h"
+#include "sector_model.h"
 
 namespace physgen::bench {
 
@@ -61,6 +62,11 @@ void Session::run(const Row& row, benchmark::State& state) {
   state.counters[counter::gb_per_second] = bytes / time * 1e-9;
   state.counters[counter::copy_fraction] = copy / time;
   if (row.layout == "copy") return;
+  if (const auto sectors = model_sectors(row)) {
+    state.counters[counter::sectors_per_request] = sectors->per_request;
+    state.counters[counter::bytes_per_sector] = sectors->bytes_per_sector;
+    state.counters[counter::requests_per_transaction] = 1 / sectors->per_request;
+  }
   report(row, state);
 }
 
@@ -72,8 +78,8 @@ void Session::report(const Row& row, benchmark::State& state) const {
     put(what + counter::p9999, errors.p9999);
     put(what + counter::max, errors.max);
   };
-  put_errors(row.set.empty() ? counter::err : counter::err_eps, accuracy_.errors);
-  if (row.set.empty()) return;
+  put_errors(row.errors_in_eps ? counter::err_eps : counter::err, accuracy_.errors);
+  if (!row.errors_in_eps) return;
   if (accuracy_.orthogonality) put_errors(counter::orth_eps, *accuracy_.orthogonality);
   put(counter::failures, static_cast<double>(accuracy_.failures));
   put(counter::samples, static_cast<double>(accuracy_.errors.count));

@@ -19,6 +19,10 @@ inline constexpr const char* copy_ms = "copy_ms";  ///< a copy of the same bytes
 inline constexpr const char* bytes_per_object = "bytes_per_object";
 inline constexpr const char* gb_per_second = "GBps";
 inline constexpr const char* copy_fraction = "copy_fraction";
+// Coalescing on a GPU, as coalescing.h models it:
+inline constexpr const char* sectors_per_request = "sectors_per_request";
+inline constexpr const char* bytes_per_sector = "bytes_per_sector";
+inline constexpr const char* requests_per_transaction = "requests_per_transaction";  ///< a transaction is a sector
 // Errors: err_p50, err_eps_max and so on.
 inline constexpr const char* err = "err_";            ///< relative, of rows of the Truth Cube
 inline constexpr const char* err_eps = "err_eps_";    ///< in eps of the storage, of rows of a set

@@ -22,7 +22,11 @@ void TableReporter::ReportRuns(const std::vector<Run>& runs) {
 
 void TableReporter::Finalize() {
   for (const char* space : {"host", "cuda"}) {
-    for (const char* storage : {"float", "double"}) print_block(space, storage);
+    std::vector<std::string> storages;  // in the order of the rows
+    for (const Row& row : rows_) {
+      if (std::find(storages.begin(), storages.end(), row.storage) == storages.end()) storages.push_back(row.storage);
+    }
+    for (const std::string& storage : storages) print_block(space, storage);
   }
   std::ostream& out = GetOutputStream();
   print_errors_table(out, rows_, finished_);
@@ -36,7 +40,7 @@ void TableReporter::print_block(const std::string& space, const std::string& sto
   std::string kernel;
   for (const Row& row : rows_) {
     const auto found = finished_.find(row.name());
-    if (!row.set.empty() || row.space != space || row.storage != storage || found == finished_.end()) continue;
+    if (row.errors_in_eps || row.space != space || row.storage != storage || found == finished_.end()) continue;
     if (!any) {
       GetOutputStream() << (space == "host" ? "CPU, " : "GPU, ") << storage << "\n"
                         << format("%-26s %9s %6s  %-10s %9s %8s %6s %7s  %8s %8s %8s\n", "kernel", "objects", "bytes",
@@ -46,15 +50,16 @@ void TableReporter::print_block(const std::string& space, const std::string& sto
     // AoS is the faster of its two ways on the CPU.
     double aos_ms = 0;
     for (const Row& other : rows_) {
-      if (!other.set.empty() || other.kernel != row.kernel || other.storage != storage || other.space != space)
+      if (other.errors_in_eps || other.set != row.set || other.kernel != row.kernel || other.storage != storage ||
+          other.space != space)
         continue;
       const auto aos = finished_.find(other.name());
       if (aos == finished_.end() || (other.layout != "aos" && other.layout != "aos_scalar")) continue;
       const double ms = aos->second.counters.at(counter::median_ms);
       aos_ms = aos_ms == 0 ? ms : std::min(aos_ms, ms);
     }
-    print_row(row, found->second.counters, aos_ms, row.kernel != kernel);
-    kernel = row.kernel;
+    print_row(row, found->second.counters, aos_ms, row.kernel + " " + row.set != kernel);
+    kernel = row.kernel + " " + row.set;
   }
   if (any) GetOutputStream() << "\n";
 }
@@ -62,8 +67,8 @@ void TableReporter::print_block(const std::string& space, const std::string& sto
 void TableReporter::print_row(const Row& row, const Counters& counters, double aos_ms, bool first) {
   const double ms = counters.at(counter::median_ms);
   std::ostream& out = GetOutputStream();
-  out << (first ? format("%-26s %9lld %6.0f", row.kernel.c_str(), static_cast<long long>(row.objects),
-                         row.bytes_per_object)
+  out << (first ? format("%-26s %9lld %6.0f", (row.kernel + (row.set.empty() ? "" : " " + row.set)).c_str(),
+                         static_cast<long long>(row.objects), row.bytes_per_object)
                 : format("%-26s %9s %6s", "", "", ""))
       << format("  %-10s %9.3f %8.1f %6.2f ", row.layout.c_str(), ms, counters.at(counter::gb_per_second),
                 counters.at(counter::copy_fraction))

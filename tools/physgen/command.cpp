@@ -11,6 +11,7 @@
 #include "emit/emitter.h"
 #include "files.h"
 #include "frontend/frontend.h"
+#include "layout_picture.h"
 #include "model/json.h"
 #include "model/model.h"
 
@@ -25,6 +26,9 @@ struct Arguments {
   std::string depfile;
   std::string stamp;
   frontend::ParseOptions options;
+  LayoutRequest layout;
+  std::string picture;  // file of the SVG; empty: standard output
+  bool svg = false;
   bool verbose = false;
 };
 
@@ -108,6 +112,18 @@ int print_model(const Arguments& arguments, const Streams& streams) {
   return done;
 }
 
+int print_layout(const Arguments& arguments, const Streams& streams) {
+  const auto parsed = parse_all(arguments, streams.err);
+  if (!parsed) return schema_errors;
+  const auto maps = layout_maps(parsed->schemas.front(), arguments.layout);
+  const std::string picture = arguments.svg ? layout_svg(maps) : layout_text(maps);
+  if (arguments.picture.empty())
+    streams.out << picture;
+  else
+    write_changed({{arguments.picture, picture}});
+  return done;
+}
+
 CLI::App* add_command(CLI::App& app, const char* name, const char* what, Arguments& arguments) {
   auto* command = app.add_subcommand(name, what);
   command
@@ -115,6 +131,27 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* what, Argumen
       ->allow_extra_args(false)
       ->type_name("DIR");
   return command;
+}
+
+void describe_layout(CLI::App& app, Arguments& arguments) {
+  auto* layout =
+      add_command(app, "layout", "Draw where arrays place every element, and what a warp touches", arguments);
+  LayoutRequest& request = arguments.layout;
+  layout->add_option("SCHEMA", arguments.schemas, "Schema header")->required()->expected(1);
+  layout->add_option("--object", request.objects, "Object to draw; may be repeated; without: all of the schema")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  layout->add_option("--space", request.space, "host, cuda or both (default)")->type_name("SPACE");
+  layout->add_option("--real", request.real, "float (default) or double")->type_name("TYPE");
+  layout
+      ->add_option("--layout", request.layout,
+                   "aos, aos_padded, soa, 'aosoa(32)' (in quotes) or all; without: what the schema says, "
+                   "else aosoa(16) on the host and aosoa(32) on CUDA")
+      ->type_name("LAYOUT");
+  auto* svg = layout->add_flag("--svg", arguments.svg, "Draw an SVG instead of text");
+  layout->add_option("-o,--output", arguments.picture, "File of the SVG; without: standard output")
+      ->needs(svg)
+      ->type_name("FILE");
 }
 
 void describe(CLI::App& app, Arguments& arguments) {
@@ -141,10 +178,11 @@ void describe(CLI::App& app, Arguments& arguments) {
   check->add_option("SCHEMA", arguments.schemas, "Schema headers")->required();
   auto* model = add_command(app, "model", "Print what physgen reads from a schema, as JSON", arguments);
   model->add_option("SCHEMA", arguments.schemas, "Schema header")->required()->expected(1);
+  describe_layout(app, arguments);
 }
 
 bool names_command(const std::string& argument) {
-  for (const char* known : {"generate", "check", "model", "-h", "--help", "--version"})
+  for (const char* known : {"generate", "check", "model", "layout", "-h", "--help", "--version"})
     if (argument == known) return true;
   return false;
 }
@@ -167,10 +205,13 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   try {
     if (app.got_subcommand("generate")) return generate(values, streams);
     if (app.got_subcommand("check")) return check(values, streams);
+    if (app.got_subcommand("layout")) return print_layout(values, streams);
     return print_model(values, streams);
   } catch (const FileError& error) {
     err << "physgen: error: " << error.what() << '\n';
   } catch (const UsageError& error) {
+    err << "physgen: error: " << error.what() << '\n';
+  } catch (const LayoutError& error) {
     err << "physgen: error: " << error.what() << '\n';
   }
   return wrong_use;

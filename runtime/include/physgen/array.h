@@ -11,26 +11,33 @@
 
 namespace physgen {
 
-/// The layout an object type has in a space: the first on the host, the second on CUDA.
-template <class Space, class HostLayout, class CudaLayout>
-using PerSpace = std::conditional_t<Space::kind == SpaceKind::cuda, CudaLayout, HostLayout>;
+/// One of two types by space: the first on the host, pinned or not, the second on CUDA.
+template <class Space, class ForHost, class ForCuda>
+using PerSpace = std::conditional_t<Space::kind == SpaceKind::cuda, ForCuda, ForHost>;
+
+/// The formats of an object type in a space, as the schema states them: pinned memory has those of the host.
+template <class Object, class Space>
+using FormatsOf = typename Object::template Formats<PerSpace<Space, Host, Cuda>>;
 
 /// @tparam Object a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double: the precision of the scene
 /// @tparam Space Host, PinnedHost or Cuda
 /// @tparam Layout Aos, AosPadded, Soa or Aosoa<W>
-template <class Object, class Real, class Space, class Layout>
+/// @tparam Formats_ how the fields are stored: what the schema says for the space, or a struct derived from it that
+/// redeclares some: `struct Compact : DeformationSvdFormats<Cuda> { using U = format::Quaternion<>; };`
+template <class Object, class Real, class Space, class Layout, class Formats_ = FormatsOf<Object, Space>>
 class Array {
-  using Record = typename Object::template Record<Real>;
+  using Record = typename Object::template Record<Real, Formats_>;
 
  public:
-  using View = physgen::View<Object, Real, Layout>;
-  using ConstView = physgen::View<Object, const Real, Layout>;
+  using Formats = Formats_;
+  using View = physgen::View<Object, Real, Layout, Formats>;
+  using ConstView = physgen::View<Object, const Real, Layout, Formats>;
   /// The value of one object.
   using Value = typename Object::template Value<Real>;
   static constexpr int record_bytes = View::record_bytes;
-  /// Stored elements of one object.
-  static constexpr int elements = element_count(Object::template fields<Real>);
+  /// Elements of one object, as code sees them.
+  static constexpr int elements = element_count(Object::template fields<Real, Formats>);
 
   Array() = default;
   /// `size` objects with their fields' initial values (zero where the schema states none).
@@ -58,14 +65,20 @@ class Array {
   [[nodiscard]] index_t bytes() const { return buffer_.bytes(); }
 
   /// What kernels are given. Valid until the array is resized, moved from or destroyed.
-  [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), Space::kind}; }
+  [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), Space::kind, losses()}; }
   [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch(), Space::kind}; }
   [[nodiscard]] ConstView const_view() const { return view(); }
 
   /// The array without its types, for copy().
   [[nodiscard]] Storage storage() const {
     return {buffer_.data(), size_,       Layout::padded(size_), pitch(),
-            record_bytes,   Space::kind, Object::name,          Object::template fields<Real>};
+            record_bytes,   Space::kind, Object::name,          Object::template fields<Real, Formats>};
+  }
+
+  /// What formats could not hold of what kernels stored here since this was last asked; all zero in builds that are not
+  /// checked. On CUDA it waits for the device. See throw_if_falsified().
+  [[nodiscard]] Losses take_losses() {
+    return checked && size_ > 0 ? physgen::take_losses(*losses(), size_, Space::kind) : Losses();
   }
 
   /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
@@ -74,12 +87,13 @@ class Array {
   void resize(index_t size) {
     if (size == size_) return;
     Array resized;
-    resized.buffer_ =
-        Buffer(Space::kind, checked_bytes(size), std::string(Object::name) + "[" + std::to_string(size) + "]");
+    resized.buffer_ = Buffer(Space::kind, checked_bytes(size) + (size > 0 ? loss_bytes : 0),
+                             std::string(Object::name) + "[" + std::to_string(size) + "]");
     resized.size_ = size;
     const index_t kept = std::min(size, size_);
     copy_first(resized.storage(), storage(), kept);
-    initialize(resized.storage(), kept, size);
+    initialize(resized.storage(), kept, Layout::padded(size));          // packs run over padding, too
+    if (checked && size > 0) static_cast<void>(resized.take_losses());  // tells the counters how many objects there are
     swap(resized);
   }
 
@@ -104,15 +118,29 @@ class Array {
     return Layout::padded(size) * record_bytes;
   }
 
+  // In checked builds the counters stand behind the objects, in the same space.
+#ifdef PHYSGEN_CHECKED
+  static constexpr bool checked = true;
+#else
+  static constexpr bool checked = false;
+#endif
+  static constexpr index_t loss_bytes = checked ? index_t{sizeof(Losses)} : 0;
+  [[nodiscard]] Losses* losses() const {
+    if (!checked || size_ == 0) return nullptr;
+    return reinterpret_cast<Losses*>(buffer_.data() + Layout::padded(size_) * record_bytes);
+  }
+
   Buffer buffer_;
   index_t size_ = 0;
 };
 
-/// Copies all objects between any two arrays of one object type: layouts, precisions and spaces may differ.
+/// Copies all objects between any two arrays of one object type: layouts, storage formats, precisions and spaces may
+/// differ.
 /// See copy(const Storage&, const Storage&, Stream) for order and errors.
-template <class Object, class RealTo, class SpaceTo, class LayoutTo, class RealFrom, class SpaceFrom, class LayoutFrom>
-void copy(Array<Object, RealTo, SpaceTo, LayoutTo>& to, const Array<Object, RealFrom, SpaceFrom, LayoutFrom>& from,
-          Stream stream = nullptr) {
+template <class Object, class RealTo, class SpaceTo, class LayoutTo, class FormatsTo, class RealFrom, class SpaceFrom,
+          class LayoutFrom, class FormatsFrom>
+void copy(Array<Object, RealTo, SpaceTo, LayoutTo, FormatsTo>& to,
+          const Array<Object, RealFrom, SpaceFrom, LayoutFrom, FormatsFrom>& from, Stream stream = nullptr) {
   copy(to.storage(), from.storage(), stream);
 }
 

@@ -3,11 +3,56 @@
 #pragma once
 
 #include <physgen/field_ref.h>
+#include <physgen/layout/pitch.h>
+#include <physgen/losses.h>
 #include <physgen/pack.h>
 
+#include <bit>
 #include <type_traits>
 
+#ifdef __CUDACC__
+#include <cuda_runtime_api.h>
+#endif
+
 namespace physgen {
+
+/// What a cursor's stores are counted for in checked builds: the object it stands on, and where in its record. Empty in
+/// other builds.
+class LossSink {
+ public:
+  LossSink() = default;
+#ifdef PHYSGEN_CHECKED
+  PHYSGEN_FUNCTION LossSink(Losses* losses, index_t object) : losses_(losses), object_(object) {}
+  PHYSGEN_FUNCTION void advance(int offset) { offset_ += offset; }
+  /// @param further how many objects after the one it was made for
+  template <class Format, class T>
+  PHYSGEN_FUNCTION void count(int offset, const T& value, typename Format::template Stored<T> stored,
+                              index_t further = 0) const {
+    constexpr ElementType type = Format::template type<T>;
+    if (losses_ == nullptr || object_ + further >= losses_->objects) return;
+    detail::count_loss(*losses_, type, Format::scale, static_cast<double>(value),
+                       static_cast<double>(Format::template decode<T>(stored)), object_ + further, offset_ + offset);
+  }
+  template <class Matrix>
+  PHYSGEN_FUNCTION void count_rotation(const Matrix& R, index_t further = 0) const {
+    if (losses_ == nullptr || object_ + further >= losses_->objects) return;
+    detail::count_deviation(*losses_, detail::rotation_deviation(R), object_ + further, offset_);
+  }
+
+ private:
+  Losses* losses_ = nullptr;
+  index_t object_ = 0;
+  int offset_ = 0;
+#else
+  PHYSGEN_FUNCTION LossSink(Losses* /*losses*/, index_t /*object*/) {}
+  PHYSGEN_FUNCTION void advance(int /*offset*/) {}
+  template <class Format, class T>
+  PHYSGEN_FUNCTION void count(int /*offset*/, const T& /*value*/, typename Format::template Stored<T> /*stored*/,
+                              index_t /*further*/ = 0) const {}
+  template <class Matrix>
+  PHYSGEN_FUNCTION void count_rotation(const Matrix& /*R*/, index_t /*further*/ = 0) const {}
+#endif
+};
 
 /// @tparam Byte std::byte, or const std::byte for a read-only array
 /// @tparam Layout Aos, AosPadded, Soa or Aosoa<W>
@@ -15,22 +60,107 @@ namespace physgen {
 /// @tparam kLaneBytes bytes of the elements that most fields of the object have
 /// @tparam I the kind of index; integral here, SIMD packs in simd_access.h
 template <class Byte, class Layout, int kRecordBytes, int kLaneBytes, class I>
-class Cursor {
+class Cursor : private LossSink {
   static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd_access.h>");
   using Pitch = typename Layout::Pitch;
 
  public:
-  /// An element of type T as code sees it: const in a read-only array.
-  template <class T>
-  using Element = std::conditional_t<std::is_const_v<Byte>, const T, T>;
   template <class T>
   using Lanes = T;
 
   /// Stands on object i of the array at `base`.
-  PHYSGEN_FUNCTION Cursor(Byte* base, Pitch pitch, I i)
-      : lane_(pitch.lane(static_cast<index_t>(i))),
+  PHYSGEN_FUNCTION Cursor(Byte* base, Pitch pitch, I i, Losses* losses)
+      : LossSink(losses, static_cast<index_t>(i)),
+        lane_(pitch.lane(static_cast<index_t>(i))),
         object_(base + pitch.tile(static_cast<index_t>(i)) * pitch.value() * kRecordBytes + lane_ * kLaneBytes),
         pitch_(pitch) {}
+
+  /// A reference to the field that begins at byte `offset` of the record: of one element, as element() gives it; else a
+  /// FieldRef.
+  template <class Shape, class Format, class T>
+  [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) field(int offset) const {
+    if constexpr (Shape::is_scalar) {
+      return element<Format, T>(offset);
+    } else {
+      return FieldRef<Shape, Format, T, Cursor>(nested(offset));
+    }
+  }
+
+  /// Element k of those that follow each other from byte `offset` of the record on: T& (const T& in a read-only array)
+  /// where memory holds T, else an ElementRef.
+  template <class Format, class T>
+  [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) element(int offset, int k = 0) const {
+    if constexpr (format::is_plain<Format, T>) {
+      return static_cast<Element<T>&>(address<T>(offset)[k * pitch_.value()]);
+    } else {
+      return ElementRef<Format, T, Cursor>(*this, offset, k);
+    }
+  }
+
+  /// The value of an element, and its change, where memory does not hold T itself.
+  template <class Format, class T>
+  [[nodiscard]] PHYSGEN_FUNCTION T load(int offset, int k) const {
+    using Stored = typename Format::template Stored<T>;
+    return Format::template decode<T>(address<Stored>(offset)[k * pitch_.value()]);
+  }
+  template <class Format, class T>
+  PHYSGEN_FUNCTION void store(int offset, int k, const T& value) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+    using Stored = typename Format::template Stored<T>;
+    const Stored stored = Format::template encode<T>(value);
+    this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
+    address<Stored>(offset)[k * pitch_.value()] = stored;
+  }
+  /// In checked builds, counts a matrix that is none of a rotation.
+  template <class T>
+  PHYSGEN_FUNCTION void check_rotation(const Eigen::Matrix<T, 3, 3>& R) const {
+    this->count_rotation(R);
+  }
+
+  /// The cursor of an object nested at byte `offset` of this one.
+  [[nodiscard]] PHYSGEN_FUNCTION Cursor nested(int offset) const {
+    Cursor inner = *this;
+    inner.object_ += offset * pitch_.value();
+    inner.advance(offset);
+    inner.offset_ += offset;
+    return inner;
+  }
+
+#ifdef __CUDA_ARCH__
+  /// Whether records are made of 16-byte words, so that kCount elements of type T may be read by whole words: one
+  /// request for a padded vector instead of three.
+  template <class T, int kCount>
+  static constexpr bool reads_words = std::is_same_v<Pitch, StaticPitch<1>> && kRecordBytes % 16 == 0 && kCount > 1 &&
+                                      kCount * sizeof(T) <= 64 && (sizeof(T) == 4 || sizeof(T) == 8);
+  /// Whether the field that begins here begins a word, and its last word lies in the record. Known when compiled.
+  template <class T, int kCount>
+  [[nodiscard]] __device__ bool begins_words() const {
+    return offset_ % 16 == 0 && offset_ + (kCount * int{sizeof(T)} + 15) / 16 * 16 <= kRecordBytes;
+  }
+  template <class T, int kCount>
+  __device__ void load_words(T* elements) const {
+    constexpr int per_word = 16 / sizeof(T);
+    using Word = std::conditional_t<sizeof(T) == 4, uint4, ulonglong2>;
+    PHYSGEN_UNROLL
+    for (int k = 0; k < kCount; k += per_word) {
+      const Word word = *reinterpret_cast<const Word*>(address<T>(0) + k);
+      if constexpr (sizeof(T) == 4) {
+        elements[k] = std::bit_cast<T>(word.x);
+        elements[k + 1] = std::bit_cast<T>(word.y);
+        elements[k + 2] = std::bit_cast<T>(word.z);
+        elements[k + 3] = std::bit_cast<T>(word.w);
+      } else {
+        elements[k] = std::bit_cast<T>(word.x);
+        elements[k + 1] = std::bit_cast<T>(word.y);
+      }
+    }
+  }
+#endif
+
+ private:
+  /// A T as code sees it: const in a read-only array.
+  template <class T>
+  using Element = std::conditional_t<std::is_const_v<Byte>, const T, T>;
 
   /// Address of the T at byte `offset` of the record.
   template <class T>
@@ -39,34 +169,11 @@ class Cursor {
     return reinterpret_cast<Element<T>*>(object_ + offset * pitch_.value() + lane_ * correction);
   }
 
-  /// A reference to the field that begins at byte `offset` of the record: T& for one element, else a FieldRef.
-  template <class Shape, class T>
-  [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) field(int offset) const {
-    if constexpr (Shape::is_scalar) {
-      return element<T>(offset);
-    } else {
-      return FieldRef<Shape, T, Cursor>(nested(offset));
-    }
-  }
-
-  /// Element k of those of type T that follow each other from byte `offset` of the record on.
-  template <class T>
-  [[nodiscard]] PHYSGEN_FUNCTION Element<T>& element(int offset, int k = 0) const {
-    return address<T>(offset)[k * pitch_.value()];
-  }
-
-  /// The cursor of an object nested at byte `offset` of this one.
-  [[nodiscard]] PHYSGEN_FUNCTION Cursor nested(int offset) const {
-    Cursor inner = *this;
-    inner.object_ += offset * pitch_.value();
-    return inner;
-  }
-
- private:
   // All fields of an object share object_; computed per field, compilers would not find what is common.
   index_t lane_;  // the object's place in its tile
   Byte* object_;  // where the element at offset 0 lies, were it kLaneBytes wide
   Pitch pitch_;
+  int offset_ = 0;  // of the object or field it stands on in its record; a constant, once inlined
 };
 
 }  // namespace physgen

@@ -1,14 +1,16 @@
 // References to fields of more than one element: assignable stand-ins for an Eigen value whose elements lie a pitch
-// apart.
+// apart, in any storage format.
 #pragma once
 
+#include <physgen/element_ref.h>
+#include <physgen/format.h>
 #include <physgen/shape.h>
 
 namespace physgen {
 
 /// A field of one object: converts to its Eigen value and takes one by assignment. It refers to memory, so it stays
 /// valid as long as the array does; copy with get().
-template <class Shape, class T, class Cursor>
+template <class Shape, class Format, class T, class Cursor>
 class FieldRef {
  public:
   using Scalar = typename Cursor::template Lanes<T>;
@@ -20,23 +22,57 @@ class FieldRef {
   ~FieldRef() = default;
 
   /// The field's value.
-  [[nodiscard]] PHYSGEN_FUNCTION Value get() const { return Shape::template value<Scalar>(*this); }
+  [[nodiscard]] PHYSGEN_FUNCTION Value get() const {
+    if constexpr (format::is_quaternion<Format>) {
+      const Quaternion<Scalar> q{element(0), element(1), element(2), element(3)};
+      if constexpr (sizeof(typename Element::template Stored<T>) >= sizeof(T)) {
+        return rotation_matrix<Scalar>(q);
+      } else {
+        return rotation_matrix_of_direction<Scalar>(q);
+      }
+    } else {
+#ifdef __CUDA_ARCH__
+      if constexpr (format::is_plain<Format, T> && Cursor::template reads_words<T, Shape::count>) {
+        if (at_.template begins_words<T, Shape::count>()) {
+          T elements[(Shape::count * sizeof(T) + 15) / 16 * (16 / sizeof(T))];
+          at_.template load_words<T, Shape::count>(elements);
+          return Shape::template value<Scalar>(elements);
+        }
+      }
+#endif
+      return Shape::template value<Scalar>(*this);
+    }
+  }
   PHYSGEN_FUNCTION operator Value() const { return get(); }  // NOLINT: implicit as a reference's conversion is
 
   /// Stores `value`.
   PHYSGEN_FUNCTION const FieldRef& operator=(const Value& value) const {
-    Shape::template store<Scalar>(value, *this);
+    if constexpr (format::is_quaternion<Format>) {
+      at_.check_rotation(value);
+      const Quaternion<Scalar> q = unit_quaternion<Scalar>(value);
+      PHYSGEN_UNROLL
+      for (int k = 0; k < 4; ++k) at_.template element<Element, T>(0, k) = Scalar(q[k]);
+    } else {
+      Shape::template store<Scalar>(value, *this);
+    }
     return *this;
   }
   PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef& other) const { return *this = other.get(); }
 
-  /// Element k in storage order: T& (const T& in a read-only array), or a stand-in for W of them under a SIMD index.
-  PHYSGEN_FUNCTION decltype(auto) operator[](int k) const { return at_.template element<T>(0, k); }
+  /// Element k in storage order: T& where memory holds T (const T& in a read-only array), else a stand-in.
+  PHYSGEN_FUNCTION decltype(auto) operator[](int k) const {
+    static_assert(!format::is_quaternion<Format>,
+                  "a rotation stored as a quaternion has no single elements; read it with get(), assign it as a whole");
+    return at_.template element<Format, T>(0, k);
+  }
 
   /// The stored element at row r, column c (of a vector: element r). Skew: r > c only.
   PHYSGEN_FUNCTION decltype(auto) operator()(int r, int c = 0) const { return (*this)[Shape::index(r, c)]; }
 
  private:
+  using Element = format::ElementFormat<Format>;
+  [[nodiscard]] PHYSGEN_FUNCTION Scalar element(int k) const { return at_.template element<Element, T>(0, k); }
+
   Cursor at_;
 };
 

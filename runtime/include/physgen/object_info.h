@@ -1,68 +1,121 @@
-// What generated code tells the runtime about an object type beyond its accessors: its fields as data.
+// What generated code tells the runtime about an object type beyond its accessors: its fields as data, and where they
+// lie in a record.
 #pragma once
 
-#include <physgen/config.h>
+#include <physgen/format.h>
+#include <physgen/shape.h>
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string_view>
-#include <type_traits>
 
 namespace physgen {
 
-/// The stored type of an element.
-enum class ElementType : std::uint8_t { float32, float64, int32 };
-
-/// Bytes of one element of this type.
-[[nodiscard]] PHYSGEN_FUNCTION constexpr int element_bytes(ElementType type) {
-  return type == ElementType::float64 ? 8 : 4;
-}
-
-/// The ElementType of a C++ type.
-template <class T>
-  requires(std::is_same_v<T, float> || std::is_same_v<T, double> || std::is_same_v<T, std::int32_t>)
-inline constexpr ElementType element_type = std::is_same_v<T, float>    ? ElementType::float32
-                                            : std::is_same_v<T, double> ? ElementType::float64
-                                                                        : ElementType::int32;
-
-/// One field of an object type: `count` elements of one type that follow each other from byte `offset` of the record
-/// on.
+/// One field of an object type: `count` stored elements of one type that follow each other from byte `offset` of the
+/// record on. An element stands for centre + scale * what is stored.
 struct FieldInfo {
   std::string_view name;  ///< "svd.U" for a field of a nested object
   std::string_view unit;  ///< empty: none stated
   ElementType type;
-  int offset;  ///< [bytes]
-  int count;
+  int offset;      ///< [bytes]
+  int count;       ///< stored elements, 4 for each rotation that is a quaternion
   double initial;  ///< value of every element of a new object
+  double scale;
+  double centre;
+  bool quaternion;  ///< rotations, stored as w, x, y, z
+
+  /// Elements that code sees: 9 for a rotation, however it is stored.
+  [[nodiscard]] PHYSGEN_FUNCTION constexpr int visible_count() const { return quaternion ? count / 4 * 9 : count; }
 };
 
-/// Where element `k` (counted over all fields in order) lies in a record.
-struct ElementInfo {
-  ElementType type;
-  int offset;  ///< [bytes]
-};
+/// Elements of a field of this shape and format that are stored.
+template <class Shape, class Format>
+inline constexpr int stored_count = format::is_quaternion<Format> ? 4 : Shape::count;
 
-/// Number of elements over all fields.
+/// @tparam T the type computed with
+/// @param entries of a fixed array; 1 for others
+template <class Shape, class Format, class T>
+[[nodiscard]] constexpr FieldInfo field_info(std::string_view name, std::string_view unit, int offset, int entries,
+                                             double initial) {
+  using Element = format::ElementFormat<Format>;
+  return {name,
+          unit,
+          Element::template type<T>,
+          offset,
+          entries * stored_count<Shape, Format>,
+          initial,
+          Element::scale,
+          Element::centre,
+          format::is_quaternion<Format>};
+}
+
+/// Number of elements over all fields, as code sees them.
 template <std::size_t N>
 [[nodiscard]] constexpr int element_count(const std::array<FieldInfo, N>& fields) {
   int count = 0;
-  for (const FieldInfo& field : fields) count += field.count;
+  for (const FieldInfo& field : fields) count += field.visible_count();
   return count;
 }
 
-/// One of two numbers of bytes: of a record whose Real is float, and of one whose Real is double.
-template <class Real>
-[[nodiscard]] PHYSGEN_FUNCTION constexpr int by_precision(int with_float, int with_double) {
-  return sizeof(Real) == sizeof(double) ? with_double : with_float;
+/// The room a field takes in a record.
+struct Slot {
+  int bytes;      ///< of one entry; a fixed array has several
+  int alignment;  ///< a power of two up to 8
+  int entries;
+};
+
+template <class Shape, class Format, class T>
+[[nodiscard]] constexpr Slot slot(int entries = 1) {
+  constexpr int size = sizeof(typename format::ElementFormat<Format>::template Stored<T>);
+  return {stored_count<Shape, Format> * size, size, entries};
 }
 
-/// Whether the record of `Object` has these bytes and this alignment, all its elements lie inside it and are aligned to
-/// their size, and no two of them share a byte. Generated code proves this of every record when it is compiled.
-template <class Object, class Real>
-[[nodiscard]] constexpr bool is_sound_record(int bytes, int alignment) {
-  using Record = typename Object::template Record<Real>;
+/// The room of nested objects with this record.
+template <class Record>
+[[nodiscard]] constexpr Slot nested_slot(int entries = 1) {
+  return {align_up(Record::bytes, Record::plan_.alignment), Record::plan_.alignment, entries};
+}
+
+/// Where the fields of a record lie.
+template <int N>
+struct RecordPlan {
+  std::array<int, N> offset;  ///< of each field, in order of declaration [bytes]
+  std::array<int, N> stride;  ///< from one entry of a fixed array to the next
+  int bytes;
+  int alignment;  ///< of the largest element
+};
+
+/// Fields lie by alignment, largest first, and in order of declaration among equals: that leaves no gaps between them.
+template <int N>
+[[nodiscard]] constexpr RecordPlan<N> plan_record(const std::array<Slot, N>& slots) {
+  RecordPlan<N> plan{};
+  plan.alignment = 1;
+  for (int alignment = 8; alignment > 0; alignment /= 2) {
+    for (std::size_t f = 0; f < N; ++f) {
+      if (slots[f].alignment != alignment) continue;
+      plan.offset[f] = plan.bytes;
+      plan.stride[f] = slots[f].bytes;
+      plan.bytes += slots[f].entries * slots[f].bytes;
+      if (plan.alignment < alignment) plan.alignment = alignment;
+    }
+  }
+  return plan;
+}
+
+/// Whether the record of `Object`, stored in `Formats`, has these bytes, this alignment and these offsets of `fields`,
+/// all its elements lie inside it and are aligned to their size, and no two of them share a byte. Generated code proves
+/// this when it is compiled. Offsets of a channel are multiplied by the pitch, so what holds for one record holds for
+/// the channels of every layout, whatever the number of objects.
+template <class Object, class Real, class Formats>
+[[nodiscard]] constexpr bool is_sound_record(int bytes, int alignment, std::initializer_list<int> offsets) {
+  using Record = typename Object::template Record<Real, Formats>;
   if (Record::bytes != bytes || Record::alignment != alignment) return false;
-  auto fields = Object::template fields<Real>;
+  auto fields = Object::template fields<Real, Formats>;
+  if (fields.size() != offsets.size()) return false;
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    if (fields[f].offset != offsets.begin()[f]) return false;
+  }
   std::sort(fields.begin(), fields.end(), [](const FieldInfo& a, const FieldInfo& b) { return a.offset < b.offset; });
   int end = 0;  // of the fields so far
   for (const FieldInfo& field : fields) {

@@ -23,7 +23,7 @@
 /// space, and align(...).
 #define PHYSGEN_OBJECT(...) [[clang::annotate("physgen.object" __VA_OPT__(, ) __VA_ARGS__)]]
 /// Options of a field, or of all fields of one declaration: `PHYSGEN(unit("m"), initial(1)) Vector<3> x, y;`. Options:
-/// unit(...), range(...), initial(...), each at most once.
+/// unit(...), range(...), initial(...), each at most once, and format(...), once per memory space.
 #define PHYSGEN(...) [[clang::annotate("physgen.field" __VA_OPT__(, ) __VA_ARGS__)]]
 #else
 #define PHYSGEN_OBJECT(...)
@@ -89,6 +89,15 @@ struct Range {
 struct Initial {
   double value;
 };
+enum class Encoding { native, float32, float64, half, bfloat16, snorm16 };
+struct Storage {
+  Encoding encoding;
+  bool quaternion;
+};
+struct Format {
+  Space space;
+  Storage storage;
+};
 }  // namespace detail
 
 // ---- Options of objects ----
@@ -121,6 +130,26 @@ inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
 
 /// The elements' meaningful values, both ends included, in the field's unit.
 [[nodiscard]] constexpr detail::Range range(double low, double high) { return {low, high}; }
+
+// How elements are stored, apart from the precision that they are computed with:
+/// In single or double precision, whatever the scene chooses.
+inline constexpr detail::Storage float32{detail::Encoding::float32, false};
+inline constexpr detail::Storage float64{detail::Encoding::float64, false};
+/// IEEE half: 11 significant bits up to 65504, relative error 4.9e-4. With a range(...), scaled by the power of two
+/// that brings its larger end to 32768.
+inline constexpr detail::Storage half{detail::Encoding::half, false};
+/// 8 significant bits with the range of float: relative error 3.9e-3.
+inline constexpr detail::Storage bfloat16{detail::Encoding::bfloat16, false};
+/// 16 bits, equal steps over the field's range(...): absolute error its width / 131068.
+inline constexpr detail::Storage snorm16{detail::Encoding::snorm16, false};
+/// A Rotation as a unit quaternion: 4 components, as precise as computed, or in one of the above: quaternion(half).
+[[nodiscard]] constexpr detail::Storage quaternion(detail::Storage component = {detail::Encoding::native, false}) {
+  return {component.encoding, true};
+}
+
+/// How the field is stored in a space, where the program does not choose otherwise: format(cuda, half). Kernels read
+/// and write the same values; what a format cannot hold is rounded, or, beyond its range, lost.
+[[nodiscard]] constexpr detail::Format format(detail::Space space, detail::Storage storage) { return {space, storage}; }
 
 /// What every element of the field is in a new object; 0 where nothing is said.
 [[nodiscard]] constexpr detail::Initial initial(double value) { return {value}; }

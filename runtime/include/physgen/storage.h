@@ -2,6 +2,7 @@
 // and spaces are written once over it, not once per pair of types.
 #pragma once
 
+#include <physgen/losses.h>
 #include <physgen/object_info.h>
 #include <physgen/space.h>
 
@@ -24,10 +25,29 @@ struct Storage {
   [[nodiscard]] index_t bytes() const { return padded * record_bytes; }
 };
 
-/// Copies all objects of `from` to `to`, converting layout, precision and space. Where both lie on the host it is done
-/// when this returns; else it is ordered in `stream`, and memory that is not pinned makes the call wait.
-/// @throw Error when the sizes or the object types differ, or both are the same array; `to` is then unchanged
+/// Copies all objects of `from` to `to`, converting layout, storage format, precision and space in one pass. Where both
+/// lie on the host it is done when this returns; else it is ordered in `stream`, and host memory that is not pinned
+/// makes the call wait.
+/// @throw Error when the sizes or the object types differ, or the arrays share memory; in checked builds also when a
+/// format cannot hold a value (losses_of_copy() falsifies one). `to` is then unchanged
 void copy(const Storage& to, const Storage& from, Stream stream = nullptr);
+
+/// What the formats of `to` could not hold of `from`: a look before a copy. On CUDA this is done when it returns.
+/// @pre both describe the same object type; only the memory of `from` is read
+[[nodiscard]] Losses losses_of_copy(const Storage& to, const Storage& from, Stream stream = nullptr);
+
+/// @throw Error naming field, object and value where `losses` has falsified ones
+void throw_if_falsified(const Losses& losses, const Storage& storage);
+
+/// Reads counters, sets them to zero and tells them how many objects count. Waits for all work of the device.
+[[nodiscard]] Losses take_losses(Losses& counters, index_t objects, SpaceKind space);
+
+/// Copies objects begin .. end-1 only, to the same numbers, as copy() does; the sizes may differ. Between spaces only
+/// these objects are transferred.
+/// @return bytes of the objects as they were transferred
+/// @throw Error when there are no such objects in both arrays; `to` is then unchanged
+/// @pre both are arrays of one object type, and not the same
+index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream = nullptr);
 
 /// Copies the first `count` objects only. @pre count <= both sizes
 void copy_first(const Storage& to, const Storage& from, index_t count, Stream stream = nullptr);
@@ -35,8 +55,9 @@ void copy_first(const Storage& to, const Storage& from, index_t count, Stream st
 /// Sets objects begin .. end-1 to their fields' initial values. @pre 0 <= begin <= end <= storage.padded
 void initialize(const Storage& storage, index_t begin, index_t end);
 
-/// Element k (counted over the fields in order) of object i, converted to double and back. On CUDA a transfer each.
-/// @throw Error when i or k is out of range
+/// Element k (counted over the fields in order, 9 for a rotation) of object i, converted to double and back. On CUDA a
+/// transfer each.
+/// @throw Error when i or k is out of range; putdata also for an element of a rotation stored as a quaternion
 [[nodiscard]] double getdata(const Storage& storage, index_t i, int k);
 void putdata(const Storage& storage, index_t i, int k, double value);
 

@@ -15,19 +15,22 @@ namespace physgen {
 /// @tparam Object a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double; const for a read-only view
 /// @tparam Layout_ Aos, AosPadded, Soa or Aosoa<W>
+/// @tparam Formats_ how the fields are stored: the object's own Formats<Space>, or a struct derived from it
 ///
 /// Objects 0 .. size()-1 are the array's; memory behind them is real up to the next multiple of padding_objects.
 /// With PHYSGEN_CHECKED, an index out of range, a null view and a view used from a space that cannot reach its memory
-/// are reported: an Error on the host, a message and a trap on the device.
-template <class Object, class Real, class Layout_>
+/// are reported: an Error on the host, a message and a trap on the device; values that a storage format cannot hold are
+/// counted (losses.h).
+template <class Object, class Real, class Layout_, class Formats_>
 class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_address]] members out unlike its host
   using Pitch = typename Layout_::Pitch;
 
  public:
   using Layout = Layout_;
+  using Formats = Formats_;
   using Precision = std::remove_const_t<Real>;
   using Byte = std::conditional_t<std::is_const_v<Real>, const std::byte, std::byte>;
-  using Record = typename Object::template Record<Precision>;
+  using Record = typename Object::template Record<Precision, Formats>;
   static constexpr int record_bytes = Layout::record_bytes(Record::bytes, Record::alignment);
   static constexpr int lane_bytes =
       Record::alignment < int{sizeof(Precision)} ? Record::alignment : int{sizeof(Precision)};
@@ -35,19 +38,22 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   using CursorAt = Cursor<Byte, Layout, record_bytes, lane_bytes, I>;
   /// The reference to object(s) under an index of type I, and its value type.
   template <class I>
-  using Ref = typename Object::template Ref<Precision, CursorAt<I>>;
+  using Ref = typename Object::template Ref<Precision, Formats, CursorAt<I>>;
   template <class I>
   using Value = typename Object::template Value<lanes_t<Precision, I>>;
 
   View() : View(nullptr, 0, 0, SpaceKind::host) {}
   /// @pre base points to the memory of an array of `size` objects with this pitch, in `space`
-  PHYSGEN_FUNCTION View(Byte* base, index_t size, index_t pitch, [[maybe_unused]] SpaceKind space)
+  /// @param losses where checked builds count what formats could not hold; null elsewhere
+  PHYSGEN_FUNCTION View(Byte* base, index_t size, index_t pitch, [[maybe_unused]] SpaceKind space,
+                        [[maybe_unused]] Losses* losses = nullptr)
       : Pitch(pitch),
         base_(base),
         size_(size)
 #ifdef PHYSGEN_CHECKED
         ,
-        space_(space)
+        space_(space),
+        losses_(losses)
 #endif
   {
   }
@@ -55,7 +61,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   /// A read-only view of the same objects.
   template <class Mutable>
     requires(std::is_same_v<const Mutable, Real> && !std::is_const_v<Mutable>)
-  PHYSGEN_FUNCTION View(const View<Object, Mutable, Layout>& other)  // NOLINT: implicit, as T* to const T*
+  PHYSGEN_FUNCTION View(const View<Object, Mutable, Layout, Formats>& other)  // NOLINT: implicit, as T* to const T*
       : View(other.data(), other.size(), other.pitch(), other.space()) {}
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
@@ -74,7 +80,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
     check(i);
-    return Ref<I>(CursorAt<I>(base_, *this, i));
+    return Ref<I>(CursorAt<I>(base_, *this, i, losses()));
   }
   /// All fields of object(s) i, by value.
   template <class I>
@@ -88,6 +94,13 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   }
 
  private:
+  [[nodiscard]] PHYSGEN_FUNCTION Losses* losses() const {
+#ifdef PHYSGEN_CHECKED
+    return losses_;
+#else
+    return nullptr;
+#endif
+  }
 #ifdef PHYSGEN_CHECKED
   template <int W>
   PHYSGEN_FUNCTION static constexpr index_t width_of(Pack<W> /*pack*/) {
@@ -134,6 +147,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   index_t size_;
 #ifdef PHYSGEN_CHECKED
   SpaceKind space_;
+  Losses* losses_;
 #endif
 };
 

@@ -1,72 +1,15 @@
-// The CUDA backend: memory, transfers, and conversions on the device.
+// The CUDA backend: memory and plain copies. Conversions: device_convert.cu; with a transfer: transfer.cu.
 #include <physgen/cuda/check.h>
 
-#include <algorithm>
+#include <limits>
 
 #include "../backend.h"
-#include "../convert.h"
 
 namespace physgen {
 
 namespace {
 
 using cuda::check;
-
-constexpr int fields_per_launch = 32;
-
-struct Conversions {
-  int count;
-  detail::FieldConversion fields[fields_per_launch];
-};
-
-__global__ void convert_kernel(detail::Addressing to, detail::Addressing from, Conversions conversions, index_t begin,
-                               index_t end) {
-  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
-  if (i >= end) return;
-  for (int f = 0; f < conversions.count; ++f) detail::convert_field(to, from, conversions.fields[f], i);
-}
-
-__global__ void fill_kernel(detail::Addressing address, int offset, ElementType type, int count, double value,
-                            index_t begin, index_t end) {
-  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
-  if (i < end) detail::fill_field(address, offset, type, count, value, i);
-}
-
-constexpr int block = 256;
-
-[[nodiscard]] unsigned blocks_for(index_t objects) { return static_cast<unsigned>((objects + block - 1) / block); }
-
-void convert_on_device(const Storage& to, const Storage& from, index_t begin, index_t end, cudaStream_t stream) {
-  for (std::size_t first = 0; first < to.fields.size(); first += fields_per_launch) {
-    Conversions conversions{};
-    conversions.count = static_cast<int>(std::min<std::size_t>(fields_per_launch, to.fields.size() - first));
-    for (int f = 0; f < conversions.count; ++f) {
-      const FieldInfo& a = to.fields[first + static_cast<std::size_t>(f)];
-      const FieldInfo& b = from.fields[first + static_cast<std::size_t>(f)];
-      conversions.fields[f] = {a.offset, b.offset, a.type, b.type, a.count};
-    }
-    convert_kernel<<<blocks_for(end - begin), block, 0, stream>>>(detail::Addressing(to), detail::Addressing(from),
-                                                                  conversions, begin, end);
-    check(cudaGetLastError(), "launching a conversion");
-  }
-}
-
-// Device memory for the duration of work in a stream.
-class StreamMemory {
- public:
-  StreamMemory(index_t bytes, cudaStream_t stream) : stream_(stream) {
-    check(cudaMallocAsync(&data_, static_cast<std::size_t>(bytes), stream),
-          "allocating device memory for a conversion");
-  }
-  StreamMemory(const StreamMemory&) = delete;
-  StreamMemory& operator=(const StreamMemory&) = delete;
-  ~StreamMemory() { cudaFreeAsync(data_, stream_); }
-  [[nodiscard]] std::byte* data() const { return static_cast<std::byte*>(data_); }
-
- private:
-  void* data_ = nullptr;
-  cudaStream_t stream_;
-};
 
 }  // namespace
 
@@ -100,32 +43,19 @@ void copy_bytes(std::byte* to, const std::byte* from, index_t bytes, Stream stre
         "copying between spaces");
 }
 
-void convert(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
-  // A side on the host is represented on the device by a copy of its bytes; the target, too, since objects outside
-  // begin .. end-1 and padding must stay as they are.
-  if (from.space != SpaceKind::cuda) {
-    const StreamMemory memory(from.bytes(), stream);
-    copy_bytes(memory.data(), from.base, from.bytes(), stream);
-    Storage on_device = from;
-    on_device.base = memory.data();
-    convert_on_device(to, on_device, begin, end, stream);
-  } else if (to.space != SpaceKind::cuda) {
-    const StreamMemory memory(to.bytes(), stream);
-    copy_bytes(memory.data(), to.base, to.bytes(), stream);
-    Storage on_device = to;
-    on_device.base = memory.data();
-    convert_on_device(on_device, from, begin, end, stream);
-    copy_bytes(to.base, memory.data(), to.bytes(), stream);
-  } else {
-    convert_on_device(to, from, begin, end, stream);
-  }
-}
+void synchronize_device() { check(cudaDeviceSynchronize(), "waiting for the device"); }
 
-void fill(const Storage& storage, const FieldInfo& field, index_t begin, index_t end) {
-  fill_kernel<<<blocks_for(end - begin), block>>>(detail::Addressing(storage), field.offset, field.type, field.count,
-                                                  field.initial, begin, end);
-  check(cudaGetLastError(), "launching the fill of an array");
-  check(cudaDeviceSynchronize(), "filling an array");
+void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int rows,
+               Stream stream) {
+  // CUDA takes rows up to 2^31 - 1 bytes apart; so far apart, each is long enough to be a copy of its own.
+  constexpr index_t longest_pitch = std::numeric_limits<std::int32_t>::max();
+  if (rows == 1 || to_pitch > longest_pitch || from_pitch > longest_pitch) {
+    for (index_t r = 0; r < rows; ++r) copy_bytes(to + r * to_pitch, from + r * from_pitch, bytes, stream);
+    return;
+  }
+  check(cudaMemcpy2DAsync(to, static_cast<std::size_t>(to_pitch), from, static_cast<std::size_t>(from_pitch),
+                          static_cast<std::size_t>(bytes), static_cast<std::size_t>(rows), cudaMemcpyDefault, stream),
+        "copying rows between spaces");
 }
 
 }  // namespace backend

@@ -3,11 +3,9 @@
 
 #include <physgen/error.h>
 
-namespace physgen {
+#include "reason.h"
 
-namespace {
-constexpr const char* reason = "this physgen was built without CUDA; configure with -DPHYSGEN_CUDA=ON";
-}
+namespace physgen {
 
 namespace backend {
 
@@ -19,12 +17,22 @@ void deallocate(SpaceKind /*space*/, std::byte* /*data*/) noexcept {}
 void copy_bytes(std::byte* /*to*/, const std::byte* /*from*/, index_t /*bytes*/, Stream /*stream*/) {
   throw Error(reason);
 }
-void convert(const Storage& /*to*/, const Storage& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+void copy_rows(std::byte* /*to*/, index_t /*to_pitch*/, const std::byte* /*from*/, index_t /*from_pitch*/,
+               index_t /*bytes*/, int /*rows*/, Stream /*stream*/) {
+  throw Error(reason);
+}
+index_t convert(const Storage& /*to*/, const Storage& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
   throw Error(reason);
 }
 void fill(const Storage& /*storage*/, const FieldInfo& /*field*/, index_t /*begin*/, index_t /*end*/) {
   throw Error(reason);
 }
+
+Losses count_losses(const Storage& /*to*/, const Storage& /*from*/, index_t /*begin*/, index_t /*end*/,
+                    Stream /*stream*/) {
+  throw Error(reason);
+}
+void synchronize_device() {}
 
 }  // namespace backend
 

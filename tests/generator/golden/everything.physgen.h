@@ -3,8 +3,8 @@
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 1
-#error "everything.physgen.h is for version 1 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 2
+#error "everything.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 #include "materials.physgen.h"
@@ -20,19 +20,30 @@ struct Stamp {
   physgen::same_lanes_t<Real, std::int32_t> step;
 };
 
+/// How the fields of one Stamp are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of StampArray.
+template <class Space>
+struct StampFormats {
+  using time = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Stamp [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct StampRecord {
-  static constexpr int time = 0;
-  static constexpr int step = 8;
-  static constexpr int bytes = 12;
-  static constexpr int alignment = 8;
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::time, double>(),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int time = plan_.offset[0];
+  static constexpr int step = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Stamp of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class StampRef {
-  using Record = StampRecord<Real>;
+  using Record = StampRecord<Real, Formats>;
 
  public:
   using Value = Stamp<typename Cursor::template Lanes<Real>>;
@@ -40,8 +51,12 @@ class StampRef {
   PHYSGEN_FUNCTION explicit StampRef(const Cursor& cursor) : at_(cursor) {}
 
   /// [s]
-  PHYSGEN_FUNCTION decltype(auto) time() const { return at_.template element<double>(Record::time); }
-  PHYSGEN_FUNCTION decltype(auto) step() const { return at_.template element<std::int32_t>(Record::step); }
+  PHYSGEN_FUNCTION decltype(auto) time() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::time, double>(Record::time);
+  }
+  PHYSGEN_FUNCTION decltype(auto) step() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::step);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -63,26 +78,33 @@ struct StampObject {
   static constexpr std::string_view name = "Stamp";
   template <class Real>
   using Value = Stamp<Real>;
-  template <class Real>
-  using Record = StampRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = StampRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = StampRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = StampRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-      {"time", "s", physgen::ElementType::float64, StampRecord<Real>::time, 1, 0},
-      {"step", "", physgen::ElementType::int32, StampRecord<Real>::step, 1, 0},
+    physgen::field_info<physgen::shape::Scalar, typename Formats::time, double>(
+        "time", "s", StampRecord<Real, Formats>::time, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "step", "", StampRecord<Real, Formats>::step, 1, 0),
   }};
+  template <class Space>
+  using Formats = StampFormats<Space>;
 };
 
-template <class Real, class Layout>
-using StampView = physgen::View<StampObject, Real, Layout>;
+template <class Real, class Layout, class Formats = StampFormats<physgen::Host>>
+using StampView = physgen::View<StampObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using StampArray = physgen::Array<StampObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<StampObject, Space>>
+using StampArray = physgen::Array<StampObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<StampObject, float>(12, 8));
-static_assert(physgen::is_sound_record<StampObject, double>(12, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<StampObject, float, StampFormats<physgen::Host>>(12, 8, {0, 8}));
+static_assert(physgen::is_sound_record<StampObject, double, StampFormats<physgen::Host>>(12, 8, {0, 8}));
 
 namespace tissue::model {
 
@@ -117,31 +139,65 @@ struct Shapes {
   Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> M;
 };
 
+/// How the fields of one Shapes are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of ShapesArray.
+template <class Space>
+struct ShapesFormats {
+  using a = physgen::format::Native;
+  using v = physgen::format::Native;
+  using F = physgen::format::Native;
+  using B = physgen::format::Native;
+  using row = physgen::format::Native;
+  using K = physgen::format::Native;
+  using C2 = physgen::format::Native;
+  using s = physgen::format::Native;
+  using W = physgen::format::Native;
+  using U = physgen::format::Native;
+  using V = physgen::format::Native;
+  using M = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Shapes [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct ShapesRecord {
-  static constexpr int C2 = 0;
-  static constexpr int M = 24;
-  static constexpr int a = 56;
-  static constexpr int v = physgen::by_precision<Real>(60, 64);
-  static constexpr int F = physgen::by_precision<Real>(72, 88);
-  static constexpr int B = physgen::by_precision<Real>(108, 160);
-  static constexpr int row = physgen::by_precision<Real>(132, 208);
-  static constexpr int K = physgen::by_precision<Real>(148, 240);
-  static constexpr int s = physgen::by_precision<Real>(172, 288);
-  static constexpr int W = physgen::by_precision<Real>(184, 312);
-  static constexpr int U = physgen::by_precision<Real>(196, 336);
-  static constexpr int nodes = physgen::by_precision<Real>(232, 408);
-  static constexpr int V = physgen::by_precision<Real>(248, 424);
-  static constexpr int count = physgen::by_precision<Real>(284, 460);
-  static constexpr int bytes = physgen::by_precision<Real>(292, 468);
-  static constexpr int alignment = 8;
+  static constexpr auto plan_ = physgen::plan_record<14>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::a, Real>(),
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::v, Real>(),
+    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),
+    physgen::slot<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(),
+    physgen::slot<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(),
+    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::K, Real>(),
+    physgen::slot<physgen::shape::Symmetric<2>, typename Formats::C2, double>(),
+    physgen::slot<physgen::shape::Diagonal<3>, typename Formats::s, Real>(),
+    physgen::slot<physgen::shape::Skew<3>, typename Formats::W, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::U, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::V, float>(),
+    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(),
+  }});
+  static constexpr int a = plan_.offset[0];
+  static constexpr int v = plan_.offset[1];
+  static constexpr int nodes = plan_.offset[2];
+  static constexpr int F = plan_.offset[3];
+  static constexpr int B = plan_.offset[4];
+  static constexpr int row = plan_.offset[5];
+  static constexpr int K = plan_.offset[6];
+  static constexpr int C2 = plan_.offset[7];
+  static constexpr int s = plan_.offset[8];
+  static constexpr int W = plan_.offset[9];
+  static constexpr int U = plan_.offset[10];
+  static constexpr int V = plan_.offset[11];
+  static constexpr int count = plan_.offset[12];
+  static constexpr int M = plan_.offset[13];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Shapes of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class ShapesRef {
-  using Record = ShapesRecord<Real>;
+  using Record = ShapesRecord<Real, Formats>;
 
  public:
   using Value = Shapes<typename Cursor::template Lanes<Real>>;
@@ -149,43 +205,55 @@ class ShapesRef {
   PHYSGEN_FUNCTION explicit ShapesRef(const Cursor& cursor) : at_(cursor) {}
 
   /// Scalar.
-  PHYSGEN_FUNCTION decltype(auto) a() const { return at_.template element<Real>(Record::a); }
-  PHYSGEN_FUNCTION decltype(auto) v() const { return at_.template field<physgen::shape::Vector<3>, Real>(Record::v); }
+  PHYSGEN_FUNCTION decltype(auto) a() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::a, Real>(Record::a);
+  }
+  PHYSGEN_FUNCTION decltype(auto) v() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::v, Real>(Record::v);
+  }
   /// corners i, j, k, l
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<4>, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
   }
   /// deformation gradient [1]
   PHYSGEN_FUNCTION decltype(auto) F() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, Real>(Record::F);
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);
   }
   PHYSGEN_FUNCTION decltype(auto) B() const {
-    return at_.template field<physgen::shape::Matrix<2, 3>, Real>(Record::B);
+    return at_.template field<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(Record::B);
   }
   PHYSGEN_FUNCTION decltype(auto) row() const {
-    return at_.template field<physgen::shape::Matrix<1, 4>, Real>(Record::row);
+    return at_.template field<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(Record::row);
   }
   /// [N/m]. Symmetric, 6 stored.
   PHYSGEN_FUNCTION decltype(auto) K() const {
-    return at_.template field<physgen::shape::Symmetric<3>, Real>(Record::K);
+    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::K, Real>(Record::K);
   }
   /// Symmetric, 3 stored.
   PHYSGEN_FUNCTION decltype(auto) C2() const {
-    return at_.template field<physgen::shape::Symmetric<2>, double>(Record::C2);
+    return at_.template field<physgen::shape::Symmetric<2>, typename Formats::C2, double>(Record::C2);
   }
   /// Diagonal, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) s() const { return at_.template field<physgen::shape::Diagonal<3>, Real>(Record::s); }
+  PHYSGEN_FUNCTION decltype(auto) s() const {
+    return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
+  }
   /// [1/s]. Skew-symmetric, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) W() const { return at_.template field<physgen::shape::Skew<3>, Real>(Record::W); }
+  PHYSGEN_FUNCTION decltype(auto) W() const {
+    return at_.template field<physgen::shape::Skew<3>, typename Formats::W, Real>(Record::W);
+  }
   /// principal directions. Rotation, 9 stored.
-  PHYSGEN_FUNCTION decltype(auto) U() const { return at_.template field<physgen::shape::Rotation, Real>(Record::U); }
+  PHYSGEN_FUNCTION decltype(auto) U() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::U, Real>(Record::U);
+  }
   /// Rotation, 9 stored.
-  PHYSGEN_FUNCTION decltype(auto) V() const { return at_.template field<physgen::shape::Rotation, float>(Record::V); }
+  PHYSGEN_FUNCTION decltype(auto) V() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::V, float>(Record::V);
+  }
   PHYSGEN_FUNCTION decltype(auto) count() const {
-    return at_.template field<physgen::shape::Vector<2>, std::int32_t>(Record::count);
+    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::count);
   }
   PHYSGEN_FUNCTION decltype(auto) M() const {
-    return at_.template field<physgen::shape::Matrix<2, 2>, double>(Record::M);
+    return at_.template field<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(Record::M);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -232,38 +300,59 @@ struct ShapesObject {
   static constexpr std::string_view name = "tissue::model::Shapes";
   template <class Real>
   using Value = Shapes<Real>;
-  template <class Real>
-  using Record = ShapesRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = ShapesRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = ShapesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = ShapesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 14> fields = {{
-      {"a", "", physgen::element_type<Real>, ShapesRecord<Real>::a, 1, 0},
-      {"v", "", physgen::element_type<Real>, ShapesRecord<Real>::v, 3, 0},
-      {"nodes", "", physgen::ElementType::int32, ShapesRecord<Real>::nodes, 4, 0},
-      {"F", "1", physgen::element_type<Real>, ShapesRecord<Real>::F, 9, 0},
-      {"B", "", physgen::element_type<Real>, ShapesRecord<Real>::B, 6, 0},
-      {"row", "", physgen::element_type<Real>, ShapesRecord<Real>::row, 4, 0},
-      {"K", "N/m", physgen::element_type<Real>, ShapesRecord<Real>::K, 6, 0},
-      {"C2", "", physgen::ElementType::float64, ShapesRecord<Real>::C2, 3, 0},
-      {"s", "", physgen::element_type<Real>, ShapesRecord<Real>::s, 3, 0},
-      {"W", "1/s", physgen::element_type<Real>, ShapesRecord<Real>::W, 3, 0},
-      {"U", "", physgen::element_type<Real>, ShapesRecord<Real>::U, 9, 0},
-      {"V", "", physgen::ElementType::float32, ShapesRecord<Real>::V, 9, 0},
-      {"count", "", physgen::ElementType::int32, ShapesRecord<Real>::count, 2, 0},
-      {"M", "", physgen::ElementType::float64, ShapesRecord<Real>::M, 4, 0},
+    physgen::field_info<physgen::shape::Scalar, typename Formats::a, Real>(
+        "a", "", ShapesRecord<Real, Formats>::a, 1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::v, Real>(
+        "v", "", ShapesRecord<Real, Formats>::v, 1, 0),
+    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+        "nodes", "", ShapesRecord<Real, Formats>::nodes, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
+        "F", "1", ShapesRecord<Real, Formats>::F, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(
+        "B", "", ShapesRecord<Real, Formats>::B, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(
+        "row", "", ShapesRecord<Real, Formats>::row, 1, 0),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::K, Real>(
+        "K", "N/m", ShapesRecord<Real, Formats>::K, 1, 0),
+    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::C2, double>(
+        "C2", "", ShapesRecord<Real, Formats>::C2, 1, 0),
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
+        "s", "", ShapesRecord<Real, Formats>::s, 1, 0),
+    physgen::field_info<physgen::shape::Skew<3>, typename Formats::W, Real>(
+        "W", "1/s", ShapesRecord<Real, Formats>::W, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
+        "U", "", ShapesRecord<Real, Formats>::U, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::V, float>(
+        "V", "", ShapesRecord<Real, Formats>::V, 1, 0),
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "count", "", ShapesRecord<Real, Formats>::count, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(
+        "M", "", ShapesRecord<Real, Formats>::M, 1, 0),
   }};
+  template <class Space>
+  using Formats = ShapesFormats<Space>;
 };
 
-template <class Real, class Layout>
-using ShapesView = physgen::View<ShapesObject, Real, Layout>;
+template <class Real, class Layout, class Formats = ShapesFormats<physgen::Host>>
+using ShapesView = physgen::View<ShapesObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using ShapesArray = physgen::Array<ShapesObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<ShapesObject, Space>>
+using ShapesArray = physgen::Array<ShapesObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<ShapesObject, float>(292, 8));
-static_assert(physgen::is_sound_record<ShapesObject, double>(468, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<ShapesObject, float, ShapesFormats<physgen::Host>>(
+    292, 8, {56, 60, 72, 88, 124, 148, 164, 0, 188, 200, 212, 248, 284, 24}));
+static_assert(physgen::is_sound_record<ShapesObject, double, ShapesFormats<physgen::Host>>(
+    468, 8, {0, 8, 408, 32, 104, 152, 184, 232, 256, 280, 304, 424, 460, 376}));
 
 // ---- Names ----------------------------------------------------------------------------------------------------------
 
@@ -280,7 +369,14 @@ struct Names {
   Real name;
   Real fields;
   Real Layout;
-  Real Space;
+  Real host;
+  Real plan;
+  Real slot;
+  Real stride;
+  Real offset;
+  Real format;
+  Real Native;
+  Real PerSpace;
   Real field;
   Real element;
   Real nested;
@@ -288,57 +384,164 @@ struct Names {
   Eigen::Matrix<Real, 2, 1> tissue;
 };
 
+/// How the fields of one Names are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of NamesArray.
+template <class Space>
+struct NamesFormats {
+  using value = physgen::format::Native;
+  using entry = physgen::format::Native;
+  using S = physgen::format::Native;
+  using R = physgen::format::Native;
+  using at = physgen::format::Native;
+  using cursor = physgen::format::Native;
+  using name = physgen::format::Native;
+  using fields = physgen::format::Native;
+  using Layout = physgen::format::Native;
+  using host = physgen::format::Native;
+  using plan = physgen::format::Native;
+  using slot = physgen::format::Native;
+  using stride = physgen::format::Native;
+  using offset = physgen::format::Native;
+  using format = physgen::format::Native;
+  using Native = physgen::format::Native;
+  using PerSpace = physgen::format::Native;
+  using field = physgen::format::Native;
+  using element = physgen::format::Native;
+  using nested = physgen::format::Native;
+  using self = physgen::format::Native;
+  using tissue = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Names [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct NamesRecord {
-  static constexpr int value = 0;
-  static constexpr int entry = sizeof(Real);
-  static constexpr int S = 2 * sizeof(Real);
-  static constexpr int R = 3 * sizeof(Real);
-  static constexpr int at = 4 * sizeof(Real);
-  static constexpr int cursor = 5 * sizeof(Real);
-  static constexpr int name = 6 * sizeof(Real);
-  static constexpr int fields = 7 * sizeof(Real);
-  static constexpr int Layout = 8 * sizeof(Real);
-  static constexpr int Space = 9 * sizeof(Real);
-  static constexpr int field = 10 * sizeof(Real);
-  static constexpr int element = 11 * sizeof(Real);
-  static constexpr int nested = 12 * sizeof(Real);
-  static constexpr int self = 13 * sizeof(Real);
-  static constexpr int tissue = 15 * sizeof(Real);
-  static constexpr int bytes = 17 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<22>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::value, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::entry, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::S, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::R, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::at, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::cursor, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::name, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::fields, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::Layout, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::host, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::plan, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::slot, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::stride, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::offset, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::format, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::Native, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::PerSpace, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::field, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::element, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::nested, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::self, Real>(2),
+    physgen::slot<physgen::shape::Vector<2>, typename Formats::tissue, Real>(),
+  }});
+  static constexpr int value = plan_.offset[0];
+  static constexpr int entry = plan_.offset[1];
+  static constexpr int S = plan_.offset[2];
+  static constexpr int R = plan_.offset[3];
+  static constexpr int at = plan_.offset[4];
+  static constexpr int cursor = plan_.offset[5];
+  static constexpr int name = plan_.offset[6];
+  static constexpr int fields = plan_.offset[7];
+  static constexpr int Layout = plan_.offset[8];
+  static constexpr int host = plan_.offset[9];
+  static constexpr int plan = plan_.offset[10];
+  static constexpr int slot = plan_.offset[11];
+  static constexpr int stride = plan_.offset[12];
+  static constexpr int offset = plan_.offset[13];
+  static constexpr int format = plan_.offset[14];
+  static constexpr int Native = plan_.offset[15];
+  static constexpr int PerSpace = plan_.offset[16];
+  static constexpr int field = plan_.offset[17];
+  static constexpr int element = plan_.offset[18];
+  static constexpr int nested = plan_.offset[19];
+  static constexpr int self = plan_.offset[20];
+  static constexpr int tissue = plan_.offset[21];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Names of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class NamesRef {
-  using Record = NamesRecord<Real>;
+  using Record = NamesRecord<Real, Formats>;
 
  public:
   using Value = Names<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NamesRef(const Cursor& cursor) : at_(cursor) {}
 
-  PHYSGEN_FUNCTION decltype(auto) value() const { return at_.template element<Real>(Record::value); }
-  PHYSGEN_FUNCTION decltype(auto) entry() const { return at_.template element<Real>(Record::entry); }
-  PHYSGEN_FUNCTION decltype(auto) S() const { return at_.template element<Real>(Record::S); }
-  PHYSGEN_FUNCTION decltype(auto) R() const { return at_.template element<Real>(Record::R); }
-  PHYSGEN_FUNCTION decltype(auto) at() const { return at_.template element<Real>(Record::at); }
-  PHYSGEN_FUNCTION decltype(auto) cursor() const { return at_.template element<Real>(Record::cursor); }
-  PHYSGEN_FUNCTION decltype(auto) name() const { return at_.template element<Real>(Record::name); }
-  PHYSGEN_FUNCTION decltype(auto) fields() const { return at_.template element<Real>(Record::fields); }
-  PHYSGEN_FUNCTION decltype(auto) Layout() const { return at_.template element<Real>(Record::Layout); }
-  PHYSGEN_FUNCTION decltype(auto) Space() const { return at_.template element<Real>(Record::Space); }
-  PHYSGEN_FUNCTION decltype(auto) field() const { return at_.template element<Real>(Record::field); }
-  PHYSGEN_FUNCTION decltype(auto) element() const { return at_.template element<Real>(Record::element); }
-  PHYSGEN_FUNCTION decltype(auto) nested() const { return at_.template element<Real>(Record::nested); }
+  PHYSGEN_FUNCTION decltype(auto) value() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::value, Real>(Record::value);
+  }
+  PHYSGEN_FUNCTION decltype(auto) entry() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::entry, Real>(Record::entry);
+  }
+  PHYSGEN_FUNCTION decltype(auto) S() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::S, Real>(Record::S);
+  }
+  PHYSGEN_FUNCTION decltype(auto) R() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::R, Real>(Record::R);
+  }
+  PHYSGEN_FUNCTION decltype(auto) at() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::at, Real>(Record::at);
+  }
+  PHYSGEN_FUNCTION decltype(auto) cursor() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::cursor, Real>(Record::cursor);
+  }
+  PHYSGEN_FUNCTION decltype(auto) name() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::name, Real>(Record::name);
+  }
+  PHYSGEN_FUNCTION decltype(auto) fields() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::fields, Real>(Record::fields);
+  }
+  PHYSGEN_FUNCTION decltype(auto) Layout() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::Layout, Real>(Record::Layout);
+  }
+  PHYSGEN_FUNCTION decltype(auto) host() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::host, Real>(Record::host);
+  }
+  PHYSGEN_FUNCTION decltype(auto) plan() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::plan, Real>(Record::plan);
+  }
+  PHYSGEN_FUNCTION decltype(auto) slot() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::slot, Real>(Record::slot);
+  }
+  PHYSGEN_FUNCTION decltype(auto) stride() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::stride, Real>(Record::stride);
+  }
+  PHYSGEN_FUNCTION decltype(auto) offset() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::offset, Real>(Record::offset);
+  }
+  PHYSGEN_FUNCTION decltype(auto) format() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::format, Real>(Record::format);
+  }
+  PHYSGEN_FUNCTION decltype(auto) Native() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::Native, Real>(Record::Native);
+  }
+  PHYSGEN_FUNCTION decltype(auto) PerSpace() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::PerSpace, Real>(Record::PerSpace);
+  }
+  PHYSGEN_FUNCTION decltype(auto) field() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::field, Real>(Record::field);
+  }
+  PHYSGEN_FUNCTION decltype(auto) element() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::element, Real>(Record::element);
+  }
+  PHYSGEN_FUNCTION decltype(auto) nested() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::nested, Real>(Record::nested);
+  }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) self(int entry) const {
-    return at_.template element<Real>(Record::self + entry * int{sizeof(Real)});
+    return at_.template field<physgen::shape::Scalar, typename Formats::self, Real>(
+        Record::self + entry * Record::plan_.stride[20]);
   }
   PHYSGEN_FUNCTION decltype(auto) tissue() const {
-    return at_.template field<physgen::shape::Vector<2>, Real>(Record::tissue);
+    return at_.template field<physgen::shape::Vector<2>, typename Formats::tissue, Real>(Record::tissue);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -352,7 +555,14 @@ class NamesRef {
     value_.name = name();
     value_.fields = fields();
     value_.Layout = Layout();
-    value_.Space = Space();
+    value_.host = host();
+    value_.plan = plan();
+    value_.slot = slot();
+    value_.stride = stride();
+    value_.offset = offset();
+    value_.format = format();
+    value_.Native = Native();
+    value_.PerSpace = PerSpace();
     value_.field = field();
     value_.element = element();
     value_.nested = nested();
@@ -371,7 +581,14 @@ class NamesRef {
     name() = value_.name;
     fields() = value_.fields;
     Layout() = value_.Layout;
-    Space() = value_.Space;
+    host() = value_.host;
+    plan() = value_.plan;
+    slot() = value_.slot;
+    stride() = value_.stride;
+    offset() = value_.offset;
+    format() = value_.format;
+    Native() = value_.Native;
+    PerSpace() = value_.PerSpace;
     field() = value_.field;
     element() = value_.element;
     nested() = value_.nested;
@@ -389,39 +606,75 @@ struct NamesObject {
   static constexpr std::string_view name = "tissue::model::Names";
   template <class Real>
   using Value = Names<Real>;
-  template <class Real>
-  using Record = NamesRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = NamesRef<Real, Cursor>;
-  template <class Real>
-  static constexpr std::array<physgen::FieldInfo, 15> fields = {{
-      {"value", "", physgen::element_type<Real>, NamesRecord<Real>::value, 1, 0},
-      {"entry", "", physgen::element_type<Real>, NamesRecord<Real>::entry, 1, 0},
-      {"S", "", physgen::element_type<Real>, NamesRecord<Real>::S, 1, 0},
-      {"R", "", physgen::element_type<Real>, NamesRecord<Real>::R, 1, 0},
-      {"at", "", physgen::element_type<Real>, NamesRecord<Real>::at, 1, 0},
-      {"cursor", "", physgen::element_type<Real>, NamesRecord<Real>::cursor, 1, 0},
-      {"name", "", physgen::element_type<Real>, NamesRecord<Real>::name, 1, 0},
-      {"fields", "", physgen::element_type<Real>, NamesRecord<Real>::fields, 1, 0},
-      {"Layout", "", physgen::element_type<Real>, NamesRecord<Real>::Layout, 1, 0},
-      {"Space", "", physgen::element_type<Real>, NamesRecord<Real>::Space, 1, 0},
-      {"field", "", physgen::element_type<Real>, NamesRecord<Real>::field, 1, 0},
-      {"element", "", physgen::element_type<Real>, NamesRecord<Real>::element, 1, 0},
-      {"nested", "", physgen::element_type<Real>, NamesRecord<Real>::nested, 1, 0},
-      {"self", "", physgen::element_type<Real>, NamesRecord<Real>::self, 2, 0},
-      {"tissue", "", physgen::element_type<Real>, NamesRecord<Real>::tissue, 2, 0},
+  template <class Real, class Formats>
+  using Record = NamesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NamesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 22> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::value, Real>(
+        "value", "", NamesRecord<Real, Formats>::value, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::entry, Real>(
+        "entry", "", NamesRecord<Real, Formats>::entry, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::S, Real>(
+        "S", "", NamesRecord<Real, Formats>::S, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::R, Real>(
+        "R", "", NamesRecord<Real, Formats>::R, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::at, Real>(
+        "at", "", NamesRecord<Real, Formats>::at, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::cursor, Real>(
+        "cursor", "", NamesRecord<Real, Formats>::cursor, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::name, Real>(
+        "name", "", NamesRecord<Real, Formats>::name, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::fields, Real>(
+        "fields", "", NamesRecord<Real, Formats>::fields, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::Layout, Real>(
+        "Layout", "", NamesRecord<Real, Formats>::Layout, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::host, Real>(
+        "host", "", NamesRecord<Real, Formats>::host, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::plan, Real>(
+        "plan", "", NamesRecord<Real, Formats>::plan, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::slot, Real>(
+        "slot", "", NamesRecord<Real, Formats>::slot, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::stride, Real>(
+        "stride", "", NamesRecord<Real, Formats>::stride, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::offset, Real>(
+        "offset", "", NamesRecord<Real, Formats>::offset, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::format, Real>(
+        "format", "", NamesRecord<Real, Formats>::format, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::Native, Real>(
+        "Native", "", NamesRecord<Real, Formats>::Native, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::PerSpace, Real>(
+        "PerSpace", "", NamesRecord<Real, Formats>::PerSpace, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::field, Real>(
+        "field", "", NamesRecord<Real, Formats>::field, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::element, Real>(
+        "element", "", NamesRecord<Real, Formats>::element, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::nested, Real>(
+        "nested", "", NamesRecord<Real, Formats>::nested, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::self, Real>(
+        "self", "", NamesRecord<Real, Formats>::self, 2, 0),
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::tissue, Real>(
+        "tissue", "", NamesRecord<Real, Formats>::tissue, 1, 0),
   }};
+  template <class Space>
+  using Formats = NamesFormats<Space>;
 };
 
-template <class Real, class Layout>
-using NamesView = physgen::View<NamesObject, Real, Layout>;
+template <class Real, class Layout, class Formats = NamesFormats<physgen::Host>>
+using NamesView = physgen::View<NamesObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using NamesArray = physgen::Array<NamesObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<NamesObject, Space>>
+using NamesArray = physgen::Array<NamesObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<NamesObject, float>(68, 4));
-static_assert(physgen::is_sound_record<NamesObject, double>(136, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NamesObject, float, NamesFormats<physgen::Host>>(
+    96, 4, {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 88}));
+static_assert(physgen::is_sound_record<NamesObject, double, NamesFormats<physgen::Host>>(
+    192, 8, {0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 176}));
 
 // ---- Entries --------------------------------------------------------------------------------------------------------
 
@@ -441,23 +694,41 @@ struct Entries {
   Real entry[2];
 };
 
+/// How the fields of one Entries are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of EntriesArray.
+template <class Space>
+struct EntriesFormats {
+  using weights = physgen::format::Native;
+  using k = physgen::format::Native;
+  using history = physgen::format::Native;
+  using entry = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Entries [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct EntriesRecord {
-  static constexpr int history = 0;
-  static constexpr int weights = 320;
-  static constexpr int k = physgen::by_precision<Real>(340, 360);
-  static constexpr int entry = physgen::by_precision<Real>(436, 552);
-  static constexpr int flags = physgen::by_precision<Real>(444, 568);
-  static constexpr int edges = physgen::by_precision<Real>(456, 580);
-  static constexpr int bytes = physgen::by_precision<Real>(504, 628);
-  static constexpr int alignment = 8;
+  static constexpr auto plan_ = physgen::plan_record<6>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::weights, Real>(5),
+    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::k, Real>(4),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(3),
+    physgen::slot<physgen::shape::Scalar, typename Formats::history, double>(40),
+    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(6),
+    physgen::slot<physgen::shape::Scalar, typename Formats::entry, Real>(2),
+  }});
+  static constexpr int weights = plan_.offset[0];
+  static constexpr int k = plan_.offset[1];
+  static constexpr int flags = plan_.offset[2];
+  static constexpr int history = plan_.offset[3];
+  static constexpr int edges = plan_.offset[4];
+  static constexpr int entry = plan_.offset[5];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Entries of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class EntriesRef {
-  using Record = EntriesRecord<Real>;
+  using Record = EntriesRecord<Real, Formats>;
 
  public:
   using Value = Entries<typename Cursor::template Lanes<Real>>;
@@ -468,29 +739,35 @@ class EntriesRef {
   /// They sum to one. [1] Range [0, 1].
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) weights(int entry) const {
-    return at_.template element<Real>(Record::weights + entry * int{sizeof(Real)});
+    return at_.template field<physgen::shape::Scalar, typename Formats::weights, Real>(
+        Record::weights + entry * Record::plan_.stride[0]);
   }
   /// [N/m]. Symmetric, 6 stored.
   /// @pre 0 <= entry < 4
   PHYSGEN_FUNCTION decltype(auto) k(int entry) const {
-    return at_.template field<physgen::shape::Symmetric<3>, Real>(Record::k + entry * int{6 * sizeof(Real)});
+    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
+        Record::k + entry * Record::plan_.stride[1]);
   }
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) flags(int entry) const {
-    return at_.template element<std::int32_t>(Record::flags + entry * 4);
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        Record::flags + entry * Record::plan_.stride[2]);
   }
   /// More entries than are worth unrolling
   /// @pre 0 <= entry < 40
   PHYSGEN_FUNCTION decltype(auto) history(int entry) const {
-    return at_.template element<double>(Record::history + entry * 8);
+    return at_.template field<physgen::shape::Scalar, typename Formats::history, double>(
+        Record::history + entry * Record::plan_.stride[3]);
   }
   /// @pre 0 <= entry < 6
   PHYSGEN_FUNCTION decltype(auto) edges(int entry) const {
-    return at_.template field<physgen::shape::Vector<2>, std::int32_t>(Record::edges + entry * 8);
+    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        Record::edges + entry * Record::plan_.stride[4]);
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) entry(int entry) const {
-    return at_.template element<Real>(Record::entry + entry * int{sizeof(Real)});
+    return at_.template field<physgen::shape::Scalar, typename Formats::entry, Real>(
+        Record::entry + entry * Record::plan_.stride[5]);
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -531,30 +808,43 @@ struct EntriesObject {
   static constexpr std::string_view name = "tissue::model::Entries";
   template <class Real>
   using Value = Entries<Real>;
-  template <class Real>
-  using Record = EntriesRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = EntriesRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = EntriesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = EntriesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 6> fields = {{
-      {"weights", "1", physgen::element_type<Real>, EntriesRecord<Real>::weights, 5, 0},
-      {"k", "N/m", physgen::element_type<Real>, EntriesRecord<Real>::k, 24, 0},
-      {"flags", "", physgen::ElementType::int32, EntriesRecord<Real>::flags, 3, 0},
-      {"history", "", physgen::ElementType::float64, EntriesRecord<Real>::history, 40, 0},
-      {"edges", "", physgen::ElementType::int32, EntriesRecord<Real>::edges, 12, 0},
-      {"entry", "", physgen::element_type<Real>, EntriesRecord<Real>::entry, 2, 0},
+    physgen::field_info<physgen::shape::Scalar, typename Formats::weights, Real>(
+        "weights", "1", EntriesRecord<Real, Formats>::weights, 5, 0),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
+        "k", "N/m", EntriesRecord<Real, Formats>::k, 4, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "flags", "", EntriesRecord<Real, Formats>::flags, 3, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::history, double>(
+        "history", "", EntriesRecord<Real, Formats>::history, 40, 0),
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "edges", "", EntriesRecord<Real, Formats>::edges, 6, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::entry, Real>(
+        "entry", "", EntriesRecord<Real, Formats>::entry, 2, 0),
   }};
+  template <class Space>
+  using Formats = EntriesFormats<Space>;
 };
 
-template <class Real, class Layout>
-using EntriesView = physgen::View<EntriesObject, Real, Layout>;
+template <class Real, class Layout, class Formats = EntriesFormats<physgen::Host>>
+using EntriesView = physgen::View<EntriesObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using EntriesArray = physgen::Array<EntriesObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<EntriesObject, Space>>
+using EntriesArray = physgen::Array<EntriesObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<EntriesObject, float>(504, 8));
-static_assert(physgen::is_sound_record<EntriesObject, double>(628, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<EntriesObject, float, EntriesFormats<physgen::Host>>(
+    504, 8, {320, 340, 436, 0, 448, 496}));
+static_assert(physgen::is_sound_record<EntriesObject, double, EntriesFormats<physgen::Host>>(
+    628, 8, {0, 40, 568, 232, 580, 552}));
 
 // ---- Options --------------------------------------------------------------------------------------------------------
 
@@ -584,25 +874,47 @@ struct Options {
   physgen::same_lanes_t<Real, double> fixed = 1e-12;
 };
 
+/// How the fields of one Options are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of OptionsArray.
+template <class Space>
+struct OptionsFormats {
+  using density = physgen::format::Native;
+  using nu = physgen::format::Native;
+  using direction = physgen::format::Native;
+  using metric = physgen::format::Native;
+  using spin = physgen::format::Native;
+  using fixed = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Options [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct OptionsRecord {
-  static constexpr int fixed = 0;
-  static constexpr int density = 8;
-  static constexpr int nu = physgen::by_precision<Real>(12, 16);
-  static constexpr int direction = physgen::by_precision<Real>(16, 24);
-  static constexpr int metric = physgen::by_precision<Real>(28, 48);
-  static constexpr int spin = physgen::by_precision<Real>(52, 96);
-  static constexpr int label = physgen::by_precision<Real>(64, 120);
-  static constexpr int group = physgen::by_precision<Real>(68, 124);
-  static constexpr int bytes = physgen::by_precision<Real>(76, 132);
-  static constexpr int alignment = 32;
+  static constexpr auto plan_ = physgen::plan_record<8>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::density, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::nu, Real>(),
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::direction, Real>(),
+    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Skew<3>, typename Formats::spin, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::fixed, double>(),
+  }});
+  static constexpr int density = plan_.offset[0];
+  static constexpr int nu = plan_.offset[1];
+  static constexpr int direction = plan_.offset[2];
+  static constexpr int metric = plan_.offset[3];
+  static constexpr int label = plan_.offset[4];
+  static constexpr int group = plan_.offset[5];
+  static constexpr int spin = plan_.offset[6];
+  static constexpr int fixed = plan_.offset[7];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment > 32 ? plan_.alignment : 32;
 };
 
 /// One Options of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class OptionsRef {
-  using Record = OptionsRecord<Real>;
+  using Record = OptionsRecord<Real, Formats>;
 
  public:
   using Value = Options<typename Cursor::template Lanes<Real>>;
@@ -610,29 +922,37 @@ class OptionsRef {
   PHYSGEN_FUNCTION explicit OptionsRef(const Cursor& cursor) : at_(cursor) {}
 
   /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
-  PHYSGEN_FUNCTION decltype(auto) density() const { return at_.template element<Real>(Record::density); }
+  PHYSGEN_FUNCTION decltype(auto) density() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::density, Real>(Record::density);
+  }
   /// Range [0, 0.5]; initially 0.45.
-  PHYSGEN_FUNCTION decltype(auto) nu() const { return at_.template element<Real>(Record::nu); }
+  PHYSGEN_FUNCTION decltype(auto) nu() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::nu, Real>(Record::nu);
+  }
   /// [1]. Initially 0.5.
   PHYSGEN_FUNCTION decltype(auto) direction() const {
-    return at_.template field<physgen::shape::Vector<3>, Real>(Record::direction);
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::direction, Real>(Record::direction);
   }
   /// Symmetric, 6 stored. Initially 1.
   PHYSGEN_FUNCTION decltype(auto) metric() const {
-    return at_.template field<physgen::shape::Symmetric<3>, Real>(Record::metric);
+    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(Record::metric);
   }
   /// Initially -1.
-  PHYSGEN_FUNCTION decltype(auto) label() const { return at_.template element<std::int32_t>(Record::label); }
+  PHYSGEN_FUNCTION decltype(auto) label() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::label);
+  }
   /// Initially 7.
   PHYSGEN_FUNCTION decltype(auto) group() const {
-    return at_.template field<physgen::shape::Vector<2>, std::int32_t>(Record::group);
+    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::group);
   }
   /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
   PHYSGEN_FUNCTION decltype(auto) spin() const {
-    return at_.template field<physgen::shape::Skew<3>, Real>(Record::spin);
+    return at_.template field<physgen::shape::Skew<3>, typename Formats::spin, Real>(Record::spin);
   }
   /// Initially 1e-12.
-  PHYSGEN_FUNCTION decltype(auto) fixed() const { return at_.template element<double>(Record::fixed); }
+  PHYSGEN_FUNCTION decltype(auto) fixed() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::fixed, double>(Record::fixed);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -666,32 +986,47 @@ struct OptionsObject {
   static constexpr std::string_view name = "tissue::model::Options";
   template <class Real>
   using Value = Options<Real>;
-  template <class Real>
-  using Record = OptionsRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = OptionsRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = OptionsRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = OptionsRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 8> fields = {{
-      {"density", "kg/m^3", physgen::element_type<Real>, OptionsRecord<Real>::density, 1, 1060},
-      {"nu", "", physgen::element_type<Real>, OptionsRecord<Real>::nu, 1, 0.45},
-      {"direction", "1", physgen::element_type<Real>, OptionsRecord<Real>::direction, 3, 0.5},
-      {"metric", "", physgen::element_type<Real>, OptionsRecord<Real>::metric, 6, 1},
-      {"label", "", physgen::ElementType::int32, OptionsRecord<Real>::label, 1, -1},
-      {"group", "", physgen::ElementType::int32, OptionsRecord<Real>::group, 2, 7},
-      {"spin", "", physgen::element_type<Real>, OptionsRecord<Real>::spin, 3, 0.25},
-      {"fixed", "", physgen::ElementType::float64, OptionsRecord<Real>::fixed, 1, 1e-12},
+    physgen::field_info<physgen::shape::Scalar, typename Formats::density, Real>(
+        "density", "kg/m^3", OptionsRecord<Real, Formats>::density, 1, 1060),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::nu, Real>(
+        "nu", "", OptionsRecord<Real, Formats>::nu, 1, 0.45),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::direction, Real>(
+        "direction", "1", OptionsRecord<Real, Formats>::direction, 1, 0.5),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(
+        "metric", "", OptionsRecord<Real, Formats>::metric, 1, 1),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "label", "", OptionsRecord<Real, Formats>::label, 1, -1),
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "group", "", OptionsRecord<Real, Formats>::group, 1, 7),
+    physgen::field_info<physgen::shape::Skew<3>, typename Formats::spin, Real>(
+        "spin", "", OptionsRecord<Real, Formats>::spin, 1, 0.25),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::fixed, double>(
+        "fixed", "", OptionsRecord<Real, Formats>::fixed, 1, 1e-12),
   }};
+  template <class Space>
+  using Formats = OptionsFormats<Space>;
 };
 
-template <class Real, class Layout>
-using OptionsView = physgen::View<OptionsObject, Real, Layout>;
+template <class Real, class Layout, class Formats = OptionsFormats<physgen::Host>>
+using OptionsView = physgen::View<OptionsObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Soa, physgen::AosPadded>>
-using OptionsArray = physgen::Array<OptionsObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Soa, physgen::AosPadded>,
+          class Formats = physgen::FormatsOf<OptionsObject, Space>>
+using OptionsArray = physgen::Array<OptionsObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<OptionsObject, float>(76, 32));
-static_assert(physgen::is_sound_record<OptionsObject, double>(132, 32));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<OptionsObject, float, OptionsFormats<physgen::Host>>(
+    76, 32, {8, 12, 16, 28, 52, 56, 64, 0}));
+static_assert(physgen::is_sound_record<OptionsObject, double, OptionsFormats<physgen::Host>>(
+    132, 32, {0, 8, 16, 40, 120, 124, 88, 112}));
 
 // ---- Element --------------------------------------------------------------------------------------------------------
 
@@ -710,23 +1045,42 @@ struct Element {
   Real volume;
 };
 
+/// How the fields of one Element are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of ElementArray.
+template <class Space>
+struct ElementFormats {
+  using lame = ::material::LameFormats<Space>;
+  using fibres = ::material::FibreFormats<Space>;
+  using stamp = ::StampFormats<Space>;
+  using shapes = ShapesFormats<Space>;
+  using volume = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Element [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct ElementRecord {
-  static constexpr int fibres = 0;
-  static constexpr int stamp = 48;
-  static constexpr int shapes = 64;
-  static constexpr int lame = physgen::by_precision<Real>(360, 536);
-  static constexpr int volume = physgen::by_precision<Real>(368, 552);
-  static constexpr int flag = physgen::by_precision<Real>(372, 560);
-  static constexpr int bytes = physgen::by_precision<Real>(376, 564);
-  static constexpr int alignment = 8;
+  static constexpr auto plan_ = physgen::plan_record<6>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::nested_slot<::material::LameRecord<Real, typename Formats::lame>>(),
+    physgen::nested_slot<::material::FibreRecord<Real, typename Formats::fibres>>(2),
+    physgen::nested_slot<::StampRecord<Real, typename Formats::stamp>>(),
+    physgen::nested_slot<ShapesRecord<Real, typename Formats::shapes>>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::volume, Real>(),
+  }});
+  static constexpr int flag = plan_.offset[0];
+  static constexpr int lame = plan_.offset[1];
+  static constexpr int fibres = plan_.offset[2];
+  static constexpr int stamp = plan_.offset[3];
+  static constexpr int shapes = plan_.offset[4];
+  static constexpr int volume = plan_.offset[5];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Element of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class ElementRef {
-  using Record = ElementRecord<Real>;
+  using Record = ElementRecord<Real, Formats>;
 
  public:
   using Value = Element<typename Cursor::template Lanes<Real>>;
@@ -734,23 +1088,28 @@ class ElementRef {
   PHYSGEN_FUNCTION explicit ElementRef(const Cursor& cursor) : at_(cursor) {}
 
   /// Before the nested objects by name, behind them in the record.
-  PHYSGEN_FUNCTION decltype(auto) flag() const { return at_.template element<std::int32_t>(Record::flag); }
+  PHYSGEN_FUNCTION decltype(auto) flag() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::flag);
+  }
   /// Constants of the tissue.
-  PHYSGEN_FUNCTION ::material::LameRef<Real, Cursor> lame() const {
-    return ::material::LameRef<Real, Cursor>(at_.nested(Record::lame));
+  PHYSGEN_FUNCTION ::material::LameRef<Real, typename Formats::lame, Cursor> lame() const {
+    return ::material::LameRef<Real, typename Formats::lame, Cursor>(at_.nested(Record::lame));
   }
   /// @pre 0 <= entry < 2
-  PHYSGEN_FUNCTION ::material::FibreRef<Real, Cursor> fibres(int entry) const {
-    return ::material::FibreRef<Real, Cursor>(at_.nested(Record::fibres + entry * 24));
+  PHYSGEN_FUNCTION ::material::FibreRef<Real, typename Formats::fibres, Cursor> fibres(int entry) const {
+    return ::material::FibreRef<Real, typename Formats::fibres, Cursor>(
+        at_.nested(Record::fibres + entry * Record::plan_.stride[2]));
   }
-  PHYSGEN_FUNCTION ::StampRef<Real, Cursor> stamp() const {
-    return ::StampRef<Real, Cursor>(at_.nested(Record::stamp));
+  PHYSGEN_FUNCTION ::StampRef<Real, typename Formats::stamp, Cursor> stamp() const {
+    return ::StampRef<Real, typename Formats::stamp, Cursor>(at_.nested(Record::stamp));
   }
-  PHYSGEN_FUNCTION ShapesRef<Real, Cursor> shapes() const {
-    return ShapesRef<Real, Cursor>(at_.nested(Record::shapes));
+  PHYSGEN_FUNCTION ShapesRef<Real, typename Formats::shapes, Cursor> shapes() const {
+    return ShapesRef<Real, typename Formats::shapes, Cursor>(at_.nested(Record::shapes));
   }
   /// [m^3]
-  PHYSGEN_FUNCTION decltype(auto) volume() const { return at_.template element<Real>(Record::volume); }
+  PHYSGEN_FUNCTION decltype(auto) volume() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::volume, Real>(Record::volume);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -782,54 +1141,99 @@ struct ElementObject {
   static constexpr std::string_view name = "tissue::model::Element";
   template <class Real>
   using Value = Element<Real>;
-  template <class Real>
-  using Record = ElementRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = ElementRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = ElementRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = ElementRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 24> fields = {{
-      {"flag", "", physgen::ElementType::int32, ElementRecord<Real>::flag, 1, 0},
-      {"lame.mu", "Pa", physgen::element_type<Real>, ElementRecord<Real>::lame + ::material::LameRecord<Real>::mu, 1,
-       0},
-      {"lame.lambda", "Pa", physgen::element_type<Real>,
-       ElementRecord<Real>::lame + ::material::LameRecord<Real>::lambda, 1, 0},
-      {"fibres[0].direction", "", physgen::ElementType::float32,
-       ElementRecord<Real>::fibres + ::material::FibreRecord<Real>::direction, 3, 0},
-      {"fibres[0].strength", "Pa", physgen::ElementType::float64,
-       ElementRecord<Real>::fibres + ::material::FibreRecord<Real>::strength, 1, 0},
-      {"fibres[1].direction", "", physgen::ElementType::float32,
-       ElementRecord<Real>::fibres + 1 * 24 + ::material::FibreRecord<Real>::direction, 3, 0},
-      {"fibres[1].strength", "Pa", physgen::ElementType::float64,
-       ElementRecord<Real>::fibres + 1 * 24 + ::material::FibreRecord<Real>::strength, 1, 0},
-      {"stamp.time", "s", physgen::ElementType::float64, ElementRecord<Real>::stamp + ::StampRecord<Real>::time, 1, 0},
-      {"stamp.step", "", physgen::ElementType::int32, ElementRecord<Real>::stamp + ::StampRecord<Real>::step, 1, 0},
-      {"shapes.a", "", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::a, 1, 0},
-      {"shapes.v", "", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::v, 3, 0},
-      {"shapes.nodes", "", physgen::ElementType::int32, ElementRecord<Real>::shapes + ShapesRecord<Real>::nodes, 4, 0},
-      {"shapes.F", "1", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::F, 9, 0},
-      {"shapes.B", "", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::B, 6, 0},
-      {"shapes.row", "", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::row, 4, 0},
-      {"shapes.K", "N/m", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::K, 6, 0},
-      {"shapes.C2", "", physgen::ElementType::float64, ElementRecord<Real>::shapes + ShapesRecord<Real>::C2, 3, 0},
-      {"shapes.s", "", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::s, 3, 0},
-      {"shapes.W", "1/s", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::W, 3, 0},
-      {"shapes.U", "", physgen::element_type<Real>, ElementRecord<Real>::shapes + ShapesRecord<Real>::U, 9, 0},
-      {"shapes.V", "", physgen::ElementType::float32, ElementRecord<Real>::shapes + ShapesRecord<Real>::V, 9, 0},
-      {"shapes.count", "", physgen::ElementType::int32, ElementRecord<Real>::shapes + ShapesRecord<Real>::count, 2, 0},
-      {"shapes.M", "", physgen::ElementType::float64, ElementRecord<Real>::shapes + ShapesRecord<Real>::M, 4, 0},
-      {"volume", "m^3", physgen::element_type<Real>, ElementRecord<Real>::volume, 1, 0},
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "flag", "", ElementRecord<Real, Formats>::flag, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::lame::mu, Real>(
+        "lame.mu", "Pa", ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::mu,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::lame::lambda, Real>(
+        "lame.lambda", "Pa",
+        ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::lambda, 1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::fibres::direction, float>(
+        "fibres[0].direction", "",
+        ElementRecord<Real, Formats>::fibres + ::material::FibreRecord<Real, typename Formats::fibres>::direction, 1,
+        0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::fibres::strength, double>(
+        "fibres[0].strength", "Pa",
+        ElementRecord<Real, Formats>::fibres + ::material::FibreRecord<Real, typename Formats::fibres>::strength, 1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::fibres::direction, float>(
+        "fibres[1].direction", "",
+        ElementRecord<Real, Formats>::fibres + 1 * ElementRecord<Real, Formats>::plan_.stride[2] +
+            ::material::FibreRecord<Real, typename Formats::fibres>::direction,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::fibres::strength, double>(
+        "fibres[1].strength", "Pa",
+        ElementRecord<Real, Formats>::fibres + 1 * ElementRecord<Real, Formats>::plan_.stride[2] +
+            ::material::FibreRecord<Real, typename Formats::fibres>::strength,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::stamp::time, double>(
+        "stamp.time", "s", ElementRecord<Real, Formats>::stamp + ::StampRecord<Real, typename Formats::stamp>::time, 1,
+        0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "stamp.step", "", ElementRecord<Real, Formats>::stamp + ::StampRecord<Real, typename Formats::stamp>::step, 1,
+        0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::shapes::a, Real>(
+        "shapes.a", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::a, 1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::shapes::v, Real>(
+        "shapes.v", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::v, 1, 0),
+    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+        "shapes.nodes", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::nodes,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::shapes::F, Real>(
+        "shapes.F", "1", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::F, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::shapes::B, Real>(
+        "shapes.B", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::B, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::shapes::row, Real>(
+        "shapes.row", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::row, 1,
+        0),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::shapes::K, Real>(
+        "shapes.K", "N/m", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::K, 1,
+        0),
+    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::shapes::C2, double>(
+        "shapes.C2", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::C2, 1, 0),
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::shapes::s, Real>(
+        "shapes.s", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::s, 1, 0),
+    physgen::field_info<physgen::shape::Skew<3>, typename Formats::shapes::W, Real>(
+        "shapes.W", "1/s", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::W, 1,
+        0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::shapes::U, Real>(
+        "shapes.U", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::U, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::shapes::V, float>(
+        "shapes.V", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::V, 1, 0),
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "shapes.count", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::count,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::shapes::M, double>(
+        "shapes.M", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::M, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::volume, Real>(
+        "volume", "m^3", ElementRecord<Real, Formats>::volume, 1, 0),
   }};
+  template <class Space>
+  using Formats = ElementFormats<Space>;
 };
 
-template <class Real, class Layout>
-using ElementView = physgen::View<ElementObject, Real, Layout>;
+template <class Real, class Layout, class Formats = ElementFormats<physgen::Host>>
+using ElementView = physgen::View<ElementObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aosoa<64>>>
-using ElementArray = physgen::Array<ElementObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aosoa<64>>,
+          class Formats = physgen::FormatsOf<ElementObject, Space>>
+using ElementArray = physgen::Array<ElementObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<ElementObject, float>(376, 8));
-static_assert(physgen::is_sound_record<ElementObject, double>(564, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<ElementObject, float, ElementFormats<physgen::Host>>(
+    376, 8, {360, 364, 368, 8, 0, 32, 24, 48, 56, 120, 124, 136, 152, 188, 212, 228, 64, 252, 264, 276, 312, 348, 88,
+    372}));
+static_assert(physgen::is_sound_record<ElementObject, double, ElementFormats<physgen::Host>>(
+    564, 8, {560, 0, 8, 24, 16, 48, 40, 64, 72, 80, 88, 488, 112, 184, 232, 264, 312, 336, 360, 384, 504, 540, 456,
+    552}));
 
 }  // namespace tissue::model
 
@@ -846,20 +1250,34 @@ struct Patch {
   ::tissue::model::Options<Real> options;
 };
 
+/// How the fields of one Patch are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of PatchArray.
+template <class Space>
+struct PatchFormats {
+  using elements = ::tissue::model::ElementFormats<Space>;
+  using weight = physgen::format::Native;
+  using options = ::tissue::model::OptionsFormats<Space>;
+};
+
 /// Where each field begins in the record of one Patch [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct PatchRecord {
-  static constexpr int elements = 0;
-  static constexpr int options = physgen::by_precision<Real>(752, 1136);
-  static constexpr int weight = physgen::by_precision<Real>(832, 1272);
-  static constexpr int bytes = physgen::by_precision<Real>(836, 1276);
-  static constexpr int alignment = 8;
+  static constexpr auto plan_ = physgen::plan_record<3>({{
+    physgen::nested_slot<::tissue::model::ElementRecord<Real, typename Formats::elements>>(2),
+    physgen::slot<physgen::shape::Scalar, typename Formats::weight, float>(),
+    physgen::nested_slot<::tissue::model::OptionsRecord<Real, typename Formats::options>>(),
+  }});
+  static constexpr int elements = plan_.offset[0];
+  static constexpr int weight = plan_.offset[1];
+  static constexpr int options = plan_.offset[2];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Patch of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class PatchRef {
-  using Record = PatchRecord<Real>;
+  using Record = PatchRecord<Real, Formats>;
 
  public:
   using Value = Patch<typename Cursor::template Lanes<Real>>;
@@ -867,13 +1285,15 @@ class PatchRef {
   PHYSGEN_FUNCTION explicit PatchRef(const Cursor& cursor) : at_(cursor) {}
 
   /// @pre 0 <= entry < 2
-  PHYSGEN_FUNCTION ::tissue::model::ElementRef<Real, Cursor> elements(int entry) const {
-    return ::tissue::model::ElementRef<Real, Cursor>(
-        at_.nested(Record::elements + entry * physgen::by_precision<Real>(376, 568)));
+  PHYSGEN_FUNCTION ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor> elements(int entry) const {
+    return ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor>(
+        at_.nested(Record::elements + entry * Record::plan_.stride[0]));
   }
-  PHYSGEN_FUNCTION decltype(auto) weight() const { return at_.template element<float>(Record::weight); }
-  PHYSGEN_FUNCTION ::tissue::model::OptionsRef<Real, Cursor> options() const {
-    return ::tissue::model::OptionsRef<Real, Cursor>(at_.nested(Record::options));
+  PHYSGEN_FUNCTION decltype(auto) weight() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::weight, float>(Record::weight);
+  }
+  PHYSGEN_FUNCTION ::tissue::model::OptionsRef<Real, typename Formats::options, Cursor> options() const {
+    return ::tissue::model::OptionsRef<Real, typename Formats::options, Cursor>(at_.nested(Record::options));
   }
 
   PHYSGEN_FUNCTION Value get() const {
@@ -900,222 +1320,925 @@ struct PatchObject {
   static constexpr std::string_view name = "tissue::other::Patch";
   template <class Real>
   using Value = Patch<Real>;
-  template <class Real>
-  using Record = PatchRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = PatchRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = PatchRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PatchRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 57> fields = {{
-      {"elements[0].flag", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::flag, 1, 0},
-      {"elements[0].lame.mu", "Pa", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::lame + ::material::LameRecord<Real>::mu, 1,
-       0},
-      {"elements[0].lame.lambda", "Pa", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::lame + ::material::LameRecord<Real>::lambda,
-       1, 0},
-      {"elements[0].fibres[0].direction", "", physgen::ElementType::float32,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::fibres +
-           ::material::FibreRecord<Real>::direction,
-       3, 0},
-      {"elements[0].fibres[0].strength", "Pa", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::fibres +
-           ::material::FibreRecord<Real>::strength,
-       1, 0},
-      {"elements[0].fibres[1].direction", "", physgen::ElementType::float32,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::fibres + 1 * 24 +
-           ::material::FibreRecord<Real>::direction,
-       3, 0},
-      {"elements[0].fibres[1].strength", "Pa", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::fibres + 1 * 24 +
-           ::material::FibreRecord<Real>::strength,
-       1, 0},
-      {"elements[0].stamp.time", "s", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::stamp + ::StampRecord<Real>::time, 1, 0},
-      {"elements[0].stamp.step", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::stamp + ::StampRecord<Real>::step, 1, 0},
-      {"elements[0].shapes.a", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::a,
-       1, 0},
-      {"elements[0].shapes.v", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::v,
-       3, 0},
-      {"elements[0].shapes.nodes", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::nodes,
-       4, 0},
-      {"elements[0].shapes.F", "1", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::F,
-       9, 0},
-      {"elements[0].shapes.B", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::B,
-       6, 0},
-      {"elements[0].shapes.row", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::row,
-       4, 0},
-      {"elements[0].shapes.K", "N/m", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::K,
-       6, 0},
-      {"elements[0].shapes.C2", "", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::C2,
-       3, 0},
-      {"elements[0].shapes.s", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::s,
-       3, 0},
-      {"elements[0].shapes.W", "1/s", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::W,
-       3, 0},
-      {"elements[0].shapes.U", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::U,
-       9, 0},
-      {"elements[0].shapes.V", "", physgen::ElementType::float32,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::V,
-       9, 0},
-      {"elements[0].shapes.count", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::count,
-       2, 0},
-      {"elements[0].shapes.M", "", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::shapes +
-           ::tissue::model::ShapesRecord<Real>::M,
-       4, 0},
-      {"elements[0].volume", "m^3", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + ::tissue::model::ElementRecord<Real>::volume, 1, 0},
-      {"elements[1].flag", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::flag,
-       1, 0},
-      {"elements[1].lame.mu", "Pa", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::lame + ::material::LameRecord<Real>::mu,
-       1, 0},
-      {"elements[1].lame.lambda", "Pa", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::lame + ::material::LameRecord<Real>::lambda,
-       1, 0},
-      {"elements[1].fibres[0].direction", "", physgen::ElementType::float32,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::fibres + ::material::FibreRecord<Real>::direction,
-       3, 0},
-      {"elements[1].fibres[0].strength", "Pa", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::fibres + ::material::FibreRecord<Real>::strength,
-       1, 0},
-      {"elements[1].fibres[1].direction", "", physgen::ElementType::float32,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::fibres + 1 * 24 + ::material::FibreRecord<Real>::direction,
-       3, 0},
-      {"elements[1].fibres[1].strength", "Pa", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::fibres + 1 * 24 + ::material::FibreRecord<Real>::strength,
-       1, 0},
-      {"elements[1].stamp.time", "s", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::stamp + ::StampRecord<Real>::time,
-       1, 0},
-      {"elements[1].stamp.step", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::stamp + ::StampRecord<Real>::step,
-       1, 0},
-      {"elements[1].shapes.a", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::a,
-       1, 0},
-      {"elements[1].shapes.v", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::v,
-       3, 0},
-      {"elements[1].shapes.nodes", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::nodes,
-       4, 0},
-      {"elements[1].shapes.F", "1", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::F,
-       9, 0},
-      {"elements[1].shapes.B", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::B,
-       6, 0},
-      {"elements[1].shapes.row", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::row,
-       4, 0},
-      {"elements[1].shapes.K", "N/m", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::K,
-       6, 0},
-      {"elements[1].shapes.C2", "", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::C2,
-       3, 0},
-      {"elements[1].shapes.s", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::s,
-       3, 0},
-      {"elements[1].shapes.W", "1/s", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::W,
-       3, 0},
-      {"elements[1].shapes.U", "", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::U,
-       9, 0},
-      {"elements[1].shapes.V", "", physgen::ElementType::float32,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::V,
-       9, 0},
-      {"elements[1].shapes.count", "", physgen::ElementType::int32,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::count,
-       2, 0},
-      {"elements[1].shapes.M", "", physgen::ElementType::float64,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::shapes + ::tissue::model::ShapesRecord<Real>::M,
-       4, 0},
-      {"elements[1].volume", "m^3", physgen::element_type<Real>,
-       PatchRecord<Real>::elements + 1 * physgen::by_precision<Real>(376, 568) +
-           ::tissue::model::ElementRecord<Real>::volume,
-       1, 0},
-      {"weight", "", physgen::ElementType::float32, PatchRecord<Real>::weight, 1, 0},
-      {"options.density", "kg/m^3", physgen::element_type<Real>,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::density, 1, 1060},
-      {"options.nu", "", physgen::element_type<Real>,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::nu, 1, 0.45},
-      {"options.direction", "1", physgen::element_type<Real>,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::direction, 3, 0.5},
-      {"options.metric", "", physgen::element_type<Real>,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::metric, 6, 1},
-      {"options.label", "", physgen::ElementType::int32,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::label, 1, -1},
-      {"options.group", "", physgen::ElementType::int32,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::group, 2, 7},
-      {"options.spin", "", physgen::element_type<Real>,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::spin, 3, 0.25},
-      {"options.fixed", "", physgen::ElementType::float64,
-       PatchRecord<Real>::options + ::tissue::model::OptionsRecord<Real>::fixed, 1, 1e-12},
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "elements[0].flag", "",
+        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::mu, Real>(
+        "elements[0].lame.mu", "Pa",
+        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
+            ::material::LameRecord<Real, typename Formats::elements::lame>::mu,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::lambda, Real>(
+        "elements[0].lame.lambda", "Pa",
+        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
+            ::material::LameRecord<Real, typename Formats::elements::lame>::lambda,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
+        "elements[0].fibres[0].direction", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
+        "elements[0].fibres[0].strength", "Pa",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
+        "elements[0].fibres[1].direction", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
+                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
+        "elements[0].fibres[1].strength", "Pa",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
+                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::time, double>(
+        "elements[0].stamp.time", "s",
+        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
+            ::StampRecord<Real, typename Formats::elements::stamp>::time,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "elements[0].stamp.step", "",
+        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
+            ::StampRecord<Real, typename Formats::elements::stamp>::step,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::shapes::a, Real>(
+        "elements[0].shapes.a", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::a,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::shapes::v, Real>(
+        "elements[0].shapes.v", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+        "elements[0].shapes.nodes", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::nodes,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::elements::shapes::F, Real>(
+        "elements[0].shapes.F", "1",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::F,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::elements::shapes::B, Real>(
+        "elements[0].shapes.B", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::B,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::elements::shapes::row, Real>(
+        "elements[0].shapes.row", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::row,
+        1, 0),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::elements::shapes::K, Real>(
+        "elements[0].shapes.K", "N/m",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::K,
+        1, 0),
+    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::elements::shapes::C2, double>(
+        "elements[0].shapes.C2", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::C2,
+        1, 0),
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::elements::shapes::s, Real>(
+        "elements[0].shapes.s", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::s,
+        1, 0),
+    physgen::field_info<physgen::shape::Skew<3>, typename Formats::elements::shapes::W, Real>(
+        "elements[0].shapes.W", "1/s",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::W,
+        1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::U, Real>(
+        "elements[0].shapes.U", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::U,
+        1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::V, float>(
+        "elements[0].shapes.V", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "elements[0].shapes.count", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::count,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::elements::shapes::M, double>(
+        "elements[0].shapes.M", "",
+        PatchRecord<Real, Formats>::elements +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::M,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::volume, Real>(
+        "elements[0].volume", "m^3",
+        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::volume,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "elements[1].flag", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::mu, Real>(
+        "elements[1].lame.mu", "Pa",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
+                ::material::LameRecord<Real, typename Formats::elements::lame>::mu,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::lambda, Real>(
+        "elements[1].lame.lambda", "Pa",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
+                ::material::LameRecord<Real, typename Formats::elements::lame>::lambda,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
+        "elements[1].fibres[0].direction", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
+        "elements[1].fibres[0].strength", "Pa",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
+        "elements[1].fibres[1].direction", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
+                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
+        "elements[1].fibres[1].strength", "Pa",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
+                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
+                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::time, double>(
+        "elements[1].stamp.time", "s",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
+                ::StampRecord<Real, typename Formats::elements::stamp>::time,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "elements[1].stamp.step", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
+                ::StampRecord<Real, typename Formats::elements::stamp>::step,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::shapes::a, Real>(
+        "elements[1].shapes.a", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::a,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::shapes::v, Real>(
+        "elements[1].shapes.v", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+        "elements[1].shapes.nodes", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::nodes,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::elements::shapes::F, Real>(
+        "elements[1].shapes.F", "1",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::F,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::elements::shapes::B, Real>(
+        "elements[1].shapes.B", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::B,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::elements::shapes::row, Real>(
+        "elements[1].shapes.row", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::row,
+        1, 0),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::elements::shapes::K, Real>(
+        "elements[1].shapes.K", "N/m",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::K,
+        1, 0),
+    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::elements::shapes::C2, double>(
+        "elements[1].shapes.C2", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::C2,
+        1, 0),
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::elements::shapes::s, Real>(
+        "elements[1].shapes.s", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::s,
+        1, 0),
+    physgen::field_info<physgen::shape::Skew<3>, typename Formats::elements::shapes::W, Real>(
+        "elements[1].shapes.W", "1/s",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::W,
+        1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::U, Real>(
+        "elements[1].shapes.U", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::U,
+        1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::V, float>(
+        "elements[1].shapes.V", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "elements[1].shapes.count", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::count,
+        1, 0),
+    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::elements::shapes::M, double>(
+        "elements[1].shapes.M", "",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
+                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::M,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::volume, Real>(
+        "elements[1].volume", "m^3",
+        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
+            ::tissue::model::ElementRecord<Real, typename Formats::elements>::volume,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::weight, float>(
+        "weight", "", PatchRecord<Real, Formats>::weight, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::options::density, Real>(
+        "options.density", "kg/m^3",
+        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::density,
+        1, 1060),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::options::nu, Real>(
+        "options.nu", "",
+        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::nu, 1,
+        0.45),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::options::direction, Real>(
+        "options.direction", "1",
+        PatchRecord<Real, Formats>::options +
+            ::tissue::model::OptionsRecord<Real, typename Formats::options>::direction,
+        1, 0.5),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::options::metric, Real>(
+        "options.metric", "",
+        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::metric,
+        1, 1),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "options.label", "",
+        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::label, 1,
+        -1),
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "options.group", "",
+        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::group, 1,
+        7),
+    physgen::field_info<physgen::shape::Skew<3>, typename Formats::options::spin, Real>(
+        "options.spin", "",
+        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::spin, 1,
+        0.25),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::options::fixed, double>(
+        "options.fixed", "",
+        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::fixed, 1,
+        1e-12),
   }};
+  template <class Space>
+  using Formats = PatchFormats<Space>;
 };
 
-template <class Real, class Layout>
-using PatchView = physgen::View<PatchObject, Real, Layout>;
+template <class Real, class Layout, class Formats = PatchFormats<physgen::Host>>
+using PatchView = physgen::View<PatchObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using PatchArray = physgen::Array<PatchObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PatchObject, Space>>
+using PatchArray = physgen::Array<PatchObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<PatchObject, float>(836, 8));
-static_assert(physgen::is_sound_record<PatchObject, double>(1276, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PatchObject, float, PatchFormats<physgen::Host>>(
+    836, 8, {360, 364, 368, 8, 0, 32, 24, 48, 56, 120, 124, 136, 152, 188, 212, 228, 64, 252, 264, 276, 312, 348, 88,
+    372, 736, 740, 744, 384, 376, 408, 400, 424, 432, 496, 500, 512, 528, 564, 588, 604, 440, 628, 640, 652, 688, 724,
+    464, 748, 832, 760, 764, 768, 780, 804, 808, 816, 752}));
+static_assert(physgen::is_sound_record<PatchObject, double, PatchFormats<physgen::Host>>(
+    1276, 8, {560, 0, 8, 24, 16, 48, 40, 64, 72, 80, 88, 488, 112, 184, 232, 264, 312, 336, 360, 384, 504, 540, 456,
+    552, 1128, 568, 576, 592, 584, 616, 608, 632, 640, 648, 656, 1056, 680, 752, 800, 832, 880, 904, 928, 952, 1072,
+    1108, 1024, 1120, 1272, 1136, 1144, 1152, 1176, 1256, 1260, 1224, 1248}));
 
 }  // namespace tissue::other
+
+namespace tissue::model {
+
+// ---- Frame ----------------------------------------------------------------------------------------------------------
+
+/// A place and a direction, compact on CUDA.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct Frame {
+  /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
+  /// quaternion of 16-bit steps, error of an entry up to 9e-5.
+  Eigen::Matrix<Real, 3, 3> turn;
+  /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  Eigen::Matrix<Real, 3, 1> origin;
+  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.63e-06.
+  Real weight = physgen::all_lanes<Real>(0.25);
+};
+
+/// How the fields of one Frame are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of FrameArray.
+template <class Space>
+struct FrameFormats {
+  using turn = physgen::PerSpace<Space, physgen::format::Quaternion<>,
+                                        physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>>;
+  using origin = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Half<>>;
+  using weight = physgen::format::Snorm16<0.0, 1.0>;
+};
+
+/// Where each field begins in the record of one Frame [bytes].
+template <class Real, class Formats>
+struct FrameRecord {
+  static constexpr auto plan_ = physgen::plan_record<3>({{
+    physgen::slot<physgen::shape::Rotation, typename Formats::turn, Real>(),
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::origin, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::weight, Real>(),
+  }});
+  static constexpr int turn = plan_.offset[0];
+  static constexpr int origin = plan_.offset[1];
+  static constexpr int weight = plan_.offset[2];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One Frame of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class FrameRef {
+  using Record = FrameRecord<Real, Formats>;
+
+ public:
+  using Value = Frame<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit FrameRef(const Cursor& cursor) : at_(cursor) {}
+
+  /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
+  /// quaternion of 16-bit steps, error of an entry up to 9e-5.
+  PHYSGEN_FUNCTION decltype(auto) turn() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::turn, Real>(Record::turn);
+  }
+  /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  PHYSGEN_FUNCTION decltype(auto) origin() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::origin, Real>(Record::origin);
+  }
+  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.63e-06.
+  PHYSGEN_FUNCTION decltype(auto) weight() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::weight, Real>(Record::weight);
+  }
+
+  PHYSGEN_FUNCTION Value get() const {
+    Value value;
+    value.turn = turn().get();
+    value.origin = origin().get();
+    value.weight = weight();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    turn() = value.turn;
+    origin() = value.origin;
+    weight() = value.weight;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of Frame.
+struct FrameObject {
+  static constexpr std::string_view name = "tissue::model::Frame";
+  template <class Real>
+  using Value = Frame<Real>;
+  template <class Real, class Formats>
+  using Record = FrameRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = FrameRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 3> fields = {{
+    physgen::field_info<physgen::shape::Rotation, typename Formats::turn, Real>(
+        "turn", "", FrameRecord<Real, Formats>::turn, 1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::origin, Real>(
+        "origin", "m", FrameRecord<Real, Formats>::origin, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::weight, Real>(
+        "weight", "", FrameRecord<Real, Formats>::weight, 1, 0.25),
+  }};
+  template <class Space>
+  using Formats = FrameFormats<Space>;
+};
+
+template <class Real, class Layout, class Formats = FrameFormats<physgen::Host>>
+using FrameView = physgen::View<FrameObject, Real, Layout, Formats>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<FrameObject, Space>>
+using FrameArray = physgen::Array<FrameObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<FrameObject, float, FrameFormats<physgen::Host>>(30, 4, {0, 16, 28}));
+static_assert(physgen::is_sound_record<FrameObject, double, FrameFormats<physgen::Host>>(58, 8, {0, 32, 56}));
+static_assert(physgen::is_sound_record<FrameObject, float, FrameFormats<physgen::Cuda>>(16, 2, {0, 8, 14}));
+static_assert(physgen::is_sound_record<FrameObject, double, FrameFormats<physgen::Cuda>>(16, 2, {0, 8, 14}));
+
+// ---- Stored ---------------------------------------------------------------------------------------------------------
+
+/// Every storage format.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct Stored {
+  /// Stored as float, relative error up to 6e-8.
+  Real single;
+  /// Stored as double, relative error up to 1.1e-16.
+  Real twice;
+  /// Stored as float, relative error up to 6e-8.
+  physgen::same_lanes_t<Real, double> narrowed;
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  Real plain_half;
+  /// External force. [N] Range [0, 1e+06]; initially 1000. Stored as half, relative error up to 4.9e-4 for sizes from
+  /// 0.00195 to 2.1e+06.
+  Real load = physgen::all_lanes<Real>(1000);
+  /// Stored as bfloat16, relative error up to 3.9e-3.
+  Real wide;
+  /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 4.96e-05.
+  Real angle = physgen::all_lanes<Real>(0.5);
+  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.000763.
+  Real temperature = physgen::all_lanes<Real>(310);
+  /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
+  /// sizes from 0.0313 to 3.35e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
+  Eigen::Matrix<Real, 3, 3> stress;
+  /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  Eigen::Matrix<Real, 3, 3> F;
+  /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  Eigen::Matrix<Real, 3, 1> stretch;
+  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.000122.
+  Eigen::Matrix<Real, 3, 3> spin;
+  /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
+  Eigen::Matrix<Real, 3, 3> R;
+  /// Rotation, 9 stored. Stored as unit quaternion of floats, error of an entry up to 1.2e-6.
+  Eigen::Matrix<Real, 3, 3> R32;
+  /// Rotation, 9 stored. Stored as unit quaternion of doubles, error of an entry up to 10 eps.
+  Eigen::Matrix<Real, 3, 3> R64;
+  /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
+  Eigen::Matrix<Real, 3, 3> Rhalf;
+  /// Rotation, 9 stored. Stored as unit quaternion of bfloat16, error of an entry up to 1.6e-2.
+  Eigen::Matrix<Real, 3, 3> Rbfloat;
+  /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
+  Eigen::Matrix<Real, 3, 3> R16;
+  /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04; on
+  /// CUDA as 16-bit steps over [-1, 1], error up to 1.53e-05.
+  Eigen::Matrix<Real, 3, 3> entries;
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  Real halves[5];
+  /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
+  Eigen::Matrix<Real, 3, 3> turns[3];
+  /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
+  Eigen::Matrix<Real, 3, 3> many[33];
+  /// Initially 7.
+  physgen::same_lanes_t<Real, std::int32_t> count = 7;
+  Frame<Real> frame;
+  Frame<Real> frames[2];
+};
+
+/// How the fields of one Stored are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of StoredArray.
+template <class Space>
+struct StoredFormats {
+  using single = physgen::format::Float32;
+  using twice = physgen::format::Float64;
+  using narrowed = physgen::format::Float32;
+  using plain_half = physgen::format::Half<>;
+  using load = physgen::format::Half<5>;
+  using wide = physgen::format::Bfloat16;
+  using angle = physgen::format::Snorm16<-3.25, 3.25>;
+  using temperature = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Snorm16<273.0, 373.0>>;
+  using stress = physgen::PerSpace<Space, physgen::format::Half<9>, physgen::format::Bfloat16>;
+  using F = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Half<>>;
+  using stretch = physgen::format::Half<>;
+  using spin = physgen::format::Snorm16<-8.0, 8.0>;
+  using R = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Quaternion<>>;
+  using R32 = physgen::format::Quaternion<physgen::format::Float32>;
+  using R64 = physgen::format::Quaternion<physgen::format::Float64>;
+  using Rhalf = physgen::format::Quaternion<physgen::format::Half<>>;
+  using Rbfloat = physgen::format::Quaternion<physgen::format::Bfloat16>;
+  using R16 = physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>;
+  using entries = physgen::PerSpace<Space, physgen::format::Half<>, physgen::format::Snorm16<-1.0, 1.0>>;
+  using halves = physgen::format::Half<>;
+  using turns = physgen::format::Quaternion<physgen::format::Half<>>;
+  using many = physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>;
+  using frame = FrameFormats<Space>;
+  using frames = FrameFormats<Space>;
+};
+
+/// Where each field begins in the record of one Stored [bytes].
+template <class Real, class Formats>
+struct StoredRecord {
+  static constexpr auto plan_ = physgen::plan_record<25>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::single, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::twice, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::narrowed, double>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::plain_half, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::load, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::wide, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::angle, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::temperature, Real>(),
+    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(),
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),
+    physgen::slot<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(),
+    physgen::slot<physgen::shape::Skew<3>, typename Formats::spin, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::R, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::R32, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::R64, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::Rhalf, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::Rbfloat, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::R16, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::entries, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::halves, Real>(5),
+    physgen::slot<physgen::shape::Rotation, typename Formats::turns, Real>(3),
+    physgen::slot<physgen::shape::Rotation, typename Formats::many, Real>(33),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::nested_slot<FrameRecord<Real, typename Formats::frame>>(),
+    physgen::nested_slot<FrameRecord<Real, typename Formats::frames>>(2),
+  }});
+  static constexpr int single = plan_.offset[0];
+  static constexpr int twice = plan_.offset[1];
+  static constexpr int narrowed = plan_.offset[2];
+  static constexpr int plain_half = plan_.offset[3];
+  static constexpr int load = plan_.offset[4];
+  static constexpr int wide = plan_.offset[5];
+  static constexpr int angle = plan_.offset[6];
+  static constexpr int temperature = plan_.offset[7];
+  static constexpr int stress = plan_.offset[8];
+  static constexpr int F = plan_.offset[9];
+  static constexpr int stretch = plan_.offset[10];
+  static constexpr int spin = plan_.offset[11];
+  static constexpr int R = plan_.offset[12];
+  static constexpr int R32 = plan_.offset[13];
+  static constexpr int R64 = plan_.offset[14];
+  static constexpr int Rhalf = plan_.offset[15];
+  static constexpr int Rbfloat = plan_.offset[16];
+  static constexpr int R16 = plan_.offset[17];
+  static constexpr int entries = plan_.offset[18];
+  static constexpr int halves = plan_.offset[19];
+  static constexpr int turns = plan_.offset[20];
+  static constexpr int many = plan_.offset[21];
+  static constexpr int count = plan_.offset[22];
+  static constexpr int frame = plan_.offset[23];
+  static constexpr int frames = plan_.offset[24];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One Stored of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class StoredRef {
+  using Record = StoredRecord<Real, Formats>;
+
+ public:
+  using Value = Stored<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit StoredRef(const Cursor& cursor) : at_(cursor) {}
+
+  /// Stored as float, relative error up to 6e-8.
+  PHYSGEN_FUNCTION decltype(auto) single() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::single, Real>(Record::single);
+  }
+  /// Stored as double, relative error up to 1.1e-16.
+  PHYSGEN_FUNCTION decltype(auto) twice() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::twice, Real>(Record::twice);
+  }
+  /// Stored as float, relative error up to 6e-8.
+  PHYSGEN_FUNCTION decltype(auto) narrowed() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::narrowed, double>(Record::narrowed);
+  }
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  PHYSGEN_FUNCTION decltype(auto) plain_half() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::plain_half, Real>(Record::plain_half);
+  }
+  /// External force. [N] Range [0, 1e+06]; initially 1000. Stored as half, relative error up to 4.9e-4 for sizes from
+  /// 0.00195 to 2.1e+06.
+  PHYSGEN_FUNCTION decltype(auto) load() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::load, Real>(Record::load);
+  }
+  /// Stored as bfloat16, relative error up to 3.9e-3.
+  PHYSGEN_FUNCTION decltype(auto) wide() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::wide, Real>(Record::wide);
+  }
+  /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 4.96e-05.
+  PHYSGEN_FUNCTION decltype(auto) angle() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::angle, Real>(Record::angle);
+  }
+  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.000763.
+  PHYSGEN_FUNCTION decltype(auto) temperature() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::temperature, Real>(Record::temperature);
+  }
+  /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
+  /// sizes from 0.0313 to 3.35e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
+  PHYSGEN_FUNCTION decltype(auto) stress() const {
+    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(Record::stress);
+  }
+  /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  PHYSGEN_FUNCTION decltype(auto) F() const {
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);
+  }
+  /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  PHYSGEN_FUNCTION decltype(auto) stretch() const {
+    return at_.template field<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(Record::stretch);
+  }
+  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.000122.
+  PHYSGEN_FUNCTION decltype(auto) spin() const {
+    return at_.template field<physgen::shape::Skew<3>, typename Formats::spin, Real>(Record::spin);
+  }
+  /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
+  PHYSGEN_FUNCTION decltype(auto) R() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::R, Real>(Record::R);
+  }
+  /// Rotation, 9 stored. Stored as unit quaternion of floats, error of an entry up to 1.2e-6.
+  PHYSGEN_FUNCTION decltype(auto) R32() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::R32, Real>(Record::R32);
+  }
+  /// Rotation, 9 stored. Stored as unit quaternion of doubles, error of an entry up to 10 eps.
+  PHYSGEN_FUNCTION decltype(auto) R64() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::R64, Real>(Record::R64);
+  }
+  /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
+  PHYSGEN_FUNCTION decltype(auto) Rhalf() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::Rhalf, Real>(Record::Rhalf);
+  }
+  /// Rotation, 9 stored. Stored as unit quaternion of bfloat16, error of an entry up to 1.6e-2.
+  PHYSGEN_FUNCTION decltype(auto) Rbfloat() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::Rbfloat, Real>(Record::Rbfloat);
+  }
+  /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
+  PHYSGEN_FUNCTION decltype(auto) R16() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::R16, Real>(Record::R16);
+  }
+  /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04; on
+  /// CUDA as 16-bit steps over [-1, 1], error up to 1.53e-05.
+  PHYSGEN_FUNCTION decltype(auto) entries() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::entries, Real>(Record::entries);
+  }
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// @pre 0 <= entry < 5
+  PHYSGEN_FUNCTION decltype(auto) halves(int entry) const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::halves, Real>(
+        Record::halves + entry * Record::plan_.stride[19]);
+  }
+  /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
+  /// @pre 0 <= entry < 3
+  PHYSGEN_FUNCTION decltype(auto) turns(int entry) const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::turns, Real>(
+        Record::turns + entry * Record::plan_.stride[20]);
+  }
+  /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
+  /// @pre 0 <= entry < 33
+  PHYSGEN_FUNCTION decltype(auto) many(int entry) const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::many, Real>(
+        Record::many + entry * Record::plan_.stride[21]);
+  }
+  /// Initially 7.
+  PHYSGEN_FUNCTION decltype(auto) count() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::count);
+  }
+  PHYSGEN_FUNCTION FrameRef<Real, typename Formats::frame, Cursor> frame() const {
+    return FrameRef<Real, typename Formats::frame, Cursor>(at_.nested(Record::frame));
+  }
+  /// @pre 0 <= entry < 2
+  PHYSGEN_FUNCTION FrameRef<Real, typename Formats::frames, Cursor> frames(int entry) const {
+    return FrameRef<Real, typename Formats::frames, Cursor>(
+        at_.nested(Record::frames + entry * Record::plan_.stride[24]));
+  }
+
+  PHYSGEN_FUNCTION Value get() const {
+    Value value;
+    value.single = single();
+    value.twice = twice();
+    value.narrowed = narrowed();
+    value.plain_half = plain_half();
+    value.load = load();
+    value.wide = wide();
+    value.angle = angle();
+    value.temperature = temperature();
+    value.stress = stress().get();
+    value.F = F().get();
+    value.stretch = stretch().get();
+    value.spin = spin().get();
+    value.R = R().get();
+    value.R32 = R32().get();
+    value.R64 = R64().get();
+    value.Rhalf = Rhalf().get();
+    value.Rbfloat = Rbfloat().get();
+    value.R16 = R16().get();
+    value.entries = entries().get();
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 5; ++entry) value.halves[entry] = halves(entry);
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 3; ++entry) value.turns[entry] = turns(entry).get();
+    for (int entry = 0; entry < 33; ++entry) value.many[entry] = many(entry).get();
+    value.count = count();
+    value.frame = frame().get();
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 2; ++entry) value.frames[entry] = frames(entry).get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    single() = value.single;
+    twice() = value.twice;
+    narrowed() = value.narrowed;
+    plain_half() = value.plain_half;
+    load() = value.load;
+    wide() = value.wide;
+    angle() = value.angle;
+    temperature() = value.temperature;
+    stress() = value.stress;
+    F() = value.F;
+    stretch() = value.stretch;
+    spin() = value.spin;
+    R() = value.R;
+    R32() = value.R32;
+    R64() = value.R64;
+    Rhalf() = value.Rhalf;
+    Rbfloat() = value.Rbfloat;
+    R16() = value.R16;
+    entries() = value.entries;
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 5; ++entry) halves(entry) = value.halves[entry];
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 3; ++entry) turns(entry) = value.turns[entry];
+    for (int entry = 0; entry < 33; ++entry) many(entry) = value.many[entry];
+    count() = value.count;
+    frame().put(value.frame);
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 2; ++entry) frames(entry).put(value.frames[entry]);
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of Stored.
+struct StoredObject {
+  static constexpr std::string_view name = "tissue::model::Stored";
+  template <class Real>
+  using Value = Stored<Real>;
+  template <class Real, class Formats>
+  using Record = StoredRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = StoredRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 32> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::single, Real>(
+        "single", "", StoredRecord<Real, Formats>::single, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::twice, Real>(
+        "twice", "", StoredRecord<Real, Formats>::twice, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::narrowed, double>(
+        "narrowed", "", StoredRecord<Real, Formats>::narrowed, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::plain_half, Real>(
+        "plain_half", "", StoredRecord<Real, Formats>::plain_half, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::load, Real>(
+        "load", "N", StoredRecord<Real, Formats>::load, 1, 1000),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::wide, Real>(
+        "wide", "", StoredRecord<Real, Formats>::wide, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::angle, Real>(
+        "angle", "rad", StoredRecord<Real, Formats>::angle, 1, 0.5),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::temperature, Real>(
+        "temperature", "K", StoredRecord<Real, Formats>::temperature, 1, 310),
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(
+        "stress", "Pa", StoredRecord<Real, Formats>::stress, 1, 0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
+        "F", "", StoredRecord<Real, Formats>::F, 1, 0),
+    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(
+        "stretch", "", StoredRecord<Real, Formats>::stretch, 1, 0),
+    physgen::field_info<physgen::shape::Skew<3>, typename Formats::spin, Real>(
+        "spin", "", StoredRecord<Real, Formats>::spin, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::R, Real>(
+        "R", "", StoredRecord<Real, Formats>::R, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::R32, Real>(
+        "R32", "", StoredRecord<Real, Formats>::R32, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::R64, Real>(
+        "R64", "", StoredRecord<Real, Formats>::R64, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::Rhalf, Real>(
+        "Rhalf", "", StoredRecord<Real, Formats>::Rhalf, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::Rbfloat, Real>(
+        "Rbfloat", "", StoredRecord<Real, Formats>::Rbfloat, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::R16, Real>(
+        "R16", "", StoredRecord<Real, Formats>::R16, 1, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::entries, Real>(
+        "entries", "", StoredRecord<Real, Formats>::entries, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::halves, Real>(
+        "halves", "", StoredRecord<Real, Formats>::halves, 5, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::turns, Real>(
+        "turns", "", StoredRecord<Real, Formats>::turns, 3, 0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::many, Real>(
+        "many", "", StoredRecord<Real, Formats>::many, 33, 0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "count", "", StoredRecord<Real, Formats>::count, 1, 7),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::frame::turn, Real>(
+        "frame.turn", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::turn, 1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::frame::origin, Real>(
+        "frame.origin", "m", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::origin, 1,
+        0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::frame::weight, Real>(
+        "frame.weight", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::weight, 1,
+        0.25),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::frames::turn, Real>(
+        "frames[0].turn", "", StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::turn,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::frames::origin, Real>(
+        "frames[0].origin", "m",
+        StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::origin, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::frames::weight, Real>(
+        "frames[0].weight", "",
+        StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::weight, 1, 0.25),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::frames::turn, Real>(
+        "frames[1].turn", "",
+        StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
+            FrameRecord<Real, typename Formats::frames>::turn,
+        1, 0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::frames::origin, Real>(
+        "frames[1].origin", "m",
+        StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
+            FrameRecord<Real, typename Formats::frames>::origin,
+        1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::frames::weight, Real>(
+        "frames[1].weight", "",
+        StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
+            FrameRecord<Real, typename Formats::frames>::weight,
+        1, 0.25),
+  }};
+  template <class Space>
+  using Formats = StoredFormats<Space>;
+};
+
+template <class Real, class Layout, class Formats = StoredFormats<physgen::Host>>
+using StoredView = physgen::View<StoredObject, Real, Layout, Formats>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<8>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<StoredObject, Space>>
+using StoredArray = physgen::Array<StoredObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<StoredObject, float, StoredFormats<physgen::Host>>(
+    612, 8, {40, 0, 44, 240, 242, 244, 246, 48, 248, 52, 260, 266, 88, 124, 8, 272, 280, 288, 296, 314, 324, 348, 140,
+    144, 160, 172, 176, 192, 204, 208, 224, 236}));
+static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physgen::Host>>(
+    784, 8, {384, 0, 388, 412, 414, 416, 418, 8, 420, 16, 432, 438, 88, 392, 160, 444, 452, 460, 468, 486, 496, 520,
+    408, 192, 224, 248, 256, 288, 312, 320, 352, 376}));
+static_assert(physgen::is_sound_record<StoredObject, float, StoredFormats<physgen::Cuda>>(
+    524, 8, {40, 0, 44, 84, 86, 88, 90, 92, 94, 106, 124, 130, 48, 64, 8, 136, 144, 152, 160, 178, 188, 212, 80, 476,
+    484, 490, 492, 500, 506, 508, 516, 522}));
+static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physgen::Cuda>>(
+    540, 8, {72, 0, 76, 100, 102, 104, 106, 108, 110, 122, 140, 146, 8, 80, 40, 152, 160, 168, 176, 194, 204, 228, 96,
+    492, 500, 506, 508, 516, 522, 524, 532, 538}));
+
+}  // namespace tissue::model

@@ -3,8 +3,8 @@
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 1
-#error "materials.physgen.h is for version 1 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 2
+#error "materials.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace material {
@@ -21,19 +21,31 @@ struct Lame {
   Real lambda;
 };
 
+/// How the fields of one Lame are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of LameArray.
+template <class Space>
+struct LameFormats {
+  using mu = physgen::format::Native;
+  using lambda = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Lame [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct LameRecord {
-  static constexpr int mu = 0;
-  static constexpr int lambda = sizeof(Real);
-  static constexpr int bytes = 2 * sizeof(Real);
-  static constexpr int alignment = sizeof(Real);
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::mu, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::lambda, Real>(),
+  }});
+  static constexpr int mu = plan_.offset[0];
+  static constexpr int lambda = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Lame of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class LameRef {
-  using Record = LameRecord<Real>;
+  using Record = LameRecord<Real, Formats>;
 
  public:
   using Value = Lame<typename Cursor::template Lanes<Real>>;
@@ -41,9 +53,13 @@ class LameRef {
   PHYSGEN_FUNCTION explicit LameRef(const Cursor& cursor) : at_(cursor) {}
 
   /// Shear modulus. [Pa]
-  PHYSGEN_FUNCTION decltype(auto) mu() const { return at_.template element<Real>(Record::mu); }
+  PHYSGEN_FUNCTION decltype(auto) mu() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::mu, Real>(Record::mu);
+  }
   /// [Pa]
-  PHYSGEN_FUNCTION decltype(auto) lambda() const { return at_.template element<Real>(Record::lambda); }
+  PHYSGEN_FUNCTION decltype(auto) lambda() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::lambda, Real>(Record::lambda);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -65,26 +81,33 @@ struct LameObject {
   static constexpr std::string_view name = "material::Lame";
   template <class Real>
   using Value = Lame<Real>;
-  template <class Real>
-  using Record = LameRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = LameRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = LameRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = LameRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-      {"mu", "Pa", physgen::element_type<Real>, LameRecord<Real>::mu, 1, 0},
-      {"lambda", "Pa", physgen::element_type<Real>, LameRecord<Real>::lambda, 1, 0},
+    physgen::field_info<physgen::shape::Scalar, typename Formats::mu, Real>(
+        "mu", "Pa", LameRecord<Real, Formats>::mu, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::lambda, Real>(
+        "lambda", "Pa", LameRecord<Real, Formats>::lambda, 1, 0),
   }};
+  template <class Space>
+  using Formats = LameFormats<Space>;
 };
 
-template <class Real, class Layout>
-using LameView = physgen::View<LameObject, Real, Layout>;
+template <class Real, class Layout, class Formats = LameFormats<physgen::Host>>
+using LameView = physgen::View<LameObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using LameArray = physgen::Array<LameObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<LameObject, Space>>
+using LameArray = physgen::Array<LameObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<LameObject, float>(8, 4));
-static_assert(physgen::is_sound_record<LameObject, double>(16, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<LameObject, float, LameFormats<physgen::Host>>(8, 4, {0, 4}));
+static_assert(physgen::is_sound_record<LameObject, double, LameFormats<physgen::Host>>(16, 8, {0, 8}));
 
 // ---- Fibre ----------------------------------------------------------------------------------------------------------
 
@@ -98,19 +121,31 @@ struct Fibre {
   physgen::same_lanes_t<Real, double> strength;
 };
 
+/// How the fields of one Fibre are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of FibreArray.
+template <class Space>
+struct FibreFormats {
+  using direction = physgen::format::Native;
+  using strength = physgen::format::Native;
+};
+
 /// Where each field begins in the record of one Fibre [bytes].
-template <class Real>
+template <class Real, class Formats>
 struct FibreRecord {
-  static constexpr int strength = 0;
-  static constexpr int direction = 8;
-  static constexpr int bytes = 20;
-  static constexpr int alignment = 8;
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::direction, float>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::strength, double>(),
+  }});
+  static constexpr int direction = plan_.offset[0];
+  static constexpr int strength = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
 };
 
 /// One Fibre of an array, or those under a SIMD index: fields by name, all of them by get and put.
-template <class Real, class Cursor>
+template <class Real, class Formats, class Cursor>
 class FibreRef {
-  using Record = FibreRecord<Real>;
+  using Record = FibreRecord<Real, Formats>;
 
  public:
   using Value = Fibre<typename Cursor::template Lanes<Real>>;
@@ -119,10 +154,12 @@ class FibreRef {
 
   /// Unit vector along the fibre.
   PHYSGEN_FUNCTION decltype(auto) direction() const {
-    return at_.template field<physgen::shape::Vector<3>, float>(Record::direction);
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::direction, float>(Record::direction);
   }
   /// [Pa]
-  PHYSGEN_FUNCTION decltype(auto) strength() const { return at_.template element<double>(Record::strength); }
+  PHYSGEN_FUNCTION decltype(auto) strength() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::strength, double>(Record::strength);
+  }
 
   PHYSGEN_FUNCTION Value get() const {
     Value value;
@@ -144,25 +181,32 @@ struct FibreObject {
   static constexpr std::string_view name = "material::Fibre";
   template <class Real>
   using Value = Fibre<Real>;
-  template <class Real>
-  using Record = FibreRecord<Real>;
-  template <class Real, class Cursor>
-  using Ref = FibreRef<Real, Cursor>;
-  template <class Real>
+  template <class Real, class Formats>
+  using Record = FibreRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = FibreRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-      {"direction", "", physgen::ElementType::float32, FibreRecord<Real>::direction, 3, 0},
-      {"strength", "Pa", physgen::ElementType::float64, FibreRecord<Real>::strength, 1, 0},
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::direction, float>(
+        "direction", "", FibreRecord<Real, Formats>::direction, 1, 0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::strength, double>(
+        "strength", "Pa", FibreRecord<Real, Formats>::strength, 1, 0),
   }};
+  template <class Space>
+  using Formats = FibreFormats<Space>;
 };
 
-template <class Real, class Layout>
-using FibreView = physgen::View<FibreObject, Real, Layout>;
+template <class Real, class Layout, class Formats = FibreFormats<physgen::Host>>
+using FibreView = physgen::View<FibreObject, Real, Layout, Formats>;
 template <class Real, class Space = physgen::Host,
-          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>>
-using FibreArray = physgen::Array<FibreObject, Real, Space, Layout>;
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<FibreObject, Space>>
+using FibreArray = physgen::Array<FibreObject, Real, Space, Layout, Formats>;
 
-// Proved for both precisions: no two elements share a byte, each is aligned to its size, the record holds all.
-static_assert(physgen::is_sound_record<FibreObject, float>(20, 8));
-static_assert(physgen::is_sound_record<FibreObject, double>(20, 8));
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<FibreObject, float, FibreFormats<physgen::Host>>(20, 8, {8, 0}));
+static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen::Host>>(20, 8, {8, 0}));
 
 }  // namespace material

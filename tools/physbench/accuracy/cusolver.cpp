@@ -1,6 +1,7 @@
 // Loads cuSOLVER and calls its batched Jacobi SVD.
 #include "cusolver.h"
 
+#if __has_include(<cusolverDn.h>)
 #include <cusolverDn.h>
 #include <dlfcn.h>
 #include <physgen/cuda/check.h>
@@ -221,3 +222,26 @@ template HostVariant<SvdVariant<4>, double>::Outputs cusolver_svd<double>(
     const HostVariant<SvdVariant<4>, double>::Inputs&);
 
 }  // namespace physgen::bench
+
+#else
+
+namespace physgen::bench {
+
+const std::string& cusolver_missing() {
+  static const std::string missing = "built without cuSOLVER's header: its rows are left out";
+  return missing;
+}
+void add_cusolver_rows(std::vector<Row>& /*rows*/, InputSets& /*sets*/) {}
+
+template <class Real>
+typename HostVariant<SvdVariant<4>, Real>::Outputs cusolver_svd(
+    const typename HostVariant<SvdVariant<4>, Real>::Inputs& /*gradients*/) {
+  throw Error(cusolver_missing());
+}
+template HostVariant<SvdVariant<4>, float>::Outputs cusolver_svd<float>(
+    const HostVariant<SvdVariant<4>, float>::Inputs&);
+template HostVariant<SvdVariant<4>, double>::Outputs cusolver_svd<double>(
+    const HostVariant<SvdVariant<4>, double>::Inputs&);
+
+}  // namespace physgen::bench
+#endif

@@ -18,6 +18,7 @@ Row describe(const char* layout, SpaceKind space, InputSet set, index_t objects)
   row.storage = sizeof(Real) == sizeof(float) ? "float" : "double";
   row.space = physgen::name(space);
   row.set = name(set);
+  row.errors_in_eps = true;
   row.objects = objects;
   row.bytes_per_object = bytes_moved<Variant, Real>(1);
   return row;

@@ -16,7 +16,9 @@ struct Aosoa {
   [[nodiscard]] static constexpr index_t padded(index_t objects) {
     return align_up(objects, W > padding_objects ? index_t{W} : padding_objects);
   }
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr int record_bytes(int bytes, int /*alignment*/) { return bytes; }
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr int record_bytes(int bytes, int /*alignment*/) {
+    return W == 2 ? align_up(bytes, 4) : bytes;  // elements are 2 to 8 bytes: every tile begins at a multiple of 8
+  }
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool contiguous(int width) { return W % width == 0; }
 };
 

@@ -2,9 +2,11 @@
 // and CPU packs.
 #pragma once
 
-#include <fem/scalar.h>
+#include <physgen/math.h>
 
-namespace physgen::fem {
+#include <Eigen/Core>
+
+namespace physgen {
 
 /// w, x, y, z.
 template <class S>
@@ -13,9 +15,10 @@ using Quaternion = Eigen::Matrix<S, 4, 1>;
 /// @param R a rotation, det R = 1
 /// @return the unit quaternion of R with w >= 0, to a few eps, half turns included
 template <class S>
-PHYSGEN_FUNCTION inline Quaternion<S> unit_quaternion(const Matrix3<S>& R) {
+PHYSGEN_FUNCTION inline Quaternion<S> unit_quaternion(const Eigen::Matrix<S, 3, 3>& R) {
+  using math::copysign, math::fma, math::max, math::select;
   using Traits = math::ScalarTraits<S>;
-  const S one(RealOf<S>(1));
+  const S one(typename Traits::Real(1));
   // 4 q q^T stands in sums of entries of R. Of its four columns the one with the largest diagonal is taken, which is
   // at least 1, so that nothing cancels.
   const S a = R(0, 0) + R(1, 1), b = R(0, 0) - R(1, 1);
@@ -36,17 +39,36 @@ PHYSGEN_FUNCTION inline Quaternion<S> unit_quaternion(const Matrix3<S>& R) {
   return {q0 * scale, q1 * scale, q2 * scale, q3 * scale};
 }
 
-/// @param q a unit quaternion
+/// The rotation matrix of q, with `twice` = 2 / |q|^2.
 template <class S>
-PHYSGEN_FUNCTION inline Matrix3<S> rotation_matrix(const Quaternion<S>& q) {
-  const S one(RealOf<S>(1));
-  const S x2 = q[1] + q[1], y2 = q[2] + q[2], z2 = q[3] + q[3];
+PHYSGEN_FUNCTION inline Eigen::Matrix<S, 3, 3> rotation_matrix(const Quaternion<S>& q, const S& twice) {
+  using math::fma;
+  const S one(typename math::ScalarTraits<S>::Real(1));
+  const S x2 = q[1] * twice, y2 = q[2] * twice, z2 = q[3] * twice;
   const S wx = q[0] * x2, wy = q[0] * y2, wz = q[0] * z2;
-  Matrix3<S> R;
+  Eigen::Matrix<S, 3, 3> R;
   R << fma(-q[2], y2, fma(-q[3], z2, one)), fma(q[1], y2, -wz), fma(q[1], z2, wy),  //
       fma(q[1], y2, wz), fma(-q[1], x2, fma(-q[3], z2, one)), fma(q[2], z2, -wx),   //
       fma(q[1], z2, -wy), fma(q[2], z2, wx), fma(-q[1], x2, fma(-q[2], y2, one));
   return R;
 }
 
-}  // namespace physgen::fem
+/// @param q a unit quaternion
+template <class S>
+PHYSGEN_FUNCTION inline Eigen::Matrix<S, 3, 3> rotation_matrix(const Quaternion<S>& q) {
+  return rotation_matrix(q, S(typename math::ScalarTraits<S>::Real(2)));
+}
+
+/// @param q a quaternion, not zero, whose length is not 1 because it was rounded coarsely
+template <class S>
+PHYSGEN_FUNCTION inline Eigen::Matrix<S, 3, 3> rotation_matrix_of_direction(const Quaternion<S>& q) {
+  using math::fma;
+  using Traits = math::ScalarTraits<S>;
+  const S square = fma(q[0], q[0], fma(q[1], q[1], fma(q[2], q[2], q[3] * q[3])));
+  // An estimate of 1 / |q|^2 and a step of Newton's: 22 bits and more.
+  const S rough = Traits::rough_inverse(square), one(typename Traits::Real(1));
+  const S inverse = fma(fma(-square, rough, one), rough, rough);
+  return rotation_matrix(q, S(inverse + inverse));
+}
+
+}  // namespace physgen

@@ -1,0 +1,28 @@
+// What the 16-bit floating point formats share: from double to float so that a second rounding does no harm.
+#pragma once
+
+#include <physgen/config.h>
+
+#include <bit>
+
+namespace physgen::format::detail {
+
+/// The float next to x towards zero, with its last bit set unless it is x: rounding it once more, to a format with at
+/// least two bits less, gives what rounding x would have given.
+[[nodiscard]] PHYSGEN_FUNCTION inline float to_odd(double x) {
+  const auto nearest = static_cast<float>(x);
+  const double back = nearest;
+  if (back == x || x != x) return nearest;
+  auto bits = std::bit_cast<std::uint32_t>(nearest);
+  const bool beyond = x < 0 ? back < x : back > x;  // nearest is further from zero than x
+  if (beyond) --bits;
+  return std::bit_cast<float>(bits | 1U);
+}
+[[nodiscard]] PHYSGEN_FUNCTION inline float to_odd(float x) { return x; }
+
+/// 2^exponent, for exponents of normal floats.
+[[nodiscard]] PHYSGEN_FUNCTION constexpr double power_of_two(int exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+}  // namespace physgen::format::detail

@@ -1,0 +1,208 @@
+// Changes of topology: objects are appended, erased and reordered, when tissue is cut or for locality, in one array or
+// in several arrays of one element set at once; and indices follow the objects they name.
+#pragma once
+
+#include <physgen/array.h>
+#include <physgen/object_numbers.h>
+
+#include <array>
+#include <concepts>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace physgen {
+
+namespace detail {
+
+/// The one size of all arrays. @throw Error naming all when they differ
+[[nodiscard]] index_t common_size(std::span<const Storage> arrays);
+
+/// size + count. @throw Error when count is negative or the sum no number
+[[nodiscard]] index_t grown_size(std::span<const Storage> arrays, index_t count);
+
+/// The names of all arrays, for messages.
+[[nodiscard]] std::string names(std::span<const Storage> arrays);
+
+/// Waits for the default stream where one of the arrays lies in memory that it may work on.
+void wait_for(std::span<const Storage> arrays);
+
+/// Object numbers where the host and, if an array lies there, the device can read them.
+struct Numbers {
+  std::span<const index_t> on_host;  ///< the caller's
+  Buffer on_device;
+
+  Numbers(std::span<const index_t> numbers, std::span<const Storage> arrays);
+};
+
+/// Object i of `to` becomes object order[i] of `from`, as plain bytes. On CUDA ordered in the default stream.
+/// @pre both store the same records in the same space; to.size is the length of `order`, whose numbers are in range
+void pick(const Storage& to, const Storage& from, const Numbers& order);
+
+/// Object begin + i of `to` becomes object i of `from`, as plain bytes. On CUDA ordered in the default stream.
+/// @pre both store the same records in the same space; begin + from.size <= to.size
+void insert(const Storage& to, index_t begin, const Storage& from);
+
+template <class Array>
+struct ObjectOf;
+template <class Object_, class Real, class Space, class Layout, class Formats>
+struct ObjectOf<Array<Object_, Real, Space, Layout, Formats>> {
+  using Object = Object_;
+};
+
+/// Whether both are arrays of one object type.
+template <class A, class B>
+concept SameObject = std::same_as<typename ObjectOf<A>::Object, typename ObjectOf<B>::Object>;
+
+/// `other` in the layout, formats, precision and space of To: itself where it has them, else a converted copy.
+template <class To, class Other>
+std::conditional_t<std::same_as<To, Other>, const Other&, To> in_form_of(const Other& other) {
+  if constexpr (std::same_as<To, Other>) {
+    return other;
+  } else {
+    To converted(other.size());
+    copy(converted, other);
+    return converted;
+  }
+}
+
+/// The storages of a tuple of arrays.
+template <class Tuple>
+[[nodiscard]] auto storages(const Tuple& arrays) {
+  return std::apply([](const auto&... array) { return std::array{array.storage()...}; }, arrays);
+}
+
+}  // namespace detail
+
+/// Arrays of one element set, such as all arrays over the tets of a mesh, that change together: object i of each
+/// describes the same element before and after. Object types, layouts, precisions and spaces may differ.
+///
+/// All new arrays are built before the first of them replaces an old one. So a change that fails, be it that the last
+/// array's memory cannot be had, leaves every array as it was; and while it runs a change needs the memory of the set
+/// once more. Arrays have no spare capacity: each change moves all objects, so collect them into one call. It ends all
+/// views of the arrays. On CUDA it works in the default stream and is done when the call returns.
+/// @pre work on the arrays in other streams is done (see synchronize())
+template <class... Arrays>
+class ArraySet {
+  static_assert(sizeof...(Arrays) > 0);
+
+ public:
+  /// @param arrays must outlive the set
+  /// @throw Error when their sizes differ
+  explicit ArraySet(Arrays&... arrays) : arrays_(arrays...) { (void)size(); }
+
+  /// Objects of each array.
+  /// @throw Error when the sizes differ, because one array has been resized without the others
+  [[nodiscard]] index_t size() const { return detail::common_size(detail::storages(arrays_)); }
+
+  /// Adds `count` objects with initial values at the end.
+  /// @throw Error when count is negative or the memory cannot be had
+  void append(index_t count) {
+    (void)size();
+    replace(detail::grown_size(detail::storages(arrays_), count),
+            [](std::size_t, const Storage& to, const Storage& from) { copy_first(to, from, from.size); });
+  }
+
+  /// Adds the objects of one other array for each array at the end, converted to its layout, formats, precision and
+  /// space. An array may be its own other.
+  /// @throw Error when the sizes of the others differ or the memory cannot be had
+  template <class... Others>
+    requires(sizeof...(Others) == sizeof...(Arrays) && (detail::SameObject<Arrays, Others> && ...))
+  void append(const Others&... others) {
+    const index_t old_size = size();
+    const auto given = detail::storages(std::tie(others...));
+    const index_t new_size = detail::grown_size(detail::storages(arrays_), detail::common_size(given));
+    const std::tuple<decltype(detail::in_form_of<Arrays>(others))...> same(detail::in_form_of<Arrays>(others)...);
+    detail::wait_for(given);
+    const auto added = detail::storages(same);
+    replace(new_size, [&](std::size_t a, const Storage& to, const Storage& from) {
+      copy_first(to, from, old_size);
+      detail::insert(to, old_size, added[a]);
+    });
+  }
+
+  /// Reorders: object i becomes the old object order[i].
+  /// @throw Error when `order` does not name each object once (see check_permutation()) or the memory cannot be had
+  void permute(std::span<const index_t> order) {
+    const index_t old_size = size();
+    check_permutation(order, old_size, detail::names(detail::storages(arrays_)));
+    pick(order);
+  }
+
+  /// Keeps the listed objects, in this order; the others are gone.
+  /// @throw Error when `kept` is not ascending (see check_ascending()) or the memory cannot be had
+  void compact(std::span<const index_t> kept) {
+    const index_t old_size = size();
+    check_ascending(kept, old_size, detail::names(detail::storages(arrays_)));
+    pick(kept);
+  }
+
+  /// Removes the listed objects, named in any order; the others keep theirs.
+  /// @throw Error when a number is out of range or listed twice, or the memory cannot be had
+  void erase(std::span<const index_t> erased) {
+    const index_t old_size = size();
+    pick(remaining(old_size, erased, detail::names(detail::storages(arrays_))));
+  }
+
+ private:
+  void pick(std::span<const index_t> order) {
+    const detail::Numbers numbers(order, detail::storages(arrays_));
+    replace(static_cast<index_t>(order.size()),
+            [&](std::size_t, const Storage& to, const Storage& from) { detail::pick(to, from, numbers); });
+  }
+
+  // Builds an array of `size` objects for each old one with fill(which, new, old), then swaps all of them in.
+  template <class Fill>
+  void replace(index_t size, const Fill& fill) {
+    std::tuple<Arrays...> replacements(Arrays{size}...);
+    const auto to = detail::storages(replacements);
+    const auto from = detail::storages(arrays_);
+    for (std::size_t a = 0; a < to.size(); ++a) fill(a, to[a], from[a]);
+    detail::wait_for(to);  // what failed on the device shows here, while the old arrays are still in place
+    [&]<std::size_t... a>(std::index_sequence<a...>) {
+      (std::get<a>(arrays_).swap(std::get<a>(replacements)), ...);
+    }(std::index_sequence_for<Arrays...>());
+  }
+
+  std::tuple<Arrays&...> arrays_;
+};
+
+/// The changes of one array: those of an ArraySet of it alone, where their contracts stand.
+template <class Object, class Real, class Space, class Layout, class Formats>
+void append(Array<Object, Real, Space, Layout, Formats>& array, index_t count) {
+  ArraySet(array).append(count);
+}
+template <class Array, class Other>
+  requires detail::SameObject<Array, Other>
+void append(Array& array, const Other& other) {
+  ArraySet(array).append(other);
+}
+template <class Object, class Real, class Space, class Layout, class Formats>
+void permute(Array<Object, Real, Space, Layout, Formats>& array, std::span<const index_t> order) {
+  ArraySet(array).permute(order);
+}
+template <class Object, class Real, class Space, class Layout, class Formats>
+void compact(Array<Object, Real, Space, Layout, Formats>& array, std::span<const index_t> kept) {
+  ArraySet(array).compact(kept);
+}
+template <class Object, class Real, class Space, class Layout, class Formats>
+void erase(Array<Object, Real, Space, Layout, Formats>& array, std::span<const index_t> erased) {
+  ArraySet(array).erase(erased);
+}
+
+/// Lets the indices of a field follow the objects they name, after these have been changed: every index v of the field
+/// becomes new_number[v]. For new_number see inverse() and new_numbers(). On CUDA as ArraySet.
+/// @param field its name in the schema, such as "nodes"; "svd.rank" for one of a nested object
+/// @throw Error when there is no such field of indices; or when an index is out of range of new_number, or names an
+///        object that is gone (-1): the message names the first such object and its index. Nothing is changed then.
+void renumber(const Storage& storage, std::string_view field, std::span<const index_t> new_number);
+
+template <class Object, class Real, class Space, class Layout, class Formats>
+void renumber(Array<Object, Real, Space, Layout, Formats>& array, std::string_view field,
+              std::span<const index_t> new_number) {
+  renumber(array.storage(), field, new_number);
+}
+
+}  // namespace physgen

@@ -1,0 +1,373 @@
+// See device_convert.h. A thread takes one object and goes along its elements, so that tiled channels are read and
+// written as whole sectors. Records of an array of structs would be torn apart by that: a block brings those of its
+// objects into shared memory, or out of it, in 16-byte words.
+#include <physgen/cuda/check.h>
+
+#include <algorithm>
+
+#include "../backend.h"
+#include "../convert.h"
+#include "device_convert.h"
+#include "stream_memory.h"
+#include "transpose.h"
+
+namespace physgen {
+
+namespace {
+
+using cuda::check;
+using detail::Addressing;
+using detail::ElementMove;
+using detail::RotationMove;
+
+constexpr int moves_per_launch = 64;
+constexpr int rotations_per_launch = 16;
+
+// A part of a conversion, small enough for the parameters of a launch.
+struct Moves {
+  int elements = 0;
+  int rotations = 0;
+  ElementMove element[moves_per_launch];
+  RotationMove rotation[rotations_per_launch];
+};
+
+// Records of the objects of a block in shared memory. Their 4-byte words are an odd number apart, so that the threads
+// of a warp, each at its own record, meet different banks.
+struct Staged {
+  int words;       // of a record; 0: not staged
+  int stride;      // from one record to the next [words]
+  unsigned magic;  // word / words = the upper half of word * magic, for words of a block
+
+  static Staged of(const Storage& storage, bool staged) {
+    Staged result{0, 0, 0};
+    if (!staged) return result;
+    result.words = storage.record_bytes / 4;
+    result.stride = result.words | 1;
+    result.magic = static_cast<unsigned>((0xffffffffULL + static_cast<unsigned>(result.words)) /
+                                         static_cast<unsigned>(result.words));
+    return result;
+  }
+  [[nodiscard]] __device__ int place(int word) const {
+    const int record = words == 1 ? word : static_cast<int>(__umulhi(static_cast<unsigned>(word), magic));
+    return word + record * (stride - words);
+  }
+  [[nodiscard]] int shared_bytes(int objects) const { return objects * stride * 4; }
+};
+
+struct Block {
+  index_t begin;        // first object of the launch, a multiple of 32
+  index_t first, last;  // objects to be converted, first .. last - 1
+  Staged from, to;
+  bool clear;  // elements do not fill the target's records
+};
+
+// Words of the block's records, from or to memory that begins at a multiple of 16 bytes.
+template <bool kIn>
+__device__ void move_records(const Staged& staged, unsigned* shared, std::byte* memory, int words_begin,
+                             int words_end) {
+  auto* words = reinterpret_cast<unsigned*>(memory);
+  const int whole_begin = (words_begin + 3) & ~3, whole_end = words_end & ~3;
+  for (int w = whole_begin + static_cast<int>(threadIdx.x) * 4; w < whole_end; w += static_cast<int>(blockDim.x) * 4) {
+    auto* wide = reinterpret_cast<uint4*>(words + w);
+    if constexpr (kIn) {
+      const uint4 four = *wide;
+      shared[staged.place(w)] = four.x;
+      shared[staged.place(w + 1)] = four.y;
+      shared[staged.place(w + 2)] = four.z;
+      shared[staged.place(w + 3)] = four.w;
+    } else {
+      *wide = {shared[staged.place(w)], shared[staged.place(w + 1)], shared[staged.place(w + 2)],
+               shared[staged.place(w + 3)]};
+    }
+  }
+  const auto single = [&](int w) {
+    if constexpr (kIn) {
+      shared[staged.place(w)] = words[w];
+    } else {
+      words[w] = shared[staged.place(w)];
+    }
+  };
+  const int before = min(whole_begin, words_end);
+  for (int w = words_begin + static_cast<int>(threadIdx.x); w < before; w += static_cast<int>(blockDim.x)) single(w);
+  for (int w = max(whole_end, before) + static_cast<int>(threadIdx.x); w < words_end; w += static_cast<int>(blockDim.x))
+    single(w);
+}
+
+// Where the elements of one object lie: in memory, or in its record in shared memory.
+template <bool kStaged>
+struct Place {
+  std::byte* object;
+  index_t pitch;
+  index_t lane;
+  __device__ Place(const Addressing& array, const Staged& staged, unsigned* shared, index_t i, int slot) {
+    if constexpr (kStaged) {
+      object = reinterpret_cast<std::byte*>(shared + slot * staged.stride);
+      pitch = 1;
+      lane = 0;
+    } else {
+      const index_t here = i - array.first;
+      const index_t tile = here >> array.shift;
+      object = array.base + tile * array.pitch * array.record_bytes;
+      pitch = array.pitch;
+      lane = here - (tile << array.shift);
+    }
+  }
+  [[nodiscard]] __device__ std::byte* at(int offset, int size) const { return object + offset * pitch + lane * size; }
+};
+
+// Shared records are aligned to 4 bytes only, so an 8-byte element is moved as two words.
+template <bool kStaged, class T>
+__device__ T read(const std::byte* from) {
+  if constexpr (kStaged && sizeof(T) == 8) {
+    const auto* words = reinterpret_cast<const unsigned*>(from);
+    return std::bit_cast<T>(static_cast<unsigned long long>(words[1]) << 32 | words[0]);
+  } else {
+    return *reinterpret_cast<const T*>(from);
+  }
+}
+template <bool kStaged, class T>
+__device__ void write(std::byte* to, T value) {
+  if constexpr (kStaged && sizeof(T) == 8) {
+    const auto bits = std::bit_cast<unsigned long long>(value);
+    auto* words = reinterpret_cast<unsigned*>(to);
+    words[0] = static_cast<unsigned>(bits);
+    words[1] = static_cast<unsigned>(bits >> 32);
+  } else {
+    *reinterpret_cast<T*>(to) = value;
+  }
+}
+
+// Elements that only move, as words of type T.
+template <class T, bool kFromStaged, bool kToStaged>
+__device__ void move_words(const Moves& moves, const Place<kFromStaged>& from, const Place<kToStaged>& to) {
+  constexpr int batch = 16;  // loads in flight
+  constexpr int size = sizeof(T);
+  for (int first = 0; first < moves.elements; first += batch) {
+    T value[batch];
+#pragma unroll
+    for (int k = 0; k < batch; ++k) {
+      if (first + k < moves.elements)
+        value[k] = read<kFromStaged, T>(from.at(moves.element[first + k].from_offset, size));
+    }
+#pragma unroll
+    for (int k = 0; k < batch; ++k) {
+      if (first + k < moves.elements) write<kToStaged, T>(to.at(moves.element[first + k].to_offset, size), value[k]);
+    }
+  }
+}
+
+template <bool kFromStaged, bool kToStaged>
+__device__ void convert_elements(const Moves& moves, const Place<kFromStaged>& from, const Place<kToStaged>& to) {
+  constexpr int batch = 4;  // loads in flight
+  for (int first = 0; first < moves.elements; first += batch) {
+    unsigned long long bits[batch];
+#pragma unroll
+    for (int k = 0; k < batch; ++k) {
+      if (first + k >= moves.elements) continue;
+      const ElementMove& move = moves.element[first + k];
+      const int size = element_bytes(move.from.type);
+      const std::byte* source = from.at(move.from_offset, size);
+      bits[k] = size == 8   ? read<kFromStaged, unsigned long long>(source)
+                : size == 4 ? read<kFromStaged, unsigned>(source)
+                            : read<kFromStaged, unsigned short>(source);
+    }
+#pragma unroll
+    for (int k = 0; k < batch; ++k) {
+      if (first + k >= moves.elements) continue;
+      const ElementMove& move = moves.element[first + k];
+      const int size = element_bytes(move.to.type);
+      unsigned long long out = 0;
+      detail::convert_element(reinterpret_cast<std::byte*>(&out), move.to, reinterpret_cast<const std::byte*>(&bits[k]),
+                              move.from);
+      std::byte* target = to.at(move.to_offset, size);
+      if (size == 8) {
+        write<kToStaged>(target, out);
+      } else if (size == 4) {
+        write<kToStaged>(target, static_cast<unsigned>(out));
+      } else {
+        write<kToStaged>(target, static_cast<unsigned short>(out));
+      }
+    }
+  }
+}
+
+// What the elements of a launch have in common.
+enum class Kind { words4, words2, any };
+
+template <Kind kKind, bool kFromStaged, bool kToStaged>
+__global__ void convert_kernel(const Addressing to, const Addressing from, const __grid_constant__ Moves moves,
+                               const Block block) {
+  extern __shared__ unsigned shared[];
+  unsigned* const from_shared = shared;
+  unsigned* const to_shared = shared + (kFromStaged ? static_cast<int>(blockDim.x) * block.from.stride : 0);
+  const index_t block_begin = block.begin + blockIdx.x * index_t{blockDim.x};
+  const auto lo = static_cast<int>(max(block.first, block_begin) - block_begin);
+  const auto hi = static_cast<int>(min(block.last, block_begin + index_t{blockDim.x}) - block_begin);
+  if constexpr (kFromStaged) {
+    move_records<true>(block.from, from_shared, from.base + (block_begin - from.first) * from.record_bytes,
+                       lo * block.from.words, hi * block.from.words);
+  }
+  if constexpr (kToStaged) {  // padding of records, and what is converted later, is zero until then
+    const int words = block.to.stride * static_cast<int>(blockDim.x);
+    for (int w = static_cast<int>(threadIdx.x); block.clear && w < words; w += static_cast<int>(blockDim.x)) {
+      to_shared[w] = 0;
+    }
+  }
+  if (kFromStaged || block.clear) __syncthreads();
+  const int slot = static_cast<int>(threadIdx.x);
+  if (slot >= lo && slot < hi) {
+    const index_t i = block_begin + slot;
+    const Place<kFromStaged> source(from, block.from, from_shared, i, slot);
+    const Place<kToStaged> target(to, block.to, to_shared, i, slot);
+    if constexpr (kKind == Kind::words4) {
+      move_words<unsigned>(moves, source, target);
+    } else if constexpr (kKind == Kind::words2) {
+      move_words<unsigned short>(moves, source, target);
+    } else {
+      convert_elements(moves, source, target);
+    }
+  }
+  if constexpr (kToStaged) {
+    __syncthreads();
+    move_records<false>(block.to, to_shared, to.base + (block_begin - to.first) * to.record_bytes, lo * block.to.words,
+                        hi * block.to.words);
+  }
+}
+
+// Rotations that change their form are few bytes and much arithmetic: they go from memory to memory.
+__global__ void convert_rotations(const Addressing to, const Addressing from, const __grid_constant__ Moves moves,
+                                  index_t begin, index_t end) {
+  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
+  if (i >= end) return;
+  for (int r = 0; r < moves.rotations; ++r) moves.rotation[r].run(to, from, i);
+}
+
+__global__ void fill_kernel(const Addressing array, const detail::Fill fill, index_t begin, index_t end) {
+  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
+  if (i < end) fill.run(array, i);
+}
+
+__global__ void count_kernel(const Addressing from, const __grid_constant__ Moves moves, index_t begin, index_t end,
+                             Losses* losses) {
+  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
+  if (i >= end) return;
+  for (int e = 0; e < moves.elements; ++e) detail::count_element(*losses, moves.element[e], from, i);
+  for (int r = 0; r < moves.rotations; ++r) detail::count_rotation(*losses, moves.rotation[r], from, i);
+}
+
+[[nodiscard]] unsigned blocks_for(index_t objects, int block) {
+  return static_cast<unsigned>((objects + block - 1) / block);
+}
+
+// Calls launch(moves) with all moves of a conversion, in parts.
+template <class Launch>
+void for_each_part(const detail::Conversion& conversion, const Launch& launch) {
+  std::size_t element = 0, rotation = 0;
+  while (element < conversion.elements.size() || rotation < conversion.rotations.size()) {
+    Moves moves;
+    while (element < conversion.elements.size() && moves.elements < moves_per_launch) {
+      moves.element[moves.elements++] = conversion.elements[element++];
+    }
+    while (rotation < conversion.rotations.size() && moves.rotations < rotations_per_launch) {
+      moves.rotation[moves.rotations++] = conversion.rotations[rotation++];
+    }
+    launch(moves);
+  }
+}
+
+[[nodiscard]] Kind kind_of(const Moves& moves) {
+  const auto all = [&](int size) {
+    return std::all_of(moves.element, moves.element + moves.elements, [size](const ElementMove& move) {
+      return move.to == move.from && element_bytes(move.to.type) == size;
+    });
+  };
+  return all(4) ? Kind::words4 : all(2) ? Kind::words2 : Kind::any;
+}
+
+constexpr int threads = 256;
+constexpr int most_shared = 48 * 1024;  // [bytes] what every kernel may use
+
+template <Kind kKind>
+void launch(const Addressing& to, const Addressing& from, const Moves& moves, const Block& block, cudaStream_t stream) {
+  int objects = threads;
+  while (block.from.shared_bytes(objects) + block.to.shared_bytes(objects) > most_shared) objects /= 2;
+  const int shared = block.from.shared_bytes(objects) + block.to.shared_bytes(objects);
+  const unsigned grid = blocks_for(block.last - block.begin, objects);
+  if (block.from.words > 0 && block.to.words > 0) {
+    convert_kernel<kKind, true, true><<<grid, objects, shared, stream>>>(to, from, moves, block);
+  } else if (block.from.words > 0) {
+    convert_kernel<kKind, true, false><<<grid, objects, shared, stream>>>(to, from, moves, block);
+  } else if (block.to.words > 0) {
+    convert_kernel<kKind, false, true><<<grid, objects, shared, stream>>>(to, from, moves, block);
+  } else {
+    convert_kernel<kKind, false, false><<<grid, objects, shared, stream>>>(to, from, moves, block);
+  }
+  check(cudaGetLastError(), "launching a conversion");
+}
+
+}  // namespace
+
+void cuda::convert(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
+                   index_t end, Stream stream) {
+  begin = transpose(to, to_first, from, from_first, begin, end, stream);
+  if (begin == end) return;
+  const Addressing to_array(to, to_first), from_array(from, from_first);
+  const detail::Conversion conversion(to, from);
+  // Records are staged whole where they are made of 4-byte words and those of 32 objects fit; the target's only when
+  // one launch has all their elements, since what was there before is lost.
+  const auto can_stage = [](const Storage& array) {
+    return array.pitch == 1 && array.record_bytes % 4 == 0 && array.record_bytes <= most_shared / 2 / 32 - 4;
+  };
+  int element_bytes_written = 0;
+  for (const ElementMove& move : conversion.elements) element_bytes_written += element_bytes(move.to.type);
+  const bool stage_to = can_stage(to) && conversion.elements.size() <= moves_per_launch;
+  const Block block{begin / 32 * 32,
+                    begin,
+                    end,
+                    Staged::of(from, can_stage(from)),
+                    Staged::of(to, stage_to),
+                    stage_to && element_bytes_written != to.record_bytes};
+  for_each_part(conversion, [&](const Moves& moves) {
+    if (moves.elements > 0) {
+      switch (kind_of(moves)) {
+        case Kind::words4:
+          launch<Kind::words4>(to_array, from_array, moves, block, stream);
+          break;
+        case Kind::words2:
+          launch<Kind::words2>(to_array, from_array, moves, block, stream);
+          break;
+        case Kind::any:
+          launch<Kind::any>(to_array, from_array, moves, block, stream);
+          break;
+      }
+    }
+    if (moves.rotations > 0) {
+      convert_rotations<<<blocks_for(end - begin, threads), threads, 0, stream>>>(to_array, from_array, moves, begin,
+                                                                                  end);
+      check(cudaGetLastError(), "launching a conversion of rotations");
+    }
+  });
+}
+
+Losses backend::count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+  const cuda::StreamMemory memory(sizeof(Losses), stream);
+  auto* on_device = reinterpret_cast<Losses*>(memory.data());
+  Losses losses;
+  copy_bytes(memory.data(), reinterpret_cast<const std::byte*>(&losses), sizeof losses, stream);
+  for_each_part(detail::Conversion(to, from), [&](const Moves& moves) {
+    count_kernel<<<blocks_for(end - begin, threads), threads, 0, stream>>>(Addressing(from), moves, begin, end,
+                                                                           on_device);
+    check(cudaGetLastError(), "launching a count of what formats cannot hold");
+  });
+  copy_bytes(reinterpret_cast<std::byte*>(&losses), memory.data(), sizeof losses, stream);
+  synchronize(stream);
+  return losses;
+}
+
+void backend::fill(const Storage& storage, const FieldInfo& field, index_t begin, index_t end) {
+  fill_kernel<<<blocks_for(end - begin, threads), threads>>>(Addressing(storage), detail::Fill(field), begin, end);
+  check(cudaGetLastError(), "launching the fill of an array");
+  check(cudaDeviceSynchronize(), "filling an array");
+}
+
+}  // namespace physgen

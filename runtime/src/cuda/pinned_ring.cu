@@ -1,0 +1,77 @@
+// See pinned_ring.h.
+#include <physgen/cuda/check.h>
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "pinned_ring.h"
+
+namespace physgen::cuda {
+
+struct PinnedRing::Pieces {
+  index_t bytes = 0;
+  std::byte* memory[pieces] = {};
+  cudaEvent_t done[pieces] = {};
+
+  ~Pieces() {
+    for (int k = 0; k < pieces; ++k) {
+      if (memory[k] != nullptr) cudaFreeHost(memory[k]);
+      if (done[k] != nullptr) cudaEventDestroy(done[k]);
+    }
+  }
+};
+
+namespace {
+
+std::mutex mutex;
+
+// Rings that no transfer uses at present. Never destroyed: CUDA may be gone before static objects are.
+template <class T>
+std::vector<std::unique_ptr<T>>& idle() {
+  static auto* const rings = new std::vector<std::unique_ptr<T>>();
+  return *rings;
+}
+
+}  // namespace
+
+PinnedRing::PinnedRing(index_t bytes) {
+  constexpr index_t step = index_t{16} << 20;  // so that few sizes occur
+  bytes = align_up(bytes, step);
+  {
+    const std::lock_guard lock(mutex);
+    auto& rings = idle<Pieces>();
+    for (auto& ring : rings) {
+      if (ring->bytes < bytes) continue;
+      pieces_ = ring.release();
+      std::swap(ring, rings.back());
+      rings.pop_back();
+      return;
+    }
+  }
+  auto made = std::make_unique<Pieces>();
+  made->bytes = bytes;
+  for (int k = 0; k < pieces; ++k) {
+    void* memory = nullptr;
+    check(cudaMallocHost(&memory, static_cast<std::size_t>(bytes)), "allocating pinned memory for a transfer");
+    made->memory[k] = static_cast<std::byte*>(memory);
+    check(cudaEventCreateWithFlags(&made->done[k], cudaEventDisableTiming), "preparing a transfer");
+  }
+  pieces_ = made.release();
+}
+
+PinnedRing::~PinnedRing() {
+  for (int k = 0; k < pieces; ++k) cudaEventSynchronize(pieces_->done[k]);
+  const std::lock_guard lock(mutex);
+  idle<Pieces>().emplace_back(pieces_);
+}
+
+std::byte* PinnedRing::piece(index_t k) const { return pieces_->memory[k % pieces]; }
+
+void PinnedRing::used(index_t k, Stream stream) {
+  check(cudaEventRecord(pieces_->done[k % pieces], stream), "noting a transfer");
+}
+
+void PinnedRing::wait(index_t k) { check(cudaEventSynchronize(pieces_->done[k % pieces]), "waiting for a transfer"); }
+
+}  // namespace physgen::cuda

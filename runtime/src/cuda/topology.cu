@@ -1,0 +1,129 @@
+// Changes of topology in CUDA memory: objects picked by number as plain bytes, and indices renumbered.
+#include <physgen/cuda/check.h>
+#include <physgen/cuda/parallel_for.h>
+
+#include <algorithm>
+
+#include "../backend.h"
+#include "../backend_topology.h"
+#include "stream_memory.h"
+
+namespace physgen::backend {
+
+namespace {
+
+using cuda::check;
+using detail::Addressing;
+using detail::Picked;
+
+constexpr int fields_per_launch = 32;
+
+// Moves the elements of one object: neighbouring threads write neighbouring elements of a channel.
+struct PickElements {
+  Addressing to;
+  Addressing from;
+  Picked picked;
+  index_t begin;
+  int count;
+  detail::Elements fields[fields_per_launch];
+
+  __device__ void operator()(index_t i) const {
+    const index_t j = picked[i];
+    for (int f = 0; f < count; ++f) detail::move_elements(to, begin + i, from, j, fields[f]);
+  }
+};
+
+// Moves one word of one record: neighbouring threads write neighbouring words.
+template <int kBytes>
+struct PickWords {
+  std::byte* to;
+  const std::byte* from;
+  Picked picked;
+  index_t begin;
+  int words;  // of a record
+
+  __device__ void operator()(index_t t) const {
+    const index_t i = t / words;
+    const index_t word = t - i * words;
+    detail::move_word<kBytes>(to + ((begin + i) * words + word) * kBytes, from + (picked[i] * words + word) * kBytes);
+  }
+};
+
+template <int kBytes>
+void pick_words(const Storage& to, index_t begin, const Storage& from, const Picked& picked, index_t count,
+                Stream stream) {
+  const int words = to.record_bytes / kBytes;
+  parallel_for(Cuda{}, count * words, PickWords<kBytes>{to.base, from.base, picked, begin, words}, stream);
+}
+
+void pick_records(const Storage& to, index_t begin, const Storage& from, const Picked& picked, index_t count,
+                  Stream stream) {
+  if (to.record_bytes % 16 == 0) {
+    pick_words<16>(to, begin, from, picked, count, stream);
+  } else if (to.record_bytes % 8 == 0) {
+    pick_words<8>(to, begin, from, picked, count, stream);
+  } else if (to.record_bytes % 4 == 0) {
+    pick_words<4>(to, begin, from, picked, count, stream);
+  } else {
+    pick_words<2>(to, begin, from, picked, count, stream);
+  }
+}
+
+struct FindNotRenumbered {
+  Addressing address;
+  int offset;
+  int count;
+  detail::NewNumbers numbers;
+  unsigned long long* first;
+
+  __device__ void operator()(index_t i) const {
+    if (!detail::can_renumber(address, offset, count, numbers, i)) {
+      atomicMin(first, static_cast<unsigned long long>(i));
+    }
+  }
+};
+
+struct Renumber {
+  Addressing address;
+  int offset;
+  int count;
+  detail::NewNumbers numbers;
+
+  __device__ void operator()(index_t i) const { detail::renumber_object(address, offset, count, numbers, i); }
+};
+
+}  // namespace
+
+void pick(const Storage& to, index_t begin, const Storage& from, Picked picked, index_t count, Stream stream) {
+  if (to.pitch == 1 && from.pitch == 1) {
+    pick_records(to, begin, from, picked, count, stream);
+    return;
+  }
+  for (std::size_t first = 0; first < to.fields.size(); first += fields_per_launch) {
+    PickElements kernel{Addressing(to), Addressing(from), picked, begin, 0, {}};
+    kernel.count = static_cast<int>(std::min<std::size_t>(fields_per_launch, to.fields.size() - first));
+    for (int f = 0; f < kernel.count; ++f) {
+      kernel.fields[f] = detail::Elements(to.fields[first + static_cast<std::size_t>(f)]);
+    }
+    parallel_for(Cuda{}, count, kernel, stream);
+  }
+}
+
+index_t first_not_renumbered(const Storage& storage, const FieldInfo& field, const detail::NewNumbers& numbers) {
+  auto first = static_cast<unsigned long long>(storage.size);
+  const cuda::StreamMemory memory(sizeof first, nullptr);
+  auto* on_device = reinterpret_cast<unsigned long long*>(memory.data());
+  check(cudaMemcpyAsync(on_device, &first, sizeof first, cudaMemcpyHostToDevice, nullptr), "preparing a check");
+  parallel_for(Cuda{}, storage.size,
+               FindNotRenumbered{Addressing(storage), field.offset, field.count, numbers, on_device});
+  check(cudaMemcpyAsync(&first, on_device, sizeof first, cudaMemcpyDeviceToHost, nullptr), "checking indices");
+  synchronize();
+  return static_cast<index_t>(first);
+}
+
+void renumber(const Storage& storage, const FieldInfo& field, const detail::NewNumbers& numbers) {
+  parallel_for(Cuda{}, storage.size, Renumber{Addressing(storage), field.offset, field.count, numbers});
+  synchronize();
+}
+
+}  // namespace physgen::backend

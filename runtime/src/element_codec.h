@@ -1,0 +1,113 @@
+// Single elements between any two storage formats that are known at run time only, on host and device: what copies of
+// whole arrays are made of. A new format is one more case in decode() and encode().
+#pragma once
+
+#include <physgen/object_info.h>
+
+namespace physgen::detail {
+
+/// How the elements of one field are stored: centre + scale * what memory holds.
+struct Encoding {
+  ElementType type;
+  double scale = 1;
+  double centre = 0;
+  bool operator==(const Encoding&) const = default;
+};
+[[nodiscard]] inline Encoding encoding_of(const FieldInfo& field) { return {field.type, field.scale, field.centre}; }
+
+/// The value of an element. @tparam S float or double. Integers are not converted to float.
+template <class S>
+[[nodiscard]] PHYSGEN_FUNCTION inline S decode(const std::byte* from, const Encoding& encoding) {
+  switch (encoding.type) {
+    case ElementType::float32:
+      return static_cast<S>(*reinterpret_cast<const float*>(from));
+    case ElementType::float64:
+      return static_cast<S>(*reinterpret_cast<const double*>(from));
+    case ElementType::int32:
+      return static_cast<S>(*reinterpret_cast<const std::int32_t*>(from));
+    case ElementType::half:
+      return static_cast<S>(format::detail::half_to_float(*reinterpret_cast<const std::uint16_t*>(from))) *
+             static_cast<S>(encoding.scale);
+    case ElementType::bfloat16:
+      return static_cast<S>(format::detail::bfloat16_to_float(*reinterpret_cast<const std::uint16_t*>(from)));
+    case ElementType::snorm16:
+      break;
+  }
+  return format::detail::snorm16_to_real<S>(*reinterpret_cast<const std::int16_t*>(from),
+                                            static_cast<S>(encoding.scale), static_cast<S>(encoding.centre));
+}
+
+/// Stores a value.
+template <class S>
+PHYSGEN_FUNCTION inline void encode(std::byte* to, const Encoding& encoding, S value) {
+  switch (encoding.type) {
+    case ElementType::float32:
+      *reinterpret_cast<float*>(to) = static_cast<float>(value);
+      return;
+    case ElementType::float64:
+      *reinterpret_cast<double*>(to) = static_cast<double>(value);
+      return;
+    case ElementType::int32:
+      *reinterpret_cast<std::int32_t*>(to) = static_cast<std::int32_t>(value);
+      return;
+    case ElementType::half:
+      *reinterpret_cast<std::uint16_t*>(to) =
+          format::detail::float_to_half(format::detail::to_odd(value * static_cast<S>(1 / encoding.scale)));
+      return;
+    case ElementType::bfloat16:
+      *reinterpret_cast<std::uint16_t*>(to) = format::detail::float_to_bfloat16(format::detail::to_odd(value));
+      return;
+    case ElementType::snorm16:
+      break;
+  }
+  *reinterpret_cast<std::int16_t*>(to) =
+      format::detail::real_to_snorm16<S>(value, static_cast<S>(encoding.scale), static_cast<S>(encoding.centre));
+}
+
+/// One element from one format to another; the very bits where both are the same.
+PHYSGEN_FUNCTION inline void convert_element(std::byte* to, const Encoding& to_encoding, const std::byte* from,
+                                             const Encoding& from_encoding) {
+  if (to_encoding == from_encoding) {
+    const int size = element_bytes(to_encoding.type);
+    if (size == 4) {
+      *reinterpret_cast<std::uint32_t*>(to) = *reinterpret_cast<const std::uint32_t*>(from);
+    } else if (size == 2) {
+      *reinterpret_cast<std::uint16_t*>(to) = *reinterpret_cast<const std::uint16_t*>(from);
+    } else {
+      *reinterpret_cast<std::uint64_t*>(to) = *reinterpret_cast<const std::uint64_t*>(from);
+    }
+  } else if (element_bytes(to_encoding.type) < 8 && element_bytes(from_encoding.type) < 8) {
+    encode(to, to_encoding, decode<float>(from, from_encoding));
+  } else {
+    encode(to, to_encoding, decode<double>(from, from_encoding));
+  }
+}
+
+/// The matrix of a rotation, 9 elements by columns or 4 of a quaternion. @param at at(k) is the address of element k
+template <class S, class At>
+[[nodiscard]] PHYSGEN_FUNCTION inline Eigen::Matrix<S, 3, 3> decode_rotation(const Encoding& encoding, bool quaternion,
+                                                                             const At& at) {
+  if (!quaternion) {
+    Eigen::Matrix<S, 3, 3> R;
+    PHYSGEN_UNROLL
+    for (int k = 0; k < 9; ++k) R(k % 3, k / 3) = decode<S>(at(k), encoding);
+    return R;
+  }
+  const Quaternion<S> q{decode<S>(at(0), encoding), decode<S>(at(1), encoding), decode<S>(at(2), encoding),
+                        decode<S>(at(3), encoding)};
+  return element_bytes(encoding.type) >= int{sizeof(S)} ? rotation_matrix<S>(q) : rotation_matrix_of_direction<S>(q);
+}
+template <class S, class At>
+PHYSGEN_FUNCTION inline void encode_rotation(const Encoding& encoding, bool quaternion, const At& at,
+                                             const Eigen::Matrix<S, 3, 3>& R) {
+  if (!quaternion) {
+    PHYSGEN_UNROLL
+    for (int k = 0; k < 9; ++k) encode<S>(at(k), encoding, R(k % 3, k / 3));
+    return;
+  }
+  const Quaternion<S> q = unit_quaternion<S>(R);
+  PHYSGEN_UNROLL
+  for (int k = 0; k < 4; ++k) encode<S>(at(k), encoding, q[k]);
+}
+
+}  // namespace physgen::detail

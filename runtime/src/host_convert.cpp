@@ -1,0 +1,104 @@
+// See host_convert.h. Objects are taken in blocks that stay in the cache, and in each block element by element, so that
+// the inner loop runs along the objects with both types known.
+#include "host_convert.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "convert.h"
+
+namespace physgen::detail {
+
+namespace {
+
+/// Elements of consecutive objects, `stride` bytes apart.
+struct Lanes {
+  std::byte* first;
+  index_t stride;
+};
+
+Lanes lanes(const Addressing& array, index_t i, int offset, int size) {
+  return {array.address(i, offset, size), array.records() ? array.record_bytes : size};
+}
+
+/// Objects from i on whose elements are evenly spaced.
+index_t evenly_spaced(const Addressing& array, index_t i) {
+  if (array.records() || array.shift == 63) return std::numeric_limits<index_t>::max();
+  return array.pitch - ((i - array.first) & (array.pitch - 1));
+}
+
+template <class To, class From, class Convert>
+void convert_lanes(Lanes to, Lanes from, index_t count, const Convert& convert) {
+  if (to.stride == index_t{sizeof(To)} && from.stride == index_t{sizeof(From)}) {
+    auto* t = reinterpret_cast<To*>(to.first);
+    const auto* f = reinterpret_cast<const From*>(from.first);
+    for (index_t l = 0; l < count; ++l) t[l] = convert(f[l]);
+    return;
+  }
+  for (index_t l = 0; l < count; ++l) {
+    *reinterpret_cast<To*>(to.first + l * to.stride) =
+        convert(*reinterpret_cast<const From*>(from.first + l * from.stride));
+  }
+}
+
+template <class T>
+void move_lanes(Lanes to, Lanes from, index_t count) {
+  convert_lanes<T, T>(to, from, count, [](T value) { return value; });
+}
+
+void convert_lanes(const ElementMove& move, Lanes to, Lanes from, index_t count) {
+  if (move.to == move.from) {
+    const int size = element_bytes(move.to.type);
+    if (size == 8) return move_lanes<std::uint64_t>(to, from, count);
+    if (size == 4) return move_lanes<std::uint32_t>(to, from, count);
+    return move_lanes<std::uint16_t>(to, from, count);
+  }
+  if (move.to.type == ElementType::float32 && move.from.type == ElementType::float64) {
+    return convert_lanes<float, double>(to, from, count, [](double value) { return static_cast<float>(value); });
+  }
+  if (move.to.type == ElementType::float64 && move.from.type == ElementType::float32) {
+    return convert_lanes<double, float>(to, from, count, [](float value) { return static_cast<double>(value); });
+  }
+  for (index_t l = 0; l < count; ++l) {
+    convert_element(to.first + l * to.stride, move.to, from.first + l * from.stride, move.from);
+  }
+}
+
+}  // namespace
+
+void convert_on_host(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
+                     index_t end) {
+  const Addressing to_array(to, to_first), from_array(from, from_first);
+  const Conversion conversion(to, from);
+  constexpr index_t block = 1024;
+  const index_t blocks = (end - begin + block - 1) / block;
+#pragma omp parallel for schedule(static) if (blocks > 8)
+  for (index_t b = 0; b < blocks; ++b) {
+    const index_t last = std::min(begin + (b + 1) * block, end);
+    for (index_t i = begin + b * block; i < last;) {
+      const index_t count = std::min({last - i, evenly_spaced(to_array, i), evenly_spaced(from_array, i)});
+      for (const ElementMove& move : conversion.elements) {
+        convert_lanes(move, lanes(to_array, i, move.to_offset, element_bytes(move.to.type)),
+                      lanes(from_array, i, move.from_offset, element_bytes(move.from.type)), count);
+      }
+      for (const RotationMove& move : conversion.rotations) {
+        for (index_t l = i; l < i + count; ++l) move.run(to_array, from_array, l);
+      }
+      i += count;
+    }
+  }
+}
+
+Losses count_on_host(const Storage& to, const Storage& from, index_t begin, index_t end) {
+  const Addressing array(from);
+  const Conversion conversion(to, from);
+  Losses losses;
+#pragma omp parallel for schedule(static) if (end - begin > 8192)
+  for (index_t i = begin; i < end; ++i) {
+    for (const ElementMove& move : conversion.elements) count_element(losses, move, array, i);
+    for (const RotationMove& move : conversion.rotations) count_rotation(losses, move, array, i);
+  }
+  return losses;
+}
+
+}  // namespace physgen::detail

@@ -1,0 +1,78 @@
+// Runs of bytes between arrays that store the same records.
+#include "plain_copy.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "backend.h"
+#include "element_codec.h"
+
+namespace physgen::detail {
+
+namespace {
+
+// Rows of equal length that lie at a constant distance on each side.
+struct Rows {
+  std::byte* to;
+  index_t to_pitch;  // [bytes]
+  const std::byte* from;
+  index_t from_pitch;  // [bytes]
+  index_t bytes;       // of one row
+  int count;
+};
+
+void copy_rows(const Rows& rows, bool on_host, Stream stream) {
+  if (!on_host) {
+    backend::copy_rows(rows.to, rows.to_pitch, rows.from, rows.from_pitch, rows.bytes, rows.count, stream);
+    return;
+  }
+  for (index_t r = 0; r < rows.count; ++r) {
+    std::memcpy(rows.to + r * rows.to_pitch, rows.from + r * rows.from_pitch, static_cast<std::size_t>(rows.bytes));
+  }
+}
+
+}  // namespace
+
+bool same_records(const Storage& a, const Storage& b) {
+  if (a.record_bytes != b.record_bytes) return false;
+  return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
+                    [](const FieldInfo& x, const FieldInfo& y) {
+                      return encoding_of(x) == encoding_of(y) && x.offset == y.offset && x.quaternion == y.quaternion;
+                    });
+}
+
+bool same_runs(const Storage& a, const Storage& b) {
+  return a.pitch == b.pitch || (a.pitch >= a.padded && b.pitch >= b.padded);
+}
+
+index_t copy_plain(const Storage& to, index_t to_begin, const Storage& from, index_t from_begin, index_t count,
+                   Stream stream) {
+  const bool on_host = host_accessible(to.space) && host_accessible(from.space);
+  index_t moved = 0;
+  for (index_t done = 0, piece = 0; done < count; done += piece) {
+    const index_t rest = count - done;
+    const index_t to_lane = (to_begin + done) % to.pitch;
+    const index_t from_lane = (from_begin + done) % from.pitch;
+    std::byte* to_tile = to.base + (to_begin + done - to_lane) * to.record_bytes;
+    const std::byte* from_tile = from.base + (from_begin + done - from_lane) * from.record_bytes;
+    if (to.pitch == from.pitch && to_lane == 0 && from_lane == 0 && rest >= to.pitch) {
+      piece = rest / to.pitch * to.pitch;
+      const index_t bytes = piece * to.record_bytes;
+      copy_rows({to_tile, bytes, from_tile, bytes, bytes, 1}, on_host, stream);
+      moved += bytes;
+      continue;
+    }
+    piece = std::min({rest, to.pitch - to_lane, from.pitch - from_lane});
+    for (const FieldInfo& field : to.fields) {
+      const int size = element_bytes(field.type);
+      copy_rows(
+          {to_tile + field.offset * to.pitch + to_lane * size, to.pitch * size,
+           from_tile + field.offset * from.pitch + from_lane * size, from.pitch * size, piece * size, field.count},
+          on_host, stream);
+      moved += piece * size * field.count;
+    }
+  }
+  return moved;
+}
+
+}  // namespace physgen::detail

@@ -1,0 +1,183 @@
+// Changes of topology over arrays without their types: objects picked by number as plain bytes, and indices renumbered.
+#include <physgen/error.h>
+#include <physgen/topology.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "backend.h"
+#include "backend_topology.h"
+#include "describe.h"
+
+namespace physgen {
+
+namespace {
+
+using detail::Addressing;
+using detail::describe;
+using detail::Picked;
+
+void pick_on_host(const Storage& to, index_t begin, const Storage& from, const Picked& picked, index_t count) {
+  const Addressing to_address(to);
+  const Addressing from_address(from);
+  const bool whole_records = to.pitch == 1 && from.pitch == 1;
+  // Blocks of objects keep what is written in the cache while field after field is moved.
+  constexpr index_t block = 1024;
+  const index_t blocks = (count + block - 1) / block;
+#pragma omp parallel for if (blocks > 8)
+  for (index_t b = 0; b < blocks; ++b) {
+    const index_t first = b * block;
+    const index_t last = std::min(first + block, count);
+    if (whole_records) {
+      const auto bytes = static_cast<std::size_t>(to.record_bytes);
+      for (index_t i = first; i < last; ++i) {
+        std::memcpy(to.base + (begin + i) * to.record_bytes, from.base + picked[i] * to.record_bytes, bytes);
+      }
+      continue;
+    }
+    for (const FieldInfo& field : to.fields) {
+      const detail::Elements elements(field);
+      for (int k = 0; k < elements.count; ++k) {
+        const int offset = elements.offset + k * elements.bytes;
+        for (index_t i = first; i < last; ++i) {
+          detail::move_element(to_address, begin + i, from_address, picked[i], offset, elements.bytes);
+        }
+      }
+    }
+  }
+}
+
+index_t first_not_renumbered_on_host(const Storage& storage, const FieldInfo& field,
+                                     const detail::NewNumbers& numbers) {
+  const Addressing address(storage);
+  index_t first = storage.size;
+#pragma omp parallel for reduction(min : first) if (storage.size > 8192)
+  for (index_t i = 0; i < storage.size; ++i) {
+    if (i < first && !detail::can_renumber(address, field.offset, field.count, numbers, i)) first = i;
+  }
+  return first;
+}
+
+void renumber_on_host(const Storage& storage, const FieldInfo& field, const detail::NewNumbers& numbers) {
+  const Addressing address(storage);
+#pragma omp parallel for if (storage.size > 8192)
+  for (index_t i = 0; i < storage.size; ++i) {
+    detail::renumber_object(address, field.offset, field.count, numbers, i);
+  }
+}
+
+const FieldInfo& find_index_field(const Storage& storage, std::string_view name) {
+  std::string fields_of_indices;
+  for (const FieldInfo& field : storage.fields) {
+    if (field.type != ElementType::int32) continue;
+    if (field.name == name) return field;
+    fields_of_indices += " " + std::string(field.name);
+  }
+  throw Error(describe(storage) + ": there is no field of indices \"" + std::string(name) + "\"; " +
+              (fields_of_indices.empty() ? "the object has none" : "there are:" + fields_of_indices));
+}
+
+// Says which index of object i it is that has no new number.
+[[noreturn]] void refuse_index(const Storage& storage, const FieldInfo& field, index_t i,
+                               std::span<const index_t> new_number) {
+  int element = 0;  // the field's first
+  for (const FieldInfo& before : storage.fields) {
+    if (before.offset == field.offset) break;
+    element += before.count;
+  }
+  const detail::NewNumbers numbers{new_number.data(), static_cast<index_t>(new_number.size())};
+  int k = 0;
+  const auto index_of = [&] { return static_cast<std::int32_t>(getdata(storage, i, element + k)); };
+  while (k + 1 < field.count && numbers.has(index_of())) ++k;
+  const std::int32_t index = index_of();
+  std::string why = "there are new numbers for " + std::to_string(numbers.count) + " objects only";
+  if (index >= 0 && index < numbers.count) {
+    const index_t number = numbers.numbers[index];
+    why = number < 0 ? "that object is gone; erase or change what refers to it first"
+                     : "its new number " + std::to_string(number) + " is more than an index can hold";
+  }
+  throw Error(describe(storage) + ": cannot renumber " + std::string(field.name) + ": object " + std::to_string(i) +
+              " has the index " + std::to_string(index) + " as element " + std::to_string(k) + " of " +
+              std::to_string(field.count) + ": " + why);
+}
+
+}  // namespace
+
+namespace detail {
+
+std::string names(std::span<const Storage> arrays) {
+  std::string all;
+  for (const Storage& array : arrays) all += (all.empty() ? "" : ", ") + describe(array);
+  return all;
+}
+
+index_t common_size(std::span<const Storage> arrays) {
+  for (const Storage& array : arrays) {
+    if (array.size != arrays.front().size) {
+      throw Error(names(arrays) + ": arrays of one element set have the same size");
+    }
+  }
+  return arrays.front().size;
+}
+
+index_t grown_size(std::span<const Storage> arrays, index_t count) {
+  const index_t size = arrays.front().size;
+  if (count < 0 || count > std::numeric_limits<index_t>::max() - size) {
+    throw Error(names(arrays) + ": cannot append " + std::to_string(count) + " objects");
+  }
+  return size + count;
+}
+
+void wait_for(std::span<const Storage> arrays) {
+  const auto may_be_worked_on = [](const Storage& array) { return device_accessible(array.space) && array.size > 0; };
+  if (std::any_of(arrays.begin(), arrays.end(), may_be_worked_on)) synchronize();
+}
+
+Numbers::Numbers(std::span<const index_t> numbers, std::span<const Storage> arrays) : on_host(numbers) {
+  const auto on_cuda = [](const Storage& array) { return array.space == SpaceKind::cuda; };
+  if (numbers.empty() || std::none_of(arrays.begin(), arrays.end(), on_cuda)) return;
+  const auto bytes = static_cast<index_t>(numbers.size_bytes());
+  on_device = Buffer(SpaceKind::cuda, bytes, "a list of " + std::to_string(numbers.size()) + " object numbers");
+  backend::copy_bytes(on_device.data(), reinterpret_cast<const std::byte*>(numbers.data()), bytes, nullptr);
+}
+
+void pick(const Storage& to, const Storage& from, const Numbers& order) {
+  if (to.size == 0) return;
+  if (to.space == SpaceKind::cuda) {
+    const auto* numbers = reinterpret_cast<const index_t*>(order.on_device.data());
+    backend::pick(to, 0, from, Picked{numbers, 0}, to.size, nullptr);
+  } else {
+    pick_on_host(to, 0, from, Picked{order.on_host.data(), 0}, to.size);
+  }
+}
+
+void insert(const Storage& to, index_t begin, const Storage& from) {
+  if (from.size == 0) return;
+  if (to.space == SpaceKind::cuda) {
+    backend::pick(to, begin, from, Picked{nullptr, 0}, from.size, nullptr);
+  } else {
+    pick_on_host(to, begin, from, Picked{nullptr, 0}, from.size);
+  }
+}
+
+}  // namespace detail
+
+void renumber(const Storage& storage, std::string_view field_name, std::span<const index_t> new_number) {
+  const FieldInfo& field = find_index_field(storage, field_name);
+  if (storage.size == 0) return;
+  const bool on_host = host_accessible(storage.space);
+  const detail::Numbers uploaded(new_number, std::span(&storage, 1));
+  const detail::NewNumbers numbers{
+      on_host ? new_number.data() : reinterpret_cast<const index_t*>(uploaded.on_device.data()),
+      static_cast<index_t>(new_number.size())};
+  const index_t first = on_host ? first_not_renumbered_on_host(storage, field, numbers)
+                                : backend::first_not_renumbered(storage, field, numbers);
+  if (first < storage.size) refuse_index(storage, field, first, new_number);
+  if (on_host) {
+    renumber_on_host(storage, field, numbers);
+  } else {
+    backend::renumber(storage, field, numbers);
+  }
+}
+
+}  // namespace physgen

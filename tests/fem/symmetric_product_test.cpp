@@ -1,0 +1,46 @@
+// The symmetric product on the CPU.
+#include <fem/symmetric_product_host.h>
+#include <omp.h>
+
+#include "symmetric_product_checks.h"
+
+namespace physgen::fem {
+namespace {
+
+TEST(SymmetricProductOnHost, agrees_with_the_sum_in_double_and_repeats_its_bits) {
+  constexpr unsigned stream = 11;
+  check_products<float, Host, Aosoa<16>>(SumOrder::fixed, stream);
+  check_products<float, Host, Soa>(SumOrder::any, stream);
+  check_products<float, Host, Aos>(SumOrder::fixed, stream);
+  check_products<double, Host, Aosoa<16>>(SumOrder::fixed, stream);
+}
+
+TEST(SymmetricProductOnHost, gives_the_same_bits_with_any_number_of_threads) {
+  ProductScene<float, Host, Aosoa<16>> scene(make_box_mesh(20, 20, 20), 11);
+  const EdgeSums sums(scene.mesh, SpaceKind::host, sizeof(float));
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  multiply(Host{}, scene.product(), sums, SumOrder::fixed);
+  const auto alone = scene.result();
+  omp_set_num_threads(5);
+  multiply(Host{}, scene.product(), sums, SumOrder::fixed);
+  omp_set_num_threads(threads);
+  const auto five = scene.result();
+  EXPECT_EQ(std::memcmp(alone.storage().base, five.storage().base, static_cast<std::size_t>(alone.storage().bytes())),
+            0);
+}
+
+TEST(EdgeSums, refuses_edges_that_are_not_ascending) {
+  TetMesh mesh = make_box_mesh(1, 1, 1);
+  std::swap(mesh.edges[3], mesh.edges[4]);
+  try {
+    const EdgeSums sums(mesh, SpaceKind::host, 4);
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("edge 4 of the mesh is not above the one before it"), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace physgen::fem

@@ -1,0 +1,109 @@
+// Storage formats and layouts in CUDA memory: every conversion on the device, and between host and device.
+#include <physgen/gather.h>
+
+#include "format_checks.h"
+
+namespace physgen::test {
+namespace {
+
+template <class Layout>
+class CudaFormatsOver : public ::testing::Test {};
+TYPED_TEST_SUITE(CudaFormatsOver, AllLayouts, LayoutName);
+
+TYPED_TEST(CudaFormatsOver, objects_of_mixed_sizes_come_back_within_the_errors_of_their_formats) {
+  for (const index_t n : {0, 1, 31, 33, 1000, 300000}) check_mixed_round_trip<Cuda, TypeParam>(n);
+}
+
+TYPED_TEST(CudaFormatsOver, pinned_memory_round_trips_as_well) { check_mixed_round_trip<PinnedHost, TypeParam>(70001); }
+
+TYPED_TEST(CudaFormatsOver, rotations_come_back_from_quaternions) {
+  check_rotations<Cuda, TypeParam, format::Native>(1025, 6e-7);
+  check_rotations<Cuda, TypeParam, format::Half<>>(1025, 2e-3);
+  check_rotations<Cuda, TypeParam, format::Snorm16<-1.0, 1.0>>(1025, 9e-5);
+}
+
+/// Device and host convert alike, bit by bit, between any two layouts and formats.
+template <class To, class From, class ToFormats, class FromFormats>
+void check_against_host(index_t n) {
+  using Object = elasticity::StressDerivativeObject;
+  std::mt19937 random(seed());
+  std::uniform_real_distribution<float> value(-2.0F, 2.0F);
+  Array<Object, float, Host, From, FromFormats> from(n);
+  for (index_t i = 0; i < n; ++i) {
+    for (int k = 0; k < from.elements; ++k) from.putdata(i, k, value(random));
+  }
+  Array<Object, float, Host, To, ToFormats> expected(n), result(n);
+  copy(expected, from);
+  Array<Object, float, Cuda, From, FromFormats> from_there(n);
+  Array<Object, float, Cuda, To, ToFormats> to_there(n);
+  copy(from_there, from);
+  copy(to_there, from_there);
+  poison(result);
+  copy(result, to_there);
+  synchronize();
+  Array<Object, float, Host, Aos, ToFormats> a(n), b(n);
+  copy(a, expected);
+  copy(b, result);
+  EXPECT_EQ(count_different(a, b), 0) << n;
+}
+
+TYPED_TEST(CudaFormatsOver, the_device_converts_as_the_host_does) {
+  using Plain = elasticity::StressDerivativeFormats<Cuda>;
+  for (const index_t n : {1, 100, 5000}) {
+    check_against_host<TypeParam, Aos, Plain, Plain>(n);
+    check_against_host<TypeParam, AosPadded, Plain, Plain>(n);
+    check_against_host<TypeParam, Soa, Plain, Plain>(n);
+    check_against_host<TypeParam, Aosoa<32>, Plain, Plain>(n);
+    check_against_host<TypeParam, Aos, MixedDerivative, Plain>(n);
+    check_against_host<TypeParam, Aosoa<32>, MixedDerivative, Plain>(n);
+    check_against_host<TypeParam, Aos, Plain, MixedDerivative>(n);
+    check_against_host<TypeParam, Aos, MixedDerivative, MixedDerivative>(n);
+  }
+}
+
+TYPED_TEST(CudaFormatsOver, ranges_of_objects_convert_alone) {
+  using Object = elasticity::StressDerivativeObject;
+  constexpr index_t n = 3000;
+  std::mt19937 random(seed());
+  for (const auto& [begin, end] : {std::pair<index_t, index_t>{0, 1}, {1, 40}, {31, 2999}, {1000, 3000}}) {
+    elasticity::StressDerivativeArray<float, Host, Aos> from(n), back(n);
+    randomise(from, random);
+    Array<Object, double, Cuda, TypeParam> there(n);
+    copy_range(there.storage(), from.storage(), begin, end);
+    copy(back, there);
+    synchronize();
+    for (index_t i = 0; i < n; ++i) {
+      const double expected = i >= begin && i < end ? from.getdata(i, 5) : 0;
+      ASSERT_EQ(back.getdata(i, 5), expected) << i << " of " << begin << " to " << end;
+    }
+  }
+}
+
+TYPED_TEST(CudaFormatsOver, objects_gathered_from_pointers_come_back_scattered_whatever_their_number) {
+  std::mt19937 random(seed());
+  std::uniform_real_distribution<float> value(-2.0F, 2.0F);
+  using Value = elasticity::StressDerivative<float>;
+  for (const std::size_t n : {0, 1, 31, 32, 33, 64, 1000, 400001}) {
+    std::vector<Value> objects(n), back(n);
+    std::vector<Value*> pointers, back_pointers;
+    for (std::size_t i = 0; i < n; ++i) {
+      objects[i].x1111 = value(random);
+      objects[i].x3223 = value(random);
+      pointers.push_back(&objects[i]);
+      back_pointers.push_back(&back[i]);
+    }
+    elasticity::StressDerivativeArray<float, Cuda, TypeParam> array;
+    gather(std::span<Value* const>(pointers), array, [](const Value& object) { return object; });
+    ASSERT_EQ(array.size(), static_cast<index_t>(n));
+    scatter(array, std::span<Value* const>(back_pointers), [](Value& object, const Value& read) { object = read; });
+    for (std::size_t i = 0; i < n; ++i) {
+      ASSERT_EQ(back[i].x1111, objects[i].x1111) << i << " of " << n;
+      ASSERT_EQ(back[i].x3223, objects[i].x3223) << i << " of " << n;
+    }
+  }
+}
+
+TEST(CudaFormats, what_a_copy_loses_is_counted_with_its_place) { check_losses<Cuda>(); }
+
+}  // namespace
+}  // namespace physgen::test

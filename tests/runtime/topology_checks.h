@@ -1,0 +1,394 @@
+// Changes of topology in every layout of one space, held against a vector of objects: one source for host, pinned and
+// CUDA memory.
+#pragma once
+
+#include <everything.physgen.h>
+#include <physgen/topology.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "test_objects.h"
+
+namespace physgen::test {
+
+/// The plainest array there is: the elements of each object, as numbers that hold every stored value exactly.
+using Model = std::vector<std::vector<double>>;
+
+template <class Object, class Real, class Space, class Layout, class Formats>
+Model objects_of(const Array<Object, Real, Space, Layout, Formats>& array) {
+  Array<Object, Real, Host, Aos> objects(array.size());
+  poison(objects);
+  copy(objects, array);
+  synchronize();
+  Model model(static_cast<std::size_t>(array.size()));
+  for (index_t i = 0; i < array.size(); ++i) {
+    for (int k = 0; k < array.elements; ++k) model[static_cast<std::size_t>(i)].push_back(objects.getdata(i, k));
+  }
+  return model;
+}
+
+/// Gives the array random objects.
+template <class Object, class Real, class Space, class Layout, class Formats>
+void randomise_objects(Array<Object, Real, Space, Layout, Formats>& array, std::mt19937& random) {
+  Array<Object, Real, Host, Aos> source(array.size());
+  randomise(source, random);
+  copy(array, source);
+  synchronize();
+}
+
+/// Objects in the array's own form, and their model.
+template <class Array>
+struct Random {
+  Array array;
+  Model model;
+
+  Random(index_t n, std::mt19937& random) : array(n) {
+    randomise_objects(array, random);
+    model = objects_of(array);
+  }
+};
+
+inline Model picked(const Model& objects, const std::vector<index_t>& numbers) {
+  Model result;
+  for (const index_t i : numbers) result.push_back(objects[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+inline std::vector<index_t> random_order(index_t n, std::mt19937& random) {
+  std::vector<index_t> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), index_t{0});
+  std::shuffle(order.begin(), order.end(), random);
+  return order;
+}
+
+/// About half of the numbers, in random order.
+inline std::vector<index_t> random_part(index_t n, std::mt19937& random) {
+  std::vector<index_t> part = random_order(n, random);
+  part.resize(part.size() / 2);
+  return part;
+}
+
+/// Whether the memory behind the last object is zero, as in a new array, and the objects stand where getdata() in the
+/// array's own space finds them.
+template <class Object, class Real, class Space, class Layout, class Formats>
+void expect_sound(const Array<Object, Real, Space, Layout, Formats>& array, const Model& model) {
+  ASSERT_EQ(array.size(), static_cast<index_t>(model.size()));
+  ASSERT_EQ(objects_of(array), model) << Object::name << " n = " << array.size() << " layout " << Layout::name;
+  const index_t n = array.size();
+  for (const index_t i : {index_t{0}, n / 2, n - 1}) {
+    if (n == 0) break;
+    for (const int k : {0, array.elements - 1}) {
+      ASSERT_EQ(array.getdata(i, k), model[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)]);
+    }
+  }
+  if constexpr (host_accessible(Space::kind)) {
+    const Storage storage = array.storage();
+    for (index_t i = n; i < storage.padded; ++i) {
+      for (const FieldInfo& field : storage.fields) {
+        const int size = element_bytes(field.type);
+        for (int k = 0; k < field.count; ++k) {
+          const index_t at = address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+          for (int byte = 0; byte < size; ++byte) ASSERT_EQ(storage.base[at + byte], std::byte{0});
+        }
+      }
+    }
+  }
+}
+
+template <class Object, class Real, class Space, class Layout, class Formats>
+void check_changes(index_t n, std::mt19937& random) {
+  using Tested = Array<Object, Real, Space, Layout>;
+  Random<Tested> tested(n, random);
+  Tested& array = tested.array;
+  Model& model = tested.model;
+
+  const std::vector<index_t> order = random_order(n, random);
+  permute(array, order);
+  model = picked(model, order);
+  expect_sound(array, model);
+
+  const std::vector<index_t> erased = random_part(n, random);
+  const std::vector<index_t> kept = remaining(n, erased);
+  Tested compacted = array;
+  erase(array, erased);
+  compact(compacted, kept);
+  model = picked(model, kept);
+  expect_sound(array, model);
+  expect_sound(compacted, model);
+
+  append(array, 37);
+  const Model added = objects_of(Array<Object, Real, Host, Aos>(37));
+  model.insert(model.end(), added.begin(), added.end());
+  expect_sound(array, model);
+
+  Random<Tested> same(n, random);
+  append(array, same.array);
+  model.insert(model.end(), same.model.begin(), same.model.end());
+  expect_sound(array, model);
+
+  Random<Array<Object, Real, Host, Soa>> other(n, random);
+  append(array, other.array);
+  model.insert(model.end(), other.model.begin(), other.model.end());
+  expect_sound(array, model);
+
+  append(array, array);
+  model.reserve(2 * model.size());
+  model.insert(model.end(), model.begin(), model.end());
+  expect_sound(array, model);
+}
+
+template <class Real, class Space, class Layout>
+void check_changes_of_all_object_types() {
+  std::mt19937 random(seed());
+  for (const index_t n : {0, 1, 31, 32, 33, 1000, 5000}) {
+    check_changes<elasticity::NodePositionObject, Real, Space, Layout>(n, random);
+    check_changes<elasticity::TetObject, Real, Space, Layout>(n, random);
+  }
+  for (const index_t n : {0, 1, 31, 32, 33, 500}) {
+    check_changes<elasticity::DeformationSvdObject, Real, Space, Layout>(n, random);
+    check_changes<tissue::model::ShapesObject, Real, Space, Layout>(n, random);   // of 4 and 8 bytes
+    check_changes<tissue::model::OptionsObject, Real, Space, Layout>(n, random);  // with initial values
+    check_changes<tissue::other::PatchObject, Real, Space, Layout>(n, random);    // nested
+  }
+}
+
+/// What is appended in another precision is converted.
+template <class Space, class Layout>
+void check_append_of_another_precision() {
+  std::mt19937 random(seed());
+  using Object = elasticity::RestShapeObject;
+  Random<Array<Object, float, Space, Layout>> tested(45, random);
+  Random<Array<Object, double, Host, Aosoa<8>>> other(77, random);  // whose values are floats, see randomise()
+  append(tested.array, other.array);
+  tested.model.insert(tested.model.end(), other.model.begin(), other.model.end());
+  expect_sound(tested.array, tested.model);
+}
+
+/// Three arrays over the same elements, in layouts of their own; the last is the one under test.
+template <class Space, class Layout>
+struct ElementSet {
+  Random<elasticity::TetArray<float, Host, Aos>> tets;
+  Random<elasticity::RestShapeArray<double, Space, Soa>> shapes;
+  Random<elasticity::StressDerivativeArray<float, Space, Layout>> derivatives;
+
+  ElementSet(index_t n, std::mt19937& random) : tets(n, random), shapes(n, random), derivatives(n, random) {}
+
+  [[nodiscard]] auto arrays() { return ArraySet(tets.array, shapes.array, derivatives.array); }
+  void expect_sound() const {
+    test::expect_sound(tets.array, tets.model);
+    test::expect_sound(shapes.array, shapes.model);
+    test::expect_sound(derivatives.array, derivatives.model);
+  }
+  void pick(const std::vector<index_t>& numbers) {
+    tets.model = picked(tets.model, numbers);
+    shapes.model = picked(shapes.model, numbers);
+    derivatives.model = picked(derivatives.model, numbers);
+  }
+};
+
+template <class Space, class Layout>
+void check_set() {
+  std::mt19937 random(seed());
+  for (const index_t n : {0, 1, 33, 5000}) {
+    ElementSet<Space, Layout> set(n, random);
+    auto arrays = set.arrays();
+    const std::vector<index_t> order = random_order(n, random);
+    arrays.permute(order);
+    set.pick(order);
+    set.expect_sound();
+
+    const std::vector<index_t> erased = random_part(n, random);
+    arrays.erase(erased);
+    set.pick(remaining(n, erased));
+    set.expect_sound();
+
+    ElementSet<Space, Aos> other(19, random);
+    arrays.append(other.tets.array, other.shapes.array, other.derivatives.array);
+    arrays.append(4);
+    EXPECT_EQ(arrays.size(), n - n / 2 + 23);
+    const auto extend = [](Model& model, const Model& added) {
+      model.insert(model.end(), added.begin(), added.end());
+      model.resize(model.size() + 4, std::vector<double>(added.front().size(), 0));
+    };
+    extend(set.tets.model, other.tets.model);
+    extend(set.shapes.model, other.shapes.model);
+    extend(set.derivatives.model, other.derivatives.model);
+    set.expect_sound();
+  }
+}
+
+/// Every failure of a set leaves all its arrays as they were, be it that only the last could not be built.
+template <class Space, class Layout>
+void check_failures_of_a_set_change_nothing() {
+  std::mt19937 random(seed());
+  ElementSet<Space, Layout> set(100, random);
+  auto arrays = set.arrays();
+  const std::vector<index_t> too_short(99, 0);
+  const std::vector<index_t> not_there = {3, 100};
+  ElementSet<Space, Aos> other(5, random);
+  const auto fewer = elasticity::RestShapeArray<double, Space, Soa>(4);
+  EXPECT_NE(message_of([&] { arrays.permute(too_short); }).find("an order of 99 numbers cannot permute 100 objects"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { arrays.compact(not_there); }).find("elasticity::RestShape[100]"), std::string::npos);
+  EXPECT_NE(message_of([&] { arrays.erase(not_there); }).find("number 100 at position 1"), std::string::npos);
+  EXPECT_NE(message_of([&] { arrays.append(other.tets.array, fewer, other.derivatives.array); }).find("same size"),
+            std::string::npos);
+  for (const index_t count : {index_t{1} << 40, index_t{1} << 60}) EXPECT_THROW(arrays.append(count), Error) << count;
+  set.expect_sound();
+}
+
+/// An object that no machine can hold many of.
+struct EnormousObject {
+  static constexpr std::string_view name = "test::Enormous";
+  template <class Real>
+  using Value = Real;
+  template <class Real, class Formats, class Cursor>
+  using Ref = Cursor;  // no accessor is used
+  template <class Real, class Formats>
+  struct Record {
+    static constexpr int bytes = 1 << 20;
+    static constexpr int alignment = sizeof(double);
+  };
+  template <class Real, class Formats>
+  static constexpr std::array<FieldInfo, 1> fields = {
+      {field_info<shape::Scalar, format::Native, Real>("value", "", 4096, 1, 0)}};
+  template <class Space>
+  struct Formats {};
+};
+
+/// Memory lasts for the first new array of the set and not for the second.
+template <class Space, class Layout>
+void check_memory_that_runs_out_half_way() {
+  std::mt19937 random(seed());
+  Random<elasticity::IncidenceArray<float, Space, Layout>> small(3, random);
+  Random<Array<EnormousObject, float, Space, Layout>> enormous(3, random);
+  const index_t count = index_t{1} << 23;
+  const elasticity::IncidenceArray<float, Space, Layout> memory_lasts(count);
+  const std::string message = message_of([&] { ArraySet(small.array, enormous.array).append(count); });
+  EXPECT_NE(message.find("test::Enormous[8388611]: cannot allocate"), std::string::npos) << message;
+  expect_sound(small.array, small.model);
+  expect_sound(enormous.array, enormous.model);
+}
+
+/// What a list of numbers may not be, and what the message says.
+template <class Space, class Layout>
+void check_refused_lists() {
+  std::mt19937 random(seed());
+  Random<elasticity::NodePositionArray<float, Space, Layout>> tested(5, random);
+  auto& array = tested.array;
+  using List = std::vector<index_t>;
+  const auto expect = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  const auto permuting = [&](const List& order) { return message_of([&] { permute(array, order); }); };
+  const auto compacting = [&](const List& kept) { return message_of([&] { compact(array, kept); }); };
+  const auto erasing = [&](const List& erased) { return message_of([&] { erase(array, erased); }); };
+  expect(permuting({0, 1, 2}), "elasticity::NodePosition[5] in " + std::string(name(Space::kind)) +
+                                   " memory: an order of 3 numbers cannot permute 5 objects; write each object once");
+  expect(permuting({0, 1, 5, -1, 4}), "number 5 at position 2 of the list: there is no such object; write 0 to 4");
+  expect(permuting({0, 1, -1, 3, 4}), "number -1 at position 2");
+  expect(permuting({4, 3, 2, 3, 4}), "number 3 at position 3 of the list: it stands at position 1 already");
+  expect(compacting({0, 2, 1}), "number 1 at position 2 of the list: it follows 2; sort the list");
+  expect(compacting({0, 2, 2}), "number 2 at position 2 of the list: it follows 2");
+  expect(compacting({0, 2, 7}), "number 7 at position 2 of the list: there is no such object; write 0 to 4");
+  expect(erasing({4, 0, 4}), "number 4 at position 2 of the list: it stands at position 0 already");
+  expect(erasing({4, -3}), "number -3 at position 1 of the list: there is no such object");
+  expect(message_of([&] { append(array, -1); }), "cannot append -1 objects");
+  expect(message_of([&] { append(array, std::numeric_limits<index_t>::max()); }), "cannot append 9223372036854775807");
+  expect(message_of([&] { append(array, index_t{1} << 60); }), "cannot exist");
+  expect_sound(array, tested.model);
+}
+
+/// Tets over nodes: after a change of the nodes, renumbered tets have the same nodes as before.
+template <class Space, class Layout>
+void check_renumber() {
+  std::mt19937 random(seed());
+  for (const index_t n : {0, 1, 31, 32, 33, 1000, 5000}) {
+    const index_t nodes = 2 * n + 3;
+    elasticity::TetArray<double, Host, Aos> plain(n);
+    std::uniform_int_distribution<int> node(0, static_cast<int>(nodes) - 1);
+    for (index_t i = 0; i < n; ++i) {
+      for (int k = 0; k < 4; ++k) plain.putdata(i, k, node(random));
+    }
+    elasticity::TetArray<double, Space, Layout> tets(n);
+    copy(tets, plain);
+    Model model = objects_of(tets);
+
+    const std::vector<index_t> order = random_order(nodes, random);
+    renumber(tets, "nodes", inverse(order));
+    for (auto& tet : model) {
+      for (double& v : tet) v = static_cast<double>(std::find(order.begin(), order.end(), v) - order.begin());
+    }
+    expect_sound(tets, model);
+
+    // Nodes that no tet has go.
+    std::vector<bool> used(static_cast<std::size_t>(nodes), false);
+    for (const auto& tet : model) {
+      for (const double v : tet) used[static_cast<std::size_t>(v)] = true;
+    }
+    std::vector<index_t> kept;
+    for (index_t v = 0; v < nodes; ++v) {
+      if (used[static_cast<std::size_t>(v)]) kept.push_back(v);
+    }
+    renumber(tets, "nodes", new_numbers(kept, nodes));
+    for (auto& tet : model) {
+      for (double& v : tet) v = static_cast<double>(std::lower_bound(kept.begin(), kept.end(), v) - kept.begin());
+    }
+    expect_sound(tets, model);
+  }
+}
+
+/// A field among others of other sizes is renumbered; its neighbours stay.
+template <class Space, class Layout>
+void check_renumber_of_one_field_among_many() {
+  std::mt19937 random(seed());
+  const index_t n = 100;
+  using Object = tissue::model::ShapesObject;
+  Array<Object, float, Host, Aos> plain(n);
+  randomise(plain, random);
+  constexpr int first = 4;  // of nodes: behind a and v
+  for (index_t i = 0; i < n; ++i) {
+    for (int k = 0; k < 4; ++k) plain.putdata(i, first + k, static_cast<double>((i + k) % n));
+  }
+  Array<Object, float, Space, Layout> array(n);
+  copy(array, plain);
+  Model model = objects_of(array);
+  const std::vector<index_t> numbers = random_order(n, random);
+  renumber(array, "nodes", numbers);
+  for (auto& object : model) {
+    for (std::size_t k = first; k < first + 4; ++k) {
+      object[k] = static_cast<double>(numbers[static_cast<std::size_t>(object[k])]);
+    }
+  }
+  expect_sound(array, model);
+}
+
+template <class Space, class Layout>
+void check_refused_renumbering() {
+  elasticity::TetArray<float, Space, Layout> tets(5000);
+  tets.putdata(4711, 2, 7);
+  tets.putdata(4712, 0, 8);
+  const Model model = objects_of(tets);
+  std::vector<index_t> numbers(9, 3);
+  const auto expect = [&](std::string_view field, const std::string& part) {
+    const std::string message = message_of([&] { renumber(tets, field, numbers); });
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    expect_sound(tets, model);
+  };
+  expect("corners", "there is no field of indices \"corners\"; there are: nodes");
+  numbers[7] = -1;
+  expect("nodes", "object 4711 has the index 7 as element 2 of 4: that object is gone");
+  numbers[7] = index_t{1} << 31;
+  expect("nodes",
+         "object 4711 has the index 7 as element 2 of 4: its new number 2147483648 is more than an index can hold");
+  numbers.resize(7);
+  expect("nodes", "object 4711 has the index 7 as element 2 of 4: there are new numbers for 7 objects only");
+  tets.putdata(17, 3, -1);
+  EXPECT_NE(message_of([&] { renumber(tets, "nodes", numbers); }).find("object 17 has the index -1 as element 3 of 4"),
+            std::string::npos);
+  elasticity::NodePositionArray<float, Space, Layout> nodes(3);
+  EXPECT_NE(message_of([&] { renumber(nodes, "x", numbers); }).find("the object has none"), std::string::npos);
+}
+
+}  // namespace physgen::test

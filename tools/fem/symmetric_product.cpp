@@ -1,0 +1,50 @@
+// The lists that the symmetric product goes by.
+#include <fem/symmetric_product.h>
+#include <physgen/error.h>
+#include <physgen/storage.h>
+
+#include <string>
+#include <vector>
+
+namespace physgen::fem {
+
+EdgeSums::EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes)
+    : nodes_(mesh.nodes), edges_(static_cast<index_t>(mesh.edges.size())), space_(space), real_bytes_(real_bytes) {
+  const auto nodes = static_cast<std::size_t>(nodes_);
+  std::vector<Index> lists(2 * (nodes + 1) + mesh.edges.size(), 0);
+  Index* first = lists.data();
+  Index* begin = first + nodes + 1;
+  Index* place = begin + nodes + 1;
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    if (e > 0 && mesh.edges[e - 1] >= mesh.edges[e]) {
+      throw Error("edge " + std::to_string(e) + " of the mesh is not above the one before it; edges (m, n) must be " +
+                  "ascending, as make_tet_mesh() makes them");
+    }
+    ++first[mesh.edges[e][0] + 1];
+    ++begin[mesh.edges[e][1] + 1];
+  }
+  for (std::size_t n = 0; n < nodes; ++n) {
+    first[n + 1] += first[n];
+    begin[n + 1] += begin[n];
+  }
+  std::vector<Index> next(begin, begin + nodes);
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    place[e] = next[static_cast<std::size_t>(mesh.edges[e][1])]++;
+  }
+  const auto bytes = static_cast<index_t>(lists.size() * sizeof(Index));
+  indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
+  copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(lists.data()), SpaceKind::host, bytes);
+  contributions_ = Buffer(space, 4 * edges_ * real_bytes, "contributions of " + std::to_string(edges_) + " edges");
+}
+
+void EdgeSums::require(index_t nodes, index_t edges, SpaceKind space, int real_bytes) const {
+  if (nodes == nodes_ && edges == edges_ && space == space_ && real_bytes == real_bytes_) return;
+  const auto describe = [](index_t n, index_t e, SpaceKind s, int bytes) {
+    return std::to_string(n) + " nodes and " + std::to_string(e) + " edges in " + name(s) + " memory, numbers of " +
+           std::to_string(bytes) + " bytes";
+  };
+  throw Error("a product over " + describe(nodes, edges, space, real_bytes) + " was given sums made for " +
+              describe(nodes_, edges_, space_, real_bytes_) + "; make an EdgeSums for it");
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,125 @@
+// df = K dx of the assembled stiffness from its symmetric half alone: the diagonal blocks K_v of the nodes and one
+// block E of each edge (m, n), which serves df(m) += E dx(n) and df(n) += E^T dx(m). Every block is read once, in the
+// order in which it lies: about half the bytes of a general sparse product.
+#pragma once
+
+#include <elasticity.physgen.h>
+#include <fem/mesh.h>
+#include <fem/scalar.h>
+#include <physgen/buffer.h>
+#include <physgen/pack.h>
+#include <physgen/space.h>
+
+namespace physgen::fem {
+
+/// How sums over edges are formed where edges in different places meet at a node.
+enum class SumOrder {
+  any,    ///< the fastest: on CUDA vector atomics, whose order differs from run to run
+  fixed,  ///< the same bits on every run: contributions are stored, then added in the order of the edges
+};
+
+/// What the product must know of a mesh beside its blocks, and room for contributions: one product at a time. Made once
+/// per topology.
+class EdgeSums {
+ public:
+  /// @param mesh its edges (m, n) are ascending, as make_tet_mesh() makes them
+  /// @param space where the product will run
+  /// @param real_bytes of one scalar: sizeof(float) or sizeof(double)
+  /// @throw Error when edges are not ascending or the memory cannot be had
+  EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes);
+
+  /// @throw Error when a product of these sizes, in this space and precision, was not what this was made for
+  void require(index_t nodes, index_t edges, SpaceKind space, int real_bytes) const;
+
+  [[nodiscard]] index_t nodes() const { return nodes_; }
+  [[nodiscard]] index_t edges() const { return edges_; }
+  /// Per node: the first of its edges as m (and one past the last node).
+  [[nodiscard]] const Index* first() const { return indices(0); }
+  /// Per node: where the contributions of its edges as n begin (and one past the last node).
+  [[nodiscard]] const Index* contributions_begin() const { return indices(nodes_ + 1); }
+  /// Per edge: the place of its contribution to n.
+  [[nodiscard]] const Index* place() const { return indices(2 * (nodes_ + 1)); }
+  /// Room for the contributions of all edges: 4 scalars each.
+  template <class Real>
+  [[nodiscard]] Real* contributions() const {
+    return reinterpret_cast<Real*>(contributions_.data());
+  }
+
+ private:
+  [[nodiscard]] const Index* indices(index_t from) const {
+    return reinterpret_cast<const Index*>(indices_.data()) + from;
+  }
+
+  index_t nodes_ = 0, edges_ = 0;
+  SpaceKind space_ = SpaceKind::host;
+  int real_bytes_ = 0;
+  Buffer indices_, contributions_;
+};
+
+/// The arrays of a product in one space; views of any layout and format.
+/// @tparam DifferentialView for SumOrder::any on CUDA: AosPadded, so that the three sums of a node are one atomic
+template <class NodeStiffnessView, class EdgeStiffnessView, class EdgeView, class DisplacementView,
+          class DifferentialView>
+struct SymmetricProduct {
+  using Scalar = typename DifferentialView::Precision;
+  NodeStiffnessView node_stiffness;  ///< elasticity::NodeStiffness
+  EdgeStiffnessView edge_stiffness;  ///< elasticity::EdgeStiffness
+  EdgeView edges;                    ///< elasticity::Edge, ascending
+  DisplacementView displacements;    ///< elasticity::NodeDisplacement
+  DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
+};
+template <class... Views>
+SymmetricProduct(Views...) -> SymmetricProduct<Views...>;
+
+namespace detail {
+
+/// The two contributions of an edge, or of a pack of edges.
+template <class S>
+struct EdgeContributions {
+  Vector3<S> to_m, to_n;
+};
+
+template <class Product, class I>
+[[gnu::always_inline]] PHYSGEN_FUNCTION inline auto edge_contributions(const Product& product, I i) {
+  using Scalar = typename Product::Scalar;
+  using S = lanes_t<Scalar, I>;
+  const auto ends = product.edges[i].nodes();
+  const lanes_t<std::int32_t, I> m = ends[0], n = ends[1];
+  const Matrix3<S> E = product.edge_stiffness[i].E();
+  const Vector3<S> dx_m = product.displacements[m].dx(), dx_n = product.displacements[n].dx();
+  const Vector3<S> zero = Vector3<S>::Constant(S(Scalar(0)));
+  return EdgeContributions<S>{multiply_add<S>(E, dx_n, zero), transpose_multiply_add<S>(E, dx_m, zero)};
+}
+
+/// K_v dx(v)
+template <class Product>
+PHYSGEN_FUNCTION inline Vector3<typename Product::Scalar> node_contribution(const Product& product, index_t node) {
+  using S = typename Product::Scalar;
+  const Matrix3<S> K = product.node_stiffness[node].K();
+  const Vector3<S> dx = product.displacements[node].dx();
+  return multiply_add<S>(K, dx, Vector3<S>::Zero());
+}
+
+/// df(v), which holds the sum over the edges of v as m, plus its contributions as n, in their order.
+template <class Product>
+PHYSGEN_FUNCTION inline void add_contributions(const Product& product, index_t node, const Index* begin,
+                                               const typename Product::Scalar* contributions) {
+  using S = typename Product::Scalar;
+  Vector3<S> sum = product.differentials[node].df();
+  const Index last = begin[node + 1];
+  for (Index k = begin[node]; k < last; ++k) {
+#ifdef __CUDA_ARCH__
+    if constexpr (sizeof(S) == 4) {
+      const float4 from = *reinterpret_cast<const float4*>(contributions + index_t{4} * k);
+      sum += Vector3<S>(from.x, from.y, from.z);
+      continue;
+    }
+#endif
+    const S* from = contributions + index_t{4} * k;
+    sum += Vector3<S>(from[0], from[1], from[2]);
+  }
+  product.differentials[node].df() = sum;
+}
+
+}  // namespace detail
+}  // namespace physgen::fem

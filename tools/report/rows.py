@@ -1,0 +1,176 @@
+"""Reads and checks the JSON files that physbench writes, and finds rows in them."""
+import json
+import math
+import os
+import re
+from dataclasses import dataclass, replace
+
+EPS = {"float": 2.0**-23, "double": 2.0**-52}  # what err_eps_* are in
+
+
+class ResultsError(Exception):
+    """A file that is missing, or not what physbench writes."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One measured row, `kernel/layout/storage/space/objects[/set]`, and the machine that it was measured on."""
+
+    kernel: str
+    layout: str
+    storage: str
+    space: str
+    objects: int
+    set: str
+    machine: str
+    counters: dict
+    peers: int = 0  # rows of the same kernel, set and object count on the machine
+
+    @property
+    def name(self):
+        return "/".join(filter(None, (self.kernel, self.layout, self.storage, self.space, str(self.objects), self.set)))
+
+    def counter(self, name):
+        """The counter of that name; None where there is none or it is not finite."""
+        value = self.counters.get(name)
+        number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+        return float(value) if number else None
+
+    @property
+    def ms(self):
+        """Median time over all objects [ms]."""
+        return self.counter("median_ms")
+
+    @property
+    def copy_fraction(self):
+        """Time of a copy of the same bytes over the row's time, or None; 1 is as fast as the copy."""
+        return self.counter("copy_fraction") or None
+
+    @property
+    def ns_per_object(self):
+        return self.ms * 1e6 / self.objects
+
+    def error(self, which):
+        """Relative error at a percentile, `p50`, `p99`, `p9999` or `max`; None where it was not measured."""
+        relative, in_eps = self.counter("err_" + which), self.counter("err_eps_" + which)
+        if relative is None and in_eps is not None and self.storage in EPS:
+            relative = in_eps * EPS[self.storage]
+        return relative
+
+
+@dataclass(frozen=True)
+class ResultFile:
+    """One run of physbench: its context (machine, versions, command), its rows, and the rows that failed."""
+
+    name: str
+    context: dict
+    rows: list
+    failures: list  # (name, message)
+
+
+@dataclass(frozen=True)
+class Results:
+    files: list
+    rows: list
+    replaced: int  # rows that a later file has again
+
+
+def load(paths):
+    """Reads files. Of rows that several files have from one machine, the last file's count.
+
+    @throws ResultsError that names the file and what is wrong with it"""
+    files = [_read(path) for path in paths]
+    unique = {(row.machine, row.name): row for file in files for row in file.rows}
+    peers = {key: len(same) for key, same in grouped(unique.values(), "machine", "kernel", "set", "objects")}
+    rows = [replace(row, peers=peers[row.machine, row.kernel, row.set, row.objects]) for row in unique.values()]
+    return Results(files, rows, sum(len(file.rows) for file in files) - len(rows))
+
+
+def _read(path):
+    try:
+        with open(path, encoding="utf-8") as stream:
+            content = json.load(stream)
+    except OSError as error:
+        raise ResultsError(f"{path}: {error.strerror or error}") from None
+    except (ValueError, RecursionError) as error:
+        raise ResultsError(f"{path}: not JSON: {error}") from None
+    context = content.get("context") if isinstance(content, dict) else None
+    if not isinstance(context, dict) or "physgen" not in context or not isinstance(content.get("benchmarks"), list):
+        raise ResultsError(f"{path}: JSON, but not of physbench --json (no context with 'physgen', or no benchmarks)")
+    rows, failures = {}, []
+    for entry in content["benchmarks"]:
+        if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
+            raise ResultsError(f"{path}: a benchmark has no name")
+        if entry.get("run_type") == "aggregate":
+            continue  # means and deviations of repetitions: the repetitions themselves are there, too
+        row = _row(path, entry, context)
+        if entry.get("error_occurred"):
+            failures.append((row.name, str(entry.get("error_message", "no message"))))
+        elif row.ms is None or row.ms <= 0:
+            raise ResultsError(f"{path}: {row.name}: the counter median_ms is not a positive number")
+        else:
+            rows.setdefault(row.name, []).append(row)
+    if not rows and not failures:
+        raise ResultsError(f"{path}: no rows")
+    middle = [sorted(same, key=lambda row: row.ms)[(len(same) - 1) // 2] for same in rows.values()]
+    return ResultFile(os.path.basename(path), context, middle, failures)
+
+
+def _row(path, entry, context):
+    name = re.sub(r"/(manual_time|real_time|repeats:\d+)", "", entry["name"])
+    parts = name.split("/")
+    if len(parts) < 5 or not parts[4].isdigit() or int(parts[4]) == 0:
+        raise ResultsError(f"{path}: '{name}' is not kernel/layout/storage/space/objects[/set]")
+    kernel, layout, storage, space, objects = parts[:5]
+    return Row(kernel, layout, storage, space, int(objects), "/".join(parts[5:]), _machine(space, context), entry)
+
+
+def _machine(space, context):
+    """What ran a row: the GPU, or the CPU and how many of its threads."""
+    if space == "cuda":
+        return str(context.get("gpu", "GPU")).split(",")[0]
+    cpu = re.sub(r"\((R|TM|tm)\)", "", str(context.get("cpu", "CPU")))
+    threads = re.match(r"\d+", str(context.get("threads", "")))
+    return " ".join(cpu.split()) + (f", {threads[0]} thread{'s' * (threads[0] != '1')}" if threads else "")
+
+
+# ---- Finding rows ----------------------------------------------------------------------------------------------------
+def where(rows, **wanted):
+    """Rows whose attributes equal, or are among, the wanted: where(rows, kernel="svd", storage={"float", "double"})."""
+
+    def fits(row):
+        return all(
+            (
+                getattr(row, key) in value
+                if isinstance(value, (set, frozenset, list, tuple, dict))
+                else getattr(row, key) == value
+            )
+            for key, value in wanted.items()
+        )
+
+    return [row for row in rows if fits(row)]
+
+
+def grouped(rows, *attributes):
+    """(key, rows) for each value of the attributes, a tuple where there are several, in order of appearance."""
+    found = {}
+    for row in rows:
+        key = tuple(getattr(row, name) for name in attributes)
+        found.setdefault(key if len(key) > 1 else key[0], []).append(row)
+    return list(found.items())
+
+
+def by_machine(rows):
+    """(machine, rows), GPUs first."""
+    return sorted(grouped(rows, "machine"), key=lambda item: item[1][0].space != "cuda")
+
+
+def usual_size(rows):
+    """Of rows of one kernel, those of the object count that was measured most widely; of equal ones, of the largest."""
+    sizes = grouped(rows, "objects")
+    return max(sizes, key=lambda item: (item[1][0].peers, item[0]))[1] if sizes else []
+
+
+def aos(rows, storage="float"):
+    """The row over arrays of structs, the origin of speed-ups; of the CPU's two ways the faster. None if there is none."""
+    return min(where(rows, layout={"aos", "aos_scalar"}, storage=storage, set=""), key=lambda row: row.ms, default=None)
