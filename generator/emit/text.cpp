@@ -13,7 +13,7 @@ namespace {
 // To two digits, for people.
 std::string rounded(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
+  std::snprintf(text, sizeof text, "%.2g", value);
   return text;
 }
 

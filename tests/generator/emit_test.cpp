@@ -98,10 +98,10 @@ TEST(Emitter, uses_the_declared_layouts_or_the_runtimes_default) {
   const std::string text = accessor_header(schema({padded, object("B", {scalar("x")})}));
   expect_contains(text,
                   "physgen::PerSpace<Space, physgen::AosPadded, physgen::Aosoa<64>>,\n          "
-                  "class Formats = AFormats<Space>>\nusing AArray");
+                  "class Formats = physgen::FormatsOf<AObject, Space>>\nusing AArray");
   expect_contains(text,
                   "physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,\n          "
-                  "class Formats = BFormats<Space>>\nusing BArray");
+                  "class Formats = physgen::FormatsOf<BObject, Space>>\nusing BArray");
 }
 
 TEST(Emitter, includes_the_headers_of_imported_objects_once) {

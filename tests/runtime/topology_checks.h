@@ -96,7 +96,7 @@ void expect_sound(const Array<Object, Real, Space, Layout, Formats>& array, cons
   }
 }
 
-template <class Object, class Real, class Space, class Layout, class Formats>
+template <class Object, class Real, class Space, class Layout>
 void check_changes(index_t n, std::mt19937& random) {
   using Tested = Array<Object, Real, Space, Layout>;
   Random<Tested> tested(n, random);

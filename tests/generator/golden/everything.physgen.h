@@ -1680,9 +1680,9 @@ struct Frame {
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
   Eigen::Matrix<Real, 3, 3> turn;
-  /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Eigen::Matrix<Real, 3, 1> origin;
-  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.63e-06.
+  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.6e-06.
   Real weight = physgen::all_lanes<Real>(0.25);
 };
 
@@ -1726,11 +1726,11 @@ class FrameRef {
   PHYSGEN_FUNCTION decltype(auto) turn() const {
     return at_.template field<physgen::shape::Rotation, typename Formats::turn, Real>(Record::turn);
   }
-  /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   PHYSGEN_FUNCTION decltype(auto) origin() const {
     return at_.template field<physgen::shape::Vector<3>, typename Formats::origin, Real>(Record::origin);
   }
-  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.63e-06.
+  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.6e-06.
   PHYSGEN_FUNCTION decltype(auto) weight() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::weight, Real>(Record::weight);
   }
@@ -1801,25 +1801,25 @@ struct Stored {
   Real twice;
   /// Stored as float, relative error up to 6e-8.
   physgen::same_lanes_t<Real, double> narrowed;
-  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Real plain_half;
   /// External force. [N] Range [0, 1e+06]; initially 1000. Stored as half, relative error up to 4.9e-4 for sizes from
-  /// 0.00195 to 2.1e+06.
+  /// 0.002 to 2.1e+06.
   Real load = physgen::all_lanes<Real>(1000);
   /// Stored as bfloat16, relative error up to 3.9e-3.
   Real wide;
-  /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 4.96e-05.
+  /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 5e-05.
   Real angle = physgen::all_lanes<Real>(0.5);
-  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.000763.
+  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00076.
   Real temperature = physgen::all_lanes<Real>(310);
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
-  /// sizes from 0.0313 to 3.35e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
+  /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
   Eigen::Matrix<Real, 3, 3> stress;
-  /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Eigen::Matrix<Real, 3, 3> F;
-  /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Eigen::Matrix<Real, 3, 1> stretch;
-  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.000122.
+  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00012.
   Eigen::Matrix<Real, 3, 3> spin;
   /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
   Eigen::Matrix<Real, 3, 3> R;
@@ -1833,10 +1833,10 @@ struct Stored {
   Eigen::Matrix<Real, 3, 3> Rbfloat;
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
   Eigen::Matrix<Real, 3, 3> R16;
-  /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04; on
-  /// CUDA as 16-bit steps over [-1, 1], error up to 1.53e-05.
+  /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
+  /// CUDA as 16-bit steps over [-1, 1], error up to 1.5e-05.
   Eigen::Matrix<Real, 3, 3> entries;
-  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Real halves[5];
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
   Eigen::Matrix<Real, 3, 3> turns[3];
@@ -1959,12 +1959,12 @@ class StoredRef {
   PHYSGEN_FUNCTION decltype(auto) narrowed() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::narrowed, double>(Record::narrowed);
   }
-  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   PHYSGEN_FUNCTION decltype(auto) plain_half() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::plain_half, Real>(Record::plain_half);
   }
   /// External force. [N] Range [0, 1e+06]; initially 1000. Stored as half, relative error up to 4.9e-4 for sizes from
-  /// 0.00195 to 2.1e+06.
+  /// 0.002 to 2.1e+06.
   PHYSGEN_FUNCTION decltype(auto) load() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::load, Real>(Record::load);
   }
@@ -1972,28 +1972,28 @@ class StoredRef {
   PHYSGEN_FUNCTION decltype(auto) wide() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::wide, Real>(Record::wide);
   }
-  /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 4.96e-05.
+  /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 5e-05.
   PHYSGEN_FUNCTION decltype(auto) angle() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::angle, Real>(Record::angle);
   }
-  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.000763.
+  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00076.
   PHYSGEN_FUNCTION decltype(auto) temperature() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::temperature, Real>(Record::temperature);
   }
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
-  /// sizes from 0.0313 to 3.35e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
+  /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
   PHYSGEN_FUNCTION decltype(auto) stress() const {
     return at_.template field<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(Record::stress);
   }
-  /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   PHYSGEN_FUNCTION decltype(auto) F() const {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);
   }
-  /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   PHYSGEN_FUNCTION decltype(auto) stretch() const {
     return at_.template field<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(Record::stretch);
   }
-  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.000122.
+  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00012.
   PHYSGEN_FUNCTION decltype(auto) spin() const {
     return at_.template field<physgen::shape::Skew<3>, typename Formats::spin, Real>(Record::spin);
   }
@@ -2021,12 +2021,12 @@ class StoredRef {
   PHYSGEN_FUNCTION decltype(auto) R16() const {
     return at_.template field<physgen::shape::Rotation, typename Formats::R16, Real>(Record::R16);
   }
-  /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04; on
-  /// CUDA as 16-bit steps over [-1, 1], error up to 1.53e-05.
+  /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
+  /// CUDA as 16-bit steps over [-1, 1], error up to 1.5e-05.
   PHYSGEN_FUNCTION decltype(auto) entries() const {
     return at_.template field<physgen::shape::Rotation, typename Formats::entries, Real>(Record::entries);
   }
-  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.55e+04.
+  /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) halves(int entry) const {
     return at_.template field<physgen::shape::Scalar, typename Formats::halves, Real>(
