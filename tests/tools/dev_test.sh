@@ -41,7 +41,7 @@ not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
 # A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
 every_package() {
   printf '%s\n' cmake ninja-build make g++ libeigen3-dev libxsimd-dev libgtest-dev:amd64 libbenchmark-dev:amd64 \
-    nlohmann-json3-dev libcli11-dev libclang-22-dev llvm-22-dev clang-22
+    nlohmann-json3-dev libcli11-dev libboost-dev python3-matplotlib libclang-22-dev llvm-22-dev clang-22
 }
 export apt_has='-22'
 every_package >"$work/installed"
