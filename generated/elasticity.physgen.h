@@ -78,7 +78,7 @@ struct DeformationGradientObject {
         "F", "1", DeformationGradientRecord<Real, Formats>::F, 1, 0),
   }};
   template <class Space>
-  using Formats = DeformationGradientFormats<Space>;
+  using Formats = DeformationGradientFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = DeformationGradientFormats<physgen::Host>>
@@ -167,7 +167,7 @@ struct DeformationGradientDifferentialObject {
         "dF", "1", DeformationGradientDifferentialRecord<Real, Formats>::dF, 1, 0),
   }};
   template <class Space>
-  using Formats = DeformationGradientDifferentialFormats<Space>;
+  using Formats = DeformationGradientDifferentialFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = DeformationGradientDifferentialFormats<physgen::Host>>
@@ -285,7 +285,7 @@ struct DeformationSvdObject {
         "s", "1", DeformationSvdRecord<Real, Formats>::s, 1, 0),
   }};
   template <class Space>
-  using Formats = DeformationSvdFormats<Space>;
+  using Formats = DeformationSvdFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = DeformationSvdFormats<physgen::Host>>
@@ -400,7 +400,7 @@ struct QuaternionSvdObject {
         "s", "1", QuaternionSvdRecord<Real, Formats>::s, 1, 0),
   }};
   template <class Space>
-  using Formats = QuaternionSvdFormats<Space>;
+  using Formats = QuaternionSvdFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = QuaternionSvdFormats<physgen::Host>>
@@ -487,7 +487,7 @@ struct PrincipalStretchesObject {
         "s", "1", PrincipalStretchesRecord<Real, Formats>::s, 1, 0),
   }};
   template <class Space>
-  using Formats = PrincipalStretchesFormats<Space>;
+  using Formats = PrincipalStretchesFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = PrincipalStretchesFormats<physgen::Host>>
@@ -574,7 +574,7 @@ struct ElementRotationObject {
         "R", "", ElementRotationRecord<Real, Formats>::R, 1, 0),
   }};
   template <class Space>
-  using Formats = ElementRotationFormats<Space>;
+  using Formats = ElementRotationFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = ElementRotationFormats<physgen::Host>>
@@ -807,7 +807,7 @@ struct StressDerivativeObject {
         "x3223", "Pa", StressDerivativeRecord<Real, Formats>::x3223, 1, 0),
   }};
   template <class Space>
-  using Formats = StressDerivativeFormats<Space>;
+  using Formats = StressDerivativeFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = StressDerivativeFormats<physgen::Host>>
@@ -894,7 +894,7 @@ struct StressObject {
         "P", "Pa", StressRecord<Real, Formats>::P, 1, 0),
   }};
   template <class Space>
-  using Formats = StressFormats<Space>;
+  using Formats = StressFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = StressFormats<physgen::Host>>
@@ -979,7 +979,7 @@ struct StressDifferentialObject {
         "dP", "Pa", StressDifferentialRecord<Real, Formats>::dP, 1, 0),
   }};
   template <class Space>
-  using Formats = StressDifferentialFormats<Space>;
+  using Formats = StressDifferentialFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = StressDifferentialFormats<physgen::Host>>
@@ -1081,7 +1081,7 @@ struct RestShapeObject {
         "volume", "m^3", RestShapeRecord<Real, Formats>::volume, 1, 0),
   }};
   template <class Space>
-  using Formats = RestShapeFormats<Space>;
+  using Formats = RestShapeFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = RestShapeFormats<physgen::Host>>
@@ -1166,7 +1166,7 @@ struct CornerForcesObject {
         "G", "N", CornerForcesRecord<Real, Formats>::G, 1, 0),
   }};
   template <class Space>
-  using Formats = CornerForcesFormats<Space>;
+  using Formats = CornerForcesFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = CornerForcesFormats<physgen::Host>>
@@ -1449,7 +1449,7 @@ struct ElementRecordObject {
         "dP", "Pa", ElementRecordRecord<Real, Formats>::dP, 1, 0),
   }};
   template <class Space>
-  using Formats = ElementRecordFormats<Space>;
+  using Formats = ElementRecordFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = ElementRecordFormats<physgen::Host>>
@@ -1535,7 +1535,7 @@ struct NodePositionObject {
         "x", "m", NodePositionRecord<Real, Formats>::x, 1, 0),
   }};
   template <class Space>
-  using Formats = NodePositionFormats<Space>;
+  using Formats = NodePositionFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = NodePositionFormats<physgen::Host>>
@@ -1620,7 +1620,7 @@ struct NodeForceObject {
         "f", "N", NodeForceRecord<Real, Formats>::f, 1, 0),
   }};
   template <class Space>
-  using Formats = NodeForceFormats<Space>;
+  using Formats = NodeForceFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = NodeForceFormats<physgen::Host>>
@@ -1705,7 +1705,7 @@ struct NodeDisplacementObject {
         "dx", "m", NodeDisplacementRecord<Real, Formats>::dx, 1, 0),
   }};
   template <class Space>
-  using Formats = NodeDisplacementFormats<Space>;
+  using Formats = NodeDisplacementFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = NodeDisplacementFormats<physgen::Host>>
@@ -1792,7 +1792,7 @@ struct NodeForceDifferentialObject {
         "df", "N", NodeForceDifferentialRecord<Real, Formats>::df, 1, 0),
   }};
   template <class Space>
-  using Formats = NodeForceDifferentialFormats<Space>;
+  using Formats = NodeForceDifferentialFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = NodeForceDifferentialFormats<physgen::Host>>
@@ -1880,7 +1880,7 @@ struct NodeStiffnessObject {
         "K", "N/m", NodeStiffnessRecord<Real, Formats>::K, 1, 0),
   }};
   template <class Space>
-  using Formats = NodeStiffnessFormats<Space>;
+  using Formats = NodeStiffnessFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = NodeStiffnessFormats<physgen::Host>>
@@ -1965,7 +1965,7 @@ struct EdgeStiffnessObject {
         "E", "N/m", EdgeStiffnessRecord<Real, Formats>::E, 1, 0),
   }};
   template <class Space>
-  using Formats = EdgeStiffnessFormats<Space>;
+  using Formats = EdgeStiffnessFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = EdgeStiffnessFormats<physgen::Host>>
@@ -2073,7 +2073,7 @@ struct TetStiffnessObject {
         "e", "N/m", TetStiffnessRecord<Real, Formats>::e, 6, 0),
   }};
   template <class Space>
-  using Formats = TetStiffnessFormats<Space>;
+  using Formats = TetStiffnessFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = TetStiffnessFormats<physgen::Host>>
@@ -2158,7 +2158,7 @@ struct TetObject {
         "nodes", "", TetRecord<Real, Formats>::nodes, 1, 0),
   }};
   template <class Space>
-  using Formats = TetFormats<Space>;
+  using Formats = TetFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = TetFormats<physgen::Host>>
@@ -2242,7 +2242,7 @@ struct EdgeObject {
         "nodes", "", EdgeRecord<Real, Formats>::nodes, 1, 0),
   }};
   template <class Space>
-  using Formats = EdgeFormats<Space>;
+  using Formats = EdgeFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = EdgeFormats<physgen::Host>>
@@ -2340,7 +2340,7 @@ struct IncidenceRangeObject {
         "end", "", IncidenceRangeRecord<Real, Formats>::end, 1, 0),
   }};
   template <class Space>
-  using Formats = IncidenceRangeFormats<Space>;
+  using Formats = IncidenceRangeFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = IncidenceRangeFormats<physgen::Host>>
@@ -2439,7 +2439,7 @@ struct IncidenceObject {
         "local", "", IncidenceRecord<Real, Formats>::local, 1, 0),
   }};
   template <class Space>
-  using Formats = IncidenceFormats<Space>;
+  using Formats = IncidenceFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = IncidenceFormats<physgen::Host>>

@@ -98,6 +98,15 @@ bool same(const plan::Record& a, const plan::Record& b) {
   return a.bytes == b.bytes && a.alignment == b.alignment;
 }
 
+bool same_formats(const plan::Record& a, const plan::Record& b) {
+  const auto runs_a = plan::runs(a), runs_b = plan::runs(b);
+  for (std::size_t r = 0; r < runs_a.size(); ++r) {
+    const model::Field& field = runs_a[r].field();
+    if (field.host_format != field.cuda_format) return false;
+  }
+  return runs_a.size() == runs_b.size();
+}
+
 void proofs(Printer& out, const plan::Record& host, const plan::Record& cuda) {
   out.comment("//",
               "Proved by physgen for every layout and every number of objects, and compared with what the compiler "
@@ -125,7 +134,9 @@ void object_tag(Printer& out, const plan::Record& host, const plan::Record& cuda
   out.line("using Ref = " + object.name + "Ref<Real, Formats, Cursor>;");
   fields(out, host);
   out.line("template <class Space>");
-  out.line("using Formats = " + object.name + "Formats<Space>;");
+  // One type where the spaces agree, so that kernels may name views without saying for which space.
+  const std::string space = same_formats(host, cuda) ? "physgen::Host" : "Space";
+  out.line("using Formats = " + object.name + "Formats<" + space + ">;");
   out.close("};");
   out.line();
   aliases(out, object);

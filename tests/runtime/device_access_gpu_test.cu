@@ -72,7 +72,7 @@ TYPED_TEST(DeviceAccess, gives_addresses_that_atomic_operations_take) {
 }
 
 struct NumberObjects {
-  elasticity::IncidenceView<float, Aosoa<32>> incidences;
+  elasticity::IncidenceArray<float, Cuda, Aosoa<32>>::View incidences;
   PHYSGEN_FUNCTION void operator()(index_t i) const {
     incidences.put(i, {static_cast<std::int32_t>(i >> 20), static_cast<std::int32_t>(i & 0xfffff)});
   }

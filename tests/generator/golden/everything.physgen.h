@@ -90,7 +90,7 @@ struct StampObject {
         "step", "", StampRecord<Real, Formats>::step, 1, 0),
   }};
   template <class Space>
-  using Formats = StampFormats<Space>;
+  using Formats = StampFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = StampFormats<physgen::Host>>
@@ -336,7 +336,7 @@ struct ShapesObject {
         "M", "", ShapesRecord<Real, Formats>::M, 1, 0),
   }};
   template <class Space>
-  using Formats = ShapesFormats<Space>;
+  using Formats = ShapesFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = ShapesFormats<physgen::Host>>
@@ -658,7 +658,7 @@ struct NamesObject {
         "tissue", "", NamesRecord<Real, Formats>::tissue, 1, 0),
   }};
   template <class Space>
-  using Formats = NamesFormats<Space>;
+  using Formats = NamesFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = NamesFormats<physgen::Host>>
@@ -828,7 +828,7 @@ struct EntriesObject {
         "entry", "", EntriesRecord<Real, Formats>::entry, 2, 0),
   }};
   template <class Space>
-  using Formats = EntriesFormats<Space>;
+  using Formats = EntriesFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = EntriesFormats<physgen::Host>>
@@ -1010,7 +1010,7 @@ struct OptionsObject {
         "fixed", "", OptionsRecord<Real, Formats>::fixed, 1, 1e-12),
   }};
   template <class Space>
-  using Formats = OptionsFormats<Space>;
+  using Formats = OptionsFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = OptionsFormats<physgen::Host>>
@@ -1215,7 +1215,7 @@ struct ElementObject {
         "volume", "m^3", ElementRecord<Real, Formats>::volume, 1, 0),
   }};
   template <class Space>
-  using Formats = ElementFormats<Space>;
+  using Formats = ElementFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = ElementFormats<physgen::Host>>
@@ -1645,7 +1645,7 @@ struct PatchObject {
         1e-12),
   }};
   template <class Space>
-  using Formats = PatchFormats<Space>;
+  using Formats = PatchFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = PatchFormats<physgen::Host>>

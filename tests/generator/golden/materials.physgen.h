@@ -93,7 +93,7 @@ struct LameObject {
         "lambda", "Pa", LameRecord<Real, Formats>::lambda, 1, 0),
   }};
   template <class Space>
-  using Formats = LameFormats<Space>;
+  using Formats = LameFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = LameFormats<physgen::Host>>
@@ -193,7 +193,7 @@ struct FibreObject {
         "strength", "Pa", FibreRecord<Real, Formats>::strength, 1, 0),
   }};
   template <class Space>
-  using Formats = FibreFormats<Space>;
+  using Formats = FibreFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Formats = FibreFormats<physgen::Host>>
