@@ -69,7 +69,7 @@ def counted(ncu, physbench, name, objects):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--physbench", default="build/cuda/bin/physbench", help="the program (default: %(default)s)")
-    parser.add_argument("--kernels", default="dp_from_df,stress_derivative,deformation_gradient,stress,elastic_force",
+    parser.add_argument("--kernels", default="dp_from_df,stress_derivative,stress,elastic_force",
                         help="kernels, separated by commas (default: %(default)s)")
     parser.add_argument("--objects", type=int, default=20000, help="tets (default: %(default)s)")
     parser.add_argument("--tolerance", type=float, default=0.05, help="relative (default: %(default)s)")
