@@ -6,15 +6,14 @@
 
 #if __has_include(<cusparse.h>)
 #include <cusparse.h>
-#include <dlfcn.h>
 
-#include <type_traits>
+#include "vendor_library.h"
 
 namespace physgen::bench {
 
 namespace {
 
-/// The functions that are called. Null, with a reason, when the library cannot be had.
+/// The functions that are called. Null where the library cannot be had.
 struct Library {
   decltype(&cusparseCreate) create = nullptr;
   decltype(&cusparseDestroy) destroy = nullptr;
@@ -24,23 +23,10 @@ struct Library {
   decltype(&cusparseDestroyDnVec) destroy_vector = nullptr;
   decltype(&cusparseSpMV_bufferSize) work_size = nullptr;
   decltype(&cusparseSpMV) multiply = nullptr;
-  std::string missing;
+  VendorLibrary shared{"libcusparse.so", {".13", ".12"}};
 
   Library() {
-    void* library = nullptr;  // never closed: it stays in use until the program ends
-    for (const char* name :
-         {"libcusparse.so", "libcusparse.so.13", "libcusparse.so.12", "/usr/local/cuda/lib64/libcusparse.so"}) {
-      library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-      if (library != nullptr) break;
-    }
-    if (library == nullptr) {
-      missing = "no libcusparse.so: its row is left out";
-      return;
-    }
-    const auto find = [&](const char* name, auto& function) {
-      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
-      if (function == nullptr) missing = "libcusparse.so has no " + std::string(name) + ": its row is left out";
-    };
+    const auto find = [this](const char* name, auto& function) { shared.find(name, function); };
     find("cusparseCreate", create);
     find("cusparseDestroy", destroy);
     find("cusparseCreateBsr", create_matrix);
@@ -74,7 +60,7 @@ Buffer on_device(const std::vector<T>& values, const char* what) {
 
 }  // namespace
 
-std::string cusparse_missing() { return library().missing; }
+std::string cusparse_missing() { return library().shared.missing(); }
 
 struct BlockProduct::State {
   Buffer begin, column, blocks, x, y, work;
@@ -87,7 +73,7 @@ struct BlockProduct::State {
 
 BlockProduct::BlockProduct(const BlockMatrix& matrix, const std::vector<float>& x) : state_(std::make_unique<State>()) {
   State& s = *state_;
-  if (!library().missing.empty()) throw Error(library().missing);
+  if (!library().shared.missing().empty()) throw Error(library().shared.missing());
   const auto rows = static_cast<std::int64_t>(matrix.begin.size()) - 1;
   s.begin = on_device(matrix.begin, "row begins");
   s.column = on_device(matrix.column, "columns");

@@ -3,7 +3,6 @@
 
 #if __has_include(<cusolverDn.h>)
 #include <cusolverDn.h>
-#include <dlfcn.h>
 #include <physgen/cuda/check.h>
 
 #include <Eigen/LU>
@@ -11,12 +10,13 @@
 #include <memory>
 
 #include "../cuda_timing.h"
+#include "../vendor_library.h"
 
 namespace physgen::bench {
 
 namespace {
 
-/// The functions of the library that are called. All null, with a reason, when it cannot be had.
+/// The functions of the library that are called. Null where the library cannot be had.
 struct Library {
   decltype(&cusolverDnCreate) create = nullptr;
   decltype(&cusolverDnDestroy) destroy = nullptr;
@@ -26,23 +26,10 @@ struct Library {
   decltype(&cusolverDnDgesvdjBatched_bufferSize) double_work = nullptr;
   decltype(&cusolverDnSgesvdjBatched) float_svd = nullptr;
   decltype(&cusolverDnDgesvdjBatched) double_svd = nullptr;
-  std::string missing;
+  VendorLibrary shared{"libcusolver.so", {".12", ".11"}};
 
   Library() {
-    void* library = nullptr;  // never closed: it stays in use until the program ends
-    for (const char* name :
-         {"libcusolver.so", "libcusolver.so.12", "libcusolver.so.11", "/usr/local/cuda/lib64/libcusolver.so"}) {
-      library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-      if (library != nullptr) break;
-    }
-    if (library == nullptr) {
-      missing = "no libcusolver.so: rows of cuSOLVER are left out";
-      return;
-    }
-    const auto find = [&](const char* name, auto& function) {
-      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(dlsym(library, name));
-      if (function == nullptr) missing = "libcusolver.so has no " + std::string(name) + ": its rows are left out";
-    };
+    const auto find = [this](const char* name, auto& function) { shared.find(name, function); };
     find("cusolverDnCreate", create);
     find("cusolverDnDestroy", destroy);
     find("cusolverDnCreateGesvdjInfo", create_info);
@@ -199,7 +186,7 @@ void add_rows(std::vector<Row>& rows, InputSets& sets) {
 
 }  // namespace
 
-const std::string& cusolver_missing() { return library().missing; }
+const std::string& cusolver_missing() { return library().shared.missing(); }
 
 void add_cusolver_rows(std::vector<Row>& rows, InputSets& sets) {
   add_rows<float>(rows, sets);
