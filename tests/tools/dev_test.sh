@@ -119,12 +119,11 @@ case $rule in
     dev 0 setup
     called 'apt-get .*update'
     ;;
-  test_runs_one_ctest_and_gives_its_exit_code)
+  test_runs_ctest_and_gives_its_exit_code)
     dev 8 test -L runtime
     says 'nvcc was not found'
-    [[ $(cat "$root/build/CTestTestfile.cmake") == 'subdirs(release)' ]] || fail 'wrong build/CTestTestfile.cmake'
-    called "ctest --test-dir $root/build --output-on-failure -j [0-9]* -L runtime\$"
-    not_called 'cmake .*cuda'
+    called "ctest --test-dir $root/build/release --output-on-failure -j [0-9]* -L runtime\$"
+    called 'cmake --preset release -DPHYSGEN_CUDA=OFF$'
     fake cmake 'exit 1'
     : >"$calls"
     dev 1 test
@@ -133,43 +132,28 @@ case $rule in
   test_covers_cuda_where_nvcc_is_found)
     fake nvcc
     dev 8 test
-    grep -qxF 'subdirs(cuda)' "$root/build/CTestTestfile.cmake" || fail 'wrong build/CTestTestfile.cmake'
-    called 'cmake --build --preset cuda'
-    ;;
-  run_prints_the_table_of_physbench)
-    program build/release/bin/physbench
-    program build/cuda/bin/physbench
-    dev 0 run --benchmark_filter=svd
-    says 'no CUDA rows: nvcc was not found'
-    called 'physbench --benchmark_filter=svd$'
-    fake nvcc
-    dev 0 run
-    says 'this machine has no GPU'
-    called 'cmake --preset cuda -DCMAKE_CUDA_ARCHITECTURES=90$'
-    ;;
-  run_takes_cpu_rows_from_release_and_cuda_rows_from_cuda)
-    fake nvcc
+    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=90$'
+    PHYSGEN_CUDA=OFF dev 8 test
+    says 'neither compiled nor tested: PHYSGEN_CUDA=OFF'
+    called 'cmake --preset release -DPHYSGEN_CUDA=OFF$'
     fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else printf "8.6\n9.0\n"; fi'
-    recorder "$root/build/release/bin/physbench" 'echo "release rows: $*"'
-    recorder "$root/build/cuda/bin/physbench" 'echo "cuda rows: $*"'
-    dev 0 run
-    called 'cmake --preset cuda -DCMAKE_CUDA_ARCHITECTURES=86$'
-    grep -qx 'release rows: ' "$work/output" || fail 'no CPU rows'
-    says 'cuda rows: --table --benchmark_filter=/cuda/[0-9]+$'
-    dev 0 run errors --json=all.json
-    says 'release rows: errors --json=all.json'
-    says 'cuda rows: errors --json=all.cuda.json --benchmark_filter=/cuda/'
-    dev 0 run replay svd float 1
-    says 'cuda rows: replay svd float 1'
-    ! grep -q 'release rows' "$work/output" || fail 'one program replays on both'
-    dev 0 run --benchmark_filter=svd --json=all.json
-    says 'release rows: --benchmark_filter=svd --json=all.json'
-    says 'cuda rows: --benchmark_filter=(svd).*/cuda/ --json=all.cuda.json'
-    dev 0 run --benchmark_filter=/cuda/
-    ! grep -q 'release rows' "$work/output" || fail 'the CPU program has no CUDA rows'
+    dev 8 test
+    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=86$'
+    ;;
+  run_hands_its_arguments_to_physbench)
+    program build/release/bin/physbench
+    dev 0 run errors --benchmark_filter=svd
+    says 'nvcc was not found'
+    says 'this machine has no GPU'
+    called 'physbench errors --benchmark_filter=svd$'
     recorder "$root/build/release/bin/physbench" 'exit 3'
     dev 3 run
-    says 'cuda rows'
+    ;;
+  report_hands_its_files_to_the_script)
+    fake python3
+    sed -i "s|/usr/bin/python3|python3|" "$root/tools/dev"
+    dev 0 report a.json -o /somewhere b.json
+    called "python3 $root/tools/report/report.py a.json b.json -o /somewhere\$"
     ;;
   gpu_runs_carried_programs_at_another_path)
     fake nvcc

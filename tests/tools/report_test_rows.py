@@ -147,7 +147,8 @@ def _force_differential():
             ("aosoa32", 1.251, size),
             ("symmetric_fast", 0.121, size / 2),
             ("symmetric_deterministic", 0.168, size / 2),
-            ("cusparse_bsr", 0.43, size * 1.1),
+            ("cusparse_bsr_columns", 0.43, size * 1.1),
+            ("cusparse_bsr_rows", 0.44, size * 1.1),
         ):
             yield row(
                 f"add_force_differential/{layout}/{storage}/cuda/{NODES}",

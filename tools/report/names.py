@@ -20,13 +20,14 @@ LAYOUTS = {
     "scattered": "scattered objects",
     "symmetric_fast": "symmetric half, fast",
     "symmetric_deterministic": "symmetric half, deterministic",
-    "cusparse_bsr": "cuSPARSE BSR",
+    "cusparse_bsr_columns": "cuSPARSE BSR, blocks by columns",
+    "cusparse_bsr_rows": "cuSPARSE BSR, blocks by rows",
     "cusolver": "cuSOLVER",
     "eigen": "Eigen",
     "copy": "copy",
 }
 ORDER = ["record", "aos", "aos_scalar", "aos_padded", "soa", "aosoa", "symmetric_fast", "symmetric_deterministic"]
-LIBRARIES = {"eigen", "cusolver", "cusparse_bsr"}  # not ours
+LIBRARIES = {"eigen", "cusolver", "cusparse_bsr_columns", "cusparse_bsr_rows"}  # not ours
 
 # Okabe and Ito's palette, which colour-blind readers can tell apart.
 _ORANGE, _SKY, _GREEN, _BLUE, _VERMILION, _PURPLE = "#e69f00", "#56b4e9", "#009e73", "#0072b2", "#d55e00", "#cc79a7"

@@ -12,11 +12,8 @@ def section(results):
     result = Section(
         "Conversions between layouts",
         [],
-        "rows of kernel convert_36, convert_48, … (GPU) or convert_host_36, … (CPU), layouts such as aos_to_aosoa32",
-        (
-            "tools/dev gpu --benchmark_filter='^convert_.*/cuda/' --json=conversions.json\n"
-            "tools/dev run --benchmark_filter='^convert_host_.*/host/' --json=conversions_cpu.json"
-        ),
+        "rows of kernel convert_36, convert_48, …, layouts such as aos_to_aosoa32",
+        "tools/dev run conversions --json=conversions.json",
     )
     rows = [
         row for row in results.rows if row.kernel.startswith("convert_") and "_to_" in row.layout and row.copy_fraction

@@ -13,10 +13,7 @@ def section(results):
         "Error against speed on hard inputs",
         [],
         "rows of the sets random, near_rest and hard, with errors in eps",
-        (
-            "tools/dev gpu errors --benchmark_filter=/cuda/ --json=errors.json\ntools/dev run errors"
-            " --json=errors_cpu.json"
-        ),
+        "tools/dev run errors --json=errors.json",
     )
     rows = [row for row in where(results.rows, storage=EPS) if row.set and row.counter("err_eps_max") is not None]
     for machine, of_machine in by_machine(rows):

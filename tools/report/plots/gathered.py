@@ -13,7 +13,7 @@ def section(results):
         "Gathered against streamed",
         [],
         f"rows of kernel {KERNEL}, layouts aos, aos_padded, soa, aosoa32, sets ordered, random, renumbered",
-        f"tools/dev gpu --benchmark_filter='^{KERNEL}/.*/cuda/' --json=gather.json",
+        "tools/dev run gathers --json=gathers.json",
     )
     for machine, of_machine in by_machine(where(results.rows, kernel=KERNEL)):
         for storage, rows in grouped(of_machine, "storage"):

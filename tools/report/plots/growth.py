@@ -15,10 +15,7 @@ def section(results):
         "Cost per object against the number of objects",
         [],
         f"the same row at {SIZES} or more object counts, such as 1024, 2048, … 16777216",
-        (
-            "tools/dev build cuda\nfor p in $(seq 10 24); do build/cuda/bin/physbench --objects=$((1 << p)) "
-            "--benchmark_filter='^dp_from_df/.*/float/cuda/[0-9]+$' --json=growth_$p.json; done"
-        ),
+        "tools/dev run growth --json=growth.json",
     )
     rows = where(results.rows, set="")
     for machine, of_machine in by_machine(rows):

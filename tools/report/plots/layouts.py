@@ -12,7 +12,7 @@ def section(results):
         "Layouts of every kernel",
         [],
         "rows of any kernel in several layouts, float or double",
-        "tools/dev gpu --table --benchmark_filter='/cuda/[0-9]+$' --json=gpu.json\ntools/dev run --json=cpu.json",
+        "tools/dev run --json=kernels.json",
     )
     rows = [
         row

@@ -29,10 +29,7 @@ def section(results):
         "The paper’s table 1, redone",
         [],
         "rows of dp_from_df, stress_derivative and add_force_differential in float on a GPU, layout aos and another",
-        (
-            "tools/dev gpu --table --benchmark_filter='^(dp_from_df|stress_derivative|add_force_differential)/"
-            ".*/float/cuda/[0-9]+$' --json=gpu.json"
-        ),
+        "tools/dev run --json=kernels.json",
     )
     if compared:
         result.blocks = [

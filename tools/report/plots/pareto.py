@@ -20,10 +20,7 @@ def section(results):
             "rows of one kernel in a storage format other than float and double "
             "(half, quaternion, quaternion16_half, …), with its aos/float row"
         ),
-        (
-            "tools/dev gpu --benchmark_filter='^dp_from_df/.*/cuda/[0-9]+$' --json=formats.json\n"
-            "tools/dev run --benchmark_filter='^dp_from_df/.*/host/[0-9]+$' --json=formats_cpu.json"
-        ),
+        "tools/dev run storage --json=storage.json",
     )
     for machine, kernels in by_machine(where(results.rows, set="")):
         for kernel, rows in grouped(kernels, "kernel"):

@@ -13,8 +13,8 @@ def section(results):
     result = Section(
         "Transfers between host and device",
         [],
-        "rows of kernel transfer_pinned, transfer_pageable, transfer_scattered, layouts such as aos_to_aosoa32",
-        "tools/dev gpu --benchmark_filter='^transfer_.*/cuda/' --json=transfers.json",
+        "rows of kernel transfer_pinned_36, transfer_pageable_36, transfer_scattered_36, …, layouts such as aos_to_aosoa32",
+        "tools/dev run conversions --json=conversions.json",
     )
     rows = [row for row in results.rows if row.kernel.startswith(PREFIX) and row.layout != "copy" and row.copy_fraction]
     for machine, of_machine in by_machine(rows):
