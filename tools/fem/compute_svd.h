@@ -4,6 +4,7 @@
 
 #include <fem/svd.h>
 #include <physgen/pack.h>
+#include <physgen/quaternion.h>
 
 namespace physgen::fem {
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace physgen::bench {
@@ -100,8 +101,8 @@ Sectors count_sectors(const Kernel& kernel, index_t objects) {
 namespace physgen {
 
 /// As the cursor of one object, but every access is noted.
-template <class Byte, class Layout, int kRecordBytes, int kLaneBytes, class I>
-class Cursor<Byte, bench::Traced<Layout>, kRecordBytes, kLaneBytes, I> {
+template <class Byte, class Layout, RecordSize kRecord, class I>
+class Cursor<Byte, bench::Traced<Layout>, kRecord, I> {
   using Pitch = typename Layout::Pitch;
 
  public:
@@ -110,7 +111,7 @@ class Cursor<Byte, bench::Traced<Layout>, kRecordBytes, kLaneBytes, I> {
 
   Cursor(Byte* base, Pitch pitch, I i, Losses* /*losses*/)
       : lane_(pitch.lane(static_cast<index_t>(i))),
-        tile_(base + pitch.tile(static_cast<index_t>(i)) * pitch.value() * kRecordBytes),
+        tile_(base + pitch.tile(static_cast<index_t>(i)) * pitch.value() * kRecord.stored),
         pitch_(pitch) {}
 
   template <class Shape, class Format, class T>
@@ -138,7 +139,28 @@ class Cursor<Byte, bench::Traced<Layout>, kRecordBytes, kLaneBytes, I> {
   [[nodiscard]] Cursor nested(int offset) const {
     Cursor inner = *this;
     inner.tile_ += offset * pitch_.value();
+    inner.offset_ += offset;
     return inner;
+  }
+
+  // Words, as a kernel on a GPU joins elements to them.
+  template <class T, int kCount>
+  static constexpr bool joins_words = detail::made_of_words<Layout, kRecord, T, kCount>;
+  template <class T, int kCount>
+  [[nodiscard]] bool may_read_words() const {
+    return detail::may_read_words<kRecord>(offset_, kCount * int{sizeof(T)});
+  }
+  template <class T, int kCount>
+  [[nodiscard]] bool may_write_words() const {
+    return detail::may_write_words<kRecord>(offset_, kCount * int{sizeof(T)});
+  }
+  template <class T, int kCount>
+  void load_words(T* elements) const {
+    each_word<T, kCount>([&](auto* word, int k) { std::memcpy(elements + k, word, 16); });
+  }
+  template <class T, int kCount>
+  void store_words(const T* elements) const {
+    each_word<T, kCount>([&](auto* word, int k) { std::memcpy(word, elements + k, 16); });
   }
 
  private:
@@ -150,9 +172,21 @@ class Cursor<Byte, bench::Traced<Layout>, kRecordBytes, kLaneBytes, I> {
     return address;
   }
 
+  // Calls visit(first byte, first element) for every word of a field.
+  template <class T, int kCount, class Visit>
+  void each_word(const Visit& visit) const {
+    auto* begin = tile_ + lane_ * kRecord.stored;
+    for (int k = 0; k < kCount; k += 16 / int{sizeof(T)}) {
+      auto* word = begin + k * int{sizeof(T)};
+      bench::Trace::note(word, 16);
+      visit(word, k);
+    }
+  }
+
   index_t lane_;
   Byte* tile_;
   Pitch pitch_;
+  int offset_ = 0;
 };
 
 }  // namespace physgen

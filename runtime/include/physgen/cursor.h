@@ -54,12 +54,40 @@ class LossSink {
 #endif
 };
 
+/// What a cursor knows of the records of an array [bytes].
+struct RecordSize {
+  int content;  ///< the object's own, before the layout pads it
+  int stored;   ///< in an array of this layout
+  int lane;     ///< of the elements that most fields of the object have
+};
+
+namespace detail {
+
+/// Whether records are made of 16-byte words, so that fields of kCount elements of type T may be read and written by
+/// whole words: one request for a padded vector instead of three.
+template <class Layout, RecordSize kRecord, class T, int kCount>
+inline constexpr bool made_of_words = std::is_same_v<typename Layout::Pitch, StaticPitch<1>> &&
+                                      kRecord.stored % 16 == 0 && kCount > 1 && kCount * sizeof(T) <= 64 &&
+                                      (sizeof(T) == 4 || sizeof(T) == 8);
+
+/// Whether the words of a field of `bytes`, `offset` bytes into its record, may be read; and whether they may be
+/// written, since they hold nothing else but padding. Known when compiled.
+template <RecordSize kRecord>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr bool may_read_words(int offset, int bytes) {
+  return offset % 16 == 0 && offset + align_up(bytes, 16) <= kRecord.stored;
+}
+template <RecordSize kRecord>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr bool may_write_words(int offset, int bytes) {
+  return offset % 16 == 0 && (bytes % 16 == 0 || offset + bytes == kRecord.content);
+}
+
+}  // namespace detail
+
 /// @tparam Byte std::byte, or const std::byte for a read-only array
 /// @tparam Layout Aos, AosPadded, Soa or Aosoa<W>
-/// @tparam kRecordBytes bytes of a record in an array of this layout
-/// @tparam kLaneBytes bytes of the elements that most fields of the object have
+/// @tparam kRecord sizes of the records
 /// @tparam I the kind of index; integral here, SIMD packs in simd_access.h
-template <class Byte, class Layout, int kRecordBytes, int kLaneBytes, class I>
+template <class Byte, class Layout, RecordSize kRecord, class I>
 class Cursor : private LossSink {
   static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd_access.h>");
   using Pitch = typename Layout::Pitch;
@@ -72,7 +100,7 @@ class Cursor : private LossSink {
   PHYSGEN_FUNCTION Cursor(Byte* base, Pitch pitch, I i, Losses* losses)
       : LossSink(losses, static_cast<index_t>(i)),
         lane_(pitch.lane(static_cast<index_t>(i))),
-        object_(base + pitch.tile(static_cast<index_t>(i)) * pitch.value() * kRecordBytes + lane_ * kLaneBytes),
+        object_(base + pitch.tile(static_cast<index_t>(i)) * pitch.value() * kRecord.stored + lane_ * kRecord.lane),
         pitch_(pitch) {}
 
   /// A reference to the field that begins at byte `offset` of the record: of one element, as element() gives it; else a
@@ -126,32 +154,49 @@ class Cursor : private LossSink {
     return inner;
   }
 
+  /// Whether fields of kCount elements of type T are read and written by 16-byte words, where their place allows it.
+  template <class T, int kCount>
+  static constexpr bool joins_words =
 #ifdef __CUDA_ARCH__
-  /// Whether records are made of 16-byte words, so that kCount elements of type T may be read by whole words: one
-  /// request for a padded vector instead of three.
+      detail::made_of_words<Layout, kRecord, T, kCount>;
+#else
+      false;
+#endif
   template <class T, int kCount>
-  static constexpr bool reads_words = std::is_same_v<Pitch, StaticPitch<1>> && kRecordBytes % 16 == 0 && kCount > 1 &&
-                                      kCount * sizeof(T) <= 64 && (sizeof(T) == 4 || sizeof(T) == 8);
-  /// Whether the field that begins here begins a word, and its last word lies in the record. Known when compiled.
-  template <class T, int kCount>
-  [[nodiscard]] __device__ bool begins_words() const {
-    return offset_ % 16 == 0 && offset_ + (kCount * int{sizeof(T)} + 15) / 16 * 16 <= kRecordBytes;
+  [[nodiscard]] PHYSGEN_FUNCTION bool may_read_words() const {
+    return detail::may_read_words<kRecord>(offset_, kCount * int{sizeof(T)});
   }
   template <class T, int kCount>
+  [[nodiscard]] PHYSGEN_FUNCTION bool may_write_words() const {
+    return detail::may_write_words<kRecord>(offset_, kCount * int{sizeof(T)});
+  }
+#ifdef __CUDA_ARCH__
+  /// @param elements room for whole words
+  template <class T, int kCount>
   __device__ void load_words(T* elements) const {
-    constexpr int per_word = 16 / sizeof(T);
     using Word = std::conditional_t<sizeof(T) == 4, uint4, ulonglong2>;
     PHYSGEN_UNROLL
-    for (int k = 0; k < kCount; k += per_word) {
+    for (int k = 0; k < kCount; k += 16 / int{sizeof(T)}) {
       const Word word = *reinterpret_cast<const Word*>(address<T>(0) + k);
+      elements[k] = std::bit_cast<T>(word.x);
+      elements[k + 1] = std::bit_cast<T>(word.y);
       if constexpr (sizeof(T) == 4) {
-        elements[k] = std::bit_cast<T>(word.x);
-        elements[k + 1] = std::bit_cast<T>(word.y);
         elements[k + 2] = std::bit_cast<T>(word.z);
         elements[k + 3] = std::bit_cast<T>(word.w);
+      }
+    }
+  }
+  template <class T, int kCount>
+  __device__ void store_words(const T* elements) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+    PHYSGEN_UNROLL
+    for (int k = 0; k < kCount; k += 16 / int{sizeof(T)}) {
+      if constexpr (sizeof(T) == 4) {
+        const auto bits = [&](int j) { return std::bit_cast<unsigned>(elements[k + j]); };
+        *reinterpret_cast<uint4*>(address<T>(0) + k) = {bits(0), bits(1), bits(2), bits(3)};
       } else {
-        elements[k] = std::bit_cast<T>(word.x);
-        elements[k + 1] = std::bit_cast<T>(word.y);
+        const auto bits = [&](int j) { return std::bit_cast<unsigned long long>(elements[k + j]); };
+        *reinterpret_cast<ulonglong2*>(address<T>(0) + k) = {bits(0), bits(1)};
       }
     }
   }
@@ -165,13 +210,13 @@ class Cursor : private LossSink {
   /// Address of the T at byte `offset` of the record.
   template <class T>
   [[nodiscard]] PHYSGEN_FUNCTION Element<T>* address(int offset) const {
-    constexpr index_t correction = index_t{sizeof(T)} - kLaneBytes;
+    constexpr index_t correction = index_t{sizeof(T)} - kRecord.lane;
     return reinterpret_cast<Element<T>*>(object_ + offset * pitch_.value() + lane_ * correction);
   }
 
   // All fields of an object share object_; computed per field, compilers would not find what is common.
   index_t lane_;  // the object's place in its tile
-  Byte* object_;  // where the element at offset 0 lies, were it kLaneBytes wide
+  Byte* object_;  // where the element at offset 0 lies, were it kRecord.lane wide
   Pitch pitch_;
   int offset_ = 0;  // of the object or field it stands on in its record; a constant, once inlined
 };

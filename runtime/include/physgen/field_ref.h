@@ -31,15 +31,13 @@ class FieldRef {
         return rotation_matrix_of_direction<Scalar>(q);
       }
     } else {
-#ifdef __CUDA_ARCH__
-      if constexpr (format::is_plain<Format, T> && Cursor::template reads_words<T, Shape::count>) {
-        if (at_.template begins_words<T, Shape::count>()) {
-          T elements[(Shape::count * sizeof(T) + 15) / 16 * (16 / sizeof(T))];
+      if constexpr (joins_words) {
+        if (at_.template may_read_words<T, Shape::count>()) {
+          T elements[whole_words];
           at_.template load_words<T, Shape::count>(elements);
           return Shape::template value<Scalar>(elements);
         }
       }
-#endif
       return Shape::template value<Scalar>(*this);
     }
   }
@@ -53,6 +51,14 @@ class FieldRef {
       PHYSGEN_UNROLL
       for (int k = 0; k < 4; ++k) at_.template element<Element, T>(0, k) = Scalar(q[k]);
     } else {
+      if constexpr (joins_words) {
+        if (at_.template may_write_words<T, Shape::count>()) {
+          T elements[whole_words] = {};
+          Shape::template store<Scalar>(value, static_cast<T*>(elements));
+          at_.template store_words<T, Shape::count>(elements);
+          return *this;
+        }
+      }
       Shape::template store<Scalar>(value, *this);
     }
     return *this;
@@ -71,6 +77,8 @@ class FieldRef {
 
  private:
   using Element = format::ElementFormat<Format>;
+  static constexpr bool joins_words = format::is_plain<Format, T> && Cursor::template joins_words<T, Shape::count>;
+  static constexpr int whole_words = align_up(Shape::count * int{sizeof(T)}, 16) / int{sizeof(T)};
   [[nodiscard]] PHYSGEN_FUNCTION Scalar element(int k) const { return at_.template element<Element, T>(0, k); }
 
   Cursor at_;

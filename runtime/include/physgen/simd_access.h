@@ -88,6 +88,8 @@ class SimdCursor : protected LossSink {
  public:
   template <class T>
   using Lanes = batch_t<T, W>;
+  template <class T, int kCount>
+  static constexpr bool joins_words = false;
 
   using LossSink::LossSink;
 
@@ -158,16 +160,15 @@ class SimdCursor : protected LossSink {
 }  // namespace detail
 
 /// On the W objects of a pack.
-template <class Byte, class Layout, int kRecordBytes, int kLaneBytes, int W>
-class Cursor<Byte, Layout, kRecordBytes, kLaneBytes, Pack<W>>
-    : public detail::SimdCursor<Cursor<Byte, Layout, kRecordBytes, kLaneBytes, Pack<W>>, W> {
+template <class Byte, class Layout, RecordSize kRecord, int W>
+class Cursor<Byte, Layout, kRecord, Pack<W>> : public detail::SimdCursor<Cursor<Byte, Layout, kRecord, Pack<W>>, W> {
   using Base = detail::SimdCursor<Cursor, W>;
   using Pitch = typename Layout::Pitch;
 
  public:
   Cursor(Byte* base, Pitch pitch, Pack<W> pack, Losses* losses)
       : Base(losses, pack.begin),
-        tile_(base + pitch.tile(pack.begin) * pitch.value() * kRecordBytes),
+        tile_(base + pitch.tile(pack.begin) * pitch.value() * kRecord.stored),
         lane_(pitch.lane(pack.begin)),
         pitch_(pitch) {}
 
@@ -235,7 +236,7 @@ class Cursor<Byte, Layout, kRecordBytes, kLaneBytes, Pack<W>>
   template <class T>
   void prefetch(int offset) const {
     constexpr index_t packs_ahead = 2;
-    constexpr index_t pack_bytes = index_t{W} * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecordBytes);
+    constexpr index_t pack_bytes = index_t{W} * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
     __builtin_prefetch(reinterpret_cast<const std::byte*>(address<T>(offset, 0)) + packs_ahead * pack_bytes);
   }
 
@@ -246,7 +247,7 @@ class Cursor<Byte, Layout, kRecordBytes, kLaneBytes, Pack<W>>
     if constexpr (Layout::contiguous(W)) {
       return reinterpret_cast<Element*>(tile_ + offset * pitch_.value()) + lane_ + l;
     } else {
-      Byte* tile = tile_ + pitch_.tile(l) * pitch_.value() * kRecordBytes;
+      Byte* tile = tile_ + pitch_.tile(l) * pitch_.value() * kRecord.stored;
       return reinterpret_cast<Element*>(tile + offset * pitch_.value()) + pitch_.lane(l);
     }
   }
@@ -257,9 +258,9 @@ class Cursor<Byte, Layout, kRecordBytes, kLaneBytes, Pack<W>>
 };
 
 /// On W objects gathered by index.
-template <class Byte, class Layout, int kRecordBytes, int kLaneBytes, class U, class A>
-class Cursor<Byte, Layout, kRecordBytes, kLaneBytes, xsimd::batch<U, A>>
-    : public detail::SimdCursor<Cursor<Byte, Layout, kRecordBytes, kLaneBytes, xsimd::batch<U, A>>,
+template <class Byte, class Layout, RecordSize kRecord, class U, class A>
+class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
+    : public detail::SimdCursor<Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>,
                                 static_cast<int>(xsimd::batch<U, A>::size)> {
   static constexpr int W = static_cast<int>(xsimd::batch<U, A>::size);
   using Base = detail::SimdCursor<Cursor, W>;
@@ -310,7 +311,7 @@ class Cursor<Byte, Layout, kRecordBytes, kLaneBytes, xsimd::batch<U, A>>
   [[nodiscard]] auto* address(int offset, int l) const {
     using Element = std::conditional_t<std::is_const_v<Byte>, const T, T>;
     const index_t i = index_[static_cast<std::size_t>(l)];
-    Byte* tile = base_ + pitch_.tile(i) * pitch_.value() * kRecordBytes;
+    Byte* tile = base_ + pitch_.tile(i) * pitch_.value() * kRecord.stored;
     return reinterpret_cast<Element*>(tile + offset * pitch_.value()) + pitch_.lane(i);
   }
 

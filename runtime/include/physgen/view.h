@@ -35,7 +35,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   static constexpr int lane_bytes =
       Record::alignment < int{sizeof(Precision)} ? Record::alignment : int{sizeof(Precision)};
   template <class I>
-  using CursorAt = Cursor<Byte, Layout, record_bytes, lane_bytes, I>;
+  using CursorAt = Cursor<Byte, Layout, RecordSize{Record::bytes, record_bytes, lane_bytes}, I>;
   /// The reference to object(s) under an index of type I, and its value type.
   template <class I>
   using Ref = typename Object::template Ref<Precision, Formats, CursorAt<I>>;
