@@ -17,6 +17,12 @@ std::string rounded(double value) {
   return text;
 }
 
+// The same, but never less than the value: a bound.
+std::string rounded_up(double value) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+  return rounded(std::ceil(value / digit) * digit);
+}
+
 std::string structure(const model::Field& field) {
   const auto stored = [&](const char* what) {
     return std::string(what) + ", " + std::to_string(model::element_count(field)) + " stored.";
@@ -83,6 +89,9 @@ std::string encoded_type(const model::Field& field, model::Encoding encoding) {
       break;
   }
   const model::Range range = steps_range(field);
+  // Half a step, and the rounding of a float at the larger end, where it shows.
+  const double half_step = range.high / 131068 - range.low / 131068;
+  const double rounding = std::ldexp(std::max(std::abs(range.low), std::abs(range.high)), -23);
   return prefix + "Snorm16<" + real(range.low) + ", " + real(range.high) + ">";
 }
 
@@ -99,7 +108,7 @@ std::string describe_format(const model::Field& field, const model::Format& form
     case model::Encoding::float32:
       return say("float, relative error up to 6e-8", " of floats", "1.2e-6");
     case model::Encoding::float64:
-      return say("double, relative error up to 1.1e-16", " of doubles", "10 eps");
+      return say("double, relative error up to 1.2e-16", " of doubles", "10 eps");
     case model::Encoding::bfloat16:
       return say("bfloat16, relative error up to 3.9e-3", " of bfloat16", "1.6e-2");
     case model::Encoding::half: {
@@ -113,7 +122,7 @@ std::string describe_format(const model::Field& field, const model::Format& form
   }
   const model::Range range = steps_range(field);
   return say("16-bit steps over [" + number(range.low) + ", " + number(range.high) + "], error up to " +
-                 rounded((range.high - range.low) / 131068),
+                 rounded_up(rounding < 0.02 * half_step ? half_step : half_step + rounding),
              " of 16-bit steps", "9e-5");
 }
 

@@ -3,6 +3,7 @@
 
 #include <physgen/storage.h>
 
+#include <cmath>
 #include <vector>
 
 #include "element_codec.h"
@@ -68,6 +69,7 @@ struct RotationMove {
 struct Conversion {
   std::vector<ElementMove> elements;
   std::vector<RotationMove> rotations;
+  std::vector<RotationMove> kept_quaternions;  ///< on both sides; their elements are among the others
 
   Conversion(const Storage& to, const Storage& from) {
     for (std::size_t f = 0; f < to.fields.size(); ++f) {
@@ -82,6 +84,7 @@ struct Conversion {
       };
       if (a.quaternion == b.quaternion) {
         for (int k = 0; k < a.count; ++k) elements.push_back(at(k, k));
+        for (int k = 0; a.quaternion && k < a.count; k += 4) kept_quaternions.push_back({at(k, k), false});
       } else {
         for (int r = 0; r < a.visible_count() / 9; ++r) {
           rotations.push_back({at(r * (a.quaternion ? 4 : 9), r * (b.quaternion ? 4 : 9)), a.quaternion});
@@ -91,12 +94,12 @@ struct Conversion {
   }
 };
 
-/// The initial value of one field. A rotation stored as a quaternion begins as the identity where no value is stated:
-/// four zeros stand for no rotation.
+/// The initial value of one field.
 struct Fill {
   int offset;
   int count;
   Encoding encoding;
+  bool rotation;
   bool quaternion;
   double value;
 
@@ -104,12 +107,14 @@ struct Fill {
       : offset(field.offset),
         count(field.count),
         encoding(encoding_of(field)),
+        rotation(field.rotation),
         quaternion(field.quaternion),
         value(field.initial) {}
   PHYSGEN_FUNCTION void run(const Addressing& array, index_t i) const {
     const int size = element_bytes(encoding.type);
     for (int k = 0; k < count; ++k) {
-      encode(array.address(i, offset + k * size, size), encoding, quaternion ? (k % 4 == 0 ? 1.0 : 0.0) : value);
+      const bool one = quaternion ? k % 4 == 0 : k % 9 % 4 == 0;  // w, or the diagonal
+      encode(array.address(i, offset + k * size, size), encoding, rotation ? (one ? 1.0 : 0.0) : value);
     }
   }
 };
@@ -123,8 +128,19 @@ PHYSGEN_FUNCTION inline void count_element(Losses& losses, const ElementMove& mo
 }
 PHYSGEN_FUNCTION inline void count_rotation(Losses& losses, const RotationMove& move, const Addressing& from,
                                             index_t i) {
-  if (move.to_quaternion)
-    count_deviation(losses, rotation_deviation(move.read<double>(from, i)), i, move.first.to_offset);
+  double deviation = 0;
+  if (move.to_quaternion) {
+    deviation = rotation_deviation(move.read<double>(from, i));
+  } else {
+    const int size = element_bytes(move.first.from.type);
+    double square = 0;
+    for (int k = 0; k < 4; ++k) {
+      const double q = decode<double>(from.address(i, move.first.from_offset + k * size, size), move.first.from);
+      square += q * q;
+    }
+    deviation = std::abs(square - 1);
+  }
+  count_deviation(losses, deviation, i, move.first.to_offset);
 }
 
 }  // namespace physgen::detail

@@ -1,8 +1,10 @@
 // Single elements between any two storage formats that are known at run time only, on host and device: what copies of
-// whole arrays are made of. A new format is one more case in decode() and encode().
+// whole arrays are made of. A new 16-bit format is one more codec, and its case in with_codec().
 #pragma once
 
 #include <physgen/object_info.h>
+
+#include <bit>
 
 namespace physgen::detail {
 
@@ -15,6 +17,62 @@ struct Encoding {
 };
 [[nodiscard]] inline Encoding encoding_of(const FieldInfo& field) { return {field.type, field.scale, field.centre}; }
 
+/// What 16 bits stand for, computed in S: one struct for each kind of encoding.
+template <class S>
+struct HalfCodec {
+  S scale, inverse;
+  PHYSGEN_FUNCTION explicit HalfCodec(const Encoding& encoding)
+      : scale(static_cast<S>(encoding.scale)), inverse(static_cast<S>(1 / encoding.scale)) {}
+  [[nodiscard]] PHYSGEN_FUNCTION S decode(std::uint16_t bits) const {
+    return static_cast<S>(format::detail::half_to_float(bits)) * scale;
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION std::uint16_t encode(S value) const {
+    return format::detail::float_to_half(format::detail::to_odd(value * inverse));
+  }
+};
+template <class S>
+struct Bfloat16Codec {
+  PHYSGEN_FUNCTION explicit Bfloat16Codec(const Encoding& /*encoding*/) {}
+  [[nodiscard]] PHYSGEN_FUNCTION S decode(std::uint16_t bits) const {
+    return static_cast<S>(format::detail::bfloat16_to_float(bits));
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION std::uint16_t encode(S value) const {
+    return format::detail::float_to_bfloat16(format::detail::to_odd(value));
+  }
+};
+template <class S>
+struct Snorm16Codec {
+  S scale, centre;
+  PHYSGEN_FUNCTION explicit Snorm16Codec(const Encoding& encoding)
+      : scale(static_cast<S>(encoding.scale)), centre(static_cast<S>(encoding.centre)) {}
+  [[nodiscard]] PHYSGEN_FUNCTION S decode(std::uint16_t bits) const {
+    return format::detail::snorm16_to_real<S>(std::bit_cast<std::int16_t>(bits), scale, centre);
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION std::uint16_t encode(S value) const {
+    return std::bit_cast<std::uint16_t>(format::detail::real_to_snorm16<S>(value, scale, centre));
+  }
+};
+
+/// Calls visit(codec) with the codec of an encoding in 16 bits; does nothing for others.
+#ifdef __CUDACC__
+#pragma nv_exec_check_disable
+#endif
+template <class S, class Visit>
+PHYSGEN_FUNCTION inline void with_codec(const Encoding& encoding, const Visit& visit) {
+  switch (encoding.type) {
+    case ElementType::half:
+      return visit(HalfCodec<S>(encoding));
+    case ElementType::bfloat16:
+      return visit(Bfloat16Codec<S>(encoding));
+    case ElementType::snorm16:
+      return visit(Snorm16Codec<S>(encoding));
+    case ElementType::float32:
+    case ElementType::float64:
+    case ElementType::int32:
+      break;
+  }
+}
+
 /// The value of an element. @tparam S float or double. Integers are not converted to float.
 template <class S>
 [[nodiscard]] PHYSGEN_FUNCTION inline S decode(const std::byte* from, const Encoding& encoding) {
@@ -26,15 +84,14 @@ template <class S>
     case ElementType::int32:
       return static_cast<S>(*reinterpret_cast<const std::int32_t*>(from));
     case ElementType::half:
-      return static_cast<S>(format::detail::half_to_float(*reinterpret_cast<const std::uint16_t*>(from))) *
-             static_cast<S>(encoding.scale);
     case ElementType::bfloat16:
-      return static_cast<S>(format::detail::bfloat16_to_float(*reinterpret_cast<const std::uint16_t*>(from)));
     case ElementType::snorm16:
       break;
   }
-  return format::detail::snorm16_to_real<S>(*reinterpret_cast<const std::int16_t*>(from),
-                                            static_cast<S>(encoding.scale), static_cast<S>(encoding.centre));
+  S value(0);
+  with_codec<S>(encoding,
+                [&](const auto& codec) { value = codec.decode(*reinterpret_cast<const std::uint16_t*>(from)); });
+  return value;
 }
 
 /// Stores a value.
@@ -51,17 +108,11 @@ PHYSGEN_FUNCTION inline void encode(std::byte* to, const Encoding& encoding, S v
       *reinterpret_cast<std::int32_t*>(to) = static_cast<std::int32_t>(value);
       return;
     case ElementType::half:
-      *reinterpret_cast<std::uint16_t*>(to) =
-          format::detail::float_to_half(format::detail::to_odd(value * static_cast<S>(1 / encoding.scale)));
-      return;
     case ElementType::bfloat16:
-      *reinterpret_cast<std::uint16_t*>(to) = format::detail::float_to_bfloat16(format::detail::to_odd(value));
-      return;
     case ElementType::snorm16:
       break;
   }
-  *reinterpret_cast<std::int16_t*>(to) =
-      format::detail::real_to_snorm16<S>(value, static_cast<S>(encoding.scale), static_cast<S>(encoding.centre));
+  with_codec<S>(encoding, [&](const auto& codec) { *reinterpret_cast<std::uint16_t*>(to) = codec.encode(value); });
 }
 
 /// One element from one format to another; the very bits where both are the same.

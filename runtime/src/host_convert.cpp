@@ -3,9 +3,11 @@
 #include "host_convert.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #include "convert.h"
+#include "plain_copy.h"
 
 namespace physgen::detail {
 
@@ -59,6 +61,16 @@ void convert_lanes(const ElementMove& move, Lanes to, Lanes from, index_t count)
   if (move.to.type == ElementType::float64 && move.from.type == ElementType::float32) {
     return convert_lanes<double, float>(to, from, count, [](float value) { return static_cast<double>(value); });
   }
+  if (move.from.type == ElementType::float32 && element_bytes(move.to.type) == 2) {
+    return with_codec<float>(move.to, [&](const auto& codec) {
+      convert_lanes<std::uint16_t, float>(to, from, count, [&codec](float value) { return codec.encode(value); });
+    });
+  }
+  if (move.to.type == ElementType::float32 && element_bytes(move.from.type) == 2) {
+    return with_codec<float>(move.from, [&](const auto& codec) {
+      convert_lanes<float, std::uint16_t>(to, from, count, [&codec](std::uint16_t bits) { return codec.decode(bits); });
+    });
+  }
   for (index_t l = 0; l < count; ++l) {
     convert_element(to.first + l * to.stride, move.to, from.first + l * from.stride, move.from);
   }
@@ -66,10 +78,19 @@ void convert_lanes(const ElementMove& move, Lanes to, Lanes from, index_t count)
 
 }  // namespace
 
+void clear_on_host(std::byte* memory, index_t bytes) {
+  constexpr index_t block = 1 << 16;
+#pragma omp parallel for schedule(static) if (bytes > 8 * block)
+  for (index_t b = 0; b < bytes; b += block) {
+    std::memset(memory + b, 0, static_cast<std::size_t>(std::min(block, bytes - b)));
+  }
+}
+
 void convert_on_host(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
                      index_t end) {
   const Addressing to_array(to, to_first), from_array(from, from_first);
   const Conversion conversion(to, from);
+  const bool whole_records = to_array.records() && from_array.records() && same_records(to, from);
   constexpr index_t block = 1024;
   const index_t blocks = (end - begin + block - 1) / block;
 #pragma omp parallel for schedule(static) if (blocks > 8)
@@ -77,6 +98,12 @@ void convert_on_host(const Storage& to, index_t to_first, const Storage& from, i
     const index_t last = std::min(begin + (b + 1) * block, end);
     for (index_t i = begin + b * block; i < last;) {
       const index_t count = std::min({last - i, evenly_spaced(to_array, i), evenly_spaced(from_array, i)});
+      if (whole_records) {
+        std::memcpy(to_array.address(i, 0, 1), from_array.address(i, 0, 1),
+                    static_cast<std::size_t>(count * to.record_bytes));
+        i += count;
+        continue;
+      }
       for (const ElementMove& move : conversion.elements) {
         convert_lanes(move, lanes(to_array, i, move.to_offset, element_bytes(move.to.type)),
                       lanes(from_array, i, move.from_offset, element_bytes(move.from.type)), count);
@@ -97,6 +124,7 @@ Losses count_on_host(const Storage& to, const Storage& from, index_t begin, inde
   for (index_t i = begin; i < end; ++i) {
     for (const ElementMove& move : conversion.elements) count_element(losses, move, array, i);
     for (const RotationMove& move : conversion.rotations) count_rotation(losses, move, array, i);
+    for (const RotationMove& move : conversion.kept_quaternions) count_rotation(losses, move, array, i);
   }
   return losses;
 }

@@ -10,6 +10,9 @@ namespace physgen::detail {
 void convert_on_host(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
                      index_t end);
 
+/// Sets memory to zero, on all threads.
+void clear_on_host(std::byte* memory, index_t bytes);
+
 /// What the formats of `to` could not hold of objects begin .. end-1. @pre host code can reach `from`
 [[nodiscard]] Losses count_on_host(const Storage& to, const Storage& from, index_t begin, index_t end);
 

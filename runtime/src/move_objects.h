@@ -40,14 +40,9 @@ PHYSGEN_FUNCTION inline void move_element(const Addressing& to, index_t i, const
                                           int offset, int bytes) {
   std::byte* target = to.address(i, offset, bytes);
   const std::byte* source = from.address(j, offset, bytes);
-  switch (bytes) {
-    case 2:
-      return move_word<2>(target, source);
-    case 4:
-      return move_word<4>(target, source);
-    default:
-      return move_word<8>(target, source);
-  }
+  if (bytes == 8) return move_word<8>(target, source);
+  if (bytes == 4) return move_word<4>(target, source);
+  move_word<2>(target, source);
 }
 
 /// Copies the elements of object j of `from` to object i of `to`.

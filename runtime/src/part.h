@@ -24,6 +24,13 @@ namespace physgen::detail {
   return part;
 }
 
+/// Bytes of a record that its fields fill.
+[[nodiscard]] inline int stored_bytes(const Storage& array) {
+  int bytes = 0;
+  for (const FieldInfo& field : array.fields) bytes += field.count * element_bytes(field.type);
+  return bytes;
+}
+
 /// Objects that pass through a part at a time: about 8 MiB, whole tiles of every layout.
 [[nodiscard]] inline index_t chunk_objects(const Storage& array) {
   constexpr index_t bytes = 8 << 20, tiles = 1024;

@@ -42,6 +42,18 @@ bool overlap(const Storage& a, const Storage& b) {
   return a.bytes() > 0 && b.bytes() > 0 && a.base < b.base + b.bytes() && b.base < a.base + a.bytes();
 }
 
+void require_two_arrays_of_one_type(const Storage& to, const Storage& from) {
+  std::string why;
+  if (to.object != from.object) {
+    why = "the object types differ";
+  } else if ((to.size > 0 && to.base == nullptr) || (from.size > 0 && from.base == nullptr)) {
+    why = "one of them has no memory (null)";
+  } else if (overlap(to, from)) {
+    why = "they share memory; copy to an array of its own";
+  }
+  if (!why.empty()) throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + why);
+}
+
 Losses count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
   if (begin == end) return {};
   if (!host_accessible(from.space)) return backend::count_losses(to, from, begin, end, stream);
@@ -49,21 +61,17 @@ Losses count_losses(const Storage& to, const Storage& from, index_t begin, index
   return detail::count_on_host(to, from, begin, end);
 }
 
-#ifdef PHYSGEN_CHECKED
-constexpr bool checked = true;
-#else
-constexpr bool checked = false;
-#endif
-
 }  // namespace
 
 index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+  require_two_arrays_of_one_type(to, from);
   if (begin < 0 || begin > end || end > std::min(to.size, from.size)) {
     throw Error("cannot copy objects " + std::to_string(begin) + " up to " + std::to_string(end) + " of " +
                 describe(from) + " to " + describe(to));
   }
   if (begin == end) return 0;
-  if (checked && !detail::same_records(to, from)) throw_if_falsified(count_losses(to, from, begin, end, stream), to);
+  if (checked_build && !detail::same_records(to, from))
+    throw_if_falsified(count_losses(to, from, begin, end, stream), to);
   if (detail::same_records(to, from) && detail::same_runs(to, from)) {
     // To the end of both arrays the last tile moves whole, padding included, which makes it one run with the others.
     const bool to_the_end = end == to.size && end == from.size && to.pitch == from.pitch;
@@ -83,20 +91,9 @@ void copy_first(const Storage& to, const Storage& from, index_t count, Stream st
 }
 
 void copy(const Storage& to, const Storage& from, Stream stream) {
-  if (to.object != from.object) {
-    throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": the object types differ");
-  }
+  require_two_arrays_of_one_type(to, from);
   if (to.size != from.size) {
     throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": resize the target first");
-  }
-  if (overlap(to, from)) {
-    throw Error("cannot copy " + describe(from) + " to " + describe(to) +
-                ": they share memory; copy to an array of its own");
-  }
-  for (const Storage* side : {&to, &from}) {
-    if (side->size > 0 && side->base == nullptr) {
-      throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": one of them has no memory (null)");
-    }
   }
   copy_first(to, from, from.size, stream);
 }
@@ -107,9 +104,9 @@ Losses losses_of_copy(const Storage& to, const Storage& from, Stream stream) {
 
 void throw_if_falsified(const Losses& losses, const Storage& storage) {
   if (losses.falsified() == 0) return;
-  std::string field = "byte " + std::to_string(losses.offset);
+  std::string field = "byte " + std::to_string(losses.first.offset);
   for (const FieldInfo& candidate : storage.fields) {
-    const int at = losses.offset - candidate.offset, size = element_bytes(candidate.type);
+    const int at = losses.first.offset - candidate.offset, size = element_bytes(candidate.type);
     if (at >= 0 && at < candidate.count * size) {
       field = std::string(candidate.name) + (candidate.count > 1 ? "[" + std::to_string(at / size) + "]" : "");
     }
@@ -117,43 +114,76 @@ void throw_if_falsified(const Losses& losses, const Storage& storage) {
   std::ostringstream message;
   message << describe(storage) << ": its storage formats cannot hold " << losses.falsified() << " values ("
           << losses.out_of_range << " out of range, " << losses.not_a_number << " NaN or infinite, "
-          << losses.not_a_rotation << " not rotations); the first is " << losses.value << " in " << field
-          << " of object " << losses.object << "; choose a format with a wider range, or state the range in the schema";
+          << losses.not_a_rotation << " not rotations); the first is " << losses.first.value << " in " << field
+          << " of object " << losses.first.object
+          << "; choose a format with a wider range, or state the range in the schema";
   throw Error(message.str());
 }
 
-Losses take_losses(Losses& counters, index_t objects, SpaceKind space) {
-  Losses fresh, taken;
-  fresh.objects = objects;
+namespace {
+
+Losses read_losses(const Losses& counters, SpaceKind space) {
+  if (space != SpaceKind::host) backend::synchronize_device();
+  Losses read;
   if (host_accessible(space)) {
-    if (space == SpaceKind::pinned) backend::synchronize_device();
-    taken = counters;
-    counters = fresh;
+    read = counters;
   } else {
-    backend::synchronize_device();
-    backend::copy_bytes(reinterpret_cast<std::byte*>(&taken), reinterpret_cast<const std::byte*>(&counters),
-                        sizeof taken, nullptr);
-    synchronize();
-    backend::copy_bytes(reinterpret_cast<std::byte*>(&counters), reinterpret_cast<const std::byte*>(&fresh),
-                        sizeof fresh, nullptr);
+    backend::copy_bytes(reinterpret_cast<std::byte*>(&read), reinterpret_cast<const std::byte*>(&counters), sizeof read,
+                        nullptr);
     synchronize();
   }
+  return read;
+}
+
+void write_losses(Losses& counters, const Losses& written, SpaceKind space) {
+  if (host_accessible(space)) {
+    counters = written;
+  } else {
+    backend::copy_bytes(reinterpret_cast<std::byte*>(&counters), reinterpret_cast<const std::byte*>(&written),
+                        sizeof written, nullptr);
+    synchronize();
+  }
+}
+
+}  // namespace
+
+Losses take_losses(Losses& counters, index_t objects, SpaceKind space) {
+  const Losses taken = read_losses(counters, space);
+  start_losses(counters, nullptr, objects, space);
   return taken;
+}
+
+void start_losses(Losses& counters, const Losses* old, index_t objects, SpaceKind space) {
+  Losses fresh;
+  if (old != nullptr) fresh = read_losses(*old, space);
+  fresh.objects = objects;
+  write_losses(counters, fresh, space);
 }
 
 void initialize(const Storage& storage, index_t begin, index_t end) {
   if (begin == end) return;
   for (const FieldInfo& field : storage.fields) {
-    if (field.initial == 0 && field.centre == 0 && !field.quaternion) continue;  // buffers come zeroed
+    if (field.initial == 0 && field.centre == 0 && !field.rotation) continue;  // buffers come zeroed
     if (host_accessible(storage.space)) {
       const detail::Addressing array(storage);
       const detail::Fill fill(field);
+#pragma omp parallel for schedule(static) if (end - begin > 8192)
       for (index_t i = begin; i < end; ++i) fill.run(array, i);
     } else {
       backend::fill(storage, field, begin, end);
     }
   }
 }
+
+namespace {
+
+// The nearest number that an int32 may be converted from; 0 for NaN.
+double limited(double value) {
+  constexpr double low = -2147483648.0, high = 2147483647.0;
+  return value != value ? 0 : std::clamp(value, low, high);
+}
+
+}  // namespace
 
 double getdata(const Storage& storage, index_t i, int k) {
   const auto [field, element] = find_element(storage, i, k);
@@ -184,12 +214,16 @@ void putdata(const Storage& storage, index_t i, int k, double value) {
     throw Error(describe(storage) + ": " + std::string(field.name) +
                 " is stored as a quaternion, which has no single matrix elements; assign the rotation through a view");
   }
+  if (field.type == ElementType::int32 && static_cast<double>(static_cast<std::int32_t>(limited(value))) != value) {
+    throw Error(describe(storage) + ": " + std::to_string(value) + " is no index; " + std::string(field.name) +
+                " holds whole numbers from -2147483648 to 2147483647");
+  }
   const int size = element_bytes(field.type);
   std::byte* to = detail::Addressing(storage).address(i, field.offset + element * size, size);
   alignas(8) std::array<std::byte, 8> bytes{};
   const detail::Encoding encoding = detail::encoding_of(field);
   detail::encode(bytes.data(), encoding, value);
-  if (checked) {
+  if (checked_build) {
     Losses losses;
     detail::count_loss(losses, encoding.type, encoding.scale, value, detail::decode<double>(bytes.data(), encoding), i,
                        field.offset + element * size);

@@ -83,7 +83,7 @@ const FieldInfo& find_index_field(const Storage& storage, std::string_view name)
   int element = 0;  // the field's first
   for (const FieldInfo& before : storage.fields) {
     if (before.offset == field.offset) break;
-    element += before.count;
+    element += before.visible_count();
   }
   const detail::NewNumbers numbers{new_number.data(), static_cast<index_t>(new_number.size())};
   int k = 0;

@@ -30,16 +30,44 @@ TEST(SymmetricProductOnHost, gives_the_same_bits_with_any_number_of_threads) {
             0);
 }
 
+std::string refused(const TetMesh& mesh) {
+  try {
+    const EdgeSums sums(mesh, SpaceKind::host, 4);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
 TEST(EdgeSums, refuses_edges_that_are_not_ascending) {
   TetMesh mesh = make_box_mesh(1, 1, 1);
   std::swap(mesh.edges[3], mesh.edges[4]);
+  EXPECT_NE(refused(mesh).find("edge 4 of the mesh is not above the one before it"), std::string::npos)
+      << refused(mesh);
+}
+
+TEST(EdgeSums, refuses_edges_of_nodes_that_are_not_there) {
+  TetMesh mesh = make_tet_mesh(4, {{0, 1, 2, 3}});
+  mesh.edges.back() = {3, 4};
+  EXPECT_NE(refused(mesh).find("edge 5 of the mesh is (3, 4); edges (m, n) must have 0 <= m < n < 4"),
+            std::string::npos)
+      << refused(mesh);
+  mesh.edges = {{-1, 0}};
+  EXPECT_NE(refused(mesh).find("edge 0 of the mesh is (-1, 0)"), std::string::npos) << refused(mesh);
+}
+
+TEST(SymmetricProductOnHost, refuses_arrays_of_another_size_and_leaves_the_result) {
+  ProductScene<float, Host, Aosoa<16>> scene(make_box_mesh(2, 2, 2), 11);
+  const EdgeSums sums(scene.mesh, SpaceKind::host, sizeof(float));
+  scene.displacements.resize(26);
   try {
-    const EdgeSums sums(mesh, SpaceKind::host, 4);
+    multiply(Host{}, scene.product(), sums, SumOrder::fixed);
     FAIL() << "nothing was thrown";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("edge 4 of the mesh is not above the one before it"), std::string::npos)
-        << error.what();
+    EXPECT_STREQ(error.what(),
+                 "physgen: a symmetric product over 27 objects was given displacements of 26; resize that array");
   }
+  EXPECT_TRUE(scene.result().view().get(0).df.hasNaN()) << "the poison";
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "emit/printer.h"
 #include "emit/text.h"
 #include "models.h"
+#include "text_checks.h"
 
 namespace physgen::emit {
 namespace {
@@ -18,15 +19,12 @@ namespace {
 using model::Element;
 using model::Shape;
 using test::array;
+using test::expect_contains;
 using test::field;
 using test::nested;
 using test::object;
 using test::scalar;
 using test::schema;
-
-void expect_contains(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << "no\n" << part << "\nin\n" << text;
-}
 
 TEST(Emitter, is_written_for_this_runtime) { EXPECT_EQ(runtime_version, PHYSGEN_RUNTIME_VERSION); }
 

@@ -274,6 +274,33 @@ TEST(Rules, refuse_an_initial_value_that_no_half_holds) {
   EXPECT_EQ(issues(with({load})), "");
 }
 
+// The largest power of two that each format holds passes, the next one is refused.
+TEST(Rules, refuse_ranges_and_initial_values_beyond_what_a_format_holds) {
+  const auto issues_of = [](Encoding encoding, double size, Element element = Element::real) {
+    Field field = stored(scalar("E"), encoding);
+    field.element = element;
+    field.range = Range{-size, size / 2};
+    return issues(with({field}));
+  };
+  EXPECT_EQ(issues_of(Encoding::half, 0x1p115), "");
+  EXPECT_EQ(issues_of(Encoding::half, 0x1p116),
+            "the range or initial value of 'E' is beyond what this format holds, ranges from 1.2924697071141057e-26 to "
+            "4.153837486827862e+34; choose float64");
+  EXPECT_EQ(issues_of(Encoding::half, 0x1p-86), "");
+  EXPECT_NE(issues_of(Encoding::half, 0x1p-87), "");
+  for (const Encoding encoding : {Encoding::bfloat16, Encoding::float32, Encoding::snorm16}) {
+    EXPECT_EQ(issues_of(encoding, 0x1p127), "");
+    EXPECT_NE(issues_of(encoding, 0x1p128), "");
+  }
+  for (const Encoding encoding : {Encoding::native, Encoding::float64}) EXPECT_EQ(issues_of(encoding, 0x1p1000), "");
+  EXPECT_EQ(issues_of(Encoding::snorm16, 0x1p1000, Element::float64), "") << "its steps are computed in double";
+  Field initial = stored(scalar("E"), Encoding::bfloat16);
+  initial.initial = -0x1p128;
+  EXPECT_EQ(issues(with({initial})),
+            "the range or initial value of 'E' is beyond what this format holds, sizes up to 3.3895313892515355e+38; "
+            "choose float64");
+}
+
 TEST(Rules, refuse_formats_of_nested_objects) {
   Schema schema = with({scalar("x")});
   schema.objects.push_back(schema.objects[0]);

@@ -1,13 +1,18 @@
 // Models built by hand, for tests of the back half of the generator: no schema is parsed.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "model/model.h"
+#include "plan/plan.h"
 
 namespace physgen::test {
+
+/// Finds the records of nested objects for a plan, where there are none.
+inline const plan::Record& no_objects(const std::string& name) { throw std::invalid_argument(name); }
 
 inline model::Field field(std::string name, model::Shape shape = model::Shape::scalar, int rows = 1, int cols = 1,
                           model::Element element = model::Element::real) {

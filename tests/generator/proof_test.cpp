@@ -20,13 +20,12 @@ using model::Space;
 using test::array;
 using test::field;
 using test::nested;
+using test::no_objects;
 using test::object;
 using test::rotation;
 using test::scalar;
 using test::schema;
 using test::stored;
-
-const Record& no_objects(const std::string& name) { throw std::invalid_argument(name); }
 
 constexpr int Bytes::* precisions[] = {&Bytes::with_float, &Bytes::with_double};
 

@@ -1,6 +1,7 @@
 // Arrays: sizes, values, copies, addresses, and what is refused.
 #include <set>
 
+#include "format_checks.h"
 #include "test_objects.h"
 
 namespace physgen::test {
@@ -127,9 +128,48 @@ TEST(Array, refuses_a_copy_between_sizes_and_names_both) {
   EXPECT_NE(message.find("elasticity::NodePosition[3] in host"), std::string::npos) << message;
 }
 
+TEST(Array, refuses_copies_of_null_storages_and_of_other_types) {
+  NodePositionArray<float> array(3);
+  array.putdata(2, 1, 5);
+  Storage null = array.storage();
+  null.base = nullptr;
+  EXPECT_NE(message_of([&] { copy(null, array.storage()); }).find("no memory (null)"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy(array.storage(), null); }).find("no memory (null)"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy_range(array.storage(), null, 1, 2); }).find("no memory (null)"), std::string::npos);
+  const elasticity::NodeForceArray<float> forces(3);
+  EXPECT_NE(message_of([&] { copy_range(array.storage(), forces.storage(), 1, 2); }).find("the object types differ"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { copy_range(array.storage(), array.storage(), 1, 2); }).find("they share memory"),
+            std::string::npos);
+  EXPECT_EQ(array.getdata(2, 1), 5);
+}
+
+TEST(Array, refuses_what_is_no_index) {
+  elasticity::TetArray<float> tets(2);
+  tets.putdata(1, 2, 7);
+  for (const double wrong : {3e9, -3e9, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_NE(message_of([&] { tets.putdata(1, 2, wrong); }).find("is no index; nodes holds whole numbers"),
+              std::string::npos)
+        << wrong;
+  }
+  EXPECT_EQ(tets.getdata(1, 2), 7);
+}
+
+TEST(Array, rotations_of_a_new_array_are_the_identity_in_every_format) {
+  const elasticity::DeformationSvdArray<float, Host, Aosoa<16>> matrices(3);
+  Array<elasticity::DeformationSvdObject, double, Host, Soa, CompactSvd<format::Half<>>> quaternions(3);
+  EXPECT_EQ(matrices.view().get(2).U, Eigen::Matrix3f::Identity());
+  EXPECT_EQ(quaternions.view().get(2).V, Eigen::Matrix3d::Identity());
+  copy(quaternions, matrices);
+  EXPECT_EQ(quaternions.view().get(1).U, Eigen::Matrix3d::Identity());
+}
+
 TEST(Array, refuses_a_copy_to_itself) {
   NodePositionArray<float> array(3);
-  EXPECT_NE(message_of([&] { copy(array, array); }).find("to itself"), std::string::npos);
+  array.putdata(1, 2, 7);
+  EXPECT_NE(message_of([&] { copy(array, array); }).find("they share memory; copy to an array of its own"),
+            std::string::npos);
+  EXPECT_EQ(array.getdata(1, 2), 7);
 }
 
 TEST(Array, refuses_an_object_or_element_that_is_not_there) {

@@ -1,7 +1,9 @@
 // What a checked build reports. This program is compiled with PHYSGEN_CHECKED.
+#include <physgen/gather.h>
 #include <physgen/parallel_for.h>
+#include <physgen/topology.h>
 
-#include "test_objects.h"
+#include "checked_formats.h"
 
 namespace physgen::test {
 namespace {
@@ -45,15 +47,6 @@ TEST(CheckedView, reports_a_gathered_index_out_of_range) {
   EXPECT_THROW((void)view[index], Error);
 }
 
-/// Everything in formats that lose.
-struct Coarse : elasticity::StressDerivativeFormats<Host> {
-  using x1111 = format::Half<>;
-  using x2211 = format::Snorm16<-1.0, 1.0>;
-};
-struct QuaternionRotations : elasticity::DeformationSvdFormats<Host> {
-  using U = format::Quaternion<>;
-};
-
 TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) {
   Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(40);
   const auto view = array.view();
@@ -63,11 +56,17 @@ TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) 
   view[34].x2211() = -3.0F;
   view[35].x2211() = std::numeric_limits<float>::quiet_NaN();
   view[36].x1111() = 1e-7F;
+  view[37].x1111() = std::numeric_limits<float>::quiet_NaN();
+  view[38].x1111() = -std::numeric_limits<float>::infinity();
+  view[39].x1111() = 2e-8F;
   const Losses losses = array.take_losses();
   EXPECT_EQ(losses.out_of_range, 2U);
-  EXPECT_EQ(losses.not_a_number, 1U);
-  EXPECT_EQ(losses.imprecise, 1U);
-  EXPECT_EQ(losses.object, 33);
+  EXPECT_EQ(losses.not_a_number, 3U);
+  EXPECT_EQ(losses.imprecise, 2U);
+  EXPECT_EQ(losses.first_imprecise.object, 36);
+  EXPECT_EQ(losses.first_imprecise.value, double{1e-7F});
+  EXPECT_EQ(losses.worst_relative_error(), 1.0) << "half of the smallest half became 0";
+  EXPECT_EQ(losses.first.object, 33);
   const std::string message = message_of([&] { throw_if_falsified(losses, array.storage()); });
   EXPECT_NE(message.find("the first is 70000 in x1111 of object 33"), std::string::npos) << message;
   EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
@@ -83,7 +82,7 @@ TEST(CheckedFormats, count_in_packs_and_not_in_padding) {
   view[same].x1111() = batch_t<float, W>(1e6F);
   const Losses gathered = array.take_losses();
   EXPECT_EQ(gathered.out_of_range, static_cast<unsigned>(W));
-  EXPECT_EQ(gathered.object, 7);
+  EXPECT_EQ(gathered.first.object, 7);
 }
 
 TEST(CheckedFormats, count_matrices_that_are_no_rotations) {
@@ -93,7 +92,62 @@ TEST(CheckedFormats, count_matrices_that_are_no_rotations) {
   array.view()[2].U() = Eigen::Matrix3f(Eigen::Matrix3f::Constant(std::numeric_limits<float>::quiet_NaN()));
   const Losses losses = array.take_losses();
   EXPECT_EQ(losses.not_a_rotation, 2U);
-  EXPECT_EQ(losses.object, 1);
+  EXPECT_EQ(losses.first.object, 1);
+}
+
+TEST(CheckedFormats, keep_their_counts_when_an_array_changes_its_size) {
+  Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(40);
+  array.view()[33].x1111() = 70000.0F;
+  array.resize(90);
+  append(array, 1);
+  const Losses losses = array.take_losses();
+  EXPECT_EQ(losses.out_of_range, 1U);
+  EXPECT_EQ(losses.first.object, 33);
+  EXPECT_EQ(losses.objects, 91);
+}
+
+/// What a copy, an append, a gather or putdata is refused, and that nothing has changed then.
+TEST(CheckedFormats, refuse_values_that_they_cannot_hold_and_change_nothing) {
+  using Derivatives = Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse>;
+  const auto said = [](const std::string& message, const char* part) {
+    EXPECT_NE(message.find("its storage formats cannot hold 1 values"), std::string::npos) << message;
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  Derivatives array(40);
+  array.putdata(3, 0, 5);
+  elasticity::StressDerivativeArray<float> wrong(40);
+  wrong.putdata(7, 0, 1e6);
+  said(message_of([&] { copy(array, wrong); }), "the first is 1e+06 in x1111 of object 7");
+  said(message_of([&] { append(array, wrong); }), "in x1111 of object 7");
+  said(message_of([&] { array.putdata(9, 1, 3); }), "the first is 3 in x2211 of object 9");
+  std::vector<elasticity::StressDerivative<float>> objects(40);
+  std::vector<elasticity::StressDerivative<float>*> pointers;
+  for (auto& object : objects) pointers.push_back(&(object = wrong.view().get(0)));
+  objects[11].x1111 = std::numeric_limits<float>::quiet_NaN();
+  said(message_of([&] {
+         gather(std::span<elasticity::StressDerivative<float>* const>(pointers), array,
+                [](const auto& object) { return object; });
+       }),
+       "the first is nan in x1111 of object 11");
+  EXPECT_EQ(array.size(), 40);
+  EXPECT_EQ(array.getdata(3, 0), 5);
+  EXPECT_EQ(array.getdata(7, 0), 0);
+  EXPECT_EQ(array.getdata(9, 1), 0);
+}
+
+/// Stored quaternions that are no unit quaternions: copies to matrices and to other quaternions refuse them.
+TEST(CheckedFormats, refuse_quaternions_of_another_length) {
+  Array<elasticity::DeformationSvdObject, float, Host, Aos, QuaternionRotations> array(5);
+  const Storage storage = array.storage();
+  float w = 0;  // of U of object 3, whose x, y, z are 0
+  std::memcpy(storage.base + 3 * storage.record_bytes + storage.fields[0].offset, &w, sizeof w);
+  elasticity::DeformationSvdArray<float> matrices(5);
+  Array<elasticity::DeformationSvdObject, float, Host, Soa, HalfQuaternions> halves(5);
+  for (const std::string& message :
+       {message_of([&] { copy(matrices, array); }), message_of([&] { copy(halves, array); })}) {
+    EXPECT_NE(message.find("1 not rotations); the first is 1 in U"), std::string::npos) << message;
+    EXPECT_NE(message.find("of object 3"), std::string::npos) << message;
+  }
 }
 
 }  // namespace

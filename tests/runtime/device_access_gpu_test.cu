@@ -1,4 +1,5 @@
 // Views on the device: kernels read and write by name in every layout, atomics work on accessors.
+#include <everything.physgen.h>
 #include <physgen/cuda/parallel_for.h>
 
 #include "gpu_fixture.h"
@@ -54,6 +55,72 @@ void check_device_access() {
 
 TYPED_TEST(DeviceAccess, reads_and_writes_floats_by_name) { check_device_access<float, TypeParam>(); }
 TYPED_TEST(DeviceAccess, reads_and_writes_doubles_by_name) { check_device_access<double, TypeParam>(); }
+
+// Fields are stored by 16-byte words where these hold nothing else, and one element at a time where they do.
+struct StoreVectors {
+  Array<material::FibreObject, float, Cuda, AosPadded>::View fibres;        // a vector and a scalar in a word
+  Array<material::FibreObject, double, Cuda, AosPadded>::View wide;         // in two
+  elasticity::NodeForceArray<float, Cuda, AosPadded>::View forces;          // a vector and padding
+  Array<tissue::model::ShapesObject, float, Cuda, AosPadded>::View shapes;  // of fields that begin anywhere
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    const auto x = static_cast<float>(i);
+    fibres[i].direction() = Eigen::Vector3f(x, x + 1, x + 2);
+    wide[i].direction() = Eigen::Vector3f(x, x + 1, x + 2);
+    forces[i].f() = Eigen::Vector3f(x, -x, 2 * x);
+    const Eigen::Matrix<float, 1, 4> row = shapes[i].row();
+    shapes[i].v() = Eigen::Vector3f(row[0], row[1], row[2]);
+    shapes[i].row() = Eigen::Matrix<float, 1, 4>(row[3], x, x, x);
+  }
+};
+
+class DeviceWords : public GpuTest {};
+
+TEST_F(DeviceWords, touch_no_other_field_and_no_other_object) {
+  std::mt19937 random(seed());
+  const index_t n = 1000;
+  const auto random_there = [&](auto& array) {
+    using There = std::remove_reference_t<decltype(array)>;
+    Array<typename There::Object, double, Host, Aos> drawn(n);
+    randomise(drawn, random);
+    copy(array, drawn);
+    return drawn;
+  };
+  const auto back = [](const auto& array) {
+    Array<typename std::remove_reference_t<decltype(array)>::Object, double, Host, Aos> objects(n);
+    copy(objects, array);
+    synchronize();
+    return objects;
+  };
+  Array<material::FibreObject, float, Cuda, AosPadded> fibres(n);
+  Array<material::FibreObject, double, Cuda, AosPadded> wide(n);
+  elasticity::NodeForceArray<float, Cuda, AosPadded> forces(n + 1);
+  Array<tissue::model::ShapesObject, float, Cuda, AosPadded> shapes(n);
+  const auto fibres_were = random_there(fibres), wide_were = random_there(wide);
+  const auto shapes_were = random_there(shapes);
+  for (int k = 0; k < 3; ++k) forces.putdata(n, k, 7);
+  parallel_for(Cuda{}, n, StoreVectors{fibres.view(), wide.view(), forces.view(), shapes.view()});
+  const auto fibres_are = back(fibres), wide_are = back(wide);
+  const auto shapes_are = back(shapes);
+  for (index_t i = 0; i < n; ++i) {
+    const auto x = static_cast<double>(i);
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_EQ(fibres_are.getdata(i, k), x + k);
+      ASSERT_EQ(wide_are.getdata(i, k), x + k);
+    }
+    ASSERT_EQ(fibres_are.getdata(i, 3), fibres_were.getdata(i, 3)) << "the strength beside the direction";
+    ASSERT_EQ(wide_are.getdata(i, 3), wide_were.getdata(i, 3));
+    auto expected = shapes_were.view().get(i);
+    expected.v = expected.row.template head<3>().transpose();
+    expected.row << expected.row[3], x, x, x;
+    Array<tissue::model::ShapesObject, double, Host, Aos> wanted(1);
+    wanted.view().put(0, expected);
+    for (int k = 0; k < wanted.elements; ++k) ASSERT_EQ(shapes_are.getdata(i, k), wanted.getdata(0, k)) << k;
+  }
+  const double last = static_cast<double>(n - 1);
+  EXPECT_EQ(forces.getdata(n - 1, 1), -last);
+  EXPECT_EQ(forces.getdata(n - 1, 2), 2 * last);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(forces.getdata(n, k), 7) << "the next object";
+}
 
 template <class Layout>
 struct AddToFirst {

@@ -2,12 +2,13 @@
 #include <physgen/gather.h>
 
 #include "format_checks.h"
+#include "gpu_fixture.h"
 
 namespace physgen::test {
 namespace {
 
 template <class Layout>
-class CudaFormatsOver : public ::testing::Test {};
+class CudaFormatsOver : public GpuTest {};
 TYPED_TEST_SUITE(CudaFormatsOver, AllLayouts, LayoutName);
 
 TYPED_TEST(CudaFormatsOver, objects_of_mixed_sizes_come_back_within_the_errors_of_their_formats) {
@@ -103,7 +104,62 @@ TYPED_TEST(CudaFormatsOver, objects_gathered_from_pointers_come_back_scattered_w
   }
 }
 
-TEST(CudaFormats, what_a_copy_loses_is_counted_with_its_place) { check_losses<Cuda>(); }
+class CudaFormats : public GpuTest {};
+
+TEST_F(CudaFormats, what_a_copy_loses_is_counted_with_its_place) { check_losses<Cuda>(); }
+
+/// An array that has the size is filled in place where nothing can fail, else built anew: the objects are the same.
+TEST_F(CudaFormats, objects_are_gathered_again_and_again_into_one_array) {
+  using Value = elasticity::NodePosition<float>;
+  constexpr std::size_t n = 1500001;  // more than a chunk
+  std::mt19937 random(seed());
+  std::uniform_real_distribution<float> value(-2.0F, 2.0F);
+  std::vector<Value> objects(n);
+  std::vector<Value*> pointers;
+  for (Value& object : objects) pointers.push_back(&object);
+  const std::span<Value* const> all(pointers);
+  elasticity::NodePositionArray<float, Cuda, AosPadded> array;
+  const auto read = [](const Value& object) noexcept { return object; };
+  for (int round = 0; round < 3; ++round) {
+    for (Value& object : objects) object.x = {value(random), value(random), value(random)};
+    gather(all, array, read);
+    elasticity::NodePositionArray<float, Host, Aos> back(array.size());
+    copy(back, array);
+    for (std::size_t i = 0; i < n; i += 997) ASSERT_EQ(back.view().get(static_cast<index_t>(i)).x, objects[i].x) << i;
+    ASSERT_EQ(back.view().get(n - 1).x, objects[n - 1].x);
+  }
+  const auto failing = [&](const Value& object) {
+    if (&object == pointers[n - 1]) throw std::runtime_error("the last object is broken");
+    return Value{2 * object.x};
+  };
+  EXPECT_THROW(gather(all, array, failing), std::runtime_error);
+  pointers[n / 2] = nullptr;
+  EXPECT_NE(message_of([&] { gather(all, array, read); }).find("pointer 750000 of 1500001 is null"), std::string::npos);
+  EXPECT_THROW(gather_by(index_t{1} << 40, array, [](index_t) { return Value{}; }), Error) << "no such memory";
+  ASSERT_EQ(array.size(), static_cast<index_t>(n));
+  for (const index_t i : {index_t{0}, index_t{1000000}, index_t{n - 1}}) {
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(array.getdata(i, k), objects[static_cast<std::size_t>(i)].x[k]);
+  }
+}
+
+TEST_F(CudaFormats, copies_that_share_device_memory_or_have_none_are_refused) {
+  elasticity::NodePositionArray<float, Cuda> array(100);
+  array.putdata(3, 1, 5);
+  Storage null = array.storage();
+  null.base = nullptr;
+  EXPECT_NE(message_of([&] { copy(array.storage(), array.storage()); }).find("they share memory"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy(array.storage(), null); }).find("no memory (null)"), std::string::npos);
+  EXPECT_EQ(array.getdata(3, 1), 5);
+}
+
+/// An allocation that fails is told once: what is done after it is not taken for failed.
+TEST_F(CudaFormats, work_goes_on_after_memory_has_run_out) {
+  elasticity::NodePositionArray<float, Cuda> array(100);
+  EXPECT_THROW(array.resize(index_t{1} << 40), Error);
+  elasticity::NodePositionArray<double, Cuda, Soa> other(100);
+  EXPECT_NO_THROW(copy(other, array));
+  EXPECT_NO_THROW(synchronize());
+}
 
 }  // namespace
 }  // namespace physgen::test

@@ -82,6 +82,26 @@ TEST_F(Gather, refuses_a_null_pointer_by_its_number_and_keeps_the_array) {
   EXPECT_EQ(array.getdata(2, 1), 5);
 }
 
+TEST_F(Gather, scatter_refuses_a_null_pointer_and_writes_nothing) {
+  const elasticity::NodePositionArray<double> array(1003);
+  pointers_[5] = nullptr;
+  EXPECT_NE(message_of([&] {
+              scatter(array, pointers(), [](Particle&, const auto&) { FAIL() << "an object was written"; });
+            }).find("pointer 5 of 1003 is null"),
+            std::string::npos);
+}
+
+TEST_F(Gather, keeps_the_array_when_an_object_cannot_be_had) {
+  elasticity::NodePositionArray<double> array(1003);
+  array.putdata(2, 1, 5);
+  const auto failing = [](const Particle& particle) {
+    if (particle.label == 700) throw std::runtime_error("object 700 is broken");
+    return to_value(particle);
+  };
+  EXPECT_THROW(gather(pointers(), array, failing), std::runtime_error);
+  EXPECT_EQ(array.getdata(2, 1), 5);
+}
+
 TEST_F(Gather, scatter_refuses_another_number_of_objects) {
   const elasticity::NodePositionArray<double> array(3);
   EXPECT_THROW(scatter(array, pointers(), [](Particle&, const auto&) { FAIL() << "an object was written"; }), Error);

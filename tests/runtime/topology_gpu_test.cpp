@@ -37,6 +37,7 @@ TYPED_TEST(CudaTopology, renumbered_tets_keep_their_nodes) {
 TYPED_TEST(CudaTopology, renumbers_one_field_and_leaves_the_others) {
   check_renumber_of_one_field_among_many<Cuda, TypeParam>();
 }
+TYPED_TEST(CudaTopology, renumbers_behind_quaternions) { check_renumber_behind_quaternions<Cuda, TypeParam>(); }
 TYPED_TEST(CudaTopology, refuses_to_renumber_what_has_no_number_by_its_first_object) {
   check_refused_renumbering<Cuda, TypeParam>();
 }

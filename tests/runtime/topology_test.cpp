@@ -27,6 +27,7 @@ TYPED_TEST(HostTopology, renumbered_tets_keep_their_nodes) { check_renumber<Host
 TYPED_TEST(HostTopology, renumbers_one_field_and_leaves_the_others) {
   check_renumber_of_one_field_among_many<Host, TypeParam>();
 }
+TYPED_TEST(HostTopology, renumbers_behind_quaternions) { check_renumber_behind_quaternions<Host, TypeParam>(); }
 TYPED_TEST(HostTopology, refuses_to_renumber_what_has_no_number_by_its_first_object) {
   check_refused_renumbering<Host, TypeParam>();
 }

@@ -52,6 +52,17 @@ case $rule in
       }
       END { exit wrong || rows < 50 }' "$json" >&2 || fail 'rows as above, or too few'
     ;;
+  every_group_has_rows_near_their_reference)
+    for group in storage:10:2e-2 conversions:12:1e-7 gathers:8:1e-3 forces:5:1e-2 growth:6:1e-3; do
+      IFS=: read -r name least allowed <<<"$group"
+      filter='/host/'
+      [[ $name != growth ]] || filter='/host/(1024|2048)$'
+      expect_exit 0 "$name" "${small[@]}" --json="$json" --benchmark_filter="$filter"
+      awk -F'[:,] *' -v least="$least" -v allowed="$allowed" '
+        $1 ~ /"name"/ { name = $2; ++rows }
+        $1 ~ /"err_max"/ && (!($2 <= allowed) || $2 == "NaN") { print name, $2; wrong = 1 }
+        END { if (rows < least) print rows, "rows"; exit wrong || rows < least }' "$json" >&2 || fail "group $name: rows as above"
+    done ;;
   json_has_counters_and_machine)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000$'
     for word in '"name": "svd/aosoa16/float/host/1000"' bytes_per_object GBps copy_fraction err_p50 err_p99 err_p9999 \

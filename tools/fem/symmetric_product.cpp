@@ -20,6 +20,11 @@ EdgeSums::EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes)
       throw Error("edge " + std::to_string(e) + " of the mesh is not above the one before it; edges (m, n) must be " +
                   "ascending, as make_tet_mesh() makes them");
     }
+    if (mesh.edges[e][0] < 0 || mesh.edges[e][0] >= mesh.edges[e][1] || mesh.edges[e][1] >= mesh.nodes) {
+      throw Error("edge " + std::to_string(e) + " of the mesh is (" + std::to_string(mesh.edges[e][0]) + ", " +
+                  std::to_string(mesh.edges[e][1]) + "); edges (m, n) must have 0 <= m < n < " +
+                  std::to_string(mesh.nodes) + ", as make_tet_mesh() makes them");
+    }
     ++first[mesh.edges[e][0] + 1];
     ++begin[mesh.edges[e][1] + 1];
   }
@@ -45,6 +50,12 @@ void EdgeSums::require(index_t nodes, index_t edges, SpaceKind space, int real_b
   };
   throw Error("a product over " + describe(nodes, edges, space, real_bytes) + " was given sums made for " +
               describe(nodes_, edges_, space_, real_bytes_) + "; make an EdgeSums for it");
+}
+
+void detail::require_size(const char* array, index_t size, index_t expected) {
+  if (size == expected) return;
+  throw Error("a symmetric product over " + std::to_string(expected) + " objects was given " + array + " of " +
+              std::to_string(size) + "; resize that array");
 }
 
 }  // namespace physgen::fem

@@ -18,6 +18,16 @@ enum class SumOrder {
   fixed,  ///< the same bits on every run: contributions are stored, then added in the order of the edges
 };
 
+/// What an edge adds to a node: as a whole number of 16-byte words, so that it is read and written at once.
+template <class S>
+struct alignas(16) Contribution {
+  S x, y, z, unused;
+
+  Contribution() = default;
+  PHYSGEN_FUNCTION explicit Contribution(const Vector3<S>& value) : x(value[0]), y(value[1]), z(value[2]), unused(0) {}
+  [[nodiscard]] PHYSGEN_FUNCTION Vector3<S> value() const { return {x, y, z}; }
+};
+
 /// What the product must know of a mesh beside its blocks, and room for contributions: one product at a time. Made once
 /// per topology.
 class EdgeSums {
@@ -39,10 +49,10 @@ class EdgeSums {
   [[nodiscard]] const Index* contributions_begin() const { return indices(nodes_ + 1); }
   /// Per edge: the place of its contribution to n.
   [[nodiscard]] const Index* place() const { return indices(2 * (nodes_ + 1)); }
-  /// Room for the contributions of all edges: 4 scalars each.
+  /// Room for the contributions of all edges.
   template <class Real>
-  [[nodiscard]] Real* contributions() const {
-    return reinterpret_cast<Real*>(contributions_.data());
+  [[nodiscard]] Contribution<Real>* contributions() const {
+    return reinterpret_cast<Contribution<Real>*>(contributions_.data());
   }
 
  private:
@@ -72,6 +82,19 @@ template <class... Views>
 SymmetricProduct(Views...) -> SymmetricProduct<Views...>;
 
 namespace detail {
+
+/// @throw Error naming the array when it does not have the size of the others
+void require_size(const char* array, index_t size, index_t expected);
+
+/// @throw Error when arrays of the product differ in size, or `sums` is not for it
+template <class Product>
+void require_sizes(const Product& product, const EdgeSums& sums, SpaceKind space) {
+  const index_t nodes = product.differentials.size(), edges = product.edges.size();
+  require_size("node stiffness", product.node_stiffness.size(), nodes);
+  require_size("displacements", product.displacements.size(), nodes);
+  require_size("edge stiffness", product.edge_stiffness.size(), edges);
+  sums.require(nodes, edges, space, sizeof(typename Product::Scalar));
+}
 
 /// The two contributions of an edge, or of a pack of edges.
 template <class S>
@@ -103,20 +126,12 @@ PHYSGEN_FUNCTION inline Vector3<typename Product::Scalar> node_contribution(cons
 /// df(v), which holds the sum over the edges of v as m, plus its contributions as n, in their order.
 template <class Product>
 PHYSGEN_FUNCTION inline void add_contributions(const Product& product, index_t node, const Index* begin,
-                                               const typename Product::Scalar* contributions) {
-  using S = typename Product::Scalar;
-  Vector3<S> sum = product.differentials[node].df();
+                                               const Contribution<typename Product::Scalar>* contributions) {
+  Vector3<typename Product::Scalar> sum = product.differentials[node].df();
   const Index last = begin[node + 1];
   for (Index k = begin[node]; k < last; ++k) {
-#ifdef __CUDA_ARCH__
-    if constexpr (sizeof(S) == 4) {
-      const float4 from = *reinterpret_cast<const float4*>(contributions + index_t{4} * k);
-      sum += Vector3<S>(from.x, from.y, from.z);
-      continue;
-    }
-#endif
-    const S* from = contributions + index_t{4} * k;
-    sum += Vector3<S>(from[0], from[1], from[2]);
+    const Contribution from = contributions[k];
+    sum += from.value();
   }
   product.differentials[node].df() = sum;
 }

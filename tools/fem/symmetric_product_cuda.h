@@ -75,7 +75,7 @@ constexpr int staged_edges = 256;
 template <class Product>
 __global__ void __launch_bounds__(threads_per_block)
     sum_own_edges(const Product product, index_t nodes, const Index* first, const Index* place,
-                  typename Product::Scalar* contributions) {
+                  Contribution<typename Product::Scalar>* contributions) {
   using S = typename Product::Scalar;
   __shared__ S own[3][staged_edges];
   const index_t node_begin = blockIdx.x * index_t{nodes_per_block};
@@ -90,12 +90,7 @@ __global__ void __launch_bounds__(threads_per_block)
     for (Index e = stage + static_cast<Index>(threadIdx.x); e < stage_end; e += threads_per_block) {
       const EdgeContributions<S> contribution = edge_contributions(product, index_t{e});
       for (int k = 0; k < 3; ++k) own[k][e - stage] = contribution.to_m[k];
-      S* to = contributions + index_t{4} * place[e];
-      if constexpr (sizeof(S) == 4) {
-        *reinterpret_cast<float4*>(to) = {contribution.to_n[0], contribution.to_n[1], contribution.to_n[2], 0.0F};
-      } else {
-        for (int k = 0; k < 3; ++k) to[k] = contribution.to_n[k];
-      }
+      contributions[place[e]] = Contribution<S>(contribution.to_n);
     }
     __syncthreads();
     if (has_node) {
@@ -112,7 +107,7 @@ template <class Product>
 struct AddContributions {
   Product product;
   const Index* begin;
-  const typename Product::Scalar* contributions;
+  const Contribution<typename Product::Scalar>* contributions;
   __device__ void operator()(index_t node) const { add_contributions(product, node, begin, contributions); }
 };
 
@@ -121,13 +116,14 @@ struct AddContributions {
 /// df = K dx, ordered in `stream`; does not wait. SumOrder::any adds with atomics, in an order that differs from run to
 /// run; SumOrder::fixed stores the contributions and gives the same bits on every run.
 /// @pre the differentials' elements are stored as computed
-/// @throw Error when `sums` was made for other sizes, or not for CUDA memory and this precision, or a launch fails
+/// @throw Error when arrays of the product differ in size, `sums` was made for other sizes, or not for CUDA memory and
+/// this precision, or a launch fails
 template <class... Views>
 void multiply(Cuda space, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder order,
               Stream stream = nullptr) {
   using Product = SymmetricProduct<Views...>;
   using Scalar = typename Product::Scalar;
-  sums.require(product.differentials.size(), product.edges.size(), SpaceKind::cuda, sizeof(Scalar));
+  detail::require_sizes(product, sums, SpaceKind::cuda);
   if (sums.nodes() == 0) return;
   const auto blocks = [](index_t objects, int each) { return static_cast<unsigned>((objects + each - 1) / each); };
   if (order == SumOrder::any) {

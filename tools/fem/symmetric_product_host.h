@@ -12,54 +12,58 @@ namespace physgen::fem {
 
 /// df = K dx. Both orders of sums are the fixed one here, and independent of the number of threads: atomics are what a
 /// CPU is slow at.
-/// @throw Error when `sums` was made for other sizes, or not for host memory and this precision
+/// @throw Error when arrays of the product differ in size, or `sums` was made for other sizes, or not for host memory
+/// and this precision
 template <class... Views>
 void multiply(Host /*space*/, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder /*order*/) {
   using Product = SymmetricProduct<Views...>;
   using Scalar = typename Product::Scalar;
-  sums.require(product.differentials.size(), product.edges.size(), SpaceKind::host, sizeof(Scalar));
+  detail::require_sizes(product, sums, SpaceKind::host);
   constexpr int W = native_lanes<Scalar>;
   constexpr index_t block = 512;  // nodes; their contributions stay in the cache
   const Index* first = sums.first();
   const Index* place = sums.place();
   auto* contributions = sums.contributions<Scalar>();
   const index_t nodes = sums.nodes(), blocks = (nodes + block - 1) / block;
+  physgen::detail::RegionFailure failure;
 #pragma omp parallel if (nodes > 2048)
   {
     std::vector<std::array<Scalar, 3>> own;  // contributions to m of the block's edges
 #pragma omp for schedule(static)
     for (index_t b = 0; b < blocks; ++b) {
-      const index_t node_begin = b * block, node_end = std::min(nodes, node_begin + block);
-      const index_t begin = first[node_begin], end = first[node_end];
-      own.resize(static_cast<std::size_t>(end - begin));
-      for (index_t p = begin / W * W; p < end; p += W) {  // packs at the ends also see edges of the neighbours
-        const auto pack = detail::edge_contributions(product, Pack<W>{p});
-        alignas(64) std::array<std::array<Scalar, W>, 6> lanes;
-        for (std::size_t k = 0; k < 3; ++k) {
-          pack.to_m[static_cast<int>(k)].store_aligned(lanes[k].data());
-          pack.to_n[static_cast<int>(k)].store_aligned(lanes[3 + k].data());
+      failure.guard([&] {
+        const index_t node_begin = b * block, node_end = std::min(nodes, node_begin + block);
+        const index_t begin = first[node_begin], end = first[node_end];
+        own.resize(static_cast<std::size_t>(end - begin));
+        for (index_t p = begin / W * W; p < end; p += W) {  // packs at the ends also see edges of the neighbours
+          const auto pack = detail::edge_contributions(product, Pack<W>{p});
+          alignas(64) std::array<std::array<Scalar, W>, 6> lanes;
+          for (std::size_t k = 0; k < 3; ++k) {
+            pack.to_m[static_cast<int>(k)].store_aligned(lanes[k].data());
+            pack.to_n[static_cast<int>(k)].store_aligned(lanes[3 + k].data());
+          }
+          for (index_t e = std::max(p, begin); e < std::min(p + W, end); ++e) {
+            const auto l = static_cast<std::size_t>(e - p);
+            own[static_cast<std::size_t>(e - begin)] = {lanes[0][l], lanes[1][l], lanes[2][l]};
+            contributions[place[e]] = Contribution<Scalar>({lanes[3][l], lanes[4][l], lanes[5][l]});
+          }
         }
-        for (index_t e = std::max(p, begin); e < std::min(p + W, end); ++e) {
-          const auto l = static_cast<std::size_t>(e - p);
-          own[static_cast<std::size_t>(e - begin)] = {lanes[0][l], lanes[1][l], lanes[2][l]};
-          Scalar* to = contributions + index_t{4} * place[e];
-          for (std::size_t k = 0; k < 3; ++k) to[k] = lanes[3 + k][l];
+        for (index_t node = node_begin; node < node_end; ++node) {
+          Vector3<Scalar> sum = detail::node_contribution(product, node);
+          for (index_t e = first[node]; e < first[node + 1]; ++e) {
+            const auto& to_m = own[static_cast<std::size_t>(e - begin)];
+            sum += Vector3<Scalar>(to_m[0], to_m[1], to_m[2]);
+          }
+          product.differentials[node].df() = sum;
         }
-      }
-      for (index_t node = node_begin; node < node_end; ++node) {
-        Vector3<Scalar> sum = detail::node_contribution(product, node);
-        for (index_t e = first[node]; e < first[node + 1]; ++e) {
-          const auto& to_m = own[static_cast<std::size_t>(e - begin)];
-          sum += Vector3<Scalar>(to_m[0], to_m[1], to_m[2]);
-        }
-        product.differentials[node].df() = sum;
-      }
+      });
     }
 #pragma omp for schedule(static)
     for (index_t node = 0; node < nodes; ++node) {
-      detail::add_contributions(product, node, sums.contributions_begin(), contributions);
+      failure.guard([&] { detail::add_contributions(product, node, sums.contributions_begin(), contributions); });
     }
   }
+  failure.rethrow();
 }
 
 }  // namespace physgen::fem

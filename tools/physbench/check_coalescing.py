@@ -68,8 +68,8 @@ def counted(ncu, physbench, name, objects):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--physbench", default="build/cuda/bin/physbench", help="the program (default: %(default)s)")
-    parser.add_argument("--kernels", default="dp_from_df,stress_derivative,stress,elastic_force",
+    parser.add_argument("--physbench", default="build/release/bin/physbench", help="the program (default: %(default)s)")
+    parser.add_argument("--kernels", default="dp_from_df,stress_derivative,deformation_gradient,elastic_force",
                         help="kernels, separated by commas (default: %(default)s)")
     parser.add_argument("--objects", type=int, default=20000, help="tets (default: %(default)s)")
     parser.add_argument("--tolerance", type=float, default=0.05, help="relative (default: %(default)s)")
@@ -78,7 +78,7 @@ def main():
     if not os.access(ncu, os.X_OK):
         fail("there is no ncu on PATH or in $CUDA_HOME/bin; install Nsight Compute")
     if not os.access(arguments.physbench, os.X_OK):
-        fail(f"there is no program {arguments.physbench}; tools/dev build cuda makes it, --physbench=PATH names another")
+        fail(f"there is no program {arguments.physbench}; tools/dev build makes it, --physbench=PATH names another")
     names = "|".join(arguments.kernels.split(","))
     rows = modelled(arguments.physbench, f"^({names})/(aos|soa|aosoa32)/float/cuda/", arguments.objects)
     if not rows:

@@ -32,16 +32,6 @@ std::string layout_name() {
   }
 }
 
-/// The object type of an array.
-template <class Array>
-struct ObjectOfArray;
-template <class Object, class Real, class Space, class Layout, class Formats>
-struct ObjectOfArray<Array<Object, Real, Space, Layout, Formats>> {
-  using type = Object;
-};
-template <class Array>
-using ObjectOf = typename ObjectOfArray<Array>::type;
-
 /// Random objects.
 template <class Array>
 void fill_random(Array& array) {

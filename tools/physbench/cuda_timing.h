@@ -32,10 +32,11 @@ class TimedCudaCase : public Case {
   explicit TimedCudaCase(double bytes);
   double copy() override;
 
- protected:
-  DeviceStopwatch& watch() { return watch_; }
   /// As poison() of errors.h, in device memory.
   static void poison_device(const Storage& storage);
+
+ protected:
+  DeviceStopwatch& watch() { return watch_; }
 
  private:
   DeviceStopwatch watch_;

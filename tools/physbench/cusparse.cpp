@@ -7,6 +7,8 @@
 #if __has_include(<cusparse.h>)
 #include <cusparse.h>
 
+#include <limits>
+
 #include "vendor_library.h"
 
 namespace physgen::bench {
@@ -84,7 +86,8 @@ BlockProduct::BlockProduct(const BlockMatrix& matrix, const std::vector<float>& 
   check(library().create(&s.handle), "starting cuSPARSE");
   check(library().create_matrix(&s.matrix, rows, rows, static_cast<std::int64_t>(matrix.column.size()), 3, 3,
                                 s.begin.data(), s.column.data(), s.blocks.data(), CUSPARSE_INDEX_32I,
-                                CUSPARSE_INDEX_32I, CUSPARSE_INDEX_BASE_ZERO, CUDA_R_32F, CUSPARSE_ORDER_COL),
+                                CUSPARSE_INDEX_32I, CUSPARSE_INDEX_BASE_ZERO, CUDA_R_32F,
+                                matrix.order == BlockOrder::rows ? CUSPARSE_ORDER_ROW : CUSPARSE_ORDER_COL),
         "describing a block matrix");
   check(library().create_vector(&s.from, s.scalars, s.x.data(), CUDA_R_32F), "describing a vector");
   check(library().create_vector(&s.to, s.scalars, s.y.data(), CUDA_R_32F), "describing a vector");
@@ -109,6 +112,12 @@ void BlockProduct::run() {
         "cuSPARSE's product");
 }
 
+void BlockProduct::poison() {
+  const std::vector<float> none(static_cast<std::size_t>(state_->scalars), std::numeric_limits<float>::quiet_NaN());
+  copy_memory(state_->y.data(), SpaceKind::cuda, reinterpret_cast<const std::byte*>(none.data()), SpaceKind::host,
+              state_->y.bytes());
+}
+
 std::vector<float> BlockProduct::result() const {
   std::vector<float> y(static_cast<std::size_t>(state_->scalars));
   copy_memory(reinterpret_cast<std::byte*>(y.data()), SpaceKind::host, state_->y.data(), SpaceKind::cuda,
@@ -129,6 +138,7 @@ BlockProduct::BlockProduct(const BlockMatrix& /*matrix*/, const std::vector<floa
 }
 BlockProduct::~BlockProduct() = default;
 void BlockProduct::run() {}
+void BlockProduct::poison() {}
 std::vector<float> BlockProduct::result() const { return {}; }
 
 }  // namespace physgen::bench

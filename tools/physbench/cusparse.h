@@ -12,9 +12,12 @@ namespace physgen::bench {
 /// Why there is no cuSPARSE; empty if there is.
 [[nodiscard]] std::string cusparse_missing();
 
-/// 3x3 blocks by rows: row r has the blocks begin[r] .. begin[r + 1] - 1 with ascending columns, each stored by
-/// columns.
+/// How the entries of a block follow each other.
+enum class BlockOrder { rows, columns };
+
+/// 3x3 blocks by rows: row r has the blocks begin[r] .. begin[r + 1] - 1 with ascending columns.
 struct BlockMatrix {
+  BlockOrder order = BlockOrder::columns;
   std::vector<int> begin;
   std::vector<int> column;
   std::vector<float> blocks;
@@ -31,6 +34,8 @@ class BlockProduct {
 
   /// Orders a product in the default stream.
   void run();
+  /// Fills y with NaN.
+  void poison();
   [[nodiscard]] std::vector<float> result() const;
 
  private:

@@ -62,11 +62,13 @@ void Session::run(const Row& row, benchmark::State& state) {
   state.counters[counter::gb_per_second] = bytes / time * 1e-9;
   state.counters[counter::copy_fraction] = copy / time;
   if (row.layout == "copy") return;
+#ifdef PHYSGEN_BENCH_CUDA
   if (const auto sectors = model_sectors(row)) {
     state.counters[counter::sectors_per_request] = sectors->per_request;
     state.counters[counter::bytes_per_sector] = sectors->bytes_per_sector;
     state.counters[counter::requests_per_transaction] = 1 / sectors->per_request;
   }
+#endif
   report(row, state);
 }
 

@@ -19,17 +19,18 @@ using PerSpace = std::conditional_t<Space::kind == SpaceKind::cuda, ForCuda, For
 template <class Object, class Space>
 using FormatsOf = typename Object::template Formats<PerSpace<Space, Host, Cuda>>;
 
-/// @tparam Object a generated tag such as elasticity::StressDerivativeObject
+/// @tparam Object_ a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double: the precision of the scene
 /// @tparam Space Host, PinnedHost or Cuda
 /// @tparam Layout Aos, AosPadded, Soa or Aosoa<W>
 /// @tparam Formats_ how the fields are stored: what the schema says for the space, or a struct derived from it that
 /// redeclares some: `struct Compact : DeformationSvdFormats<Cuda> { using U = format::Quaternion<>; };`
-template <class Object, class Real, class Space, class Layout, class Formats_ = FormatsOf<Object, Space>>
+template <class Object_, class Real, class Space, class Layout, class Formats_ = FormatsOf<Object_, Space>>
 class Array {
-  using Record = typename Object::template Record<Real, Formats_>;
+  using Record = typename Object_::template Record<Real, Formats_>;
 
  public:
+  using Object = Object_;
   using Formats = Formats_;
   using View = physgen::View<Object, Real, Layout, Formats>;
   using ConstView = physgen::View<Object, const Real, Layout, Formats>;
@@ -40,7 +41,7 @@ class Array {
   static constexpr int elements = element_count(Object::template fields<Real, Formats>);
 
   Array() = default;
-  /// `size` objects with their fields' initial values (zero where the schema states none).
+  /// `size` objects with their fields' initial values (zero where the schema states none; a Rotation is the identity).
   /// @throw Error when size is negative or the memory cannot be had
   explicit Array(index_t size) { resize(size); }
   /// On CUDA this works in the default stream. @pre work on `other` in other streams is done (see synchronize())
@@ -78,7 +79,7 @@ class Array {
   /// What formats could not hold of what kernels stored here since this was last asked; all zero in builds that are not
   /// checked. On CUDA it waits for the device. See throw_if_falsified().
   [[nodiscard]] Losses take_losses() {
-    return checked && size_ > 0 ? physgen::take_losses(*losses(), size_, Space::kind) : Losses();
+    return checked_build && size_ > 0 ? physgen::take_losses(*losses(), size_, Space::kind) : Losses();
   }
 
   /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
@@ -92,9 +93,14 @@ class Array {
     resized.size_ = size;
     const index_t kept = std::min(size, size_);
     copy_first(resized.storage(), storage(), kept);
-    initialize(resized.storage(), kept, Layout::padded(size));          // packs run over padding, too
-    if (checked && size > 0) static_cast<void>(resized.take_losses());  // tells the counters how many objects there are
+    initialize(resized.storage(), kept, Layout::padded(size));  // packs run over padding, too
+    resized.inherit_losses(*this);
     swap(resized);
+  }
+
+  /// In checked builds, takes the counts of an array whose place this one will take, and leaves that one's as they are.
+  void inherit_losses(const Array& old) {
+    if (checked_build && size_ > 0) start_losses(*losses(), old.losses(), size_, Space::kind);
   }
 
   /// Element k (in the order of the fields) of object i, through one interface for all types and spaces: for setting
@@ -119,14 +125,9 @@ class Array {
   }
 
   // In checked builds the counters stand behind the objects, in the same space.
-#ifdef PHYSGEN_CHECKED
-  static constexpr bool checked = true;
-#else
-  static constexpr bool checked = false;
-#endif
-  static constexpr index_t loss_bytes = checked ? index_t{sizeof(Losses)} : 0;
+  static constexpr index_t loss_bytes = checked_build ? index_t{sizeof(Losses)} : 0;
   [[nodiscard]] Losses* losses() const {
-    if (!checked || size_ == 0) return nullptr;
+    if (!checked_build || size_ == 0) return nullptr;
     return reinterpret_cast<Losses*>(buffer_.data() + Layout::padded(size_) * record_bytes);
   }
 

@@ -28,6 +28,13 @@ namespace physgen {
 /// Counts objects and bytes; signed, 64 bit: more than 2^31 objects are ordinary.
 using index_t = std::int64_t;
 
+/// Whether bounds, null, spaces and losses of storage formats are checked.
+#ifdef PHYSGEN_CHECKED
+inline constexpr bool checked_build = true;
+#else
+inline constexpr bool checked_build = false;
+#endif
+
 /// Smallest multiple of `step` that is not below `value`. @pre value >= 0, step > 0
 template <class Integer>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr Integer align_up(Integer value, Integer step) {

@@ -5,7 +5,9 @@
 #include <physgen/chunked_transfer.h>
 #include <physgen/parallel_for.h>
 
+#include <algorithm>
 #include <span>
+#include <type_traits>
 
 namespace physgen {
 
@@ -14,12 +16,12 @@ namespace detail {
 template <class T>
 void check_not_null(std::span<T* const> objects, std::string_view object_type) {
   const auto count = static_cast<index_t>(objects.size());
-  index_t first = count;  // that is null
-#pragma omp parallel for reduction(min : first) if (count > 8192)
-  for (index_t i = 0; i < count; ++i) {
-    if (objects[static_cast<std::size_t>(i)] == nullptr && i < first) first = i;
-  }
-  if (first < count) {
+  T* const* pointers = objects.data();
+  bool missing = false;
+#pragma omp parallel for simd reduction(|| : missing) if (count > 8192)
+  for (index_t i = 0; i < count; ++i) missing = missing || pointers[i] == nullptr;
+  if (missing) {
+    const auto first = std::find(objects.begin(), objects.end(), nullptr) - objects.begin();
     throw Error(std::string(object_type) + ": pointer " + std::to_string(first) + " of " + std::to_string(count) +
                 " is null; every object needs one");
   }
@@ -27,48 +29,62 @@ void check_not_null(std::span<T* const> objects, std::string_view object_type) {
 
 }  // namespace detail
 
-/// Makes `array` hold object_of(i) for i = 0 .. size-1, resized to fit: for handles of any kind.
-/// @param object_of index_t -> Value of one object; called on several threads at once
-/// @throw Error when the memory cannot be had; the array is then unchanged
+/// Makes `array` hold object_of(i) for i = 0 .. size-1, resized to fit: for handles of any kind. On the host it is done
+/// when this returns. On CUDA the work is ordered in `stream`, which this waits for.
+/// @param object_of index_t -> Value of one object; called on several threads at once. Where it is noexcept, a CUDA
+///        array that has the size already is filled in place, which saves its allocation
+/// @throw Error when the memory cannot be had, and in checked builds when a format cannot hold a value; what object_of
+///        throws. The array is then unchanged
 template <class Object, class Real, class Space, class Layout, class Formats, class ObjectOf>
 void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array, const ObjectOf& object_of,
                Stream stream = nullptr) {
+  using Gathered = Array<Object, Real, Space, Layout, Formats>;
   if constexpr (host_accessible(Space::kind)) {
-    Array<Object, Real, Space, Layout, Formats> gathered(size);
+    Gathered gathered(size);
     const auto view = gathered.view();
     parallel_for(Host{}, size, [&](index_t i) { view.put(i, object_of(i)); });
+    throw_if_falsified(gathered.take_losses(), gathered.storage());
     array = std::move(gathered);
   } else {
     // Packed in chunks, in the array's own form, while the chunk before is transferred.
-    Array<Object, Real, Space, Layout, Formats> gathered(size);
-    ChunkedUpload upload(gathered.storage(), 0, size, stream);
+    constexpr bool cannot_fail = std::is_nothrow_invocable_v<const ObjectOf&, index_t> && !checked_build;
+    const bool in_place = cannot_fail && array.size() == size;
+    Gathered fresh(in_place ? 0 : size);
+    const Storage target = in_place ? array.storage() : fresh.storage();
+    ChunkedUpload upload(target, 0, size, stream);
     Losses losses;
-    losses.objects = size;
     while (upload.next()) {
+      Losses of_chunk;
+      of_chunk.objects = upload.chunk().size;
       const View<Object, Real, Layout, Formats> chunk(upload.chunk().base, upload.chunk().size, upload.chunk().pitch,
-                                                      SpaceKind::pinned, &losses);
+                                                      SpaceKind::pinned, &of_chunk);
       const index_t begin = upload.begin();
       parallel_for(Host{}, chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
+      losses.add(of_chunk, begin);
     }
     synchronize(stream);  // what failed shows here, while the array is as it was
-    throw_if_falsified(losses, gathered.storage());
-    array = std::move(gathered);
+    throw_if_falsified(losses, target);
+    if (!in_place) array = std::move(fresh);
   }
 }
 
-/// Makes `array` hold the objects pointed to, in this order, resized to fit.
+/// Makes `array` hold the objects pointed to, in this order, resized to fit; otherwise as gather_by().
 /// @param to_value const T& -> Value of one object; called on several threads at once
-/// @throw Error when a pointer is null or the memory cannot be had; the array is then unchanged
+/// @throw Error when a pointer is null, and as gather_by(); the array is then unchanged
 template <class T, class Object, class Real, class Space, class Layout, class Formats, class ToValue>
 void gather(std::span<T* const> objects, Array<Object, Real, Space, Layout, Formats>& array, const ToValue& to_value,
             Stream stream = nullptr) {
   detail::check_not_null(objects, Object::name);
   gather_by(
       static_cast<index_t>(objects.size()), array,
-      [&](index_t i) { return to_value(*objects[static_cast<std::size_t>(i)]); }, stream);
+      [&](index_t i) noexcept(noexcept(to_value(*objects[0]))) {
+        return to_value(*objects[static_cast<std::size_t>(i)]);
+      },
+      stream);
 }
 
-/// Hands every object of `array` to set(i, value), i = 0 .. size-1: for handles of any kind.
+/// Hands every object of `array` to set(i, value), i = 0 .. size-1: for handles of any kind. Done when this returns; on
+/// CUDA behind what is ordered in `stream`.
 /// @param set called on several threads at once, once for each i
 template <class Object, class Real, class Space, class Layout, class Formats, class Set>
 void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const Set& set, Stream stream = nullptr) {

@@ -1,28 +1,53 @@
-// What storage formats could not hold. Checked builds count it wherever elements are stored; the first loss of a kind
-// that falsifies is remembered with its place.
+// What storage formats could not hold. Checked builds count it wherever elements are stored, and remember the place of
+// the first value that is wrong and of the first one that is imprecise.
 #pragma once
 
 #include <physgen/format.h>
 
+#include <bit>
 #include <cmath>
 
 namespace physgen {
 
 /// Counts of one array since it was made or last asked (Array::take_losses), or of one copy.
 struct Losses {
+  /// Where a loss was, for the first of its kind.
+  struct Place {
+    unsigned int known = 0;
+    int offset = 0;      ///< of the element in the record [bytes]
+    index_t object = 0;  ///< the object's number
+    double value = 0;    ///< what was to be stored; of a matrix, the largest deviation from a rotation
+  };
+
   unsigned long long out_of_range = 0;    ///< finite, and stored as infinity or as the end of the range
   unsigned long long not_a_number = 0;    ///< NaN or infinite values, stored in 16 bits
-  unsigned long long not_a_rotation = 0;  ///< matrices that are no rotation, stored as a quaternion
-  unsigned long long imprecise = 0;       ///< kept with a larger relative error than the format has for ordinary values
-  // The first of the upper three, where there is one:
-  unsigned int has_first = 0;
-  int offset = 0;       ///< of the element in the record [bytes]
-  index_t object = 0;   ///< the object's number
-  double value = 0;     ///< what was to be stored; of a matrix, the largest deviation from a rotation
-  index_t objects = 0;  ///< of the array; what kernels store behind them, in padding, does not count
+  unsigned long long not_a_rotation = 0;  ///< matrices, or stored quaternions, that are no rotation
+  unsigned long long imprecise = 0;       ///< kept with a larger relative error than relative_error() of the type
+  Place first;                            ///< of the upper three
+  Place first_imprecise;
+  unsigned long long worst = 0;  ///< see worst_relative_error()
+  index_t objects = 0;           ///< of the array; what kernels store behind them, in padding, does not count
 
   /// How many values are wrong, not only imprecise.
   [[nodiscard]] unsigned long long falsified() const { return out_of_range + not_a_number + not_a_rotation; }
+  /// Of the imprecise values. 1 where one became 0.
+  [[nodiscard]] double worst_relative_error() const { return std::bit_cast<double>(worst); }
+
+  /// Adds what was counted elsewhere. @param further added to object numbers of `other`
+  void add(const Losses& other, index_t further = 0) {
+    out_of_range += other.out_of_range;
+    not_a_number += other.not_a_number;
+    not_a_rotation += other.not_a_rotation;
+    imprecise += other.imprecise;
+    if (worst < other.worst) worst = other.worst;
+    const auto adopt = [further](Place& place, Place from) {
+      if (place.known != 0) return;
+      place = from;
+      if (place.known != 0) place.object += further;
+    };
+    adopt(first, other.first);
+    adopt(first_imprecise, other.first_imprecise);
+  }
 };
 
 namespace detail {
@@ -35,6 +60,19 @@ PHYSGEN_FUNCTION inline void count_one(unsigned long long& counter) {
 #endif
 }
 
+/// Raises `bits`, those of a double, to `value`. @pre value >= 0, so that bits are in the order of numbers
+PHYSGEN_FUNCTION inline void raise(unsigned long long& bits, double value) {
+  const auto raised = std::bit_cast<unsigned long long>(value);
+#ifdef __CUDA_ARCH__
+  atomicMax(&bits, raised);
+#else
+  unsigned long long before = __atomic_load_n(&bits, __ATOMIC_RELAXED);
+  while (before < raised &&
+         !__atomic_compare_exchange_n(&bits, &before, raised, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+  }
+#endif
+}
+
 /// Whether this call is the first for `flag`.
 PHYSGEN_FUNCTION inline bool claim(unsigned int& flag) {
 #ifdef __CUDA_ARCH__
@@ -44,13 +82,13 @@ PHYSGEN_FUNCTION inline bool claim(unsigned int& flag) {
 #endif
 }
 
-PHYSGEN_FUNCTION inline void remember(Losses& losses, unsigned long long& counter, index_t object, int offset,
+PHYSGEN_FUNCTION inline void remember(unsigned long long& counter, Losses::Place& first, index_t object, int offset,
                                       double value) {
   count_one(counter);
-  if (!claim(losses.has_first)) return;
-  losses.object = object;
-  losses.offset = offset;
-  losses.value = value;
+  if (!claim(first.known)) return;
+  first.object = object;
+  first.offset = offset;
+  first.value = value;
 }
 
 /// Counts what became of `value`, stored in `type` and read back as `back`.
@@ -59,22 +97,24 @@ PHYSGEN_FUNCTION inline void count_loss(Losses& losses, ElementType type, double
                                         index_t object, int offset) {
   if (type == ElementType::float64 || type == ElementType::int32) return;
   if (!(std::abs(value) <= 1.7976931348623157e308)) {
-    if (element_bytes(type) == 2) remember(losses, losses.not_a_number, object, offset, value);
+    if (element_bytes(type) == 2) remember(losses.not_a_number, losses.first, object, offset, value);
     return;
   }
   const double error = std::abs(back - value);
   if (type == ElementType::snorm16) {
-    if (error > scale / 32767) return remember(losses, losses.out_of_range, object, offset, value);
+    if (error > scale / 32767) return remember(losses.out_of_range, losses.first, object, offset, value);
     return;  // its error is absolute
   }
-  if (!(std::abs(back) <= 1.7976931348623157e308)) return remember(losses, losses.out_of_range, object, offset, value);
-  const double relative = type == ElementType::half ? 0x1p-11 : type == ElementType::bfloat16 ? 0x1p-8 : 0x1p-24;
-  if (error > relative * std::abs(value)) count_one(losses.imprecise);
+  if (!(std::abs(back) <= 1.7976931348623157e308))
+    return remember(losses.out_of_range, losses.first, object, offset, value);
+  if (!(error > relative_error(type) * std::abs(value))) return;
+  remember(losses.imprecise, losses.first_imprecise, object, offset, value);
+  raise(losses.worst, error / std::abs(value));
 }
 
 /// Counts a matrix that is not orthogonal with determinant 1 to a hundredth. @param deviation from that; NaN counts
 PHYSGEN_FUNCTION inline void count_deviation(Losses& losses, double deviation, index_t object, int offset) {
-  if (!(deviation <= 1e-2)) remember(losses, losses.not_a_rotation, object, offset, deviation);
+  if (!(deviation <= 1e-2)) remember(losses.not_a_rotation, losses.first, object, offset, deviation);
 }
 
 /// Largest entry of R^T R - 1, and of det R - 1; NaN where an entry is.

@@ -20,9 +20,10 @@ struct FieldInfo {
   ElementType type;
   int offset;      ///< [bytes]
   int count;       ///< stored elements, 4 for each rotation that is a quaternion
-  double initial;  ///< value of every element of a new object
+  double initial;  ///< value of every element of a new object, but of rotations, which begin as the identity
   double scale;
   double centre;
+  bool rotation;    ///< one or an array of them
   bool quaternion;  ///< rotations, stored as w, x, y, z
 
   /// Elements that code sees: 9 for a rotation, however it is stored.
@@ -47,6 +48,7 @@ template <class Shape, class Format, class T>
           initial,
           Element::scale,
           Element::centre,
+          std::is_same_v<Shape, shape::Rotation>,
           format::is_quaternion<Format>};
 }
 

@@ -23,6 +23,30 @@ constexpr int default_lanes() {
 
 }  // namespace detail
 
+namespace detail {
+
+/// Keeps the first exception that is thrown in an OpenMP region, which it must not leave, and throws it behind it.
+class RegionFailure {
+ public:
+  template <class Work>
+  void guard(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+#pragma omp critical(physgen_region_failure)
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  std::exception_ptr failure_;
+};
+
+}  // namespace detail
+
 /// Calls kernel(i) for the objects 0 .. size-1, on all OpenMP threads, and returns when all are done.
 ///
 /// A kernel with a member type Scalar and a templated call operator is called with Pack<W> for W objects at once, the
@@ -36,21 +60,18 @@ void parallel_for(Host /*space*/, index_t size, const Kernel& kernel) {
   // Fewer objects than this are done before other threads have woken up.
   constexpr index_t worth_threads = 8192;
   const index_t packs = (size + width - 1) / width;
-  std::exception_ptr failure;  // an exception must not leave an OpenMP region
+  detail::RegionFailure failure;
 #pragma omp parallel for schedule(static) if (size >= worth_threads)
   for (index_t p = 0; p < packs; ++p) {
-    try {
+    failure.guard([&] {
       if constexpr (width == 1) {
         kernel(p);
       } else {
         kernel(Pack<width>{p * width});
       }
-    } catch (...) {
-#pragma omp critical(physgen_parallel_for_failure)
-      if (!failure) failure = std::current_exception();
-    }
+    });
   }
-  if (failure) std::rethrow_exception(failure);
+  failure.rethrow();
 }
 
 }  // namespace physgen

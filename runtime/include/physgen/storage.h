@@ -28,8 +28,8 @@ struct Storage {
 /// Copies all objects of `from` to `to`, converting layout, storage format, precision and space in one pass. Where both
 /// lie on the host it is done when this returns; else it is ordered in `stream`, and host memory that is not pinned
 /// makes the call wait.
-/// @throw Error when the sizes or the object types differ, or the arrays share memory; in checked builds also when a
-/// format cannot hold a value (losses_of_copy() falsifies one). `to` is then unchanged
+/// @throw Error when the sizes or the object types differ, an array is null, or they share memory; in checked builds
+/// also when a format cannot hold a value (losses_of_copy() falsifies one). `to` is then unchanged
 void copy(const Storage& to, const Storage& from, Stream stream = nullptr);
 
 /// What the formats of `to` could not hold of `from`: a look before a copy. On CUDA this is done when it returns.
@@ -42,11 +42,13 @@ void throw_if_falsified(const Losses& losses, const Storage& storage);
 /// Reads counters, sets them to zero and tells them how many objects count. Waits for all work of the device.
 [[nodiscard]] Losses take_losses(Losses& counters, index_t objects, SpaceKind space);
 
+/// Sets up the counters of a new array: how many objects count, and what `old` has counted, unless it is null.
+void start_losses(Losses& counters, const Losses* old, index_t objects, SpaceKind space);
+
 /// Copies objects begin .. end-1 only, to the same numbers, as copy() does; the sizes may differ. Between spaces only
 /// these objects are transferred.
 /// @return bytes of the objects as they were transferred
-/// @throw Error when there are no such objects in both arrays; `to` is then unchanged
-/// @pre both are arrays of one object type, and not the same
+/// @throw Error as copy(), and when there are no such objects in both arrays; `to` is then unchanged
 index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream = nullptr);
 
 /// Copies the first `count` objects only. @pre count <= both sizes
@@ -57,7 +59,8 @@ void initialize(const Storage& storage, index_t begin, index_t end);
 
 /// Element k (counted over the fields in order, 9 for a rotation) of object i, converted to double and back. On CUDA a
 /// transfer each.
-/// @throw Error when i or k is out of range; putdata also for an element of a rotation stored as a quaternion
+/// @throw Error when i or k is out of range; putdata also for an element of a rotation stored as a quaternion, for a
+/// value that is no index where one is stored, and in checked builds for one that the format cannot hold
 [[nodiscard]] double getdata(const Storage& storage, index_t i, int k);
 void putdata(const Storage& storage, index_t i, int k, double value);
 

@@ -45,16 +45,9 @@ void pick(const Storage& to, const Storage& from, const Numbers& order);
 /// @pre both store the same records in the same space; begin + from.size <= to.size
 void insert(const Storage& to, index_t begin, const Storage& from);
 
-template <class Array>
-struct ObjectOf;
-template <class Object_, class Real, class Space, class Layout, class Formats>
-struct ObjectOf<Array<Object_, Real, Space, Layout, Formats>> {
-  using Object = Object_;
-};
-
 /// Whether both are arrays of one object type.
 template <class A, class B>
-concept SameObject = std::same_as<typename ObjectOf<A>::Object, typename ObjectOf<B>::Object>;
+concept SameObject = std::same_as<typename A::Object, typename B::Object>;
 
 /// `other` in the layout, formats, precision and space of To: itself where it has them, else a converted copy.
 template <class To, class Other>
@@ -162,6 +155,7 @@ class ArraySet {
     for (std::size_t a = 0; a < to.size(); ++a) fill(a, to[a], from[a]);
     detail::wait_for(to);  // what failed on the device shows here, while the old arrays are still in place
     [&]<std::size_t... a>(std::index_sequence<a...>) {
+      (std::get<a>(replacements).inherit_losses(std::get<a>(arrays_)), ...);
       (std::get<a>(arrays_).swap(std::get<a>(replacements)), ...);
     }(std::index_sequence_for<Arrays...>());
   }

@@ -25,7 +25,7 @@ std::byte* allocate(SpaceKind space, index_t bytes, std::string& why) {
     if (status != cudaSuccess) deallocate(space, static_cast<std::byte*>(data));
   }
   if (status == cudaSuccess) return static_cast<std::byte*>(data);
-  cudaGetLastError();  // an allocation that failed is reported here and must not be seen again by the next check
+  cudaGetLastError();  // as check() does
   why = std::string(cudaGetErrorName(status)) + ": " + cudaGetErrorString(status);
   return nullptr;
 }

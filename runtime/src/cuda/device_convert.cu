@@ -1,13 +1,14 @@
 // See device_convert.h. A thread takes one object and goes along its elements, so that tiled channels are read and
-// written as whole sectors. Records of an array of structs would be torn apart by that: a block brings those of its
-// objects into shared memory, or out of it, in 16-byte words.
+// written as whole sectors; records of an array of structs are staged.
 #include <physgen/cuda/check.h>
+#include <physgen/layout/pitch.h>
 
 #include <algorithm>
 
 #include "../backend.h"
 #include "../convert.h"
 #include "device_convert.h"
+#include "staging.h"
 #include "stream_memory.h"
 #include "transpose.h"
 
@@ -16,6 +17,11 @@ namespace physgen {
 namespace {
 
 using cuda::check;
+using cuda::move_records;
+using cuda::Place;
+using cuda::read;
+using cuda::Staged;
+using cuda::write;
 using detail::Addressing;
 using detail::ElementMove;
 using detail::RotationMove;
@@ -31,111 +37,12 @@ struct Moves {
   RotationMove rotation[rotations_per_launch];
 };
 
-// Records of the objects of a block in shared memory. Their 4-byte words are an odd number apart, so that the threads
-// of a warp, each at its own record, meet different banks.
-struct Staged {
-  int words;       // of a record; 0: not staged
-  int stride;      // from one record to the next [words]
-  unsigned magic;  // word / words = the upper half of word * magic, for words of a block
-
-  static Staged of(const Storage& storage, bool staged) {
-    Staged result{0, 0, 0};
-    if (!staged) return result;
-    result.words = storage.record_bytes / 4;
-    result.stride = result.words | 1;
-    result.magic = static_cast<unsigned>((0xffffffffULL + static_cast<unsigned>(result.words)) /
-                                         static_cast<unsigned>(result.words));
-    return result;
-  }
-  [[nodiscard]] __device__ int place(int word) const {
-    const int record = words == 1 ? word : static_cast<int>(__umulhi(static_cast<unsigned>(word), magic));
-    return word + record * (stride - words);
-  }
-  [[nodiscard]] int shared_bytes(int objects) const { return objects * stride * 4; }
-};
-
 struct Block {
   index_t begin;        // first object of the launch, a multiple of 32
   index_t first, last;  // objects to be converted, first .. last - 1
   Staged from, to;
   bool clear;  // elements do not fill the target's records
 };
-
-// Words of the block's records, from or to memory that begins at a multiple of 16 bytes.
-template <bool kIn>
-__device__ void move_records(const Staged& staged, unsigned* shared, std::byte* memory, int words_begin,
-                             int words_end) {
-  auto* words = reinterpret_cast<unsigned*>(memory);
-  const int whole_begin = (words_begin + 3) & ~3, whole_end = words_end & ~3;
-  for (int w = whole_begin + static_cast<int>(threadIdx.x) * 4; w < whole_end; w += static_cast<int>(blockDim.x) * 4) {
-    auto* wide = reinterpret_cast<uint4*>(words + w);
-    if constexpr (kIn) {
-      const uint4 four = *wide;
-      shared[staged.place(w)] = four.x;
-      shared[staged.place(w + 1)] = four.y;
-      shared[staged.place(w + 2)] = four.z;
-      shared[staged.place(w + 3)] = four.w;
-    } else {
-      *wide = {shared[staged.place(w)], shared[staged.place(w + 1)], shared[staged.place(w + 2)],
-               shared[staged.place(w + 3)]};
-    }
-  }
-  const auto single = [&](int w) {
-    if constexpr (kIn) {
-      shared[staged.place(w)] = words[w];
-    } else {
-      words[w] = shared[staged.place(w)];
-    }
-  };
-  const int before = min(whole_begin, words_end);
-  for (int w = words_begin + static_cast<int>(threadIdx.x); w < before; w += static_cast<int>(blockDim.x)) single(w);
-  for (int w = max(whole_end, before) + static_cast<int>(threadIdx.x); w < words_end; w += static_cast<int>(blockDim.x))
-    single(w);
-}
-
-// Where the elements of one object lie: in memory, or in its record in shared memory.
-template <bool kStaged>
-struct Place {
-  std::byte* object;
-  index_t pitch;
-  index_t lane;
-  __device__ Place(const Addressing& array, const Staged& staged, unsigned* shared, index_t i, int slot) {
-    if constexpr (kStaged) {
-      object = reinterpret_cast<std::byte*>(shared + slot * staged.stride);
-      pitch = 1;
-      lane = 0;
-    } else {
-      const index_t here = i - array.first;
-      const index_t tile = here >> array.shift;
-      object = array.base + tile * array.pitch * array.record_bytes;
-      pitch = array.pitch;
-      lane = here - (tile << array.shift);
-    }
-  }
-  [[nodiscard]] __device__ std::byte* at(int offset, int size) const { return object + offset * pitch + lane * size; }
-};
-
-// Shared records are aligned to 4 bytes only, so an 8-byte element is moved as two words.
-template <bool kStaged, class T>
-__device__ T read(const std::byte* from) {
-  if constexpr (kStaged && sizeof(T) == 8) {
-    const auto* words = reinterpret_cast<const unsigned*>(from);
-    return std::bit_cast<T>(static_cast<unsigned long long>(words[1]) << 32 | words[0]);
-  } else {
-    return *reinterpret_cast<const T*>(from);
-  }
-}
-template <bool kStaged, class T>
-__device__ void write(std::byte* to, T value) {
-  if constexpr (kStaged && sizeof(T) == 8) {
-    const auto bits = std::bit_cast<unsigned long long>(value);
-    auto* words = reinterpret_cast<unsigned*>(to);
-    words[0] = static_cast<unsigned>(bits);
-    words[1] = static_cast<unsigned>(bits >> 32);
-  } else {
-    *reinterpret_cast<T*>(to) = value;
-  }
-}
 
 // Elements that only move, as words of type T.
 template <class T, bool kFromStaged, bool kToStaged>
@@ -154,6 +61,38 @@ __device__ void move_words(const Moves& moves, const Place<kFromStaged>& from, c
       if (first + k < moves.elements) write<kToStaged, T>(to.at(moves.element[first + k].to_offset, size), value[k]);
     }
   }
+}
+
+// Between floats and 16 bits of one encoding: kNarrow to 16 bits, else from them.
+template <bool kNarrow, class Codec, bool kFromStaged, bool kToStaged>
+__device__ void convert_by(const Codec& codec, const Moves& moves, const Place<kFromStaged>& from,
+                           const Place<kToStaged>& to) {
+  using From = std::conditional_t<kNarrow, float, unsigned short>;
+  constexpr int batch = 16;  // loads in flight
+  constexpr int from_size = sizeof(From), to_size = kNarrow ? 2 : 4;
+  for (int first = 0; first < moves.elements; first += batch) {
+    From value[batch];
+#pragma unroll
+    for (int k = 0; k < batch; ++k) {
+      if (first + k < moves.elements)
+        value[k] = read<kFromStaged, From>(from.at(moves.element[first + k].from_offset, from_size));
+    }
+#pragma unroll
+    for (int k = 0; k < batch; ++k) {
+      if (first + k >= moves.elements) continue;
+      std::byte* target = to.at(moves.element[first + k].to_offset, to_size);
+      if constexpr (kNarrow) {
+        write<kToStaged, unsigned short>(target, codec.encode(value[k]));
+      } else {
+        write<kToStaged, float>(target, codec.decode(value[k]));
+      }
+    }
+  }
+}
+template <bool kNarrow, bool kFromStaged, bool kToStaged>
+__device__ void convert_uniform(const Moves& moves, const Place<kFromStaged>& from, const Place<kToStaged>& to) {
+  const detail::Encoding& encoding = kNarrow ? moves.element[0].to : moves.element[0].from;
+  detail::with_codec<float>(encoding, [&](const auto& codec) { convert_by<kNarrow>(codec, moves, from, to); });
 }
 
 template <bool kFromStaged, bool kToStaged>
@@ -192,7 +131,7 @@ __device__ void convert_elements(const Moves& moves, const Place<kFromStaged>& f
 }
 
 // What the elements of a launch have in common.
-enum class Kind { words4, words2, any };
+enum class Kind { words4, words2, narrow, widen, any };
 
 template <Kind kKind, bool kFromStaged, bool kToStaged>
 __global__ void convert_kernel(const Addressing to, const Addressing from, const __grid_constant__ Moves moves,
@@ -223,6 +162,8 @@ __global__ void convert_kernel(const Addressing to, const Addressing from, const
       move_words<unsigned>(moves, source, target);
     } else if constexpr (kKind == Kind::words2) {
       move_words<unsigned short>(moves, source, target);
+    } else if constexpr (kKind == Kind::narrow || kKind == Kind::widen) {
+      convert_uniform<kKind == Kind::narrow>(moves, source, target);
     } else {
       convert_elements(moves, source, target);
     }
@@ -276,12 +217,19 @@ void for_each_part(const detail::Conversion& conversion, const Launch& launch) {
 }
 
 [[nodiscard]] Kind kind_of(const Moves& moves) {
-  const auto all = [&](int size) {
+  const detail::Encoding &to = moves.element[0].to, &from = moves.element[0].from;
+  const bool uniform = std::all_of(moves.element, moves.element + moves.elements,
+                                   [&](const ElementMove& move) { return move.to == to && move.from == from; });
+  const auto all_moved = [&](int size) {
     return std::all_of(moves.element, moves.element + moves.elements, [size](const ElementMove& move) {
       return move.to == move.from && element_bytes(move.to.type) == size;
     });
   };
-  return all(4) ? Kind::words4 : all(2) ? Kind::words2 : Kind::any;
+  if (all_moved(4)) return Kind::words4;
+  if (all_moved(2)) return Kind::words2;
+  if (uniform && from.type == ElementType::float32 && element_bytes(to.type) == 2) return Kind::narrow;
+  if (uniform && to.type == ElementType::float32 && element_bytes(from.type) == 2) return Kind::widen;
+  return Kind::any;
 }
 
 constexpr int threads = 256;
@@ -309,6 +257,12 @@ void launch(const Addressing& to, const Addressing& from, const Moves& moves, co
 
 void cuda::convert(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
                    index_t end, Stream stream) {
+  const index_t aligned = align_up(begin, padding_objects);
+  if (begin < aligned && aligned < end) {  // whole tiles, which have faster ways, begin later
+    convert(to, to_first, from, from_first, begin, aligned, stream);
+    convert(to, to_first, from, from_first, aligned, end, stream);
+    return;
+  }
   begin = transpose(to, to_first, from, from_first, begin, end, stream);
   if (begin == end) return;
   const Addressing to_array(to, to_first), from_array(from, from_first);
@@ -336,6 +290,12 @@ void cuda::convert(const Storage& to, index_t to_first, const Storage& from, ind
         case Kind::words2:
           launch<Kind::words2>(to_array, from_array, moves, block, stream);
           break;
+        case Kind::narrow:
+          launch<Kind::narrow>(to_array, from_array, moves, block, stream);
+          break;
+        case Kind::widen:
+          launch<Kind::widen>(to_array, from_array, moves, block, stream);
+          break;
         case Kind::any:
           launch<Kind::any>(to_array, from_array, moves, block, stream);
           break;
@@ -354,7 +314,10 @@ Losses backend::count_losses(const Storage& to, const Storage& from, index_t beg
   auto* on_device = reinterpret_cast<Losses*>(memory.data());
   Losses losses;
   copy_bytes(memory.data(), reinterpret_cast<const std::byte*>(&losses), sizeof losses, stream);
-  for_each_part(detail::Conversion(to, from), [&](const Moves& moves) {
+  detail::Conversion conversion(to, from);
+  conversion.rotations.insert(conversion.rotations.end(), conversion.kept_quaternions.begin(),
+                              conversion.kept_quaternions.end());
+  for_each_part(conversion, [&](const Moves& moves) {
     count_kernel<<<blocks_for(end - begin, threads), threads, 0, stream>>>(Addressing(from), moves, begin, end,
                                                                            on_device);
     check(cudaGetLastError(), "launching a count of what formats cannot hold");

@@ -1,6 +1,7 @@
 // See pinned_ring.h.
 #include <physgen/cuda/check.h>
 
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -11,6 +12,7 @@ namespace physgen::cuda {
 
 struct PinnedRing::Pieces {
   index_t bytes = 0;
+  int device = 0;  // its events belong to one
   std::byte* memory[pieces] = {};
   cudaEvent_t done[pieces] = {};
 
@@ -25,6 +27,7 @@ struct PinnedRing::Pieces {
 namespace {
 
 std::mutex mutex;
+int rings_made = 0;
 
 // Rings that no transfer uses at present. Never destroyed: CUDA may be gone before static objects are.
 template <class T>
@@ -35,14 +38,16 @@ std::vector<std::unique_ptr<T>>& idle() {
 
 }  // namespace
 
-PinnedRing::PinnedRing(index_t bytes) {
+PinnedRing::PinnedRing(index_t bytes) : exceptions_(std::uncaught_exceptions()) {
   constexpr index_t step = index_t{16} << 20;  // so that few sizes occur
   bytes = align_up(bytes, step);
+  int device = 0;
+  check(cudaGetDevice(&device), "asking for the current device");
   {
     const std::lock_guard lock(mutex);
     auto& rings = idle<Pieces>();
     for (auto& ring : rings) {
-      if (ring->bytes < bytes) continue;
+      if (ring->bytes < bytes || ring->device != device) continue;
       pieces_ = ring.release();
       std::swap(ring, rings.back());
       rings.pop_back();
@@ -51,19 +56,25 @@ PinnedRing::PinnedRing(index_t bytes) {
   }
   auto made = std::make_unique<Pieces>();
   made->bytes = bytes;
+  made->device = device;
   for (int k = 0; k < pieces; ++k) {
     void* memory = nullptr;
     check(cudaMallocHost(&memory, static_cast<std::size_t>(bytes)), "allocating pinned memory for a transfer");
     made->memory[k] = static_cast<std::byte*>(memory);
     check(cudaEventCreateWithFlags(&made->done[k], cudaEventDisableTiming), "preparing a transfer");
   }
+  {
+    const std::lock_guard lock(mutex);
+    idle<Pieces>().reserve(static_cast<std::size_t>(++rings_made));
+  }
   pieces_ = made.release();
 }
 
 PinnedRing::~PinnedRing() {
   for (int k = 0; k < pieces; ++k) cudaEventSynchronize(pieces_->done[k]);
+  if (std::uncaught_exceptions() > exceptions_) cudaDeviceSynchronize();  // a transfer may not have been noted
   const std::lock_guard lock(mutex);
-  idle<Pieces>().emplace_back(pieces_);
+  idle<Pieces>().emplace_back(pieces_);  // which has room
 }
 
 std::byte* PinnedRing::piece(index_t k) const { return pieces_->memory[k % pieces]; }

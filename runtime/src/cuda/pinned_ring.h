@@ -28,7 +28,8 @@ class PinnedRing {
 
  private:
   struct Pieces;
-  Pieces* pieces_;
+  Pieces* pieces_ = nullptr;
+  int exceptions_;  // in flight when this was made
 };
 
 }  // namespace physgen::cuda

@@ -1,9 +1,10 @@
 // Copies between host and device that convert. What travels, and who converts:
 //   - Pinned memory travels as it is and is converted on the device, which takes a hundredth of the transfer's time.
-//   - Pageable memory must pass through pinned memory anyway, by the hands of the processor, which converts on the way
-//     if the form on the device is the smaller one: then fewer bytes travel. If it is the larger one, the host's form
-//     travels, and the device converts.
-// A copy goes in chunks: while one travels, the processor is at the next one.
+//   - Pageable memory must pass through pinned memory anyway, by the hands of the processor. It converts on the way
+//     where that makes doubles floats: then fewer bytes travel. Else the host's form travels and the device converts:
+//     to change the layout or to make 16-bit formats takes a processor longer than the bytes take to travel.
+// Measured by `physbench conversions` (tools/physbench/README.md). A copy goes in chunks: while one travels, the
+// processor is at the next one.
 #include <physgen/chunked_transfer.h>
 #include <physgen/cuda/check.h>
 
@@ -86,9 +87,42 @@ index_t convert_pinned(const Storage& to, const Storage& from, index_t begin, in
   return moved;  // the end of the side stream makes the main one wait for it
 }
 
+// Whether the processor converts on the way to or from pageable memory.
+bool processor_converts(const Storage& host, const Storage& device) {
+  const auto plain = [](const Storage& array) {
+    return std::all_of(array.fields.begin(), array.fields.end(),
+                       [](const FieldInfo& field) { return element_bytes(field.type) >= 4 && !field.quaternion; });
+  };
+  return device.record_bytes < host.record_bytes && plain(host) && plain(device);
+}
+
+// One chunk of the host's form, pinned and on the device, and where the objects of chunk k lie in it.
+struct Passage {
+  Chunks chunks;
+  Storage pinned, part;
+  cuda::PinnedRing ring;
+  cuda::StreamMemory memory;
+
+  Passage(const Storage& host, index_t begin, index_t end, Stream stream)
+      : chunks(host, begin, end),
+        pinned(part_of(host, chunks.objects + padding_objects, SpaceKind::pinned)),
+        part(pinned),
+        ring(pinned.bytes()),
+        memory(part.bytes(), stream) {
+    part.space = SpaceKind::cuda;
+    part.base = memory.data();
+  }
+  [[nodiscard]] index_t in_part(index_t k) const { return chunks.first(k) - chunks.aligned(k); }
+  [[nodiscard]] index_t count(index_t k) const { return chunks.last(k) - chunks.first(k); }
+  [[nodiscard]] const Storage& piece(index_t k) {
+    pinned.base = ring.piece(k);
+    return pinned;
+  }
+};
+
 // Pageable memory to the device.
 index_t upload(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
-  if (to.record_bytes <= from.record_bytes) {
+  if (processor_converts(from, to)) {
     ChunkedUpload chunks(to, begin, end, stream);
     while (chunks.next()) {
       const index_t first = chunks.begin();
@@ -96,28 +130,21 @@ index_t upload(const Storage& to, const Storage& from, index_t begin, index_t en
     }
     return (end - begin) * to.record_bytes;
   }
-  const Chunks chunks(from, begin, end);
-  Storage pinned = part_of(from, chunks.objects + padding_objects, SpaceKind::pinned);
-  Storage part = pinned;
-  part.space = SpaceKind::cuda;
-  cuda::PinnedRing ring(pinned.bytes());
-  const cuda::StreamMemory memory(part.bytes(), stream);
-  part.base = memory.data();
-  for (index_t k = 0; k < chunks.count(); ++k) {
-    const index_t first = chunks.first(k), last = chunks.last(k), at = chunks.aligned(k);
-    pinned.base = ring.piece(k);
-    ring.wait(k);
-    detail::convert_on_host(pinned, at, from, 0, first, last);
-    detail::copy_plain(part, first - at, pinned, first - at, last - first, stream);
-    ring.used(k, stream);
-    cuda::convert(to, 0, part, at, first, last, stream);
+  Passage way(from, begin, end, stream);
+  for (index_t k = 0; k < way.chunks.count(); ++k) {
+    const index_t first = way.chunks.first(k), last = way.chunks.last(k), at = way.chunks.aligned(k);
+    way.ring.wait(k);
+    detail::convert_on_host(way.piece(k), at, from, 0, first, last);
+    detail::copy_plain(way.part, way.in_part(k), way.piece(k), way.in_part(k), way.count(k), stream);
+    way.ring.used(k, stream);
+    cuda::convert(to, 0, way.part, at, first, last, stream);
   }
   return (end - begin) * from.record_bytes;
 }
 
 // The device to pageable memory.
 index_t download(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
-  if (from.record_bytes <= to.record_bytes) {
+  if (processor_converts(to, from)) {
     ChunkedDownload chunks(from, begin, end, stream);
     while (chunks.next()) {
       const index_t first = chunks.begin();
@@ -125,16 +152,20 @@ index_t download(const Storage& to, const Storage& from, index_t begin, index_t 
     }
     return (end - begin) * from.record_bytes;
   }
-  // Converted on the device as a whole, since the form that travels is the smaller one.
-  const index_t at = begin / padding_objects * padding_objects;
-  Storage part = part_of(to, end - at, SpaceKind::cuda);
-  const cuda::StreamMemory memory(part.bytes(), stream);
-  part.base = memory.data();
-  cuda::convert(part, at, from, 0, begin, end, stream);
-  ChunkedDownload chunks(part, begin - at, end - at, stream);
-  while (chunks.next()) {
-    const index_t first = at + chunks.begin();
-    detail::convert_on_host(to, 0, chunks.chunk(), first, first, first + chunks.chunk().size);
+  Passage way(to, begin, end, stream);
+  const auto order = [&](index_t k) {
+    cuda::convert(way.part, way.chunks.aligned(k), from, 0, way.chunks.first(k), way.chunks.last(k), stream);
+    detail::copy_plain(way.piece(k), way.in_part(k), way.part, way.in_part(k), way.count(k), stream);
+    way.ring.used(k, stream);
+  };
+  const auto take = [&](index_t k) {
+    way.ring.wait(k);
+    detail::convert_on_host(to, 0, way.piece(k), way.chunks.aligned(k), way.chunks.first(k), way.chunks.last(k));
+  };
+  constexpr index_t ahead = cuda::PinnedRing::pieces - 1;
+  for (index_t k = 0; k < way.chunks.count() + ahead; ++k) {
+    if (k < way.chunks.count()) order(k);
+    if (k >= ahead) take(k - ahead);
   }
   return (end - begin) * to.record_bytes;
 }
@@ -167,6 +198,7 @@ struct ChunkedUpload::State {
   Storage chunk;
   cuda::PinnedRing ring;
   Stream stream;
+  bool padded_records;   // their padding travels, too, and must not be what another transfer left
   index_t filling = -1;  // the chunk that is being filled
 
   State(const Storage& to_, index_t begin, index_t end, Stream stream_)
@@ -174,7 +206,8 @@ struct ChunkedUpload::State {
         chunks(to_, begin, end),
         chunk(part_of(to_, chunks.objects, SpaceKind::pinned)),
         ring(chunk.bytes()),
-        stream(stream_) {}
+        stream(stream_),
+        padded_records(detail::stored_bytes(to_) < to_.record_bytes) {}
 };
 
 ChunkedUpload::ChunkedUpload(const Storage& to, index_t begin, index_t end, Stream stream)
@@ -192,6 +225,7 @@ bool ChunkedUpload::next() {
   s.ring.wait(s.filling);
   s.chunk.base = s.ring.piece(s.filling);
   s.chunk.size = s.chunks.last(s.filling) - s.chunks.first(s.filling);
+  if (s.padded_records) detail::clear_on_host(s.chunk.base, s.chunk.size * s.chunk.record_bytes);
   return true;
 }
 const Storage& ChunkedUpload::chunk() const { return state_->chunk; }

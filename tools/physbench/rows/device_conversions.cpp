@@ -11,6 +11,7 @@
 
 #include "../conversions.h"
 #include "../cuda_timing.h"
+#include "../errors.h"
 #include "../groups.h"
 #include "../timing.h"
 
@@ -62,11 +63,20 @@ class DeviceConversionCase final : public TimedCudaCase {
   }
 
  private:
-  using Host_ = Array<ObjectOf<Source>, float, Host, Aos>;
+  using Host_ = Array<typename Source::Object, float, Host, Aos>;
   Host_ host_;
   Source from_;
   Target to_;
 };
+
+/// As poison() of errors.h, in any space.
+void poison_anywhere(const Storage& storage) {
+  if (storage.space == SpaceKind::cuda) {
+    TimedCudaCase::poison_device(storage);
+  } else {
+    poison(storage);
+  }
+}
 
 /// Between host and device, with a plain transfer of the bytes that travel beside it.
 template <class Source, class Target>
@@ -99,6 +109,7 @@ class TransferCase final : public Case {
     return watch.seconds();
   }
   Accuracy check() override {
+    poison_anywhere(to_.storage());
     run();
     Host_ result(to_.size());
     physgen::copy(result, to_);
@@ -107,7 +118,7 @@ class TransferCase final : public Case {
   }
 
  private:
-  using Host_ = Array<ObjectOf<Source>, float, Host, Aos>;
+  using Host_ = Array<typename Source::Object, float, Host, Aos>;
   Host_ host_;
   Source from_;
   Target to_;
@@ -150,6 +161,7 @@ class ScatteredCase final : public Case {
     return watch.seconds();
   }
   Accuracy check() override {
+    poison_anywhere(target_.storage());
     run();
     Array<Object, float, Host, Aos> result(target_.size());
     physgen::copy(result, target_);
@@ -158,7 +170,7 @@ class ScatteredCase final : public Case {
   }
 
  private:
-  static constexpr auto value_of = [](const Item& item) { return item.value; };
+  static constexpr auto value_of = [](const Item& item) noexcept { return item.value; };
   Array<Object, float, Host, Aos> expected_, packed_;
   Array<Object, float, Cuda, Layout> target_;
   std::vector<std::unique_ptr<Item>> items_;
@@ -178,17 +190,19 @@ struct Rows {
     add<DeviceConversionCase<Source, Target>>("convert_", layout_name<From>() + "_to_" + layout_name<To>(), storage,
                                               Source::record_bytes + Target::record_bytes);
   }
-  template <class Space, class From, class To>
-  void up(const char* kernel) const {
+  template <class Space, class From, class To, class CudaFormats = FormatsOf<Object, Cuda>>
+  void up(const char* storage = "float") const {
     using Source = Array<Object, float, Space, From>;
-    using Target = Array<Object, float, Cuda, To>;
-    transfer<Source, Target>(kernel, layout_name<From>() + "_to_" + layout_name<To>(), Source::record_bytes, true);
+    using Target = Array<Object, float, Cuda, To, CudaFormats>;
+    transfer<Space, Source, Target>(layout_name<From>() + "_to_" + layout_name<To>(), storage, Source::record_bytes,
+                                    Target::record_bytes, true);
   }
-  template <class Space, class From, class To>
-  void down(const char* kernel) const {
-    using Source = Array<Object, float, Cuda, From>;
+  template <class Space, class From, class To, class CudaFormats = FormatsOf<Object, Cuda>>
+  void down(const char* storage = "float") const {
+    using Source = Array<Object, float, Cuda, From, CudaFormats>;
     using Target = Array<Object, float, Space, To>;
-    transfer<Source, Target>(kernel, layout_name<From>() + "_to_" + layout_name<To>(), Target::record_bytes, false);
+    transfer<Space, Source, Target>(layout_name<From>() + "_to_" + layout_name<To>(), storage, Target::record_bytes,
+                                    Source::record_bytes, false);
   }
   template <class Layout>
   void scattered() const {
@@ -204,9 +218,13 @@ struct Rows {
     row.make = [n, more...]() -> std::unique_ptr<Case> { return std::make_unique<MeasuredCase>(n, more...); };
     rows.push_back(std::move(row));
   }
-  template <class Source, class Target>
-  void transfer(const char* kernel, const std::string& layouts, int bytes, bool is_up) const {
-    add<TransferCase<Source, Target>>(kernel, layouts, "float", bytes, index_t{bytes}, is_up);
+  // What travels: from and to pinned memory the host's form, else the smaller one.
+  template <class Space, class Source, class Target>
+  void transfer(const std::string& layouts, const char* storage, int host_bytes, int cuda_bytes, bool is_up) const {
+    constexpr bool pinned = Space::kind == SpaceKind::pinned;
+    const int bytes = pinned ? host_bytes : std::min(host_bytes, cuda_bytes);
+    add<TransferCase<Source, Target>>(pinned ? "transfer_pinned_" : "transfer_pageable_", layouts, storage, bytes,
+                                      index_t{bytes}, is_up);
   }
 };
 
@@ -224,11 +242,16 @@ void add_rows(std::vector<Row>& rows, index_t objects) {
   of.template device<Aosoa<32>, Aosoa<32>, HalfFormats>("half");
   of.template device<Aos, Aosoa<32>, HalfFormats>("half");
   const Rows<Type> between{rows, objects / 2};
-  between.template up<PinnedHost, Aos, Aosoa<32>>("transfer_pinned_");
-  between.template up<PinnedHost, Soa, Aosoa<32>>("transfer_pinned_");
-  between.template up<Host, Aos, Aosoa<32>>("transfer_pageable_");
-  between.template down<PinnedHost, Aosoa<32>, Aos>("transfer_pinned_");
-  between.template down<Host, Aosoa<32>, Aos>("transfer_pageable_");
+  between.template up<PinnedHost, Aos, Aosoa<32>>();
+  between.template up<PinnedHost, Soa, Aosoa<32>>();
+  between.template up<Host, Aos, Aosoa<32>>();
+  between.template down<PinnedHost, Aosoa<32>, Aos>();
+  between.template down<Host, Aosoa<32>, Aos>();
+  // The rule by which transfer.cu chooses who converts: pinned memory travels whole, the host narrows pageable memory.
+  between.template up<PinnedHost, Aos, Aosoa<32>, HalfFormats>("half");
+  between.template up<Host, Aos, Aosoa<32>, HalfFormats>("half");
+  between.template down<PinnedHost, Aosoa<32>, Aos, HalfFormats>("half");
+  between.template down<Host, Aosoa<32>, Aos, HalfFormats>("half");
   between.template scattered<Aosoa<32>>();
 }
 

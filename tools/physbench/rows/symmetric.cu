@@ -36,11 +36,12 @@ class CudaSymmetricCase final : public TimedCudaCase {
 };
 
 /// Full blocks, rounded to float.
-BlockMatrix full_blocks(Dataset& data) {
+BlockMatrix full_blocks(Dataset& data, BlockOrder order) {
   const auto& ranges = data.incidences(Domain::node_edges).ranges;
   const auto entries = data.incidences(Domain::node_edges).entries.view();
   const auto edges = data.edges().view();
   BlockMatrix matrix;
+  matrix.order = order;
   matrix.begin.push_back(0);
   std::vector<std::pair<int, Eigen::Matrix3d>> row;
   for (index_t node = 0; node < ranges.size(); ++node) {
@@ -55,7 +56,10 @@ BlockMatrix full_blocks(Dataset& data) {
     std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [column, block] : row) {
       matrix.column.push_back(column);
-      for (int k = 0; k < 9; ++k) matrix.blocks.push_back(static_cast<float>(block(k % 3, k / 3)));
+      for (int k = 0; k < 9; ++k) {
+        const double entry = order == BlockOrder::rows ? block(k / 3, k % 3) : block(k % 3, k / 3);
+        matrix.blocks.push_back(static_cast<float>(entry));
+      }
     }
     matrix.begin.push_back(static_cast<int>(matrix.column.size()));
   }
@@ -71,16 +75,18 @@ std::vector<float> vector_of(const Master<elasticity::NodeDisplacementObject>& d
   return x;
 }
 
+template <BlockOrder kOrder>
 class CusparseCase final : public TimedCudaCase {
  public:
   CusparseCase(Dataset& data, double bytes)
-      : TimedCudaCase(bytes), data_(data), product_(full_blocks(data), vector_of(data.displacements())) {}
+      : TimedCudaCase(bytes), data_(data), product_(full_blocks(data, kOrder), vector_of(data.displacements())) {}
   double run() override {
     watch().start();
     product_.run();
     return watch().stop();
   }
   Accuracy check() override {
+    product_.poison();
     run();
     const std::vector<float> y = product_.result();
     Result<AddForceDifferential, float> result(static_cast<index_t>(y.size() / 3));
@@ -111,7 +117,10 @@ void add_cuda_force_rows(std::vector<Row>& rows, Dataset& data) {
   using fem::SumOrder;
   add<float, CudaSymmetricCase<float, SumOrder::any>>(rows, data, "symmetric_fast");
   add<float, CudaSymmetricCase<float, SumOrder::fixed>>(rows, data, "symmetric_deterministic");
-  if (cusparse_missing().empty()) add<float, CusparseCase>(rows, data, "cusparse_bsr");
+  if (cusparse_missing().empty()) {
+    add<float, CusparseCase<BlockOrder::columns>>(rows, data, "cusparse_bsr_columns");
+    add<float, CusparseCase<BlockOrder::rows>>(rows, data, "cusparse_bsr_rows");
+  }
   add<double, CudaSymmetricCase<double, SumOrder::any>>(rows, data, "symmetric_fast");
   add<double, CudaSymmetricCase<double, SumOrder::fixed>>(rows, data, "symmetric_deterministic");
 }

@@ -11,6 +11,7 @@ namespace physgen::cuda {
 /// @throw Error naming what was asked and CUDA's message, when `status` is not success
 inline void check(cudaError_t status, const char* asked) {
   if (status != cudaSuccess) {
+    cudaGetLastError();  // reported here, and must not be seen again by the next check
     throw Error(std::string(asked) + ": " + cudaGetErrorName(status) + ": " + cudaGetErrorString(status));
   }
 }
