@@ -89,9 +89,6 @@ std::string encoded_type(const model::Field& field, model::Encoding encoding) {
       break;
   }
   const model::Range range = steps_range(field);
-  // Half a step, and the rounding of a float at the larger end, where it shows.
-  const double half_step = range.high / 131068 - range.low / 131068;
-  const double rounding = std::ldexp(std::max(std::abs(range.low), std::abs(range.high)), -23);
   return prefix + "Snorm16<" + real(range.low) + ", " + real(range.high) + ">";
 }
 
@@ -121,6 +118,9 @@ std::string describe_format(const model::Field& field, const model::Format& form
       break;
   }
   const model::Range range = steps_range(field);
+  // Half a step, and the rounding of a float at the larger end, where it shows.
+  const double half_step = range.high / 131068 - range.low / 131068;
+  const double rounding = std::ldexp(std::max(std::abs(range.low), std::abs(range.high)), -23);
   return say("16-bit steps over [" + number(range.low) + ", " + number(range.high) + "], error up to " +
                  rounded_up(rounding < 0.02 * half_step ? half_step : half_step + rounding),
              " of 16-bit steps", "9e-5");

@@ -295,7 +295,7 @@ TEST(Rules, refuse_ranges_and_initial_values_beyond_what_a_format_holds) {
   for (const Encoding encoding : {Encoding::native, Encoding::float64}) EXPECT_EQ(issues_of(encoding, 0x1p1000), "");
   EXPECT_EQ(issues_of(Encoding::snorm16, 0x1p1000, Element::float64), "") << "its steps are computed in double";
   Field initial = stored(scalar("E"), Encoding::bfloat16);
-  initial.initial = -0x1p128;
+  initial.initial = -3.4e38;  // a float
   EXPECT_EQ(issues(with({initial})),
             "the range or initial value of 'E' is beyond what this format holds, sizes up to 3.3895313892515355e+38; "
             "choose float64");

@@ -28,17 +28,18 @@ struct MixedDerivative : elasticity::StressDerivativeFormats<Host> {
   using x3333 = format::Half<3>;
 };
 
-/// Worst error of element k of MixedDerivative for values up to 2.
+/// Worst error of element k of MixedDerivative for values up to 2. Halves below 2^-14, times their scale, are
+/// subnormal.
 inline double mixed_error(int k, double value) {
   switch (k) {
     case 0:
-      return 0x1p-11 * std::abs(value);
+      return std::max(0x1p-11 * std::abs(value), 0x1p-25);
     case 2:
       return 0x1p-8 * std::abs(value);
     case 4:
       return 4.0 / 131068 + 2 * 0x1p-23;  // half a step, and the rounding of float
     case 5:
-      return 0x1p-11 * std::abs(value);
+      return std::max(0x1p-11 * std::abs(value), 8 * 0x1p-25);
     default:
       return 0x1p-24 * std::abs(value);
   }

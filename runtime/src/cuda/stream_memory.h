@@ -1,17 +1,17 @@
 // Device memory for the duration of work in a stream.
 #pragma once
 
+#include <cuda_runtime_api.h>
 #include <physgen/config.h>
-#include <physgen/cuda/check.h>
 
 namespace physgen::cuda {
 
+/// Memory of a pool, which keeps up to 128 MiB per device for the next time: to have memory mapped anew for each copy
+/// takes longer than to convert its objects.
 class StreamMemory {
  public:
-  StreamMemory(index_t bytes, cudaStream_t stream) : stream_(stream) {
-    check(cudaMallocAsync(&data_, static_cast<std::size_t>(bytes), stream),
-          "allocating device memory for a conversion");
-  }
+  /// @throw Error when the memory cannot be had
+  StreamMemory(index_t bytes, cudaStream_t stream);
   StreamMemory(const StreamMemory&) = delete;
   StreamMemory& operator=(const StreamMemory&) = delete;
   ~StreamMemory() { cudaFreeAsync(data_, stream_); }

@@ -1682,7 +1682,7 @@ struct Frame {
   Eigen::Matrix<Real, 3, 3> turn;
   /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Eigen::Matrix<Real, 3, 1> origin;
-  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.6e-06.
+  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.7e-06.
   Real weight = physgen::all_lanes<Real>(0.25);
 };
 
@@ -1730,7 +1730,7 @@ class FrameRef {
   PHYSGEN_FUNCTION decltype(auto) origin() const {
     return at_.template field<physgen::shape::Vector<3>, typename Formats::origin, Real>(Record::origin);
   }
-  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.6e-06.
+  /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.7e-06.
   PHYSGEN_FUNCTION decltype(auto) weight() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::weight, Real>(Record::weight);
   }
@@ -1797,7 +1797,7 @@ template <class Real>
 struct Stored {
   /// Stored as float, relative error up to 6e-8.
   Real single;
-  /// Stored as double, relative error up to 1.1e-16.
+  /// Stored as double, relative error up to 1.2e-16.
   Real twice;
   /// Stored as float, relative error up to 6e-8.
   physgen::same_lanes_t<Real, double> narrowed;
@@ -1810,7 +1810,7 @@ struct Stored {
   Real wide;
   /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 5e-05.
   Real angle = physgen::all_lanes<Real>(0.5);
-  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00076.
+  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00081.
   Real temperature = physgen::all_lanes<Real>(310);
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
   /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
@@ -1819,7 +1819,7 @@ struct Stored {
   Eigen::Matrix<Real, 3, 3> F;
   /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Eigen::Matrix<Real, 3, 1> stretch;
-  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00012.
+  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00013.
   Eigen::Matrix<Real, 3, 3> spin;
   /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
   Eigen::Matrix<Real, 3, 3> R;
@@ -1834,7 +1834,7 @@ struct Stored {
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
   Eigen::Matrix<Real, 3, 3> R16;
   /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
-  /// CUDA as 16-bit steps over [-1, 1], error up to 1.5e-05.
+  /// CUDA as 16-bit steps over [-1, 1], error up to 1.6e-05.
   Eigen::Matrix<Real, 3, 3> entries;
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Real halves[5];
@@ -1951,7 +1951,7 @@ class StoredRef {
   PHYSGEN_FUNCTION decltype(auto) single() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::single, Real>(Record::single);
   }
-  /// Stored as double, relative error up to 1.1e-16.
+  /// Stored as double, relative error up to 1.2e-16.
   PHYSGEN_FUNCTION decltype(auto) twice() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::twice, Real>(Record::twice);
   }
@@ -1976,7 +1976,7 @@ class StoredRef {
   PHYSGEN_FUNCTION decltype(auto) angle() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::angle, Real>(Record::angle);
   }
-  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00076.
+  /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00081.
   PHYSGEN_FUNCTION decltype(auto) temperature() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::temperature, Real>(Record::temperature);
   }
@@ -1993,7 +1993,7 @@ class StoredRef {
   PHYSGEN_FUNCTION decltype(auto) stretch() const {
     return at_.template field<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(Record::stretch);
   }
-  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00012.
+  /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00013.
   PHYSGEN_FUNCTION decltype(auto) spin() const {
     return at_.template field<physgen::shape::Skew<3>, typename Formats::spin, Real>(Record::spin);
   }
@@ -2022,7 +2022,7 @@ class StoredRef {
     return at_.template field<physgen::shape::Rotation, typename Formats::R16, Real>(Record::R16);
   }
   /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
-  /// CUDA as 16-bit steps over [-1, 1], error up to 1.5e-05.
+  /// CUDA as 16-bit steps over [-1, 1], error up to 1.6e-05.
   PHYSGEN_FUNCTION decltype(auto) entries() const {
     return at_.template field<physgen::shape::Rotation, typename Formats::entries, Real>(Record::entries);
   }

@@ -36,7 +36,7 @@ def section(results):
 
 def _figure(machine, storage, kernels):
     lines = math.ceil(len(kernels) / COLUMNS)
-    figure, grid = plot(0.5 + 2.9 * lines, COLUMNS, lines)
+    figure, grid = plot(0.5 + 2.9 * lines, min(COLUMNS, len(kernels)), lines)
     figure.suptitle(f"{machine}, {storage}", x=0, ha="left", fontsize=9)
     for axes, entry in zip(grid.flat, kernels):
         _panel(axes, *entry)
