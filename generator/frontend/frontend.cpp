@@ -122,6 +122,12 @@ Result parse(const std::string& path, const ParseOptions& options) {
     diagnostics
         << "note: a schema can include <physgen/schema.h> and other schemas, but no system headers; -I adds folders "
            "to look in\n";
+  if (llvm::StringRef(result.diagnostics).contains("use of undeclared identifier") ||
+      llvm::StringRef(result.diagnostics).contains("call to 'format'"))
+    diagnostics
+        << "note: options of fields are unit(\"Pa\"), range(low, high), initial(value) and format(space, storage), "
+           "of objects layout(space, pattern) and align(bytes); spaces are host and cuda, one format for each; "
+           "storages float32, float64, half, bfloat16, snorm16, quaternion(), quaternion(half)\n";
   diagnostics.flush();
   return result;
 }

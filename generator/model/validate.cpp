@@ -252,11 +252,14 @@ class Checker {
     const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
     const double largest = std::max(end, std::abs(field.initial.value_or(0)));
     const double limit = encoding == Encoding::half ? 0x1p115 : encoding == Encoding::bfloat16 ? 0x1.FEp127 : FLT_MAX;
-    const double least = encoding == Encoding::half && end > 0 ? 0x1p-86 : 0;
-    if (largest <= limit && (end == 0 || end >= least)) return;
-    report(aspect, "the range or initial value of " + quoted(field.name) + " is beyond what this format holds, " +
-                       (least > 0 ? "ranges from " + number(least) + " to " : "sizes up to ") + number(limit) +
-                       "; choose float64");
+    const bool too_small = encoding == Encoding::half && end > 0 && end < 0x1p-86;
+    if (largest <= limit && !too_small) return;
+    const char* held = too_small                        ? "ranges that end above 1.3e-26"
+                       : encoding == Encoding::half     ? "sizes up to 4.1e+34"
+                       : encoding == Encoding::bfloat16 ? "sizes up to 3.38e+38"
+                                                        : "sizes up to 3.4e+38";
+    report(aspect, std::string(end > limit || too_small ? "the range" : "the initial value") + " of " +
+                       quoted(field.name) + " is beyond what this format holds, " + held + "; choose float64");
   }
 
   void unit(const std::string& unit) {

@@ -28,14 +28,18 @@ struct Found {
 
 Found find_element(const Storage& storage, index_t i, int k) {
   if (i < 0 || i >= storage.size) {
-    throw Error(describe(storage) + ": there is no object " + std::to_string(i));
+    throw Error(describe(storage) + ": there is no object " + std::to_string(i) + "; numbers go from 0 to " +
+                std::to_string(storage.size - 1));
   }
   int rest = k;
   for (const FieldInfo& field : storage.fields) {
     if (rest >= 0 && rest < field.visible_count()) return {field, rest};
     rest -= field.visible_count();
   }
-  throw Error(describe(storage) + ": there is no element " + std::to_string(k));
+  int count = 0;
+  for (const FieldInfo& field : storage.fields) count += field.visible_count();
+  throw Error(describe(storage) + ": there is no element " + std::to_string(k) + "; numbers go from 0 to " +
+              std::to_string(count - 1));
 }
 
 bool overlap(const Storage& a, const Storage& b) {
@@ -215,8 +219,10 @@ void putdata(const Storage& storage, index_t i, int k, double value) {
                 " is stored as a quaternion, which has no single matrix elements; assign the rotation through a view");
   }
   if (field.type == ElementType::int32 && static_cast<double>(static_cast<std::int32_t>(limited(value))) != value) {
-    throw Error(describe(storage) + ": " + std::to_string(value) + " is no index; " + std::string(field.name) +
-                " holds whole numbers from -2147483648 to 2147483647");
+    std::ostringstream message;
+    message << describe(storage) << ": " << value << " is no index; " << field.name
+            << " holds whole numbers from -2147483648 to 2147483647";
+    throw Error(message.str());
   }
   const int size = element_bytes(field.type);
   std::byte* to = detail::Addressing(storage).address(i, field.offset + element * size, size);

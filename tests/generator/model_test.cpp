@@ -284,10 +284,10 @@ TEST(Rules, refuse_ranges_and_initial_values_beyond_what_a_format_holds) {
   };
   EXPECT_EQ(issues_of(Encoding::half, 0x1p115), "");
   EXPECT_EQ(issues_of(Encoding::half, 0x1p116),
-            "the range or initial value of 'E' is beyond what this format holds, ranges from 1.2924697071141057e-26 to "
-            "4.153837486827862e+34; choose float64");
+            "the range of 'E' is beyond what this format holds, sizes up to 4.1e+34; choose float64");
   EXPECT_EQ(issues_of(Encoding::half, 0x1p-86), "");
-  EXPECT_NE(issues_of(Encoding::half, 0x1p-87), "");
+  EXPECT_EQ(issues_of(Encoding::half, 0x1p-87),
+            "the range of 'E' is beyond what this format holds, ranges that end above 1.3e-26; choose float64");
   for (const Encoding encoding : {Encoding::bfloat16, Encoding::float32, Encoding::snorm16}) {
     EXPECT_EQ(issues_of(encoding, 0x1p127), "");
     EXPECT_NE(issues_of(encoding, 0x1p128), "");
@@ -297,8 +297,7 @@ TEST(Rules, refuse_ranges_and_initial_values_beyond_what_a_format_holds) {
   Field initial = stored(scalar("E"), Encoding::bfloat16);
   initial.initial = -3.4e38;  // a float
   EXPECT_EQ(issues(with({initial})),
-            "the range or initial value of 'E' is beyond what this format holds, sizes up to 3.3895313892515355e+38; "
-            "choose float64");
+            "the initial value of 'E' is beyond what this format holds, sizes up to 3.38e+38; choose float64");
 }
 
 TEST(Rules, refuse_formats_of_nested_objects) {

@@ -48,7 +48,7 @@ TEST_F(Gather, builds_an_array_in_the_order_of_the_pointers) {
 
 TEST_F(Gather, scatter_writes_changed_objects_back_and_leaves_the_rest_of_them) {
   elasticity::NodePositionArray<double, Host, Soa> array;
-  gather(pointers(), array, to_value);
+  gather(pointers_, array, to_value);  // a vector of pointers as it is
   const auto view = array.view();
   for (index_t i = 0; i < view.size(); ++i) view[i].x() = 2 * view[i].x().get();
   std::vector<Particle> before;

@@ -145,6 +145,7 @@ case $rule in
     dev 0 run errors --benchmark_filter=svd
     says 'nvcc was not found'
     says 'this machine has no GPU'
+    called 'cmake --build --preset release -j [0-9]* --target physbench$'
     called 'physbench errors --benchmark_filter=svd$'
     recorder "$root/build/release/bin/physbench" 'exit 3'
     dev 3 run
@@ -154,6 +155,8 @@ case $rule in
     sed -i "s|/usr/bin/python3|python3|" "$root/tools/dev"
     dev 0 report a.json -o /somewhere b.json
     called "python3 $root/tools/report/report.py a.json b.json -o /somewhere\$"
+    dev 2 report -o
+    says 'report: -o needs a folder'
     ;;
   gpu_runs_carried_programs_at_another_path)
     fake nvcc

@@ -6,6 +6,7 @@
 #include <physgen/parallel_for.h>
 
 #include <algorithm>
+#include <ranges>
 #include <span>
 #include <type_traits>
 
@@ -68,12 +69,18 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
   }
 }
 
+/// Pointers to objects that follow each other in memory: a std::vector<T*>, a std::span<T* const>, ...
+template <class Pointers>
+concept PointerRange =
+    std::ranges::contiguous_range<Pointers> && std::is_pointer_v<std::ranges::range_value_t<Pointers>>;
+
 /// Makes `array` hold the objects pointed to, in this order, resized to fit; otherwise as gather_by().
 /// @param to_value const T& -> Value of one object; called on several threads at once
 /// @throw Error when a pointer is null, and as gather_by(); the array is then unchanged
-template <class T, class Object, class Real, class Space, class Layout, class Formats, class ToValue>
-void gather(std::span<T* const> objects, Array<Object, Real, Space, Layout, Formats>& array, const ToValue& to_value,
+template <PointerRange Pointers, class Object, class Real, class Space, class Layout, class Formats, class ToValue>
+void gather(const Pointers& pointers, Array<Object, Real, Space, Layout, Formats>& array, const ToValue& to_value,
             Stream stream = nullptr) {
+  const std::span<const std::ranges::range_value_t<Pointers>> objects(pointers);
   detail::check_not_null(objects, Object::name);
   gather_by(
       static_cast<index_t>(objects.size()), array,
@@ -105,12 +112,13 @@ void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const 
 /// Writes the array's objects back to the objects pointed to, in this order.
 /// @param from_value (T&, const Value&); called on several threads at once
 /// @throw Error when a pointer is null or there are not as many pointers as objects; no object is then changed
-template <class T, class Object, class Real, class Space, class Layout, class Formats, class FromValue>
-void scatter(const Array<Object, Real, Space, Layout, Formats>& array, std::span<T* const> objects,
+template <PointerRange Pointers, class Object, class Real, class Space, class Layout, class Formats, class FromValue>
+void scatter(const Array<Object, Real, Space, Layout, Formats>& array, const Pointers& pointers,
              const FromValue& from_value, Stream stream = nullptr) {
+  const std::span<const std::ranges::range_value_t<Pointers>> objects(pointers);
   if (static_cast<index_t>(objects.size()) != array.size()) {
     throw Error(std::string(Object::name) + ": cannot scatter an array of " + std::to_string(array.size()) + " to " +
-                std::to_string(objects.size()) + " objects");
+                std::to_string(objects.size()) + " objects; give one pointer for each object");
   }
   detail::check_not_null(objects, Object::name);
   scatter_by(

@@ -69,6 +69,8 @@ struct Slot {
 
 template <class Shape, class Format, class T>
 [[nodiscard]] constexpr Slot slot(int entries = 1) {
+  static_assert(!format::is_quaternion<Format> || std::is_same_v<Shape, shape::Rotation>,
+                "only a Rotation can be stored as a quaternion");
   constexpr int size = sizeof(typename format::ElementFormat<Format>::template Stored<T>);
   return {stored_count<Shape, Format> * size, size, entries};
 }

@@ -112,8 +112,8 @@ def _losers(machine, origin, points):
         return f"On {html.escape(machine)} every format is faster than plain float, each in its best layout."
     listed = ", ".join(f"<code>{html.escape(row.storage)}</code> ({names.times(plain.ms / row.ms)})" for row in lose)
     return (
-        f"Formats that lose on {html.escape(machine)}, that is are no faster than plain float "
-        f"({names.significant(plain.ms)} ms in {names.layout(plain.layout)}), each in its best layout: {listed}."
+        f"Formats that lose on {html.escape(machine)}: no faster than plain float "
+        f"({names.significant(plain.ms)} ms in {names.layout(plain.layout)}), each in its best layout (factors are over that float): {listed}."
     )
 
 
