@@ -41,6 +41,11 @@ case $rule in
     expect "$out" '^CPU, double'
     expect "$out" 'aosoa16 .*x .*e-0[78]'
     expect "$out" '^threads +1,' ;;
+  table_of_storage_schemes_compares_them_with_aos)
+    expect_exit 0 storage "${small[@]}" --table --benchmark_filter='/host/'
+    expect "$out" '^CPU, float'
+    expect "$out" ' 128  aosoa16 quaternion_half +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+x '
+    expect_no "$out" '^CPU, quaternion' ;;
   every_kernel_is_near_its_reference)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='/host/[0-9]+$'
     awk -F'[:,] *' '

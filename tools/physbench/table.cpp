@@ -7,6 +7,18 @@
 
 namespace physgen::bench {
 
+namespace {
+
+// What a row is computed in. Storage schemes are of floats.
+std::string precision(const Row& row) { return row.storage == "double" ? "double" : "float"; }
+
+// The layout, and the scheme where there is one.
+std::string label(const Row& row) {
+  return row.storage == precision(row) ? row.layout : row.layout + " " + row.storage;
+}
+
+}  // namespace
+
 void TableReporter::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     const std::string& name = run.run_name.function_name;
@@ -22,11 +34,7 @@ void TableReporter::ReportRuns(const std::vector<Run>& runs) {
 
 void TableReporter::Finalize() {
   for (const char* space : {"host", "cuda"}) {
-    std::vector<std::string> storages;  // in the order of the rows
-    for (const Row& row : rows_) {
-      if (std::find(storages.begin(), storages.end(), row.storage) == storages.end()) storages.push_back(row.storage);
-    }
-    for (const std::string& storage : storages) print_block(space, storage);
+    for (const char* computed_in : {"float", "double"}) print_block(space, computed_in);
   }
   std::ostream& out = GetOutputStream();
   print_errors_table(out, rows_, finished_);
@@ -35,42 +43,47 @@ void TableReporter::Finalize() {
   out.flush();
 }
 
-void TableReporter::print_block(const std::string& space, const std::string& storage) {
-  bool any = false;
-  std::string kernel;
+void TableReporter::print_block(const std::string& space, const std::string& computed_in) {
+  std::vector<const Row*> block;
+  std::size_t width = 10;
   for (const Row& row : rows_) {
-    const auto found = finished_.find(row.name());
-    if (row.errors_in_eps || row.space != space || row.storage != storage || found == finished_.end()) continue;
-    if (!any) {
-      GetOutputStream() << (space == "host" ? "CPU, " : "GPU, ") << storage << "\n"
-                        << format("%-26s %9s %6s  %-10s %9s %8s %6s %7s  %8s %8s %8s\n", "kernel", "objects", "bytes",
-                                  "layout", "ms", "GB/s", "/copy", "vs aos", "err p50", "p99", "max");
-    }
-    any = true;
+    if (row.errors_in_eps || row.space != space || precision(row) != computed_in || !finished_.contains(row.name()))
+      continue;
+    block.push_back(&row);
+    width = std::max(width, label(row).size());
+  }
+  if (block.empty()) return;
+  const int label_width = static_cast<int>(width);
+  GetOutputStream() << (space == "host" ? "CPU, " : "GPU, ") << computed_in << "\n"
+                    << format("%-26s %9s %6s  %-*s %9s %8s %6s %7s  %8s %8s %8s\n", "kernel", "objects", "bytes",
+                              label_width, "layout", "ms", "GB/s", "/copy", "vs aos", "err p50", "p99", "max");
+  const Row* before = nullptr;
+  for (const Row* row : block) {
     // AoS is the faster of its two ways on the CPU.
     double aos_ms = 0;
-    for (const Row& other : rows_) {
-      if (other.errors_in_eps || other.set != row.set || other.kernel != row.kernel || other.storage != storage ||
-          other.space != space)
-        continue;
-      const auto aos = finished_.find(other.name());
-      if (aos == finished_.end() || (other.layout != "aos" && other.layout != "aos_scalar")) continue;
-      const double ms = aos->second.counters.at(counter::median_ms);
+    for (const Row* other : block) {
+      if (other->set != row->set || other->kernel != row->kernel || other->objects != row->objects) continue;
+      if (other->layout != "aos" && other->layout != "aos_scalar") continue;
+      const double ms = finished_.at(other->name()).counters.at(counter::median_ms);
       aos_ms = aos_ms == 0 ? ms : std::min(aos_ms, ms);
     }
-    print_row(row, found->second.counters, aos_ms, row.kernel + " " + row.set != kernel);
-    kernel = row.kernel + " " + row.set;
+    print_row(*row, before, finished_.at(row->name()).counters, aos_ms, label_width);
+    before = row;
   }
-  if (any) GetOutputStream() << "\n";
+  GetOutputStream() << "\n";
 }
 
-void TableReporter::print_row(const Row& row, const Counters& counters, double aos_ms, bool first) {
+void TableReporter::print_row(const Row& row, const Row* before, const Counters& counters, double aos_ms, int width) {
   const double ms = counters.at(counter::median_ms);
   std::ostream& out = GetOutputStream();
-  out << (first ? format("%-26s %9lld %6.0f", (row.kernel + (row.set.empty() ? "" : " " + row.set)).c_str(),
-                         static_cast<long long>(row.objects), row.bytes_per_object)
-                : format("%-26s %9s %6s", "", "", ""))
-      << format("  %-10s %9.3f %8.1f %6.2f ", row.layout.c_str(), ms, counters.at(counter::gb_per_second),
+  const bool first = before == nullptr || before->kernel != row.kernel || before->set != row.set;
+  // What is as in the row before is not said again.
+  out << format("%-26s ", first ? (row.kernel + (row.set.empty() ? "" : " " + row.set)).c_str() : "")
+      << (first || before->objects != row.objects ? format("%9lld ", static_cast<long long>(row.objects))
+                                                  : format("%9s ", ""))
+      << (first || before->bytes_per_object != row.bytes_per_object ? format("%6.0f", row.bytes_per_object)
+                                                                    : format("%6s", ""))
+      << format("  %-*s %9.3f %8.1f %6.2f ", width, label(row).c_str(), ms, counters.at(counter::gb_per_second),
                 counters.at(counter::copy_fraction))
       << (aos_ms > 0 ? format("%6.2fx", aos_ms / ms) : format("%7s", "-"));
   if (counters.contains("err_p50")) {

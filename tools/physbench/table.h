@@ -20,8 +20,10 @@ class TableReporter final : public benchmark::BenchmarkReporter {
 
  private:
   using Counters = std::map<std::string, double>;
-  void print_block(const std::string& space, const std::string& storage);
-  void print_row(const Row& row, const Counters& counters, double aos_ms, bool first);
+  /// The rows of a space that are computed in float or double.
+  void print_block(const std::string& space, const std::string& computed_in);
+  /// @param before the row above it; null at the top
+  void print_row(const Row& row, const Row* before, const Counters& counters, double aos_ms, int width);
 
   const std::vector<Row>& rows_;
   Machine machine_;
