@@ -196,7 +196,7 @@ TEST(View, is_a_trivially_copyable_value_of_two_or_three_words) {
   using Tiled = elasticity::StressDerivativeView<float, Aosoa<32>>;
   using Pitched = elasticity::StressDerivativeView<float, Soa>;
   static_assert(std::is_trivially_copyable_v<Tiled> && std::is_trivially_copyable_v<Pitched>);
-  static_assert(sizeof(Tiled) == 2 * sizeof(void*) && sizeof(Pitched) == 3 * sizeof(void*));
+  static_assert(checked_build || (sizeof(Tiled) == 2 * sizeof(void*) && sizeof(Pitched) == 3 * sizeof(void*)));
 }
 
 }  // namespace

@@ -194,7 +194,9 @@ void check_changes_of_all_object_types() {
     check_changes<tissue::other::PatchObject, Real, Space, Layout>(n, random);    // nested
     // Elements of 2, 4 and 8 bytes; quaternions of halves.
     check_changes<elasticity::StressDerivativeObject, Real, Space, Layout, MixedDerivative>(n, random);
-    check_changes<elasticity::DeformationSvdObject, Real, Space, Layout, CompactSvd<format::Half<>>>(n, random);
+    if constexpr (!checked_build) {  // which refuses random matrices that are no rotations
+      check_changes<elasticity::DeformationSvdObject, Real, Space, Layout, CompactSvd<format::Half<>>>(n, random);
+    }
   }
 }
 

@@ -8,9 +8,10 @@
 
 namespace physgen {
 
-/// w, x, y, z.
+/// w, x, y, z. Without Eigen's own alignment, which differs with the compiler's -march: the library, built for any
+/// processor, and its users share the functions below.
 template <class S>
-using Quaternion = Eigen::Matrix<S, 4, 1>;
+using Quaternion = Eigen::Matrix<S, 4, 1, Eigen::DontAlign>;
 
 /// @param R a rotation, det R = 1
 /// @return the unit quaternion of R with w >= 0, to a few eps, half turns included
