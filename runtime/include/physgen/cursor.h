@@ -71,7 +71,7 @@ inline constexpr bool made_of_words = std::is_same_v<typename Layout::Pitch, Sta
                                       (sizeof(T) == 4 || sizeof(T) == 8);
 
 /// Whether the words of a field of `bytes`, `offset` bytes into its record, may be read; and whether they may be
-/// written, since they hold nothing else but padding. Known when compiled.
+/// written, since they hold nothing else but padding. Known when compiled, but for entries of fixed arrays.
 template <RecordSize kRecord>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr bool may_read_words(int offset, int bytes) {
   return offset % 16 == 0 && offset + align_up(bytes, 16) <= kRecord.stored;

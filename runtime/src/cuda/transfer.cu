@@ -3,8 +3,8 @@
 //   - Pageable memory must pass through pinned memory anyway, by the hands of the processor. It converts on the way
 //     where that makes doubles floats: then fewer bytes travel. Else the host's form travels and the device converts:
 //     to change the layout or to make 16-bit formats takes a processor longer than the bytes take to travel.
-// Measured by `physbench conversions` (tools/physbench/README.md). A copy goes in chunks: while one travels, the
-// processor is at the next one.
+// What was measured of that, and what was not: tools/physbench/README.md, "Who converts". A copy goes in chunks: while
+// one travels, the processor is at the next one.
 #include <physgen/chunked_transfer.h>
 #include <physgen/cuda/check.h>
 
