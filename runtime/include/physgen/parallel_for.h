@@ -1,12 +1,12 @@
 // Runs a kernel over objects on the CPU: OpenMP threads, each over SIMD packs where the kernel can take them.
 #pragma once
 
+#include <physgen/host_loop.h>
 #include <physgen/layout.h>
 #include <physgen/simd_access.h>
 #include <physgen/space.h>
 
 #include <concepts>
-#include <exception>
 
 namespace physgen {
 
@@ -23,30 +23,6 @@ constexpr int default_lanes() {
 
 }  // namespace detail
 
-namespace detail {
-
-/// Keeps the first exception that is thrown in an OpenMP region, which it must not leave, and throws it behind it.
-class RegionFailure {
- public:
-  template <class Work>
-  void guard(const Work& work) {
-    try {
-      work();
-    } catch (...) {
-#pragma omp critical(physgen_region_failure)
-      if (!failure_) failure_ = std::current_exception();
-    }
-  }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  std::exception_ptr failure_;
-};
-
-}  // namespace detail
-
 /// Calls kernel(i) for the objects 0 .. size-1, on all OpenMP threads, and returns when all are done.
 ///
 /// A kernel with a member type Scalar and a templated call operator is called with Pack<W> for W objects at once, the
@@ -57,11 +33,9 @@ template <int kLanes = 0, class Kernel>
 void parallel_for(Host /*space*/, index_t size, const Kernel& kernel) {
   constexpr int width = kLanes == 0 ? detail::default_lanes<Kernel>() : kLanes;
   static_assert(padding_objects % width == 0);
-  // Fewer objects than this are done before other threads have woken up.
-  constexpr index_t worth_threads = 8192;
   const index_t packs = (size + width - 1) / width;
   detail::RegionFailure failure;
-#pragma omp parallel for schedule(static) if (size >= worth_threads)
+#pragma omp parallel for schedule(static) if (size >= detail::worth_threads)
   for (index_t p = 0; p < packs; ++p) {
     failure.guard([&] {
       if constexpr (width == 1) {
