@@ -3,8 +3,8 @@
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 2
-#error "elasticity.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 3
+#error "elasticity.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace elasticity {
@@ -46,13 +46,22 @@ class DeformationGradientRef {
   using Value = DeformationGradient<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit DeformationGradientRef(const Cursor& cursor) : at_(cursor) {}
+  DeformationGradientRef(const DeformationGradientRef&) = default;
+  DeformationGradientRef& operator=(const DeformationGradientRef&) & = delete;
+  PHYSGEN_FUNCTION const DeformationGradientRef& operator=(const DeformationGradientRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const DeformationGradientRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// current over rest shape; the identity at rest [1]
   PHYSGEN_FUNCTION decltype(auto) F() const {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.F = F().get();
     return value;
@@ -81,8 +90,9 @@ struct DeformationGradientObject {
   using Formats = DeformationGradientFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = DeformationGradientFormats<physgen::Host>>
-using DeformationGradientView = physgen::View<DeformationGradientObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<DeformationGradientObject, Space>>
+using DeformationGradientView = physgen::View<DeformationGradientObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<DeformationGradientObject, Space>>
@@ -135,13 +145,22 @@ class DeformationGradientDifferentialRef {
   using Value = DeformationGradientDifferential<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit DeformationGradientDifferentialRef(const Cursor& cursor) : at_(cursor) {}
+  DeformationGradientDifferentialRef(const DeformationGradientDifferentialRef&) = default;
+  DeformationGradientDifferentialRef& operator=(const DeformationGradientDifferentialRef&) & = delete;
+  PHYSGEN_FUNCTION const DeformationGradientDifferentialRef& operator=(const DeformationGradientDifferentialRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const DeformationGradientDifferentialRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// change of F along a displacement differential [1]
   PHYSGEN_FUNCTION decltype(auto) dF() const {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(Record::dF);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.dF = dF().get();
     return value;
@@ -170,8 +189,10 @@ struct DeformationGradientDifferentialObject {
   using Formats = DeformationGradientDifferentialFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = DeformationGradientDifferentialFormats<physgen::Host>>
-using DeformationGradientDifferentialView = physgen::View<DeformationGradientDifferentialObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<DeformationGradientDifferentialObject, Space>>
+using DeformationGradientDifferentialView = physgen::View<DeformationGradientDifferentialObject, Real, Layout, Formats,
+    Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<DeformationGradientDifferentialObject, Space>>
@@ -235,6 +256,15 @@ class DeformationSvdRef {
   using Value = DeformationSvd<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit DeformationSvdRef(const Cursor& cursor) : at_(cursor) {}
+  DeformationSvdRef(const DeformationSvdRef&) = default;
+  DeformationSvdRef& operator=(const DeformationSvdRef&) & = delete;
+  PHYSGEN_FUNCTION const DeformationSvdRef& operator=(const DeformationSvdRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const DeformationSvdRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
   PHYSGEN_FUNCTION decltype(auto) U() const {
@@ -249,7 +279,7 @@ class DeformationSvdRef {
     return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.U = U().get();
     value.V = V().get();
@@ -288,8 +318,9 @@ struct DeformationSvdObject {
   using Formats = DeformationSvdFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = DeformationSvdFormats<physgen::Host>>
-using DeformationSvdView = physgen::View<DeformationSvdObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<DeformationSvdObject, Space>>
+using DeformationSvdView = physgen::View<DeformationSvdObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<DeformationSvdObject, Space>>
@@ -350,6 +381,15 @@ class QuaternionSvdRef {
   using Value = QuaternionSvd<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit QuaternionSvdRef(const Cursor& cursor) : at_(cursor) {}
+  QuaternionSvdRef(const QuaternionSvdRef&) = default;
+  QuaternionSvdRef& operator=(const QuaternionSvdRef&) & = delete;
+  PHYSGEN_FUNCTION const QuaternionSvdRef& operator=(const QuaternionSvdRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const QuaternionSvdRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// unit quaternions w, x, y, z of U and V, w >= 0
   PHYSGEN_FUNCTION decltype(auto) u() const {
@@ -364,7 +404,7 @@ class QuaternionSvdRef {
     return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.u = u().get();
     value.v = v().get();
@@ -403,8 +443,9 @@ struct QuaternionSvdObject {
   using Formats = QuaternionSvdFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = QuaternionSvdFormats<physgen::Host>>
-using QuaternionSvdView = physgen::View<QuaternionSvdObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<QuaternionSvdObject, Space>>
+using QuaternionSvdView = physgen::View<QuaternionSvdObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<QuaternionSvdObject, Space>>
@@ -455,13 +496,22 @@ class PrincipalStretchesRef {
   using Value = PrincipalStretches<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit PrincipalStretchesRef(const Cursor& cursor) : at_(cursor) {}
+  PrincipalStretchesRef(const PrincipalStretchesRef&) = default;
+  PrincipalStretchesRef& operator=(const PrincipalStretchesRef&) & = delete;
+  PHYSGEN_FUNCTION const PrincipalStretchesRef& operator=(const PrincipalStretchesRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const PrincipalStretchesRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
   PHYSGEN_FUNCTION decltype(auto) s() const {
     return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.s = s().get();
     return value;
@@ -490,8 +540,9 @@ struct PrincipalStretchesObject {
   using Formats = PrincipalStretchesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = PrincipalStretchesFormats<physgen::Host>>
-using PrincipalStretchesView = physgen::View<PrincipalStretchesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PrincipalStretchesObject, Space>>
+using PrincipalStretchesView = physgen::View<PrincipalStretchesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<PrincipalStretchesObject, Space>>
@@ -542,13 +593,22 @@ class ElementRotationRef {
   using Value = ElementRotation<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit ElementRotationRef(const Cursor& cursor) : at_(cursor) {}
+  ElementRotationRef(const ElementRotationRef&) = default;
+  ElementRotationRef& operator=(const ElementRotationRef&) & = delete;
+  PHYSGEN_FUNCTION const ElementRotationRef& operator=(const ElementRotationRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const ElementRotationRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// det R = 1. Rotation, 9 stored.
   PHYSGEN_FUNCTION decltype(auto) R() const {
     return at_.template field<physgen::shape::Rotation, typename Formats::R, Real>(Record::R);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.R = R().get();
     return value;
@@ -577,8 +637,9 @@ struct ElementRotationObject {
   using Formats = ElementRotationFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = ElementRotationFormats<physgen::Host>>
-using ElementRotationView = physgen::View<ElementRotationObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<ElementRotationObject, Space>>
+using ElementRotationView = physgen::View<ElementRotationObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<ElementRotationObject, Space>>
@@ -685,6 +746,15 @@ class StressDerivativeRef {
   using Value = StressDerivative<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit StressDerivativeRef(const Cursor& cursor) : at_(cursor) {}
+  StressDerivativeRef(const StressDerivativeRef&) = default;
+  StressDerivativeRef& operator=(const StressDerivativeRef&) & = delete;
+  PHYSGEN_FUNCTION const StressDerivativeRef& operator=(const StressDerivativeRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const StressDerivativeRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// stretch: the symmetric 3x3 block [Pa]
   PHYSGEN_FUNCTION decltype(auto) x1111() const {
@@ -735,7 +805,7 @@ class StressDerivativeRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::x3223, Real>(Record::x3223);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.x1111 = x1111();
     value.x2211 = x2211();
@@ -810,8 +880,9 @@ struct StressDerivativeObject {
   using Formats = StressDerivativeFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = StressDerivativeFormats<physgen::Host>>
-using StressDerivativeView = physgen::View<StressDerivativeObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<StressDerivativeObject, Space>>
+using StressDerivativeView = physgen::View<StressDerivativeObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StressDerivativeObject, Space>>
@@ -862,13 +933,18 @@ class StressRef {
   using Value = Stress<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit StressRef(const Cursor& cursor) : at_(cursor) {}
+  StressRef(const StressRef&) = default;
+  StressRef& operator=(const StressRef&) & = delete;
+  PHYSGEN_FUNCTION const StressRef& operator=(const StressRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const StressRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// dpsi/dF: force in the current shape per area of the rest shape [Pa]
   PHYSGEN_FUNCTION decltype(auto) P() const {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::P, Real>(Record::P);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.P = P().get();
     return value;
@@ -897,8 +973,9 @@ struct StressObject {
   using Formats = StressFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = StressFormats<physgen::Host>>
-using StressView = physgen::View<StressObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<StressObject, Space>>
+using StressView = physgen::View<StressObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StressObject, Space>>
@@ -947,13 +1024,22 @@ class StressDifferentialRef {
   using Value = StressDifferential<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit StressDifferentialRef(const Cursor& cursor) : at_(cursor) {}
+  StressDifferentialRef(const StressDifferentialRef&) = default;
+  StressDifferentialRef& operator=(const StressDifferentialRef&) & = delete;
+  PHYSGEN_FUNCTION const StressDifferentialRef& operator=(const StressDifferentialRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const StressDifferentialRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// change of P along dF [Pa]
   PHYSGEN_FUNCTION decltype(auto) dP() const {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(Record::dP);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.dP = dP().get();
     return value;
@@ -982,8 +1068,9 @@ struct StressDifferentialObject {
   using Formats = StressDifferentialFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = StressDifferentialFormats<physgen::Host>>
-using StressDifferentialView = physgen::View<StressDifferentialObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<StressDifferentialObject, Space>>
+using StressDifferentialView = physgen::View<StressDifferentialObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StressDifferentialObject, Space>>
@@ -1039,6 +1126,13 @@ class RestShapeRef {
   using Value = RestShape<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit RestShapeRef(const Cursor& cursor) : at_(cursor) {}
+  RestShapeRef(const RestShapeRef&) = default;
+  RestShapeRef& operator=(const RestShapeRef&) & = delete;
+  PHYSGEN_FUNCTION const RestShapeRef& operator=(const RestShapeRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const RestShapeRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns [1/m]
   PHYSGEN_FUNCTION decltype(auto) dm_inverse() const {
@@ -1049,7 +1143,7 @@ class RestShapeRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::volume, Real>(Record::volume);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.dm_inverse = dm_inverse().get();
     value.volume = volume();
@@ -1084,8 +1178,9 @@ struct RestShapeObject {
   using Formats = RestShapeFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = RestShapeFormats<physgen::Host>>
-using RestShapeView = physgen::View<RestShapeObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<RestShapeObject, Space>>
+using RestShapeView = physgen::View<RestShapeObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<RestShapeObject, Space>>
@@ -1134,13 +1229,20 @@ class CornerForcesRef {
   using Value = CornerForces<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit CornerForcesRef(const Cursor& cursor) : at_(cursor) {}
+  CornerForcesRef(const CornerForcesRef&) = default;
+  CornerForcesRef& operator=(const CornerForcesRef&) & = delete;
+  PHYSGEN_FUNCTION const CornerForcesRef& operator=(const CornerForcesRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const CornerForcesRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// G = -volume P Dm^-T [N]
   PHYSGEN_FUNCTION decltype(auto) G() const {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(Record::G);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.G = G().get();
     return value;
@@ -1169,8 +1271,9 @@ struct CornerForcesObject {
   using Formats = CornerForcesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = CornerForcesFormats<physgen::Host>>
-using CornerForcesView = physgen::View<CornerForcesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<CornerForcesObject, Space>>
+using CornerForcesView = physgen::View<CornerForcesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<CornerForcesObject, Space>>
@@ -1295,6 +1398,15 @@ class ElementRecordRef {
   using Value = ElementRecord<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit ElementRecordRef(const Cursor& cursor) : at_(cursor) {}
+  ElementRecordRef(const ElementRecordRef&) = default;
+  ElementRecordRef& operator=(const ElementRecordRef&) & = delete;
+  PHYSGEN_FUNCTION const ElementRecordRef& operator=(const ElementRecordRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const ElementRecordRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// principal directions. Rotation, 9 stored.
   PHYSGEN_FUNCTION decltype(auto) U() const {
@@ -1361,7 +1473,7 @@ class ElementRecordRef {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(Record::dP);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.U = U().get();
     value.V = V().get();
@@ -1452,8 +1564,9 @@ struct ElementRecordObject {
   using Formats = ElementRecordFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = ElementRecordFormats<physgen::Host>>
-using ElementRecordView = physgen::View<ElementRecordObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<ElementRecordObject, Space>>
+using ElementRecordView = physgen::View<ElementRecordObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
           class Formats = physgen::FormatsOf<ElementRecordObject, Space>>
 using ElementRecordArray = physgen::Array<ElementRecordObject, Real, Space, Layout, Formats>;
@@ -1503,13 +1616,20 @@ class NodePositionRef {
   using Value = NodePosition<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NodePositionRef(const Cursor& cursor) : at_(cursor) {}
+  NodePositionRef(const NodePositionRef&) = default;
+  NodePositionRef& operator=(const NodePositionRef&) & = delete;
+  PHYSGEN_FUNCTION const NodePositionRef& operator=(const NodePositionRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const NodePositionRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// position [m]
   PHYSGEN_FUNCTION decltype(auto) x() const {
     return at_.template field<physgen::shape::Vector<3>, typename Formats::x, Real>(Record::x);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.x = x().get();
     return value;
@@ -1538,8 +1658,9 @@ struct NodePositionObject {
   using Formats = NodePositionFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = NodePositionFormats<physgen::Host>>
-using NodePositionView = physgen::View<NodePositionObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodePositionObject, Space>>
+using NodePositionView = physgen::View<NodePositionObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
           class Formats = physgen::FormatsOf<NodePositionObject, Space>>
@@ -1588,13 +1709,20 @@ class NodeForceRef {
   using Value = NodeForce<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NodeForceRef(const Cursor& cursor) : at_(cursor) {}
+  NodeForceRef(const NodeForceRef&) = default;
+  NodeForceRef& operator=(const NodeForceRef&) & = delete;
+  PHYSGEN_FUNCTION const NodeForceRef& operator=(const NodeForceRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const NodeForceRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// sum of the elements' forces on the node [N]
   PHYSGEN_FUNCTION decltype(auto) f() const {
     return at_.template field<physgen::shape::Vector<3>, typename Formats::f, Real>(Record::f);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.f = f().get();
     return value;
@@ -1623,8 +1751,9 @@ struct NodeForceObject {
   using Formats = NodeForceFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = NodeForceFormats<physgen::Host>>
-using NodeForceView = physgen::View<NodeForceObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeForceObject, Space>>
+using NodeForceView = physgen::View<NodeForceObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
           class Formats = physgen::FormatsOf<NodeForceObject, Space>>
@@ -1673,13 +1802,22 @@ class NodeDisplacementRef {
   using Value = NodeDisplacement<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NodeDisplacementRef(const Cursor& cursor) : at_(cursor) {}
+  NodeDisplacementRef(const NodeDisplacementRef&) = default;
+  NodeDisplacementRef& operator=(const NodeDisplacementRef&) & = delete;
+  PHYSGEN_FUNCTION const NodeDisplacementRef& operator=(const NodeDisplacementRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const NodeDisplacementRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// direction in which forces are differentiated [m]
   PHYSGEN_FUNCTION decltype(auto) dx() const {
     return at_.template field<physgen::shape::Vector<3>, typename Formats::dx, Real>(Record::dx);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.dx = dx().get();
     return value;
@@ -1708,8 +1846,9 @@ struct NodeDisplacementObject {
   using Formats = NodeDisplacementFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = NodeDisplacementFormats<physgen::Host>>
-using NodeDisplacementView = physgen::View<NodeDisplacementObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeDisplacementObject, Space>>
+using NodeDisplacementView = physgen::View<NodeDisplacementObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
           class Formats = physgen::FormatsOf<NodeDisplacementObject, Space>>
@@ -1760,13 +1899,22 @@ class NodeForceDifferentialRef {
   using Value = NodeForceDifferential<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NodeForceDifferentialRef(const Cursor& cursor) : at_(cursor) {}
+  NodeForceDifferentialRef(const NodeForceDifferentialRef&) = default;
+  NodeForceDifferentialRef& operator=(const NodeForceDifferentialRef&) & = delete;
+  PHYSGEN_FUNCTION const NodeForceDifferentialRef& operator=(const NodeForceDifferentialRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const NodeForceDifferentialRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// change of the node's force along the displacement differential [N]
   PHYSGEN_FUNCTION decltype(auto) df() const {
     return at_.template field<physgen::shape::Vector<3>, typename Formats::df, Real>(Record::df);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.df = df().get();
     return value;
@@ -1795,8 +1943,9 @@ struct NodeForceDifferentialObject {
   using Formats = NodeForceDifferentialFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = NodeForceDifferentialFormats<physgen::Host>>
-using NodeForceDifferentialView = physgen::View<NodeForceDifferentialObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeForceDifferentialObject, Space>>
+using NodeForceDifferentialView = physgen::View<NodeForceDifferentialObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
           class Formats = physgen::FormatsOf<NodeForceDifferentialObject, Space>>
@@ -1848,13 +1997,22 @@ class NodeStiffnessRef {
   using Value = NodeStiffness<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NodeStiffnessRef(const Cursor& cursor) : at_(cursor) {}
+  NodeStiffnessRef(const NodeStiffnessRef&) = default;
+  NodeStiffnessRef& operator=(const NodeStiffnessRef&) & = delete;
+  PHYSGEN_FUNCTION const NodeStiffnessRef& operator=(const NodeStiffnessRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const NodeStiffnessRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// df(v)/dx(v) [N/m]. Symmetric, 6 stored.
   PHYSGEN_FUNCTION decltype(auto) K() const {
     return at_.template field<physgen::shape::Symmetric<3>, typename Formats::K, Real>(Record::K);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.K = K().get();
     return value;
@@ -1883,8 +2041,9 @@ struct NodeStiffnessObject {
   using Formats = NodeStiffnessFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = NodeStiffnessFormats<physgen::Host>>
-using NodeStiffnessView = physgen::View<NodeStiffnessObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeStiffnessObject, Space>>
+using NodeStiffnessView = physgen::View<NodeStiffnessObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<NodeStiffnessObject, Space>>
@@ -1933,13 +2092,22 @@ class EdgeStiffnessRef {
   using Value = EdgeStiffness<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit EdgeStiffnessRef(const Cursor& cursor) : at_(cursor) {}
+  EdgeStiffnessRef(const EdgeStiffnessRef&) = default;
+  EdgeStiffnessRef& operator=(const EdgeStiffnessRef&) & = delete;
+  PHYSGEN_FUNCTION const EdgeStiffnessRef& operator=(const EdgeStiffnessRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const EdgeStiffnessRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// df(m)/dx(n) [N/m]
   PHYSGEN_FUNCTION decltype(auto) E() const {
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::E, Real>(Record::E);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.E = E().get();
     return value;
@@ -1968,8 +2136,9 @@ struct EdgeStiffnessObject {
   using Formats = EdgeStiffnessFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = EdgeStiffnessFormats<physgen::Host>>
-using EdgeStiffnessView = physgen::View<EdgeStiffnessObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<EdgeStiffnessObject, Space>>
+using EdgeStiffnessView = physgen::View<EdgeStiffnessObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<EdgeStiffnessObject, Space>>
@@ -2023,21 +2192,30 @@ class TetStiffnessRef {
   using Value = TetStiffness<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit TetStiffnessRef(const Cursor& cursor) : at_(cursor) {}
+  TetStiffnessRef(const TetStiffnessRef&) = default;
+  TetStiffnessRef& operator=(const TetStiffnessRef&) & = delete;
+  PHYSGEN_FUNCTION const TetStiffnessRef& operator=(const TetStiffnessRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const TetStiffnessRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// corners i, j, k, l [N/m]. Symmetric, 6 stored.
   /// @pre 0 <= entry < 4
   PHYSGEN_FUNCTION decltype(auto) k(int entry) const {
+    physgen::check_inner(entry, 4, "an entry of elasticity::TetStiffness::k");
     return at_.template field<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
         Record::k + entry * Record::plan_.stride[0]);
   }
   /// edges ij, ik, il, jk, jl, kl: df(first)/dx(second) [N/m]
   /// @pre 0 <= entry < 6
   PHYSGEN_FUNCTION decltype(auto) e(int entry) const {
+    physgen::check_inner(entry, 6, "an entry of elasticity::TetStiffness::e");
     return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::e, Real>(
         Record::e + entry * Record::plan_.stride[1]);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     PHYSGEN_UNROLL
     for (int entry = 0; entry < 4; ++entry) value.k[entry] = k(entry).get();
@@ -2076,8 +2254,9 @@ struct TetStiffnessObject {
   using Formats = TetStiffnessFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = TetStiffnessFormats<physgen::Host>>
-using TetStiffnessView = physgen::View<TetStiffnessObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<TetStiffnessObject, Space>>
+using TetStiffnessView = physgen::View<TetStiffnessObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<TetStiffnessObject, Space>>
@@ -2126,13 +2305,18 @@ class TetRef {
   using Value = Tet<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit TetRef(const Cursor& cursor) : at_(cursor) {}
+  TetRef(const TetRef&) = default;
+  TetRef& operator=(const TetRef&) & = delete;
+  PHYSGEN_FUNCTION const TetRef& operator=(const TetRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const TetRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// corners i, j, k, l; det(Dm) > 0
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
     return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.nodes = nodes().get();
     return value;
@@ -2161,8 +2345,8 @@ struct TetObject {
   using Formats = TetFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = TetFormats<physgen::Host>>
-using TetView = physgen::View<TetObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<TetObject, Space>>
+using TetView = physgen::View<TetObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<TetObject, Space>>
@@ -2210,13 +2394,18 @@ class EdgeRef {
   using Value = Edge<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit EdgeRef(const Cursor& cursor) : at_(cursor) {}
+  EdgeRef(const EdgeRef&) = default;
+  EdgeRef& operator=(const EdgeRef&) & = delete;
+  PHYSGEN_FUNCTION const EdgeRef& operator=(const EdgeRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const EdgeRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// m and n: the block of the edge is df(m)/dx(n)
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
     return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::nodes);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.nodes = nodes().get();
     return value;
@@ -2245,8 +2434,8 @@ struct EdgeObject {
   using Formats = EdgeFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = EdgeFormats<physgen::Host>>
-using EdgeView = physgen::View<EdgeObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<EdgeObject, Space>>
+using EdgeView = physgen::View<EdgeObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<EdgeObject, Space>>
@@ -2298,6 +2487,15 @@ class IncidenceRangeRef {
   using Value = IncidenceRange<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit IncidenceRangeRef(const Cursor& cursor) : at_(cursor) {}
+  IncidenceRangeRef(const IncidenceRangeRef&) = default;
+  IncidenceRangeRef& operator=(const IncidenceRangeRef&) & = delete;
+  PHYSGEN_FUNCTION const IncidenceRangeRef& operator=(const IncidenceRangeRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const IncidenceRangeRef& operator=(const Other& other) const& {
+    return physgen::assign(*this, other);
+  }
 
   /// half-open range
   PHYSGEN_FUNCTION decltype(auto) begin() const {
@@ -2308,7 +2506,7 @@ class IncidenceRangeRef {
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::end);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.begin = begin();
     value.end = end();
@@ -2343,8 +2541,9 @@ struct IncidenceRangeObject {
   using Formats = IncidenceRangeFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = IncidenceRangeFormats<physgen::Host>>
-using IncidenceRangeView = physgen::View<IncidenceRangeObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<IncidenceRangeObject, Space>>
+using IncidenceRangeView = physgen::View<IncidenceRangeObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
           class Formats = physgen::FormatsOf<IncidenceRangeObject, Space>>
 using IncidenceRangeArray = physgen::Array<IncidenceRangeObject, Real, Space, Layout, Formats>;
@@ -2397,6 +2596,13 @@ class IncidenceRef {
   using Value = Incidence<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit IncidenceRef(const Cursor& cursor) : at_(cursor) {}
+  IncidenceRef(const IncidenceRef&) = default;
+  IncidenceRef& operator=(const IncidenceRef&) & = delete;
+  PHYSGEN_FUNCTION const IncidenceRef& operator=(const IncidenceRef& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const IncidenceRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// which tet, or which edge
   PHYSGEN_FUNCTION decltype(auto) element() const {
@@ -2407,7 +2613,7 @@ class IncidenceRef {
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::local);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.element = element();
     value.local = local();
@@ -2442,8 +2648,9 @@ struct IncidenceObject {
   using Formats = IncidenceFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = IncidenceFormats<physgen::Host>>
-using IncidenceView = physgen::View<IncidenceObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<IncidenceObject, Space>>
+using IncidenceView = physgen::View<IncidenceObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
           class Formats = physgen::FormatsOf<IncidenceObject, Space>>
 using IncidenceArray = physgen::Array<IncidenceObject, Real, Space, Layout, Formats>;

@@ -62,15 +62,14 @@ void fields(Printer& out, const plan::Record& record) {
 
 void aliases(Printer& out, const model::Object& object) {
   const std::string tag = object.name + "Object";
-  const std::string formats = object.name + "Formats";
-  out.list("template <", {"class Real", "class Layout", "class Formats = " + formats + "<physgen::Host>"}, ">");
-  out.wrapped("using " + object.name + "View = physgen::View<" + tag + ", Real, Layout, Formats>;");
+  const std::string formats = "class Formats = physgen::FormatsOf<" + tag + ", Space>";
+  out.list("template <", {"class Real", "class Layout", "class Space = physgen::Host", formats}, ">");
+  out.wrapped("using " + object.name + "View = physgen::View<" + tag + ", Real, Layout, Formats, Space>;");
   const std::string host = layout_type(object.host_layout.value_or(default_host));
   const std::string cuda = layout_type(object.cuda_layout.value_or(default_cuda));
   out.list("template <",
            {"class Real", "class Space = physgen::Host",
-            "class Layout = physgen::PerSpace<Space, " + host + ", " + cuda + ">",
-            "class Formats = physgen::FormatsOf<" + tag + ", Space>"},
+            "class Layout = physgen::PerSpace<Space, " + host + ", " + cuda + ">", formats},
            ">");
   out.wrapped("using " + object.name + "Array = physgen::Array<" + tag + ", Real, Space, Layout, Formats>;");
 }

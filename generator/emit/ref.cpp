@@ -21,14 +21,21 @@ void accessor(Printer& out, const model::Object& object, std::size_t number) {
   }
   if (!comment.empty()) out.comment("///", comment);
   const std::string name = field.name + "(" + parameter + ") const";
+  std::vector<std::string> lines;
+  if (field.array_extent != 0) {
+    lines.push_back("physgen::check_inner(entry, " + std::to_string(field.array_extent) + ", \"an entry of " +
+                    object.qualified_name() + "::" + field.name + "\");");
+  }
   if (field.shape == model::Shape::object) {
     const std::string ref =
         nested_type_name(field, "Ref", object) + "<Real, typename Formats::" + field.name + ", Cursor>";
-    out.function("PHYSGEN_FUNCTION " + ref + " " + name, {"return " + ref + "(at_.nested(" + offset + "));"});
+    lines.push_back("return " + ref + "(at_.nested(" + offset + "));");
+    out.function("PHYSGEN_FUNCTION " + ref + " " + name, lines);
     return;
   }
   const std::string access = "field<" + stored_as(field) + ">";
-  out.function("PHYSGEN_FUNCTION decltype(auto) " + name, {"return at_.template " + access + "(" + offset + ");"});
+  lines.push_back("return at_.template " + access + "(" + offset + ");");
+  out.function("PHYSGEN_FUNCTION decltype(auto) " + name, lines);
 }
 
 // The statement for one field, or the lines of a loop of it over the entries of an array. `statement` is given what
@@ -57,7 +64,7 @@ void get(Printer& out, const model::Object& object) {
     });
   }
   lines.push_back("return " + value + ";");
-  out.function("PHYSGEN_FUNCTION Value get() const", lines);
+  out.function("PHYSGEN_FUNCTION const Value get() const", lines);
 }
 
 void put(Printer& out, const model::Object& object) {
@@ -70,6 +77,18 @@ void put(Printer& out, const model::Object& object) {
     });
   }
   out.function("PHYSGEN_FUNCTION void put(const Value& " + value + ") const", lines);
+}
+
+// Assignment copies objects, as `view[i] = view[j]` looks. A named reference that is not const is refused: std::swap
+// and algorithms would take it for a value.
+void assignment(Printer& out, const model::Object& object) {
+  const std::string name = object.name + "Ref", other = local_name("other", object);
+  out.line(name + "(const " + name + "&) = default;");
+  out.line(name + "& operator=(const " + name + "&) & = delete;");
+  const std::vector<std::string> copy{"return physgen::assign(*this, " + other + ");"};
+  out.function("PHYSGEN_FUNCTION const " + name + "& operator=(const " + name + "& " + other + ") const&", copy);
+  out.line("template <physgen::ReadsAs<Value> Other>");
+  out.function("PHYSGEN_FUNCTION const " + name + "& operator=(const Other& " + other + ") const&", copy);
 }
 
 }  // namespace
@@ -87,6 +106,7 @@ void ref_class(Printer& out, const plan::Record& record) {
   out.line("using Value = " + object.name + "<typename Cursor::template Lanes<Real>>;");
   out.line();
   out.line("PHYSGEN_FUNCTION explicit " + name + "(const Cursor& cursor) : at_(cursor) {}");
+  assignment(out, object);
   out.line();
   for (std::size_t f = 0; f < object.fields.size(); ++f) accessor(out, object, f);
   out.line();

@@ -23,12 +23,13 @@ PHYSGEN_FUNCTION inline Vector3<Scalar> gather_corners(const RangeView& node_tet
   const index_t begin = node_tets[node].begin(), end = node_tets[node].end();
   Vector3<Scalar> sum = Vector3<Scalar>::Zero();
   for (index_t k = begin; k < end; ++k) {
-    const auto G = forces[index_t{incidences[k].element()}].G();
+    const auto tet = forces[index_t{incidences[k].element()}];
     const int corner = incidences[k].local();
     if (corner == 0) {
-      const Matrix3<Scalar> all = G;
+      const Matrix3<Scalar> all = tet.G();
       sum -= all.col(0) + all.col(1) + all.col(2);
     } else {
+      const auto G = tet.G();
       const int first = 3 * (corner - 1);
       sum += Vector3<Scalar>(G[first], G[first + 1], G[first + 2]);
     }

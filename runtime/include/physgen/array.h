@@ -32,8 +32,8 @@ class Array {
  public:
   using Object = Object_;
   using Formats = Formats_;
-  using View = physgen::View<Object, Real, Layout, Formats>;
-  using ConstView = physgen::View<Object, const Real, Layout, Formats>;
+  using View = physgen::View<Object, Real, Layout, Formats, Space>;
+  using ConstView = physgen::View<Object, const Real, Layout, Formats, Space>;
   /// The value of one object.
   using Value = typename Object::template Value<Real>;
   static constexpr int record_bytes = View::record_bytes;
@@ -66,8 +66,8 @@ class Array {
   [[nodiscard]] index_t bytes() const { return buffer_.bytes(); }
 
   /// What kernels are given. Valid until the array is resized, moved from or destroyed.
-  [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), Space::kind, losses()}; }
-  [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch(), Space::kind}; }
+  [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), losses()}; }
+  [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch()}; }
   [[nodiscard]] ConstView const_view() const { return view(); }
 
   /// The array without its types, for copy().

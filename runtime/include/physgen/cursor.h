@@ -7,6 +7,7 @@
 #include <physgen/losses.h>
 #include <physgen/pack.h>
 
+#include <atomic>
 #include <bit>
 #include <type_traits>
 
@@ -81,6 +82,16 @@ template <RecordSize kRecord>
   return offset % 16 == 0 && (bytes % 16 == 0 || offset + bytes == kRecord.content);
 }
 
+/// Adds `value` to what several threads may add to.
+template <class T>
+PHYSGEN_FUNCTION inline void add_atomically(T& to, T value) {
+#ifdef __CUDA_ARCH__
+  atomicAdd(&to, value);
+#else
+  std::atomic_ref<T>(to).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
 }  // namespace detail
 
 /// @tparam Byte std::byte, or const std::byte for a read-only array
@@ -95,6 +106,8 @@ class Cursor : private LossSink {
  public:
   template <class T>
   using Lanes = T;
+  /// Whether two lanes may stand on one object.
+  static constexpr bool gathered = false;
 
   /// Stands on object i of the array at `base`.
   PHYSGEN_FUNCTION Cursor(Byte* base, Pitch pitch, I i, Losses* losses)
@@ -138,6 +151,29 @@ class Cursor : private LossSink {
     const Stored stored = Format::template encode<T>(value);
     this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
     address<Stored>(offset)[k * pitch_.value()] = stored;
+  }
+  /// Adds to kCount elements, from the k-th on, to which other threads may add at the same time.
+  template <class Format, class T, int kCount>
+  PHYSGEN_FUNCTION void add(LaneRange /*range*/, int offset, int k, const T* values) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+    static_assert(format::is_plain<Format, T>,
+                  "add() needs a field that is stored as it is computed: give it the format Native");
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
+    // All elements of a padded vector at once. What is added behind them is zero, to padding.
+    if constexpr (sizeof(T) == 4 && std::is_floating_point_v<T> && (kCount == 3 || kCount == 4) &&
+                  joins_words<T, kCount>) {
+      if (may_write_words<T, kCount>()) {
+        asm volatile("red.global.add.v4.f32 [%0], {%1, %2, %3, %4};"
+                     :
+                     : "l"(address<T>(0)), "f"(values[0]), "f"(values[1]), "f"(values[2]),
+                       "f"(kCount == 4 ? values[kCount - 1] : 0.0F)
+                     : "memory");
+        return;
+      }
+    }
+#endif
+    PHYSGEN_UNROLL
+    for (int e = 0; e < kCount; ++e) detail::add_atomically(address<T>(offset)[(k + e) * pitch_.value()], values[e]);
   }
   /// In checked builds, counts a matrix that is none of a rotation.
   template <class T>

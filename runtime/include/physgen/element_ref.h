@@ -1,10 +1,52 @@
 // A stand-in for one stored element, or for those of a SIMD pack, where no plain C++ reference exists: it converts
-// to the value that code computes with and takes one by assignment.
+// to the value that code computes with, calculates, and takes a value by assignment.
+//
+// `auto x = view[i].m()` would be a number for one object and a stand-in, read later, for a pack. So only temporaries
+// are read, and only temporaries and constants are assigned: what compiles means the same for every index and format.
 #pragma once
 
 #include <physgen/config.h>
 
+#include <type_traits>
+#include <utility>
+
 namespace physgen {
+
+template <class Format, class T, class Cursor>
+class ElementRef;
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_element_ref = false;
+template <class Format, class T, class Cursor>
+inline constexpr bool is_element_ref<ElementRef<Format, T, Cursor>> = true;
+
+template <class T>
+concept ElementReference = is_element_ref<std::remove_cvref_t<T>>;
+
+/// What an operator calculates with: the value of a reference, anything else as it is.
+template <class T>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr decltype(auto) operand(T&& value) {
+  if constexpr (ElementReference<T>) {
+    return typename std::remove_cvref_t<T>::Value(std::forward<T>(value));
+  } else {
+    return std::forward<T>(value);
+  }
+}
+template <class T>
+using Operand = decltype(operand(std::declval<T>()));
+
+/// A value that get() returns: const where it is a class, so that `view[i].f().get() += x`, which would change a
+/// temporary, does not compile.
+template <class Value>
+using ReadValue = std::conditional_t<std::is_class_v<Value>, const Value, Value>;
+
+/// Returned by deleted operators: their names are what compilers print.
+struct a_named_reference_is_not_assigned_so_write_to_the_view_itself;
+struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
+
+}  // namespace detail
 
 /// @tparam Format of the element (format.h)
 /// @tparam T the type computed with
@@ -20,23 +62,108 @@ class ElementRef {
   ElementRef(const ElementRef&) = default;
   ~ElementRef() = default;
 
-  [[nodiscard]] PHYSGEN_FUNCTION Value get() const { return at_.template load<Format, T>(offset_, k_); }
-  PHYSGEN_FUNCTION operator Value() const { return get(); }  // NOLINT: implicit as a reference's conversion is
+  /// The value. For temporaries only: `const S m = view[i].m();`.
+  [[nodiscard]] PHYSGEN_FUNCTION detail::ReadValue<Value> get() const&& { return read(); }
+  PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
+  Value get() const& = delete;
+  operator Value() const& = delete;
 
-  PHYSGEN_FUNCTION const ElementRef& operator=(const Value& value) const {
+  PHYSGEN_FUNCTION const ElementRef& operator=(const Value& value) const& { return write(value); }
+  /// Copies the element.
+  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef& other) const& { return write(other.read()); }
+  PHYSGEN_FUNCTION const ElementRef& operator+=(const Value& value) const&
+    requires(!Cursor::gathered)
+  {
+    return write(Value(read() + value));
+  }
+  PHYSGEN_FUNCTION const ElementRef& operator-=(const Value& value) const&
+    requires(!Cursor::gathered)
+  {
+    return write(Value(read() - value));
+  }
+  PHYSGEN_FUNCTION const ElementRef& operator*=(const Value& value) const&
+    requires(!Cursor::gathered)
+  {
+    return write(Value(read() * value));
+  }
+  PHYSGEN_FUNCTION const ElementRef& operator/=(const Value& value) const&
+    requires(!Cursor::gathered)
+  {
+    return write(Value(read() / value));
+  }
+  PHYSGEN_FUNCTION friend void swap(const ElementRef& a, const ElementRef& b) {
+    const Value old = a.read();
+    a.write(b.read());
+    b.write(old);
+  }
+
+  using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
+  ElementRef& operator=(const ElementRef&) & = delete;
+  NotAssigned operator=(const Value&) & = delete;
+  NotAssigned operator+=(const Value&) & = delete;
+  NotAssigned operator-=(const Value&) & = delete;
+  NotAssigned operator*=(const Value&) & = delete;
+  NotAssigned operator/=(const Value&) & = delete;
+  using UseAdd = detail::lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
+  UseAdd operator+=(const Value&) const&
+    requires(Cursor::gathered)
+  = delete;
+  UseAdd operator-=(const Value&) const&
+    requires(Cursor::gathered)
+  = delete;
+  UseAdd operator*=(const Value&) const&
+    requires(Cursor::gathered)
+  = delete;
+  UseAdd operator/=(const Value&) const&
+    requires(Cursor::gathered)
+  = delete;
+
+  /// Stores those lanes of `value` whose bits are set in `lanes`; see store_where() and add(). For packs.
+  void write_where(std::uint64_t lanes, const Value& value) const {
+    at_.template store_where<Format, T>(offset_, k_, value, lanes);
+  }
+  /// Adds atomically; see add().
+  template <class Range>
+  PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
+    at_.template add<Format, T, 1>(range, offset_, k_, &value);
+  }
+
+ private:
+  [[nodiscard]] PHYSGEN_FUNCTION Value read() const { return at_.template load<Format, T>(offset_, k_); }
+  PHYSGEN_FUNCTION const ElementRef& write(const Value& value) const {
     at_.template store<Format, T>(offset_, k_, value);
     return *this;
   }
-  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef& other) const { return *this = other.get(); }
-  PHYSGEN_FUNCTION const ElementRef& operator+=(const Value& value) const { return *this = Value(get() + value); }
-  PHYSGEN_FUNCTION const ElementRef& operator-=(const Value& value) const { return *this = Value(get() - value); }
-  PHYSGEN_FUNCTION const ElementRef& operator*=(const Value& value) const { return *this = Value(get() * value); }
-  PHYSGEN_FUNCTION const ElementRef& operator/=(const Value& value) const { return *this = Value(get() / value); }
 
- private:
   Cursor at_;
   int offset_;
   int k_;
 };
+
+// Arithmetic and comparison of references read from a view, among themselves and with anything that calculates with
+// their values. PHYSGEN_ELEMENT_OPERATOR is undefined below.
+#define PHYSGEN_ELEMENT_OPERATOR(op)                                                   \
+  template <class A, class B>                                                          \
+    requires((detail::ElementReference<A> || detail::ElementReference<B>) &&           \
+             requires(detail::Operand<A> a, detail::Operand<B> b) { a op b; })         \
+  PHYSGEN_FUNCTION auto operator op(A&& a, B&& b) {                                    \
+    return detail::operand(std::forward<A>(a)) op detail::operand(std::forward<B>(b)); \
+  }
+PHYSGEN_ELEMENT_OPERATOR(+)
+PHYSGEN_ELEMENT_OPERATOR(-)
+PHYSGEN_ELEMENT_OPERATOR(*)
+PHYSGEN_ELEMENT_OPERATOR(/)
+PHYSGEN_ELEMENT_OPERATOR(<)
+PHYSGEN_ELEMENT_OPERATOR(<=)
+PHYSGEN_ELEMENT_OPERATOR(>)
+PHYSGEN_ELEMENT_OPERATOR(>=)
+PHYSGEN_ELEMENT_OPERATOR(==)
+PHYSGEN_ELEMENT_OPERATOR(!=)
+#undef PHYSGEN_ELEMENT_OPERATOR
+
+template <detail::ElementReference A>
+PHYSGEN_FUNCTION auto operator-(A&& a) {
+  return -detail::operand(std::forward<A>(a));
+}
 
 }  // namespace physgen

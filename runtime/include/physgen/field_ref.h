@@ -1,17 +1,22 @@
 // References to fields of more than one element: assignable stand-ins for an Eigen value whose elements lie a pitch
-// apart, in any storage format.
+// apart, in any storage format. Read as temporaries only, as element_ref.h explains; elements of a named one are read
+// by their numbers.
 #pragma once
 
+#include <physgen/checks.h>
 #include <physgen/element_ref.h>
 #include <physgen/format.h>
 #include <physgen/shape.h>
 
 namespace physgen {
 
-/// A field of one object: converts to its Eigen value and takes one by assignment. It refers to memory, so it stays
-/// valid as long as the array does; copy with get().
+/// A field of one object, or of those of a pack: converts to its Eigen value and takes one by assignment. It refers to
+/// memory, so it stays valid as long as the array does; copy with get().
 template <class Shape, class Format, class T, class Cursor>
 class FieldRef {
+  static constexpr bool is_rotation = std::is_same_v<Shape, shape::Rotation>;
+  static constexpr bool calculates = !is_rotation && !Cursor::gathered;
+
  public:
   using Scalar = typename Cursor::template Lanes<T>;
   using Value = typename Shape::template Value<Scalar>;
@@ -21,8 +26,124 @@ class FieldRef {
   FieldRef(const FieldRef&) = default;
   ~FieldRef() = default;
 
-  /// The field's value.
-  [[nodiscard]] PHYSGEN_FUNCTION Value get() const {
+  /// The field's value. For temporaries only: `const auto x = view[i].x().get();`.
+  [[nodiscard]] PHYSGEN_FUNCTION const Value get() const&& { return read(); }
+  PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
+  const Value get() const& = delete;
+  operator Value() const& = delete;
+
+  /// Stores `value`.
+  PHYSGEN_FUNCTION const FieldRef& operator=(const Value& value) const& { return write(value); }
+  /// Copies the field.
+  PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef& other) const& { return write(other.read()); }
+  PHYSGEN_FUNCTION const FieldRef& operator+=(const Value& value) const&
+    requires calculates
+  {
+    return write(Value(read() + value));
+  }
+  PHYSGEN_FUNCTION const FieldRef& operator-=(const Value& value) const&
+    requires calculates
+  {
+    return write(Value(read() - value));
+  }
+  PHYSGEN_FUNCTION const FieldRef& operator*=(const Scalar& factor) const&
+    requires calculates
+  {
+    return write(Value(read() * factor));
+  }
+  PHYSGEN_FUNCTION const FieldRef& operator/=(const Scalar& divisor) const&
+    requires calculates
+  {
+    return write(Value(read() / divisor));
+  }
+  PHYSGEN_FUNCTION const FieldRef& setZero() const&
+    requires(!is_rotation)
+  {
+    return write(Value::Constant(Scalar(T(0))));
+  }
+  PHYSGEN_FUNCTION const FieldRef& setIdentity() const&
+    requires is_rotation
+  {
+    Value identity = Value::Constant(Scalar(T(0)));
+    for (int k = 0; k < 3; ++k) identity(k, k) = Scalar(T(1));
+    return write(identity);
+  }
+  PHYSGEN_FUNCTION friend void swap(const FieldRef& a, const FieldRef& b) {
+    const Value old = a.read();
+    a.write(b.read());
+    b.write(old);
+  }
+
+  using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
+  FieldRef& operator=(const FieldRef&) & = delete;
+  NotAssigned operator=(const Value&) & = delete;
+  NotAssigned operator+=(const Value&) & = delete;
+  NotAssigned operator-=(const Value&) & = delete;
+  NotAssigned operator*=(const Scalar&) & = delete;
+  NotAssigned operator/=(const Scalar&) & = delete;
+  using UseAdd = detail::lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
+  UseAdd operator+=(const Value&) const&
+    requires(Cursor::gathered)
+  = delete;
+  UseAdd operator-=(const Value&) const&
+    requires(Cursor::gathered)
+  = delete;
+  UseAdd operator*=(const Scalar&) const&
+    requires(Cursor::gathered)
+  = delete;
+  UseAdd operator/=(const Scalar&) const&
+    requires(Cursor::gathered)
+  = delete;
+
+  /// Element k in storage order: T& where memory holds T (const T& in a read-only array), else a stand-in.
+  /// @pre 0 <= k < the number of stored elements
+  PHYSGEN_FUNCTION decltype(auto) operator[](int k) const {
+    static_assert(!format::is_quaternion<Format>,
+                  "a rotation stored as a quaternion has no single elements; read it with get(), assign it as a whole");
+    check_inner(k, Shape::count, "an element of a field");
+    return at_.template element<Format, T>(0, k);
+  }
+
+  /// The stored element at row r, column c (of a vector: element r). Skew: r > c only.
+  PHYSGEN_FUNCTION decltype(auto) operator()(int r, int c = 0) const {
+    check_inner(r, Value::RowsAtCompileTime, "a row of a field");
+    check_inner(c, Value::ColsAtCompileTime, "a column of a field");
+    return (*this)[Shape::index(r, c)];
+  }
+
+  /// Stores those lanes of `value` whose bits are set in `lanes`; see store_where(). For packs.
+  void write_where(std::uint64_t lanes, const Value& value) const {
+    if constexpr (format::is_quaternion<Format>) {
+      const Quaternion<Scalar> q = unit_quaternion<Scalar>(value);
+      for (int k = 0; k < 4; ++k) at_.template store_where<Element, T>(0, k, q[k], lanes);
+    } else {
+      Scalar elements[Shape::count];
+      Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
+      for (int k = 0; k < Shape::count; ++k) at_.template store_where<Format, T>(0, k, elements[k], lanes);
+    }
+  }
+  /// Adds atomically; see add().
+  template <class Range>
+  PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
+    static_assert(!is_rotation, "the sum of two rotations is none");
+    Scalar elements[Shape::count];
+    Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
+    at_.template add<Format, T, Shape::count>(range, 0, 0, static_cast<const Scalar*>(elements));
+  }
+
+ private:
+  using Element = format::ElementFormat<Format>;
+  static constexpr bool joins_words = format::is_plain<Format, T> && Cursor::template joins_words<T, Shape::count>;
+  static constexpr int whole_words = align_up(Shape::count * int{sizeof(T)}, 16) / int{sizeof(T)};
+  [[nodiscard]] PHYSGEN_FUNCTION Scalar element(int k) const { return at_.template element<Element, T>(0, k); }
+
+  /// The elements by number, without the check of operator[].
+  struct Elements {
+    const Cursor& at;
+    PHYSGEN_FUNCTION decltype(auto) operator[](int k) const { return at.template element<Format, T>(0, k); }
+  };
+
+  [[nodiscard]] PHYSGEN_FUNCTION Value read() const {
     if constexpr (format::is_quaternion<Format>) {
       const Quaternion<Scalar> q{element(0), element(1), element(2), element(3)};
       if constexpr (sizeof(typename Element::template Stored<T>) >= sizeof(T)) {
@@ -38,13 +159,11 @@ class FieldRef {
           return Shape::template value<Scalar>(elements);
         }
       }
-      return Shape::template value<Scalar>(*this);
+      return Shape::template value<Scalar>(Elements{at_});
     }
   }
-  PHYSGEN_FUNCTION operator Value() const { return get(); }  // NOLINT: implicit as a reference's conversion is
 
-  /// Stores `value`.
-  PHYSGEN_FUNCTION const FieldRef& operator=(const Value& value) const {
+  PHYSGEN_FUNCTION const FieldRef& write(const Value& value) const {
     if constexpr (format::is_quaternion<Format>) {
       at_.check_rotation(value);
       const Quaternion<Scalar> q = unit_quaternion<Scalar>(value);
@@ -59,29 +178,44 @@ class FieldRef {
           return *this;
         }
       }
-      Shape::template store<Scalar>(value, *this);
+      Shape::template store<Scalar>(value, Elements{at_});
     }
     return *this;
   }
-  PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef& other) const { return *this = other.get(); }
-
-  /// Element k in storage order: T& where memory holds T (const T& in a read-only array), else a stand-in.
-  PHYSGEN_FUNCTION decltype(auto) operator[](int k) const {
-    static_assert(!format::is_quaternion<Format>,
-                  "a rotation stored as a quaternion has no single elements; read it with get(), assign it as a whole");
-    return at_.template element<Format, T>(0, k);
-  }
-
-  /// The stored element at row r, column c (of a vector: element r). Skew: r > c only.
-  PHYSGEN_FUNCTION decltype(auto) operator()(int r, int c = 0) const { return (*this)[Shape::index(r, c)]; }
-
- private:
-  using Element = format::ElementFormat<Format>;
-  static constexpr bool joins_words = format::is_plain<Format, T> && Cursor::template joins_words<T, Shape::count>;
-  static constexpr int whole_words = align_up(Shape::count * int{sizeof(T)}, 16) / int{sizeof(T)};
-  [[nodiscard]] PHYSGEN_FUNCTION Scalar element(int k) const { return at_.template element<Element, T>(0, k); }
 
   Cursor at_;
 };
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_field_ref = false;
+template <class Shape, class Format, class T, class Cursor>
+inline constexpr bool is_field_ref<FieldRef<Shape, Format, T, Cursor>> = true;
+
+template <class A, class B = int>
+concept SomeFieldReference = is_field_ref<std::remove_cvref_t<A>> || is_field_ref<std::remove_cvref_t<B>>;
+
+struct a_field_is_no_value_so_calculate_with_what_its_get_returns;
+
+}  // namespace detail
+
+namespace detail {
+using NoValue = a_field_is_no_value_so_calculate_with_what_its_get_returns;
+}
+template <class A, class B>
+  requires detail::SomeFieldReference<A, B>
+detail::NoValue operator+(A&&, B&&) = delete;
+template <class A, class B>
+  requires detail::SomeFieldReference<A, B>
+detail::NoValue operator-(A&&, B&&) = delete;
+template <class A, class B>
+  requires detail::SomeFieldReference<A, B>
+detail::NoValue operator*(A&&, B&&) = delete;
+template <class A, class B>
+  requires detail::SomeFieldReference<A, B>
+detail::NoValue operator/(A&&, B&&) = delete;
+template <detail::SomeFieldReference A>
+detail::NoValue operator-(A&&) = delete;
 
 }  // namespace physgen

@@ -57,8 +57,8 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
     while (upload.next()) {
       Losses of_chunk;
       of_chunk.objects = upload.chunk().size;
-      const View<Object, Real, Layout, Formats> chunk(upload.chunk().base, upload.chunk().size, upload.chunk().pitch,
-                                                      SpaceKind::pinned, &of_chunk);
+      const View<Object, Real, Layout, Formats, PinnedHost> chunk(upload.chunk().base, upload.chunk().size,
+                                                                  upload.chunk().pitch, &of_chunk);
       const index_t begin = upload.begin();
       detail::host_loop(chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
       losses.add(of_chunk, begin);
@@ -101,8 +101,8 @@ void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const 
   } else {
     ChunkedDownload download(array.storage(), 0, array.size(), stream);
     while (download.next()) {
-      const View<Object, const Real, Layout, Formats> chunk(download.chunk().base, download.chunk().size,
-                                                            download.chunk().pitch, SpaceKind::pinned);
+      const View<Object, const Real, Layout, Formats, PinnedHost> chunk(download.chunk().base, download.chunk().size,
+                                                                        download.chunk().pitch);
       const index_t begin = download.begin();
       detail::host_loop(chunk.size(), [&](index_t i) { set(begin + i, chunk.get(i)); });
     }

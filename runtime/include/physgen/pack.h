@@ -1,5 +1,6 @@
 // The kinds of index a kernel is called with, and the type that one element has under each: a plain index reads one
-// object, a Pack reads W consecutive objects at once. (A SIMD batch of int32 gathers W objects; see simd_access.h.)
+// object, a Pack or PartialPack reads W consecutive objects at once. (A SIMD batch of int32 gathers W objects; see
+// simd_access.h.)
 #pragma once
 
 #include <physgen/config.h>
@@ -8,11 +9,55 @@
 
 namespace physgen {
 
-/// W consecutive objects, starting at a multiple of W.
+/// W consecutive objects, starting at a multiple of W. All of them are objects of the kernel's range.
 template <int W>
 struct Pack {
   index_t begin;
 };
+
+/// The first or the last pack of a range: lanes first .. last-1 are objects of the range, the others are not. Those
+/// load what a lane of the range loads, and their stores leave memory alone, so a kernel sees neither the padding of an
+/// array nor the neighbours of a range. Its numbers have the same bits as in a whole pack.
+template <int W>
+struct PartialPack {
+  index_t begin;  ///< of lane 0; a multiple of W
+  int first, last;
+
+  /// The lane whose object lane l reads.
+  [[nodiscard]] constexpr int lane(int l) const { return l < first ? first : l < last ? l : last - 1; }
+};
+
+/// Lanes first .. last-1 of a pack.
+struct LaneRange {
+  int first, last;
+};
+
+/// The lanes of an index that are objects of the kernel's range.
+template <class I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr LaneRange lane_range(const I& /*i*/) {
+  static_assert(std::is_integral_v<I>, "a gathered index does not know its range: give the kernel's own index");
+  return {0, 1};
+}
+template <int W>
+[[nodiscard]] constexpr LaneRange lane_range(const Pack<W>& /*i*/) {
+  return {0, W};
+}
+template <int W>
+[[nodiscard]] constexpr LaneRange lane_range(const PartialPack<W>& i) {
+  return {i.first, i.last};
+}
+
+/// Calls body(pack) for the pack that begins at `at` as far as it lies in begin .. end-1: with a Pack or a PartialPack.
+/// @pre `at` is a multiple of W, and the pack holds at least one of the range
+template <int W, class Body>
+void with_pack(index_t at, index_t begin, index_t end, const Body& body) {
+  if (begin <= at && at + W <= end) {
+    body(Pack<W>{at});
+  } else {
+    body(PartialPack<W>{at, static_cast<int>(begin > at ? begin - at : 0),
+                        static_cast<int>(end < at + W ? end - at : W)});
+  }
+}
 
 /// What an element of type T becomes under an index of type I: T itself, or a SIMD batch. Specialised in simd_access.h.
 template <class T, class I>

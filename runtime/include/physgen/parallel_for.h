@@ -1,9 +1,10 @@
 // Runs a kernel over objects on the CPU: OpenMP threads, each over SIMD packs where the kernel can take them.
 #pragma once
 
+#include <physgen/add.h>
 #include <physgen/host_loop.h>
 #include <physgen/layout.h>
-#include <physgen/simd_access.h>
+#include <physgen/simd_lanes.h>
 #include <physgen/space.h>
 
 #include <concepts>
@@ -12,10 +13,24 @@ namespace physgen {
 
 namespace detail {
 
+/// Lanes of the packs that a kernel over numbers of type Real is called with: those of the widest register, where this
+/// CPU has registers of as many 32-bit lanes, too, for integer fields and floats; else 1.
+template <class Real>
+constexpr int pack_lanes() {
+  constexpr int lanes = native_lanes<Real>;
+  using Integers = typename xsimd::make_sized_batch<std::int32_t, static_cast<std::size_t>(lanes)>::type;
+  return std::is_void_v<Integers> ? 1 : lanes;
+}
+
 template <class Kernel>
 constexpr int default_lanes() {
+  static_assert(
+      requires { typename Kernel::Scalar; },
+      "parallel_for() must know whether this kernel takes packs: give a function object a member type, "
+      "`using Scalar = typename View::Precision;`; write over<float>(lambda) for a generic lambda; or "
+      "parallel_for<1>(...), which calls it with one object at a time");
   if constexpr (requires { typename Kernel::Scalar; }) {
-    constexpr int lanes = native_lanes<typename Kernel::Scalar>;
+    constexpr int lanes = pack_lanes<typename Kernel::Scalar>();
     if constexpr (std::invocable<const Kernel&, Pack<lanes>>) return lanes;
   }
   return 1;
@@ -23,29 +38,75 @@ constexpr int default_lanes() {
 
 }  // namespace detail
 
-/// Calls kernel(i) for the objects 0 .. size-1, on all OpenMP threads, and returns when all are done.
+/// A generic lambda as a kernel over packs of Real: `parallel_for(Host{}, n, over<float>([=](auto i) { ... }))`.
+template <class Real, class Body>
+struct Over {
+  using Scalar = Real;
+  Body body;
+  template <class I>
+  PHYSGEN_FUNCTION auto operator()(const I& i) const {
+    return body(i);
+  }
+};
+template <class Real, class Body>
+[[nodiscard]] Over<Real, Body> over(const Body& body) {
+  return {body};
+}
+
+/// Calls kernel(i) for the objects begin .. end-1, on all OpenMP threads, and returns when all are done.
 ///
-/// A kernel with a member type Scalar and a templated call operator is called with Pack<W> for W objects at once, the
-/// last pack running over the padding of its arrays; else with index_t. W can be chosen; W = 1 calls with index_t.
-/// @pre size is the size of the arrays whose objects the kernel writes; no two calls write the same object
+/// A kernel with a member type Scalar and a templated call operator is called with Pack<W> for W objects at once, W
+/// being as many as fit the widest register; where the range does not fill the first or the last pack, with
+/// PartialPack<W>, which sees and changes objects of the range only. A kernel that takes index_t alone is called with
+/// one object at a time. kLanes chooses another W; parallel_for<1> calls any kernel with index_t.
+/// @pre the range lies in the arrays whose objects the kernel writes; no two calls write the same object, unless by
+/// add()
 /// @throw what a call throws (the first to be caught), after all other calls have been made
 template <int kLanes = 0, class Kernel>
-void parallel_for(Host /*space*/, index_t size, const Kernel& kernel) {
-  constexpr int width = kLanes == 0 ? detail::default_lanes<Kernel>() : kLanes;
+void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kernel) {
+  constexpr int width = [] {
+    if constexpr (kLanes == 0) {
+      return detail::default_lanes<Kernel>();
+    } else {
+      return kLanes;
+    }
+  }();
   static_assert(padding_objects % width == 0);
-  const index_t packs = (size + width - 1) / width;
+  if (begin >= end) return;
   detail::RegionFailure failure;
-#pragma omp parallel for schedule(static) if (size >= detail::worth_threads)
-  for (index_t p = 0; p < packs; ++p) {
+  const auto call = [&](const auto& i) {
     failure.guard([&] {
-      if constexpr (width == 1) {
-        kernel(p);
-      } else {
-        kernel(Pack<width>{p * width});
-      }
+#ifdef PHYSGEN_CHECKED
+      detail::running_lanes = {lane_range(i), width};
+#endif
+      kernel(i);
     });
+#ifdef PHYSGEN_CHECKED
+    detail::running_lanes = {};
+#endif
+  };
+  const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
+  if constexpr (width > 1) {
+    if (begin % width != 0) with_pack<width>(begin / width * width, begin, end, call);
+  }
+#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
+  for (index_t p = first; p < last; ++p) {
+    if constexpr (width == 1) {
+      call(p);
+    } else {
+      call(Pack<width>{p * width});
+    }
+  }
+  if constexpr (width > 1) {
+    if (last * width < end && last * width >= begin) with_pack<width>(last * width, begin, end, call);
   }
   failure.rethrow();
+}
+
+/// The same for the objects 0 .. size-1.
+template <int kLanes = 0, class Kernel>
+void parallel_for(Host space, index_t size, const Kernel& kernel) {
+  parallel_for<kLanes>(space, 0, size, kernel);
 }
 
 }  // namespace physgen

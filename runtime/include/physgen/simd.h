@@ -8,6 +8,7 @@
 #endif
 
 #include <physgen/math.h>
+#include <physgen/simd_masks.h>
 
 #include <Eigen/Core>
 #include <type_traits>

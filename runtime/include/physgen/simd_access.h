@@ -1,12 +1,14 @@
-// SIMD access on the CPU: cursors that stand on the W objects of a Pack, or on W objects gathered by an index batch,
-// and hand out xsimd batches. Included by host translation units only.
+// SIMD access on the CPU: cursors that stand on the W objects of a Pack or PartialPack, or on W objects gathered by an
+// index batch, and hand out xsimd batches. Included by host translation units only.
 #pragma once
 
 #include <physgen/cursor.h>
+#include <physgen/error.h>
 #include <physgen/simd.h>
 
 #include <array>
 #include <cstring>
+#include <string>
 
 namespace physgen {
 
@@ -17,8 +19,9 @@ struct SizedBatch {
   using type = typename xsimd::make_sized_batch<T, static_cast<std::size_t>(W)>::type;
   static_assert(
       !std::is_void_v<type>,
-      "this CPU has no SIMD register of W lanes of T (a double field in a float pack?): give parallel_for fewer "
-      "lanes, parallel_for<W / 2>(...), or parallel_for<1>(...)");
+      "this CPU has no SIMD register of W lanes of T. Packs are as wide as the kernel's `using Scalar` makes them: let "
+      "that be the widest number that the kernel reads, `using Scalar = typename View::Precision;`, or run the kernel "
+      "on single objects, parallel_for<1>(...)");
 };
 
 }  // namespace detail
@@ -31,6 +34,10 @@ using batch_t = typename detail::SizedBatch<std::remove_cv_t<T>, W>::type;
 template <class T>
 inline constexpr int native_lanes = static_cast<int>(xsimd::batch<T>::size);
 
+template <class T, int W>
+struct Lanes<T, PartialPack<W>> {
+  using type = batch_t<T, W>;
+};
 template <class T, int W>
 struct Lanes<T, Pack<W>> {
   using type = batch_t<T, W>;
@@ -81,6 +88,20 @@ void encode_lanes(const T* values, typename Format::template Stored<T>* stored) 
   for (int l = 0; l < W; ++l) stored[l] = Format::template encode<T>(values[l]);
 }
 
+/// The lanes, of an index as wide as W, that the kernel which runs on this thread was called for. Known in checked
+/// builds, where parallel_for() says so; elsewhere, and outside of kernels, all.
+struct RunningLanes {
+  LaneRange range;
+  int width;
+
+  [[nodiscard]] LaneRange of(int W) const { return W == width ? range : LaneRange{0, W}; }
+};
+#ifdef PHYSGEN_CHECKED
+inline thread_local RunningLanes running_lanes{{0, 0}, 0};
+#else
+inline constexpr RunningLanes running_lanes{{0, 0}, 0};
+#endif
+
 /// What the SIMD cursors share: references to fields and elements, and formats, from read and write of the derived
 /// cursor.
 template <class Derived, int W>
@@ -122,22 +143,38 @@ class SimdCursor : protected LossSink {
   }
   template <class Format, class T>
   void store(int offset, int k, const batch_t<T, W>& value) const {
-    using Stored = typename Format::template Stored<T>;
-    const int at = offset + k * int{sizeof(Stored)};
     if constexpr (format::is_plain<Format, T>) {
-      self().template write<T>(at, value);
+      self().template write<T>(offset + k * int{sizeof(T)}, value);
     } else {
-      alignas(64) std::array<Stored, W> stored;
+      store_encoded<Format, T>(offset, k, value, self().written());
+    }
+  }
+  /// Stores the lanes whose bits are set in `lanes`.
+  template <class Format, class T>
+  void store_where(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes) const {
+    lanes &= self().written();
+    if constexpr (format::is_plain<Format, T>) {
       alignas(64) std::array<T, W> values;
       value.store_aligned(values.data());
-      encode_lanes<Format, T, W>(values.data(), stored.data());
-#ifdef PHYSGEN_CHECKED
-      for (int l = 0; l < W; ++l) {
-        const auto lane = static_cast<std::size_t>(l);
-        this->template count<Format, T>(at, values[lane], stored[lane], self().further(l));
+      self().write_lanes(offset + k * int{sizeof(T)}, values, lanes);
+    } else {
+      store_encoded<Format, T>(offset, k, value, lanes);
+    }
+  }
+
+  /// Adds lanes of `range` to kCount elements, from the k-th on, one after the other: equal objects get all of them.
+  template <class Format, class T, int kCount>
+  void add(LaneRange range, int offset, int k, const batch_t<T, W>* values) const {
+    static_assert(format::is_plain<Format, T>,
+                  "add() needs a field that is stored as it is computed: give it the format Native");
+    for (int e = 0; e < kCount; ++e) {
+      alignas(64) std::array<T, W> lanes;
+      values[e].store_aligned(lanes.data());
+      for (int l = range.first; l < range.last; ++l) {
+        auto* to = self().template address<T>(offset + (k + e) * int{sizeof(T)}, l);
+        static_assert(!std::is_const_v<std::remove_pointer_t<decltype(to)>>, "this array is read-only here");
+        add_atomically(*to, lanes[static_cast<std::size_t>(l)]);
       }
-#endif
-      self().write_lanes(at, stored);
     }
   }
   template <class S>
@@ -153,92 +190,56 @@ class SimdCursor : protected LossSink {
 #endif
   }
 
+ protected:
+  /// Bits of all W lanes.
+  static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
+
  private:
+  template <class Format, class T>
+  void store_encoded(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes) const {
+    using Stored = typename Format::template Stored<T>;
+    const int at = offset + k * int{sizeof(Stored)};
+    alignas(64) std::array<Stored, W> stored;
+    alignas(64) std::array<T, W> values;
+    value.store_aligned(values.data());
+    encode_lanes<Format, T, W>(values.data(), stored.data());
+#ifdef PHYSGEN_CHECKED
+    for (int l = 0; l < W; ++l) {
+      if ((lanes >> l & 1) == 0) continue;
+      const auto lane = static_cast<std::size_t>(l);
+      this->template count<Format, T>(at, values[lane], stored[lane], self().further(l));
+    }
+#endif
+    self().write_lanes(at, stored, lanes);
+  }
+
   [[nodiscard]] const Derived& self() const { return static_cast<const Derived&>(*this); }
 };
 
-}  // namespace detail
-
-/// On the W objects of a pack.
-template <class Byte, class Layout, RecordSize kRecord, int W>
-class Cursor<Byte, Layout, kRecord, Pack<W>> : public detail::SimdCursor<Cursor<Byte, Layout, kRecord, Pack<W>>, W> {
-  using Base = detail::SimdCursor<Cursor, W>;
+/// On W consecutive objects: what the cursors of whole and of partial packs share.
+template <class Derived, class Byte, class Layout, RecordSize kRecord, int W>
+class ConsecutiveCursor : public SimdCursor<Derived, W> {
+ protected:
+  using Base = SimdCursor<Derived, W>;
   using Pitch = typename Layout::Pitch;
 
- public:
-  Cursor(Byte* base, Pitch pitch, Pack<W> pack, Losses* losses)
-      : Base(losses, pack.begin),
-        tile_(base + pitch.tile(pack.begin) * pitch.value() * kRecord.stored),
-        lane_(pitch.lane(pack.begin)),
+  ConsecutiveCursor(Byte* base, Pitch pitch, index_t begin, Losses* losses)
+      : Base(losses, begin),
+        tile_(base + pitch.tile(begin) * pitch.value() * kRecord.stored),
+        lane_(pitch.lane(begin)),
         pitch_(pitch) {}
 
-  [[nodiscard]] Cursor nested(int offset) const {
-    Cursor inner = *this;
+ public:
+  [[nodiscard]] Derived nested(int offset) const {
+    Derived inner = static_cast<const Derived&>(*this);
     inner.tile_ += offset * pitch_.value();
     inner.advance(offset);
     return inner;
   }
 
- private:
+ protected:
   friend Base;
   [[nodiscard]] static index_t further(int l) { return l; }
-
-  // As a register.
-  template <class T>
-  [[nodiscard]] batch_t<T, W> read(int offset) const {
-    if constexpr (Layout::contiguous(W)) {
-      prefetch<T>(offset);
-      return batch_t<T, W>::load_unaligned(address<T>(offset, 0));
-    } else {
-      alignas(64) std::array<T, W> lanes;
-      read_lanes(offset, lanes);
-      return batch_t<T, W>::load_aligned(lanes.data());
-    }
-  }
-  template <class T>
-  void write(int offset, const batch_t<T, W>& value) const {
-    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    if constexpr (Layout::contiguous(W)) {
-      value.store_unaligned(address<T>(offset, 0));
-    } else {
-      alignas(64) std::array<T, W> lanes;
-      value.store_aligned(lanes.data());
-      write_lanes(offset, lanes);
-    }
-  }
-
-  // As memory.
-  template <class T>
-  void read_lanes(int offset, std::array<T, W>& lanes) const {
-    if constexpr (Layout::contiguous(W)) {
-      prefetch<T>(offset);
-      std::memcpy(lanes.data(), address<T>(offset, 0), sizeof lanes);
-    } else {
-      PHYSGEN_UNROLL
-      for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = *address<T>(offset, l);
-    }
-  }
-  template <class T>
-  void write_lanes(int offset, const std::array<T, W>& lanes) const {
-    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    if constexpr (Layout::contiguous(W)) {
-      std::memcpy(address<T>(offset, 0), lanes.data(), sizeof lanes);
-    } else {
-      PHYSGEN_UNROLL
-      for (int l = 0; l < W; ++l) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
-    }
-  }
-
-  // Kernels stream, but over more arrays, with more skipped channels, than hardware prefetchers follow: the line that a
-  // later pack will load is asked for now. Measured: dP from dF over Aosoa<16> 8.2 ms instead of 11.7, over
-  // Aosoa<32> 9.2 instead of 17.5; one, three or four packs ahead are slower. The line may lie behind the array:
-  // prefetches do not fault.
-  template <class T>
-  void prefetch(int offset) const {
-    constexpr index_t packs_ahead = 2;
-    constexpr index_t pack_bytes = index_t{W} * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
-    __builtin_prefetch(reinterpret_cast<const std::byte*>(address<T>(offset, 0)) + packs_ahead * pack_bytes);
-  }
 
   // A pack never crosses the end of a tile that holds it whole; in narrower tiles lane l lies some tiles further on.
   template <class T>
@@ -252,9 +253,136 @@ class Cursor<Byte, Layout, kRecord, Pack<W>> : public detail::SimdCursor<Cursor<
     }
   }
 
+  template <class T>
+  void write_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+    if constexpr (Layout::contiguous(W)) {
+      if (which == Base::all_lanes) {
+        std::memcpy(address<T>(offset, 0), lanes.data(), sizeof lanes);
+        return;
+      }
+    }
+    PHYSGEN_UNROLL
+    for (int l = 0; l < W; ++l) {
+      if (which >> l & 1) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
+    }
+  }
+
+ private:
   Byte* tile_;
   index_t lane_;
   Pitch pitch_;
+};
+
+}  // namespace detail
+
+/// On the W objects of a pack.
+template <class Byte, class Layout, RecordSize kRecord, int W>
+class Cursor<Byte, Layout, kRecord, Pack<W>>
+    : public detail::ConsecutiveCursor<Cursor<Byte, Layout, kRecord, Pack<W>>, Byte, Layout, kRecord, W> {
+  using Consecutive = detail::ConsecutiveCursor<Cursor, Byte, Layout, kRecord, W>;
+
+ public:
+  static constexpr bool gathered = false;
+
+  Cursor(Byte* base, typename Layout::Pitch pitch, Pack<W> pack, Losses* losses)
+      : Consecutive(base, pitch, pack.begin, losses) {}
+
+ private:
+  friend Consecutive;
+  friend typename Consecutive::Base;
+  using Consecutive::address;
+  [[nodiscard]] static constexpr std::uint64_t written() { return Consecutive::all_lanes; }
+
+  // As a register.
+  template <class T>
+  [[nodiscard]] batch_t<T, W> read(int offset) const {
+    if constexpr (Layout::contiguous(W)) {
+      prefetch<T>(offset);
+      return batch_t<T, W>::load_unaligned(this->template address<T>(offset, 0));
+    } else {
+      alignas(64) std::array<T, W> lanes;
+      read_lanes(offset, lanes);
+      return batch_t<T, W>::load_aligned(lanes.data());
+    }
+  }
+  template <class T>
+  void write(int offset, const batch_t<T, W>& value) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+    if constexpr (Layout::contiguous(W)) {
+      value.store_unaligned(this->template address<T>(offset, 0));
+    } else {
+      alignas(64) std::array<T, W> lanes;
+      value.store_aligned(lanes.data());
+      this->write_lanes(offset, lanes, written());
+    }
+  }
+
+  // As memory.
+  template <class T>
+  void read_lanes(int offset, std::array<T, W>& lanes) const {
+    if constexpr (Layout::contiguous(W)) {
+      prefetch<T>(offset);
+      std::memcpy(lanes.data(), this->template address<T>(offset, 0), sizeof lanes);
+    } else {
+      PHYSGEN_UNROLL
+      for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = *this->template address<T>(offset, l);
+    }
+  }
+
+  // Kernels stream, but over more arrays, with more skipped channels, than hardware prefetchers follow: the line that a
+  // later pack will load is asked for now. Measured: dP from dF over Aosoa<16> 8.2 ms instead of 11.7, over
+  // Aosoa<32> 9.2 instead of 17.5; one, three or four packs ahead are slower. The line may lie behind the array:
+  // prefetches do not fault.
+  template <class T>
+  void prefetch(int offset) const {
+    constexpr index_t packs_ahead = 2;
+    constexpr index_t pack_bytes = index_t{W} * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
+    __builtin_prefetch(reinterpret_cast<const std::byte*>(this->template address<T>(offset, 0)) +
+                       packs_ahead * pack_bytes);
+  }
+};
+
+/// On the first or the last pack of a range.
+template <class Byte, class Layout, RecordSize kRecord, int W>
+class Cursor<Byte, Layout, kRecord, PartialPack<W>>
+    : public detail::ConsecutiveCursor<Cursor<Byte, Layout, kRecord, PartialPack<W>>, Byte, Layout, kRecord, W> {
+  using Consecutive = detail::ConsecutiveCursor<Cursor, Byte, Layout, kRecord, W>;
+
+ public:
+  static constexpr bool gathered = false;
+
+  Cursor(Byte* base, typename Layout::Pitch pitch, const PartialPack<W>& pack, Losses* losses)
+      : Consecutive(base, pitch, pack.begin, losses), pack_(pack) {}
+
+ private:
+  friend Consecutive;
+  friend typename Consecutive::Base;
+  [[nodiscard]] std::uint64_t written() const {
+    return Consecutive::all_lanes >> (W - (pack_.last - pack_.first)) << pack_.first;
+  }
+
+  template <class T>
+  [[nodiscard]] batch_t<T, W> read(int offset) const {
+    alignas(64) std::array<T, W> lanes;
+    read_lanes(offset, lanes);
+    return batch_t<T, W>::load_aligned(lanes.data());
+  }
+  template <class T>
+  void write(int offset, const batch_t<T, W>& value) const {
+    alignas(64) std::array<T, W> lanes;
+    value.store_aligned(lanes.data());
+    this->write_lanes(offset, lanes, written());
+  }
+  // A loop that stays one: this runs at most twice per range, and its code stands in every kernel.
+  template <class T>
+  [[gnu::noinline]] void read_lanes(int offset, std::array<T, W>& lanes) const {
+    for (int l = 0; l < W; ++l) {
+      lanes[static_cast<std::size_t>(l)] = *this->template address<T>(offset, pack_.lane(l));
+    }
+  }
+
+  PartialPack<W> pack_;
 };
 
 /// On W objects gathered by index.
@@ -267,6 +395,8 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   using Pitch = typename Layout::Pitch;
 
  public:
+  static constexpr bool gathered = true;
+
   Cursor(Byte* base, Pitch pitch, const xsimd::batch<U, A>& index, Losses* losses)
       : Base(losses, 0), base_(base), pitch_(pitch) {
     index.store_aligned(index_.data());
@@ -293,18 +423,35 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   void write(int offset, const batch_t<T, W>& value) const {
     alignas(64) std::array<T, W> lanes;
     value.store_aligned(lanes.data());
-    write_lanes(offset, lanes);
+    write_lanes(offset, lanes, written());
   }
   template <class T>
   void read_lanes(int offset, std::array<T, W>& lanes) const {
     PHYSGEN_UNROLL
     for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = *address<T>(offset, l);
   }
-  // Lane by lane in order: of equal indices the last lane wins.
+  [[nodiscard]] static std::uint64_t written() {
+    const LaneRange range = detail::running_lanes.of(W);
+    return Base::all_lanes >> (W - (range.last - range.first)) << range.first;
+  }
+  // Lane by lane in order: of equal indices the last lane wins. Checked builds refuse them.
   template <class T>
-  void write_lanes(int offset, const std::array<T, W>& lanes) const {
+  void write_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    for (int l = 0; l < W; ++l) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
+    if constexpr (checked_build) check_distinct(which);
+    for (int l = 0; l < W; ++l) {
+      if (which >> l & 1) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
+    }
+  }
+  void check_distinct(std::uint64_t which) const {
+    for (std::size_t l = 0; l < W; ++l) {
+      for (std::size_t before = 0; before < l; ++before) {
+        if ((which >> l & which >> before & 1) == 0 || index_[l] != index_[before]) continue;
+        throw Error("a store through gathered indices: lanes " + std::to_string(before) + " and " + std::to_string(l) +
+                    " of a pack both name object " + std::to_string(index_[l]) +
+                    ", and only one of their values would stay; add(i, view[j].field(), value) adds both");
+      }
+    }
   }
 
   template <class T>

@@ -6,28 +6,58 @@
 #include <physgen/layout.h>
 #include <physgen/space.h>
 
-#include <cassert>
+#include <concepts>
 #include <cstdio>
 #include <string>
 
+#ifdef __CUDACC__
+// Defined nowhere: its name is what the linker of device code prints. (A static_assert would also refuse host code of
+// the same file, which nvcc's device pass reads, too.)
+extern "C" __device__ void physgen_a_kernel_on_the_device_uses_a_view_of_Host_memory_so_copy_the_array_to_Cuda_first();
+#endif
+
 namespace physgen {
+
+/// References to objects that are read as `Value`: of any layout and format.
+template <class Ref, class Value>
+concept ReadsAs = requires(const Ref& ref) {
+  { ref.get() } -> std::same_as<const Value>;
+};
+
+/// Copies the object(s) that `from` refers to; what generated references are assigned by. @return to
+template <class Ref, class From>
+PHYSGEN_FUNCTION const Ref& assign(const Ref& to, const From& from) {
+  to.put(from.get());
+  return to;
+}
+
+/// Exchanges the objects that two references refer to: `swap(view[i], view[j])`.
+template <class Ref>
+  requires ReadsAs<Ref, typename Ref::Value>
+PHYSGEN_FUNCTION void swap(const Ref& a, const Ref& b) {
+  const auto before = a.get();
+  a.put(b.get());
+  b.put(before);
+}
 
 /// @tparam Object a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double; const for a read-only view
 /// @tparam Layout_ Aos, AosPadded, Soa or Aosoa<W>
 /// @tparam Formats_ how the fields are stored: the object's own Formats<Space>, or a struct derived from it
+/// @tparam Space_ where the objects lie: Host, PinnedHost or Cuda. Views of pinned memory convert to both others.
 ///
 /// Objects 0 .. size()-1 are the array's; memory behind them is real up to the next multiple of padding_objects.
-/// With PHYSGEN_CHECKED, an index out of range, a null view and a view used from a space that cannot reach its memory
-/// are reported: an Error on the host, a message and a trap on the device; values that a storage format cannot hold are
-/// counted (losses.h).
-template <class Object, class Real, class Layout_, class Formats_>
+/// A kernel on the device that uses a view of Host memory does not link. With PHYSGEN_CHECKED, an index out of range, a
+/// null view and a view of CUDA memory used on the host are reported: an Error on the host, a message and a trap on the
+/// device; values that a storage format cannot hold are counted (losses.h).
+template <class Object, class Real, class Layout_, class Formats_, class Space_ = Host>
 class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_address]] members out unlike its host
   using Pitch = typename Layout_::Pitch;
 
  public:
   using Layout = Layout_;
   using Formats = Formats_;
+  using Space = Space_;
   using Precision = std::remove_const_t<Real>;
   using Byte = std::conditional_t<std::is_const_v<Real>, const std::byte, std::byte>;
   using Record = typename Object::template Record<Precision, Formats>;
@@ -42,39 +72,33 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
   using Value = typename Object::template Value<lanes_t<Precision, I>>;
 
-  View() : View(nullptr, 0, 0, SpaceKind::host) {}
-  /// @pre base points to the memory of an array of `size` objects with this pitch, in `space`
+  View() : View(nullptr, 0, 0) {}
+  /// @pre base points to the memory of an array of `size` objects with this pitch, in Space
   /// @param losses where checked builds count what formats could not hold; null elsewhere
-  PHYSGEN_FUNCTION View(Byte* base, index_t size, index_t pitch, [[maybe_unused]] SpaceKind space,
-                        [[maybe_unused]] Losses* losses = nullptr)
+  PHYSGEN_FUNCTION View(Byte* base, index_t size, index_t pitch, [[maybe_unused]] Losses* losses = nullptr)
       : Pitch(pitch),
         base_(base),
         size_(size)
 #ifdef PHYSGEN_CHECKED
         ,
-        space_(space),
         losses_(losses)
 #endif
   {
   }
 
-  /// A read-only view of the same objects.
-  template <class Mutable>
-    requires(std::is_same_v<const Mutable, Real> && !std::is_const_v<Mutable>)
-  PHYSGEN_FUNCTION View(const View<Object, Mutable, Layout, Formats>& other)  // NOLINT: implicit, as T* to const T*
-      : View(other.data(), other.size(), other.pitch(), other.space()) {}
+  /// The same objects: a read-only view of them, or one for a space that reaches pinned memory.
+  template <class From, class FromSpace>
+    requires((std::is_same_v<From, Real> || std::is_same_v<const From, Real>) &&
+             (std::is_same_v<FromSpace, Space> || std::is_same_v<FromSpace, PinnedHost>) &&
+             !std::is_same_v<View<Object, From, Layout, Formats, FromSpace>, View>)
+  PHYSGEN_FUNCTION View(const View<Object, From, Layout, Formats, FromSpace>& other)  // NOLINT: as T* to const T*
+      : View(other.data(), other.size(), other.pitch(), other.losses()) {}
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
   [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const { return base_; }
   [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
-  /// Where the objects lie; known in checked builds only, else host.
-  [[nodiscard]] PHYSGEN_FUNCTION SpaceKind space() const {
-#ifdef PHYSGEN_CHECKED
-    return space_;
-#else
-    return SpaceKind::host;
-#endif
-  }
+  /// Where the objects lie.
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr SpaceKind space() { return Space::kind; }
 
   /// The object at index i; for a Pack or a SIMD batch of indices, the objects at them.
   template <class I>
@@ -93,7 +117,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     (*this)[i].put(value);
   }
 
- private:
+  /// What checked builds count for these objects; null in others.
   [[nodiscard]] PHYSGEN_FUNCTION Losses* losses() const {
 #ifdef PHYSGEN_CHECKED
     return losses_;
@@ -101,52 +125,56 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     return nullptr;
 #endif
   }
-#ifdef PHYSGEN_CHECKED
-  template <int W>
-  PHYSGEN_FUNCTION static constexpr index_t width_of(Pack<W> /*pack*/) {
-    return W;
-  }
+
+ private:
   template <class I>
   PHYSGEN_FUNCTION void check(const I& i) const {
-    if constexpr (std::is_integral_v<I>) {
-      check_range(static_cast<index_t>(i), 1);
-    } else if constexpr (requires { i.begin; }) {
-      check_range(i.begin % width_of(i) == 0 ? i.begin : -1, 1);
-    } else {
-      for (std::size_t l = 0; l < I::size; ++l) check_range(static_cast<index_t>(i.get(l)), 1);
-    }
-  }
-  PHYSGEN_FUNCTION void check_range(index_t i, index_t count) const {
 #ifdef __CUDA_ARCH__
-    if (!device_accessible(space_)) {
-      printf("physgen: a view of host memory is used on the device; copy the array to Cuda first\n");
-      __trap();
+    if constexpr (!device_accessible(Space::kind)) {
+      physgen_a_kernel_on_the_device_uses_a_view_of_Host_memory_so_copy_the_array_to_Cuda_first();
     }
-    if (base_ == nullptr || i < 0 || i + count > size_) {
-      printf("physgen: object %lld of an array of %lld on the device\n", static_cast<long long>(i),
+#endif
+#ifdef PHYSGEN_CHECKED
+    if constexpr (std::is_integral_v<I>) {
+      check_range(static_cast<index_t>(i), static_cast<index_t>(i) + 1);
+    } else if constexpr (requires { i.begin; }) {
+      const LaneRange range = lane_range(i);
+      check_range(i.begin + range.first, i.begin + range.last);
+    } else {
+      for (std::size_t l = 0; l < I::size; ++l) {
+        const auto object = static_cast<index_t>(i.get(l));
+        check_range(object, object + 1);
+      }
+    }
+#else
+    (void)i;
+#endif
+  }
+#ifdef PHYSGEN_CHECKED
+  PHYSGEN_FUNCTION void check_range(index_t begin, index_t end) const {
+#ifdef __CUDA_ARCH__
+    if (base_ == nullptr || begin < 0 || end > size_) {
+      printf("physgen: object %lld of an array of %lld on the device\n", static_cast<long long>(begin),
              static_cast<long long>(size_));
       __trap();
     }
 #else
-    if (!host_accessible(space_)) {
-      throw Error(std::string(Object::name) + ": a view of " + physgen::name(space_) +
+    if (!host_accessible(Space::kind)) {
+      throw Error(std::string(Object::name) + ": a view of " + physgen::name(Space::kind) +
                   " memory is used on the host; copy the array to Host first");
     }
-    if (base_ == nullptr || i < 0 || i + count > size_) {
-      throw Error(std::string(Object::name) + ": object " + std::to_string(i) + " of an array of " +
+    if (base_ == nullptr || begin < 0 || end > size_) {
+      const index_t wrong = begin < 0 || begin >= size_ ? begin : size_;
+      throw Error(std::string(Object::name) + ": object " + std::to_string(wrong) + " of an array of " +
                   std::to_string(size_));
     }
 #endif
   }
-#else
-  template <class I>
-  PHYSGEN_FUNCTION void check(const I& /*i*/) const {}
 #endif
 
   Byte* base_;
   index_t size_;
 #ifdef PHYSGEN_CHECKED
-  SpaceKind space_;
   Losses* losses_;
 #endif
 };

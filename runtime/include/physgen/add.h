@@ -1,0 +1,37 @@
+// Sums at objects that a kernel names by index: add(i, view[j].f(), value), right for equal lanes of a pack, for the
+// lanes outside a range, for threads and on CUDA.
+#pragma once
+
+#include <physgen/cursor.h>
+
+namespace physgen {
+
+/// Adds the values of the kernel's object(s) `own` to what `to` refers to. Other threads, and other lanes of the pack,
+/// may add to the same object: each addition is atomic. In which order, and so with which last bits, is open; sums that
+/// have the same bits on every run are gathers over Rows (rows.h).
+/// @param own the kernel's own index: of a PartialPack, the lanes outside the range are left out
+/// @param to a field that is stored as it is computed, of an object named by a gathered index or by `own`
+template <class I, class Shape, class Format, class T, class Cursor>
+PHYSGEN_FUNCTION void add(const I& own, const FieldRef<Shape, Format, T, Cursor>& to,
+                          const std::type_identity_t<typename FieldRef<Shape, Format, T, Cursor>::Value>& value) {
+  static_assert(std::is_same_v<lanes_t<T, I>, typename Cursor::template Lanes<T>>,
+                "add(): the kernel's index is a pack and the object's index is none, so there is one sum for W values; "
+                "name the object by a SIMD batch of indices, or add the pack's sum");
+  to.add(lane_range(own), value);
+}
+template <class I, class Format, class T, class Cursor>
+PHYSGEN_FUNCTION void add(const I& own, const ElementRef<Format, T, Cursor>& to,
+                          const std::type_identity_t<typename ElementRef<Format, T, Cursor>::Value>& value) {
+  static_assert(std::is_same_v<lanes_t<T, I>, typename Cursor::template Lanes<T>>,
+                "add(): the kernel's index is a pack and the object's index is none, so there is one sum for W values; "
+                "name the object by a SIMD batch of indices, or add the pack's sum");
+  to.add(lane_range(own), value);
+}
+/// An element of one object. @pre own is no pack, as above
+template <class I, class T>
+  requires(std::is_arithmetic_v<T> && std::is_same_v<lanes_t<T, I>, T>)
+PHYSGEN_FUNCTION void add(const I& /*own*/, T& to, const std::type_identity_t<T>& value) {
+  detail::add_atomically(to, value);
+}
+
+}  // namespace physgen

@@ -1,0 +1,81 @@
+// What a kernel asks of its index, in one form for single objects, packs and CUDA threads: which lanes are objects of
+// its range, their numbers, and questions to all of them. simd_lanes.h has the forms for packs.
+#pragma once
+
+#include <physgen/pack.h>
+
+#include <concepts>
+#include <limits>
+
+#ifndef __CUDA_ARCH__
+#include <physgen/error.h>
+
+#include <string>
+#else
+#include <cstdio>
+#endif
+
+namespace physgen {
+
+namespace detail {
+
+/// @throw Error when `last`, an object's number, is no 32-bit number; on the device a message and a trap
+PHYSGEN_FUNCTION inline void check_number(index_t last) {
+  if (last <= std::numeric_limits<std::int32_t>::max()) return;
+#ifdef __CUDA_ARCH__
+  printf("physgen: numbers(i) of object %lld: it gives 32-bit numbers, up to 2147483647\n",
+         static_cast<long long>(last));
+  __trap();
+#else
+  throw Error("numbers(i) of object " + std::to_string(last) +
+              ": it gives 32-bit numbers, up to 2147483647; run the kernel over parts of the array, or on single "
+              "objects, whose index is 64-bit");
+#endif
+}
+
+}  // namespace detail
+
+/// Which lanes of T are objects of the kernel's range: `true`, or for packs a mask. `wanted<Scalar>(i)`.
+template <class T, std::integral I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr bool wanted(I /*i*/) {
+  return true;
+}
+
+/// The number(s) of the object(s) at i, as 32-bit indices; a lane outside the range has the number of one inside.
+/// @throw Error when a number exceeds 2^31 - 1
+template <std::integral I>
+[[nodiscard]] PHYSGEN_FUNCTION std::int32_t numbers(I i) {
+  detail::check_number(static_cast<index_t>(i));
+  return static_cast<std::int32_t>(i);
+}
+
+/// Whether a condition holds for any, for all objects at i.
+template <std::integral I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr bool any(I /*i*/, bool condition) {
+  return condition;
+}
+template <std::integral I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr bool all(I /*i*/, bool condition) {
+  return condition;
+}
+
+/// The largest and the smallest value over the objects at i: of counts, the end of a loop that serves all of them.
+template <std::integral I, class T>
+  requires std::is_arithmetic_v<T>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr T largest(I /*i*/, T value) {
+  return value;
+}
+template <std::integral I, class T>
+  requires std::is_arithmetic_v<T>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr T smallest(I /*i*/, T value) {
+  return value;
+}
+
+/// Stores `value` where `condition` holds: `store_where(m > S(4), view[i].u(), S(100))`.
+/// @param to what a view's accessor returns: a field or an element
+template <class To, class Value>
+PHYSGEN_FUNCTION void store_where(bool condition, To&& to, const Value& value) {
+  if (condition) static_cast<To&&>(to) = value;
+}
+
+}  // namespace physgen

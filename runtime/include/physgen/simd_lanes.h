@@ -1,0 +1,110 @@
+// What a kernel asks of its index, for packs: see lanes.h. Lanes outside the kernel's range have no say.
+#pragma once
+
+#include <physgen/lanes.h>
+#include <physgen/simd_access.h>
+
+namespace physgen {
+
+namespace detail {
+
+template <class I>
+inline constexpr int pack_width = 0;
+template <int W>
+inline constexpr int pack_width<Pack<W>> = W;
+template <int W>
+inline constexpr int pack_width<PartialPack<W>> = W;
+
+template <class I>
+concept AnyPack = (pack_width<I> > 0);
+
+/// Bit l is lane l of a mask.
+template <class T, class A>
+[[nodiscard]] std::uint64_t bits_of(const xsimd::batch_bool<T, A>& mask) {
+  constexpr std::size_t width = xsimd::batch_bool<T, A>::size;
+  alignas(64) std::array<bool, width> lanes;
+  mask.store_unaligned(lanes.data());
+  std::uint64_t bits = 0;
+  for (std::size_t l = 0; l < width; ++l) bits |= std::uint64_t{lanes[l]} << l;
+  return bits;
+}
+
+/// 0, 1, 2, ... as lanes of T.
+template <class T, int W>
+[[nodiscard]] batch_t<T, W> counting() {
+  alignas(64) std::array<T, W> lanes;
+  for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = static_cast<T>(l);
+  return batch_t<T, W>::load_aligned(lanes.data());
+}
+
+}  // namespace detail
+
+template <class T, int W>
+[[nodiscard]] auto wanted(const Pack<W>& /*i*/) {
+  return typename batch_t<T, W>::batch_bool_type(true);
+}
+template <class T, int W>
+[[nodiscard]] auto wanted(const PartialPack<W>& i) {
+  const auto lane = detail::counting<T, W>();
+  using Lanes = batch_t<T, W>;
+  return lane >= Lanes(static_cast<T>(i.first)) && lane < Lanes(static_cast<T>(i.last));
+}
+
+template <int W>
+[[nodiscard]] batch_t<std::int32_t, W> numbers(const Pack<W>& i) {
+  detail::check_number(i.begin + W - 1);
+  return detail::counting<std::int32_t, W>() + batch_t<std::int32_t, W>(static_cast<std::int32_t>(i.begin));
+}
+template <int W>
+[[nodiscard]] batch_t<std::int32_t, W> numbers(const PartialPack<W>& i) {
+  detail::check_number(i.begin + i.last - 1);
+  alignas(64) std::array<std::int32_t, W> lanes;
+  for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = static_cast<std::int32_t>(i.begin + i.lane(l));
+  return batch_t<std::int32_t, W>::load_aligned(lanes.data());
+}
+
+template <detail::AnyPack I, class T, class A>
+[[nodiscard]] bool any(const I& i, const xsimd::batch_bool<T, A>& condition) {
+  static_assert(xsimd::batch_bool<T, A>::size == static_cast<std::size_t>(detail::pack_width<I>));
+  const LaneRange range = lane_range(i);
+  return (detail::bits_of(condition) >> range.first & (~std::uint64_t{0} >> (64 - (range.last - range.first)))) != 0;
+}
+template <detail::AnyPack I, class T, class A>
+[[nodiscard]] bool all(const I& i, const xsimd::batch_bool<T, A>& condition) {
+  return !any(i, !condition);
+}
+
+namespace detail {
+
+template <class I, class T, class A, class Better>
+[[nodiscard]] T best(const I& i, const xsimd::batch<T, A>& value, const Better& better) {
+  constexpr std::size_t width = xsimd::batch<T, A>::size;
+  static_assert(width == static_cast<std::size_t>(pack_width<I>));
+  alignas(64) std::array<T, width> lanes;
+  value.store_aligned(lanes.data());
+  const LaneRange range = lane_range(i);
+  T found = lanes[static_cast<std::size_t>(range.first)];
+  for (int l = range.first + 1; l < range.last; ++l) {
+    const T other = lanes[static_cast<std::size_t>(l)];
+    if (better(other, found)) found = other;
+  }
+  return found;
+}
+
+}  // namespace detail
+
+template <detail::AnyPack I, class T, class A>
+[[nodiscard]] T largest(const I& i, const xsimd::batch<T, A>& value) {
+  return detail::best(i, value, [](T a, T b) { return a > b; });
+}
+template <detail::AnyPack I, class T, class A>
+[[nodiscard]] T smallest(const I& i, const xsimd::batch<T, A>& value) {
+  return detail::best(i, value, [](T a, T b) { return a < b; });
+}
+
+template <class T, class A, class To>
+void store_where(const xsimd::batch_bool<T, A>& condition, const To& to, const typename To::Value& value) {
+  to.write_where(detail::bits_of(condition), value);
+}
+
+}  // namespace physgen

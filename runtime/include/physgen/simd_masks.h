@@ -1,0 +1,62 @@
+// Masks of SIMD packs that no `if` and no `?:` takes. Of xsimd 8.1, those for AVX-512 convert to an integer, so that
+// `if (a > b)` would compile and mean "in any lane"; on other instruction sets it does not compile. Here their
+// conversion is narrowed to what xsimd's own code needs. Included before the rest of xsimd.
+#pragma once
+
+#include <concepts>
+#include <xsimd/config/xsimd_arch.hpp>
+
+#if XSIMD_WITH_AVX512F
+
+namespace physgen::detail {
+
+/// The mask register of packs of T.
+template <class Register>
+struct MaskRegister {
+  using register_type = Register;
+  register_type data;
+
+  MaskRegister() = default;
+  MaskRegister(register_type bits) : data(bits) {}  // NOLINT: implicit, as xsimd's own is
+  /// To mask registers (xsimd names wider ones in branches that are not taken), and to nothing that these convert to:
+  /// not to bool.
+  template <class R>
+    requires(std::same_as<R, __mmask8> || std::same_as<R, __mmask16> || std::same_as<R, __mmask32> ||
+             std::same_as<R, __mmask64>)
+  operator R() const noexcept {  // NOLINT: implicit, as xsimd's own is
+    return static_cast<R>(data);
+  }
+};
+
+}  // namespace physgen::detail
+
+namespace xsimd::types {
+
+template <>
+struct simd_avx512_bool_register<float> : physgen::detail::MaskRegister<__mmask16> {
+  using MaskRegister::MaskRegister;
+};
+template <>
+struct simd_avx512_bool_register<double> : physgen::detail::MaskRegister<__mmask8> {
+  using MaskRegister::MaskRegister;
+};
+template <>
+struct simd_avx512_bool_register<int> : physgen::detail::MaskRegister<__mmask16> {
+  using MaskRegister::MaskRegister;
+};
+template <>
+struct simd_avx512_bool_register<unsigned> : physgen::detail::MaskRegister<__mmask16> {
+  using MaskRegister::MaskRegister;
+};
+template <>
+struct simd_avx512_bool_register<long> : physgen::detail::MaskRegister<__mmask8> {
+  using MaskRegister::MaskRegister;
+};
+template <>
+struct simd_avx512_bool_register<unsigned long> : physgen::detail::MaskRegister<__mmask8> {
+  using MaskRegister::MaskRegister;
+};
+
+}  // namespace xsimd::types
+
+#endif
