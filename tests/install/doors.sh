@@ -8,7 +8,8 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work="$folder/door $rule" # with a space: paths are users' paths
 package=$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")
 libraries=$(dirname "$(find "$folder/package" -name libphysgen_runtime_checked.a)")
-[[ -e $libraries/libphysgen_runtime.a ]] && plain=yes || plain= # a build with PHYSGEN_CHECKED=ON has no other form
+mode=_checked # a build with PHYSGEN_CHECKED=ON has no other form
+[[ ! -e $libraries/libphysgen_runtime.a ]] || mode=
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 configure() { # configure BUILD DOOR OPTION...
@@ -45,6 +46,12 @@ set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)' >"$work/later.cmake"
     must_configure build cuda_without_cuda_code
     build build
     "$work/build/memory" || fail 'the program has no CUDA in it'
+    # The same program with the library that other projects get says what to do.
+    "$CXX" ${SANITIZERS:+"$SANITIZERS"} "$work/build/CMakeFiles/memory.dir/memory.cpp.o" \
+      "$libraries/libphysgen_runtime$mode.a" -lgomp -o "$work/without"
+    if "$work/without" >"$work/output.txt" 2>&1; then fail 'there is CUDA without asking for it'; fi
+    grep 'enable the language CUDA before find_package(physgen), or ask it for COMPONENTS cuda' "$work/output.txt" ||
+      fail "unclear: $(cat "$work/output.txt")"
     ;;
   the_component_cuda_of_a_package_without_it_is_refused)
     cp -r "$folder/package" "$work/package"
@@ -55,7 +62,7 @@ set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)' >"$work/later.cmake"
     ;;
   fem_is_a_component_and_can_be_checked)
     # The program prints its mesh, and reads behind the end of an array, which only checks notice.
-    if [[ $plain ]]; then
+    if [[ ! $mode ]]; then
       must_configure build fem
       build build
       "$work/build/box" | grep -x '27 nodes, 98 edges' || fail 'the program is wrong'
@@ -97,7 +104,7 @@ int main() {}' >main.cpp
     }
     link -DPHYSGEN_CHECKED physgen_runtime_checked || fail "$(cat output.txt)"
     refused '' physgen_runtime_checked physgen_objects_were_compiled_without_PHYSGEN_CHECKED
-    if [[ $plain ]]; then
+    if [[ ! $mode ]]; then
       link '' physgen_runtime || fail "$(cat output.txt)"
       refused -DPHYSGEN_CHECKED physgen_runtime physgen_objects_were_compiled_with_PHYSGEN_CHECKED
     fi
