@@ -1,5 +1,5 @@
-// Uses what physgen::fem compiles and what it generates: prints the nodes of a renumbered box, and whether its own array
-// is checked, by reading behind the end of one.
+// Uses what physgen::fem compiles and what it generates: prints the nodes of a renumbered box, and whether its own
+// array is checked, by reading behind the end of one.
 #include <elasticity.physgen.h>
 #include <fem/mesh.h>
 #include <fem/renumber.h>

@@ -1,5 +1,5 @@
-// Objects of one's own to a GPU and back, all in one CUDA source: gathered, changed by a kernel, appended and scattered.
-// Without a device, the part that works on the host.
+// Objects of one's own to a GPU and back, all in one CUDA source: gathered, changed by a kernel, appended and
+// scattered. Without a device, the part that works on the host.
 #include <physgen/cuda/parallel_for.h>
 #include <physgen/gather.h>
 #include <physgen/topology.h>
