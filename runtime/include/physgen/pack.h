@@ -12,6 +12,7 @@ namespace physgen {
 /// W consecutive objects, starting at a multiple of W. All of them are objects of the kernel's range.
 template <int W>
 struct Pack {
+  static constexpr int width = W;
   index_t begin;
 };
 
@@ -20,6 +21,7 @@ struct Pack {
 /// array nor the neighbours of a range. Its numbers have the same bits as in a whole pack.
 template <int W>
 struct PartialPack {
+  static constexpr int width = W;
   index_t begin;  ///< of lane 0; a multiple of W
   int first, last;
 

@@ -31,7 +31,9 @@ constexpr int default_lanes() {
       "parallel_for<1>(...), which calls it with one object at a time");
   if constexpr (requires { typename Kernel::Scalar; }) {
     constexpr int lanes = pack_lanes<typename Kernel::Scalar>();
-    if constexpr (std::invocable<const Kernel&, Pack<lanes>>) return lanes;
+    if constexpr (lanes > 1) {
+      if constexpr (std::invocable<const Kernel&, Pack<lanes>>) return lanes;
+    }
   }
   return 1;
 }

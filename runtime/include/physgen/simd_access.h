@@ -181,6 +181,7 @@ class SimdCursor : protected LossSink {
   void check_rotation([[maybe_unused]] const Eigen::Matrix<S, 3, 3>& R) const {
 #ifdef PHYSGEN_CHECKED
     for (int l = 0; l < W; ++l) {
+      if ((self().written() >> l & 1) == 0) continue;
       Eigen::Matrix3d one;
       for (int k = 0; k < 9; ++k) {
         one(k % 3, k / 3) = static_cast<double>(R(k % 3, k / 3).get(static_cast<std::size_t>(l)));

@@ -3,8 +3,8 @@
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 2
-#error "everything.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 3
+#error "everything.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 #include "materials.physgen.h"
@@ -49,6 +49,11 @@ class StampRef {
   using Value = Stamp<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit StampRef(const Cursor& cursor) : at_(cursor) {}
+  StampRef(const StampRef&) = default;
+  StampRef& operator=(const StampRef&) & = delete;
+  PHYSGEN_FUNCTION const StampRef& operator=(const StampRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const StampRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// [s]
   PHYSGEN_FUNCTION decltype(auto) time() const {
@@ -58,7 +63,7 @@ class StampRef {
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::step);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.time = time();
     value.step = step();
@@ -93,8 +98,8 @@ struct StampObject {
   using Formats = StampFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = StampFormats<physgen::Host>>
-using StampView = physgen::View<StampObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<StampObject, Space>>
+using StampView = physgen::View<StampObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StampObject, Space>>
@@ -203,6 +208,11 @@ class ShapesRef {
   using Value = Shapes<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit ShapesRef(const Cursor& cursor) : at_(cursor) {}
+  ShapesRef(const ShapesRef&) = default;
+  ShapesRef& operator=(const ShapesRef&) & = delete;
+  PHYSGEN_FUNCTION const ShapesRef& operator=(const ShapesRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const ShapesRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Scalar.
   PHYSGEN_FUNCTION decltype(auto) a() const {
@@ -256,7 +266,7 @@ class ShapesRef {
     return at_.template field<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(Record::M);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.a = a();
     value.v = v().get();
@@ -339,8 +349,9 @@ struct ShapesObject {
   using Formats = ShapesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = ShapesFormats<physgen::Host>>
-using ShapesView = physgen::View<ShapesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<ShapesObject, Space>>
+using ShapesView = physgen::View<ShapesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<ShapesObject, Space>>
@@ -474,6 +485,11 @@ class NamesRef {
   using Value = Names<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NamesRef(const Cursor& cursor) : at_(cursor) {}
+  NamesRef(const NamesRef&) = default;
+  NamesRef& operator=(const NamesRef&) & = delete;
+  PHYSGEN_FUNCTION const NamesRef& operator=(const NamesRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const NamesRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   PHYSGEN_FUNCTION decltype(auto) value() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::value, Real>(Record::value);
@@ -537,6 +553,7 @@ class NamesRef {
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) self(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Names::self");
     return at_.template field<physgen::shape::Scalar, typename Formats::self, Real>(
         Record::self + entry * Record::plan_.stride[20]);
   }
@@ -544,7 +561,7 @@ class NamesRef {
     return at_.template field<physgen::shape::Vector<2>, typename Formats::tissue, Real>(Record::tissue);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value_;
     value_.value = value();
     value_.entry = entry();
@@ -661,8 +678,8 @@ struct NamesObject {
   using Formats = NamesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = NamesFormats<physgen::Host>>
-using NamesView = physgen::View<NamesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<NamesObject, Space>>
+using NamesView = physgen::View<NamesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<NamesObject, Space>>
@@ -734,43 +751,54 @@ class EntriesRef {
   using Value = Entries<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit EntriesRef(const Cursor& cursor) : at_(cursor) {}
+  EntriesRef(const EntriesRef&) = default;
+  EntriesRef& operator=(const EntriesRef&) & = delete;
+  PHYSGEN_FUNCTION const EntriesRef& operator=(const EntriesRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const EntriesRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Weights of the five points.
   /// They sum to one. [1] Range [0, 1].
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) weights(int entry) const {
+    physgen::check_inner(entry, 5, "an entry of tissue::model::Entries::weights");
     return at_.template field<physgen::shape::Scalar, typename Formats::weights, Real>(
         Record::weights + entry * Record::plan_.stride[0]);
   }
   /// [N/m]. Symmetric, 6 stored.
   /// @pre 0 <= entry < 4
   PHYSGEN_FUNCTION decltype(auto) k(int entry) const {
+    physgen::check_inner(entry, 4, "an entry of tissue::model::Entries::k");
     return at_.template field<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
         Record::k + entry * Record::plan_.stride[1]);
   }
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) flags(int entry) const {
+    physgen::check_inner(entry, 3, "an entry of tissue::model::Entries::flags");
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
         Record::flags + entry * Record::plan_.stride[2]);
   }
   /// More entries than are worth unrolling
   /// @pre 0 <= entry < 40
   PHYSGEN_FUNCTION decltype(auto) history(int entry) const {
+    physgen::check_inner(entry, 40, "an entry of tissue::model::Entries::history");
     return at_.template field<physgen::shape::Scalar, typename Formats::history, double>(
         Record::history + entry * Record::plan_.stride[3]);
   }
   /// @pre 0 <= entry < 6
   PHYSGEN_FUNCTION decltype(auto) edges(int entry) const {
+    physgen::check_inner(entry, 6, "an entry of tissue::model::Entries::edges");
     return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
         Record::edges + entry * Record::plan_.stride[4]);
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) entry(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Entries::entry");
     return at_.template field<physgen::shape::Scalar, typename Formats::entry, Real>(
         Record::entry + entry * Record::plan_.stride[5]);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     PHYSGEN_UNROLL
     for (int entry_ = 0; entry_ < 5; ++entry_) value.weights[entry_] = weights(entry_);
@@ -831,8 +859,9 @@ struct EntriesObject {
   using Formats = EntriesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = EntriesFormats<physgen::Host>>
-using EntriesView = physgen::View<EntriesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<EntriesObject, Space>>
+using EntriesView = physgen::View<EntriesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<EntriesObject, Space>>
@@ -920,6 +949,11 @@ class OptionsRef {
   using Value = Options<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit OptionsRef(const Cursor& cursor) : at_(cursor) {}
+  OptionsRef(const OptionsRef&) = default;
+  OptionsRef& operator=(const OptionsRef&) & = delete;
+  PHYSGEN_FUNCTION const OptionsRef& operator=(const OptionsRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const OptionsRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
   PHYSGEN_FUNCTION decltype(auto) density() const {
@@ -954,7 +988,7 @@ class OptionsRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::fixed, double>(Record::fixed);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.density = density();
     value.nu = nu();
@@ -1013,8 +1047,9 @@ struct OptionsObject {
   using Formats = OptionsFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = OptionsFormats<physgen::Host>>
-using OptionsView = physgen::View<OptionsObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<OptionsObject, Space>>
+using OptionsView = physgen::View<OptionsObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Soa, physgen::AosPadded>,
           class Formats = physgen::FormatsOf<OptionsObject, Space>>
@@ -1086,6 +1121,11 @@ class ElementRef {
   using Value = Element<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit ElementRef(const Cursor& cursor) : at_(cursor) {}
+  ElementRef(const ElementRef&) = default;
+  ElementRef& operator=(const ElementRef&) & = delete;
+  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const ElementRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Before the nested objects by name, behind them in the record.
   PHYSGEN_FUNCTION decltype(auto) flag() const {
@@ -1097,6 +1137,7 @@ class ElementRef {
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION ::material::FibreRef<Real, typename Formats::fibres, Cursor> fibres(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Element::fibres");
     return ::material::FibreRef<Real, typename Formats::fibres, Cursor>(
         at_.nested(Record::fibres + entry * Record::plan_.stride[2]));
   }
@@ -1111,7 +1152,7 @@ class ElementRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::volume, Real>(Record::volume);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.flag = flag();
     value.lame = lame().get();
@@ -1218,8 +1259,9 @@ struct ElementObject {
   using Formats = ElementFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = ElementFormats<physgen::Host>>
-using ElementView = physgen::View<ElementObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<ElementObject, Space>>
+using ElementView = physgen::View<ElementObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aosoa<64>>,
           class Formats = physgen::FormatsOf<ElementObject, Space>>
@@ -1283,9 +1325,15 @@ class PatchRef {
   using Value = Patch<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit PatchRef(const Cursor& cursor) : at_(cursor) {}
+  PatchRef(const PatchRef&) = default;
+  PatchRef& operator=(const PatchRef&) & = delete;
+  PHYSGEN_FUNCTION const PatchRef& operator=(const PatchRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const PatchRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor> elements(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::other::Patch::elements");
     return ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor>(
         at_.nested(Record::elements + entry * Record::plan_.stride[0]));
   }
@@ -1296,7 +1344,7 @@ class PatchRef {
     return ::tissue::model::OptionsRef<Real, typename Formats::options, Cursor>(at_.nested(Record::options));
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     PHYSGEN_UNROLL
     for (int entry = 0; entry < 2; ++entry) value.elements[entry] = elements(entry).get();
@@ -1648,8 +1696,8 @@ struct PatchObject {
   using Formats = PatchFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = PatchFormats<physgen::Host>>
-using PatchView = physgen::View<PatchObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<PatchObject, Space>>
+using PatchView = physgen::View<PatchObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<PatchObject, Space>>
@@ -1720,6 +1768,11 @@ class FrameRef {
   using Value = Frame<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit FrameRef(const Cursor& cursor) : at_(cursor) {}
+  FrameRef(const FrameRef&) = default;
+  FrameRef& operator=(const FrameRef&) & = delete;
+  PHYSGEN_FUNCTION const FrameRef& operator=(const FrameRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const FrameRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
@@ -1735,7 +1788,7 @@ class FrameRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::weight, Real>(Record::weight);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.turn = turn().get();
     value.origin = origin().get();
@@ -1774,8 +1827,8 @@ struct FrameObject {
   using Formats = FrameFormats<Space>;
 };
 
-template <class Real, class Layout, class Formats = FrameFormats<physgen::Host>>
-using FrameView = physgen::View<FrameObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FrameObject, Space>>
+using FrameView = physgen::View<FrameObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<FrameObject, Space>>
@@ -1946,6 +1999,11 @@ class StoredRef {
   using Value = Stored<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit StoredRef(const Cursor& cursor) : at_(cursor) {}
+  StoredRef(const StoredRef&) = default;
+  StoredRef& operator=(const StoredRef&) & = delete;
+  PHYSGEN_FUNCTION const StoredRef& operator=(const StoredRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const StoredRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Stored as float, relative error up to 6e-8.
   PHYSGEN_FUNCTION decltype(auto) single() const {
@@ -2029,18 +2087,21 @@ class StoredRef {
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) halves(int entry) const {
+    physgen::check_inner(entry, 5, "an entry of tissue::model::Stored::halves");
     return at_.template field<physgen::shape::Scalar, typename Formats::halves, Real>(
         Record::halves + entry * Record::plan_.stride[19]);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) turns(int entry) const {
+    physgen::check_inner(entry, 3, "an entry of tissue::model::Stored::turns");
     return at_.template field<physgen::shape::Rotation, typename Formats::turns, Real>(
         Record::turns + entry * Record::plan_.stride[20]);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
   /// @pre 0 <= entry < 33
   PHYSGEN_FUNCTION decltype(auto) many(int entry) const {
+    physgen::check_inner(entry, 33, "an entry of tissue::model::Stored::many");
     return at_.template field<physgen::shape::Rotation, typename Formats::many, Real>(
         Record::many + entry * Record::plan_.stride[21]);
   }
@@ -2053,11 +2114,12 @@ class StoredRef {
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION FrameRef<Real, typename Formats::frames, Cursor> frames(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Stored::frames");
     return FrameRef<Real, typename Formats::frames, Cursor>(
         at_.nested(Record::frames + entry * Record::plan_.stride[24]));
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.single = single();
     value.twice = twice();
@@ -2218,8 +2280,9 @@ struct StoredObject {
   using Formats = StoredFormats<Space>;
 };
 
-template <class Real, class Layout, class Formats = StoredFormats<physgen::Host>>
-using StoredView = physgen::View<StoredObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<StoredObject, Space>>
+using StoredView = physgen::View<StoredObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<8>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StoredObject, Space>>

@@ -3,8 +3,8 @@
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 2
-#error "materials.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 3
+#error "materials.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace material {
@@ -51,6 +51,11 @@ class LameRef {
   using Value = Lame<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit LameRef(const Cursor& cursor) : at_(cursor) {}
+  LameRef(const LameRef&) = default;
+  LameRef& operator=(const LameRef&) & = delete;
+  PHYSGEN_FUNCTION const LameRef& operator=(const LameRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const LameRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Shear modulus. [Pa]
   PHYSGEN_FUNCTION decltype(auto) mu() const {
@@ -61,7 +66,7 @@ class LameRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::lambda, Real>(Record::lambda);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.mu = mu();
     value.lambda = lambda();
@@ -96,8 +101,8 @@ struct LameObject {
   using Formats = LameFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = LameFormats<physgen::Host>>
-using LameView = physgen::View<LameObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<LameObject, Space>>
+using LameView = physgen::View<LameObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<LameObject, Space>>
@@ -151,6 +156,11 @@ class FibreRef {
   using Value = Fibre<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit FibreRef(const Cursor& cursor) : at_(cursor) {}
+  FibreRef(const FibreRef&) = default;
+  FibreRef& operator=(const FibreRef&) & = delete;
+  PHYSGEN_FUNCTION const FibreRef& operator=(const FibreRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const FibreRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Unit vector along the fibre.
   PHYSGEN_FUNCTION decltype(auto) direction() const {
@@ -161,7 +171,7 @@ class FibreRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::strength, double>(Record::strength);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.direction = direction().get();
     value.strength = strength();
@@ -196,8 +206,8 @@ struct FibreObject {
   using Formats = FibreFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = FibreFormats<physgen::Host>>
-using FibreView = physgen::View<FibreObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FibreObject, Space>>
+using FibreView = physgen::View<FibreObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<FibreObject, Space>>
