@@ -198,7 +198,7 @@ inline constexpr bool is_field_ref<FieldRef<Shape, Format, T, Cursor>> = true;
 template <class A, class B = int>
 concept SomeFieldReference = is_field_ref<std::remove_cvref_t<A>> || is_field_ref<std::remove_cvref_t<B>>;
 
-struct a_field_is_no_value_so_calculate_with_what_its_get_returns;
+struct a_field_is_no_value_so_calculate_with_what_its_get_returns {};  // complete: clang 14 asks for that
 
 }  // namespace detail
 

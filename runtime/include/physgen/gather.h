@@ -3,7 +3,7 @@
 
 #include <physgen/array.h>
 #include <physgen/chunked_transfer.h>
-#include <physgen/parallel_for.h>
+#include <physgen/host_loop.h>
 
 #include <algorithm>
 #include <ranges>
@@ -43,7 +43,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
   if constexpr (host_accessible(Space::kind)) {
     Gathered gathered(size);
     const auto view = gathered.view();
-    parallel_for<1>(Host{}, size, [&](index_t i) { view.put(i, object_of(i)); });
+    detail::host_loop(size, [&](index_t i) { view.put(i, object_of(i)); });
     throw_if_falsified(gathered.take_losses(), gathered.storage());
     array = std::move(gathered);
   } else {
@@ -60,7 +60,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
       const View<Object, Real, Layout, Formats, PinnedHost> chunk(upload.chunk().base, upload.chunk().size,
                                                                   upload.chunk().pitch, &of_chunk);
       const index_t begin = upload.begin();
-      parallel_for<1>(Host{}, chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
+      detail::host_loop(chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
       losses.add(of_chunk, begin);
     }
     synchronize(stream);  // what failed shows here, while the array is as it was
@@ -97,14 +97,14 @@ template <class Object, class Real, class Space, class Layout, class Formats, cl
 void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const Set& set, Stream stream = nullptr) {
   if constexpr (host_accessible(Space::kind)) {
     const auto view = array.view();
-    parallel_for<1>(Host{}, view.size(), [&](index_t i) { set(i, view.get(i)); });
+    detail::host_loop(view.size(), [&](index_t i) { set(i, view.get(i)); });
   } else {
     ChunkedDownload download(array.storage(), 0, array.size(), stream);
     while (download.next()) {
       const View<Object, const Real, Layout, Formats, PinnedHost> chunk(download.chunk().base, download.chunk().size,
                                                                         download.chunk().pitch);
       const index_t begin = download.begin();
-      parallel_for<1>(Host{}, chunk.size(), [&](index_t i) { set(begin + i, chunk.get(i)); });
+      detail::host_loop(chunk.size(), [&](index_t i) { set(begin + i, chunk.get(i)); });
     }
   }
 }

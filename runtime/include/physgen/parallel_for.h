@@ -2,13 +2,13 @@
 #pragma once
 
 #include <physgen/add.h>
+#include <physgen/host_loop.h>
 #include <physgen/layout.h>
 #include <physgen/simd_lanes.h>
 #include <physgen/space.h>
 
 #include <array>
 #include <concepts>
-#include <exception>
 
 namespace physgen {
 
@@ -38,30 +38,6 @@ constexpr int default_lanes() {
   }
   return 1;
 }
-
-}  // namespace detail
-
-namespace detail {
-
-/// Keeps the first exception that is thrown in an OpenMP region, which it must not leave, and throws it behind it.
-class RegionFailure {
- public:
-  template <class Work>
-  void guard(const Work& work) {
-    try {
-      work();
-    } catch (...) {
-#pragma omp critical(physgen_region_failure)
-      if (!failure_) failure_ = std::current_exception();
-    }
-  }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  std::exception_ptr failure_;
-};
 
 }  // namespace detail
 
@@ -125,14 +101,12 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   static_assert(padding_objects % width == 0);
   if (begin >= end) return;
   detail::RegionFailure failure;
-  // Fewer objects than this are done before other threads have woken up.
-  [[maybe_unused]] constexpr index_t worth_threads = 8192;
   if constexpr (width == 1) {
-#pragma omp parallel for schedule(static) if (end - begin >= worth_threads)
+#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
     for (index_t i = begin; i < end; ++i) detail::call_kernel(failure, kernel, i);
   } else {
     const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
-#pragma omp parallel for schedule(static) if (end - begin >= worth_threads)
+#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
     for (index_t p = first; p < last; ++p) detail::call_kernel(failure, kernel, Pack<width>{p * width});
     // One loop, so that the kernel is compiled once for partial packs.
     const std::array<index_t, 2> ends{begin / width, last};

@@ -3,7 +3,8 @@
 #pragma once
 
 #ifdef __CUDACC__
-#error "physgen/simd.h is for host translation units only; kernels take float or double on CUDA"
+#error \
+    "physgen/simd.h and parallel_for.h are for host translation units (.cpp); .cu: <physgen/cuda/parallel_for.h>, float, double"
 #endif
 
 #include <physgen/math.h>
