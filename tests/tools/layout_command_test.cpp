@@ -26,9 +26,10 @@ class LayoutCommand : public testing::Test {
   };
 
   LayoutCommand() {
-    folder.write("a.h", preamble + "struct PHYSGEN_OBJECT(layout(cuda, aos_padded)) Node {\n  Vector<3> x;\n};\n" +
-                            "struct PHYSGEN_OBJECT() Tet {\n  PHYSGEN(format(cuda, half)) Matrix<3, 3> F;\n};\n");
-    folder.write("broken.h", preamble + object("Scalar& x;"));
+    folder.write("a.h",
+                 schema_of("struct PHYSGEN_OBJECT(layout(cuda, aos_padded)) Node {\n  Vector<3> x;\n};\n"
+                           "struct PHYSGEN_OBJECT() Tet {\n  PHYSGEN(format(cuda, half)) Matrix<3, 3> F;\n};\n"));
+    folder.write("broken.h", schema_of(object("Scalar& x;")));
   }
 
   /// Runs `physgen layout` in the test's folder.
