@@ -59,7 +59,7 @@ class Checker {
                                     " is not a power of two from 1 to 256; write one, such as align(16)");
     const Place self = place_;
     long long elements = 0;
-    std::map<std::string, Place, std::less<>> names;
+    Names names = nested_types(object);
     for (std::size_t i = 0; i < object.fields.size(); ++i) {
       place_.field = static_cast<int>(i);
       field_name(object, object.fields[i], names);
@@ -148,6 +148,21 @@ class Checker {
     }
   }
 
+  struct Names {
+    std::map<std::string, Place, std::less<>> fields;  // of the object, so far
+    std::map<std::string, std::string, std::less<>>
+        types;  // of nested objects that code of the object says, with scope
+  };
+
+  static Names nested_types(const Object& object) {
+    Names names;
+    for (const Field& field : object.fields)
+      for (const char* ending : {"", "Formats", "Record", "Ref"})
+        if (field.shape == Shape::object)
+          names.types.emplace(field.object.substr(field.object.rfind(':') + 1) + ending, field.object + ending);
+    return names;
+  }
+
   /// @param name of the namespace
   /// @param qualified the same with those around it
   void scope(const Object& object, const std::string& name, const std::string& qualified) {
@@ -168,20 +183,18 @@ class Checker {
            taken->second);
   }
 
-  void field_name(const Object& object, const Field& field, std::map<std::string, Place, std::less<>>& names) {
+  void field_name(const Object& object, const Field& field, Names& names) {
     if (auto problem = name_problem(field.name, NameOf::field); !problem.empty())
       report(Aspect::name, "field name " + quoted(field.name) + " " + problem);
     for (const auto ending : generated_endings)
       if (field.name == object.name + std::string(ending))
         report(Aspect::name, "field name " + quoted(field.name) + " is also the name of a type generated for object " +
                                  quoted(object.name) + "; choose another name");
-    for (const Field& other : object.fields)
-      for (const char* ending : {"", "Formats", "Record", "Ref"})
-        if (other.shape == Shape::object && field.name != object.name &&
-            field.name == other.object.substr(other.object.rfind(':') + 1) + ending)
-          report(Aspect::name, "field name " + quoted(field.name) + " is also the name of the object type " +
-                                   quoted(other.object + ending) + " nested here; choose another name");
-    const auto [first, is_new] = names.emplace(field.name, place_);
+    const auto type = names.types.find(field.name);
+    if (type != names.types.end() && field.name != object.name)
+      report(Aspect::name, "field name " + quoted(field.name) + " is also the name of the object type " +
+                               quoted(type->second) + " nested here; choose another name");
+    const auto [first, is_new] = names.fields.emplace(field.name, place_);
     if (!is_new)
       report(Aspect::name, "field " + quoted(field.name) + " is declared twice; rename or remove one", first->second);
   }

@@ -222,7 +222,7 @@ TEST(Emitter, writes_about_as_much_as_was_estimated) {
 
 TEST(Emitter, lets_no_comment_swallow_the_next_line) {
   auto sly = scalar("x");
-  sly.doc = "first \\\r\nsecond \\  ";
+  sly.doc = "first \\\r\nsecond \\ ?\?/ ";
   const std::string text = accessor_header(schema({object("A", {sly})}));
   expect_contains(text, "  /// first\n  /// second\n  Real x;\n");
 }
