@@ -3,6 +3,7 @@
 #include "frontend/frontend.h"
 
 #include <clang/AST/ASTConsumer.h>
+#include <clang/AST/DeclCXX.h>
 #include <clang/Basic/LangStandard.h>
 #include <clang/Basic/Version.h>
 #include <clang/Frontend/CompilerInstance.h>
@@ -13,6 +14,8 @@
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/TargetParser/Triple.h>
+
+#include <map>
 
 #include "frontend/objects.h"
 #include "frontend/vocabulary.h"
@@ -33,7 +36,26 @@ class Consumer : public clang::ASTConsumer {
     schema_ = read_schema(context, context.getDiagnostics().hasErrorOccurred(), has_vocabulary);
   }
 
+  /// Clang evaluates a variable field by field, those of nested structs included: twenty-five structs of two of the one
+  /// before would take gigabytes. A struct of so many fields is called invalid, and its variables are not looked at; as
+  /// an object it is far above what model::validate allows.
+  void HandleTagDeclDefinition(clang::TagDecl* tag) override {
+    auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
+    if (record == nullptr || record->isDependentContext()) return;
+    double count = 1;
+    const auto add = [&](clang::QualType type) {
+      const auto* nested = type->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+      const auto known = nested == nullptr ? fields_.end() : fields_.find(nested->getCanonicalDecl());
+      count += known == fields_.end() ? 1 : known->second;
+    };
+    for (const auto& base : record->bases()) add(base.getType());
+    for (const auto* field : record->fields()) add(field->getType());
+    fields_[record->getCanonicalDecl()] = count;
+    if (count > 1 << 18) record->setInvalidDecl();
+  }
+
  private:
+  std::map<const clang::CXXRecordDecl*, double> fields_;  // with those of nested structs
   clang::Preprocessor& preprocessor_;
   model::Schema& schema_;
 };

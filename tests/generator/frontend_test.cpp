@@ -227,6 +227,17 @@ TEST(Frontend, refuses_nesting_that_explodes_at_the_field_that_is_too_large_and_
   EXPECT_NE(found[0].find("and compilers bear 2 MiB"), std::string::npos);
 }
 
+// Clang would evaluate 2^30 fields for the variable.
+TEST(Frontend, does_not_let_a_variable_of_an_exploding_object_explode) {
+  std::string text = "struct PHYSGEN_OBJECT() O0 {\n  Scalar x;\n};\n";
+  for (int i = 1; i <= 30; ++i)
+    text += "struct PHYSGEN_OBJECT() O" + std::to_string(i) + " {\n  O" + std::to_string(i - 1) + " a, b;\n} v" +
+            std::to_string(i) + ";\n";
+  const auto result = parse_text(schema_of(text));
+  EXPECT_FALSE(result.schema.has_value());
+  EXPECT_NE(result.diagnostics.find("object 'O12' would become about"), std::string::npos) << result.diagnostics;
+}
+
 TEST(Frontend, refuses_a_schema_whose_objects_are_too_much_together) {
   std::string text = "struct PHYSGEN_OBJECT() O0 {\n  Scalar x;\n};\n";
   for (int i = 1; i <= 160; ++i)

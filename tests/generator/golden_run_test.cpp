@@ -178,9 +178,9 @@ void round_trips() {
 template <class Object>
 class GoldenRun : public testing::Test {};
 
-using Objects = testing::Types<material::LameObject, material::FibreObject, tissue::StampObject, tissue::model::ShapesObject,
-                               tissue::model::NamesObject, tissue::model::EntriesObject, tissue::model::OptionsObject,
-                               tissue::model::ElementObject, tissue::other::PatchObject>;
+using Objects = testing::Types<material::LameObject, material::FibreObject, tissue::StampObject,
+                               tissue::model::ShapesObject, tissue::model::NamesObject, tissue::model::EntriesObject,
+                               tissue::model::OptionsObject, tissue::model::ElementObject, tissue::other::PatchObject>;
 TYPED_TEST_SUITE(GoldenRun, Objects);
 
 template <class Object, class Real>

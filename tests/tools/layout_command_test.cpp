@@ -55,7 +55,7 @@ TEST_F(LayoutCommand, draws_all_objects_of_a_schema) {
 TEST_F(LayoutCommand, draws_what_is_asked_for) {
   const auto outcome = run("a.h --object Tet --space cuda --real double --layout 'aosoa(8)'");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("Tet on cuda, aosoa(8), Real = double\n")) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("m::Tet on cuda, aosoa(8), Real = double\n")) << outcome.out;
   EXPECT_EQ(outcome.out.find("Node"), std::string::npos);
 }
 

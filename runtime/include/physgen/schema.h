@@ -2,6 +2,8 @@
 // A schema is an ordinary C++20 header of structs; physgen reads it and writes the accessor classes. To other compilers
 // the macros are empty and the types are plain markers, so editors understand a schema and it costs nothing to include.
 //
+// Objects stand in a namespace:
+//
 //   #include <physgen/schema.h>
 //   namespace elasticity {
 //   using namespace physgen::schema;

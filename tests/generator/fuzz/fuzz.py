@@ -19,6 +19,7 @@ import sys
 import time
 import xml.dom.minidom
 from pathlib import Path
+from xml.parsers.expat import ExpatError
 
 from grammar import Grammar
 from mutate import mutated
@@ -128,7 +129,7 @@ class Fuzzer:
             schema = None
             try:
                 schema = self.check(folder)
-            except (Defect, json.JSONDecodeError, UnicodeDecodeError, xml.parsers.expat.ExpatError) as defect:
+            except (Defect, json.JSONDecodeError, UnicodeDecodeError, ExpatError) as defect:
                 self.keep(self.number, folder, f"{type(defect).__name__}: {defect}")
             else:
                 self.accepted += schema is not None
