@@ -1,6 +1,6 @@
 // Accessor classes of the object types in elasticity.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_ELASTICITY_H_41B93927A4DC9256
-#define PHYSGEN_ELASTICITY_H_41B93927A4DC9256
+#ifndef PHYSGEN_ELASTICITY_H_4EC8853F26ACC126
+#define PHYSGEN_ELASTICITY_H_4EC8853F26ACC126
 
 #include <physgen/runtime.h>
 
@@ -2664,4 +2664,4 @@ static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_41B93927A4DC9256
+#endif  // PHYSGEN_ELASTICITY_H_4EC8853F26ACC126

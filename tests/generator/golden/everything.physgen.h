@@ -1,6 +1,6 @@
 // Accessor classes of the object types in everything.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_EVERYTHING_H_420A3654A44DEB87
-#define PHYSGEN_EVERYTHING_H_420A3654A44DEB87
+#ifndef PHYSGEN_EVERYTHING_H_93B559F10D7D1965
+#define PHYSGEN_EVERYTHING_H_93B559F10D7D1965
 
 #include <physgen/runtime.h>
 
@@ -2315,4 +2315,4 @@ static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physg
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_420A3654A44DEB87
+#endif  // PHYSGEN_EVERYTHING_H_93B559F10D7D1965

@@ -1,6 +1,6 @@
 // Accessor classes of the object types in materials.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_MATERIALS_H_8B19884D08E69B6B
-#define PHYSGEN_MATERIALS_H_8B19884D08E69B6B
+#ifndef PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
+#define PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
 
 #include <physgen/runtime.h>
 
@@ -222,4 +222,4 @@ static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_8B19884D08E69B6B
+#endif  // PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
