@@ -78,7 +78,7 @@ TEST(Bfloat16, rounds_to_the_nearest_keeps_nan_and_holds_all_of_float) {
 }
 
 TEST(Snorm16, holds_its_range_in_equal_steps_and_nan) {
-  using Steps = format::Snorm16<-3.0, 5.0>;
+  using Steps = format::Snorm16<format::Interval{-3.0, 5.0}>;
   std::mt19937 random(seed());
   std::uniform_real_distribution<double> value(-3, 5);
   for (int sample = 0; sample < 100000; ++sample) {
@@ -117,7 +117,7 @@ TYPED_TEST(FormatsOver, objects_of_mixed_sizes_come_back_within_the_errors_of_th
 TYPED_TEST(FormatsOver, rotations_come_back_from_quaternions) {
   check_rotations<Host, TypeParam, format::Native>(257, 6e-7);
   check_rotations<Host, TypeParam, format::Half<>>(257, 2e-3);
-  check_rotations<Host, TypeParam, format::Snorm16<-1.0, 1.0>>(257, 9e-5);
+  check_rotations<Host, TypeParam, format::Snorm16<format::Interval{-1.0, 1.0}>>(257, 9e-5);
   check_rotations<Host, TypeParam, format::Bfloat16>(257, 1.6e-2);
 }
 
@@ -168,7 +168,7 @@ TEST(Formats, an_element_is_assigned_added_to_and_read_as_a_number) {
 TEST(Formats, a_record_is_as_small_as_its_elements) {
   using Mixed = Array<elasticity::StressDerivativeObject, float, Host, Soa, MixedDerivative>;
   EXPECT_EQ(Mixed::record_bytes, 8 + 7 * 4 + 4 * 2);
-  using Compact = Array<elasticity::DeformationSvdObject, float, Host, Soa, CompactSvd<format::Snorm16<-1.0, 1.0>>>;
+  using Compact = Array<elasticity::DeformationSvdObject, float, Host, Soa, CompactSvd<format::Snorm16<format::Interval{-1.0, 1.0}>>>;
   EXPECT_EQ(Compact::record_bytes, 8 * 2 + 3 * 2);
   EXPECT_EQ(Compact::elements, 21);
 }
