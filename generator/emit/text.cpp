@@ -201,6 +201,7 @@ std::string format_type(const model::Field& field, model::Space space) {
   const auto& [encoding, quaternion] = field.format(space);
   const std::string name = encoded_type(field, encoding);
   if (!quaternion) return name;
+  if (encoding == model::Encoding::snorm16) return "physgen::format::Quaternion16";
   return "physgen::format::Quaternion<" + (encoding == model::Encoding::native ? "" : name) + ">";
 }
 

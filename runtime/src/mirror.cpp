@@ -17,6 +17,7 @@ const char* name(Side side) { return side == Side::host ? "host" : "device"; }
 }  // namespace
 
 std::optional<ObjectRange> ObjectSet::first_in(index_t begin, index_t end) const {
+  if (begin >= end) return std::nullopt;
   auto range = ends_.upper_bound(begin);
   if (range != ends_.begin() && std::prev(range)->second > begin) --range;
   if (range == ends_.end() || range->first >= end) return std::nullopt;
