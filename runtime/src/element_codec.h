@@ -8,7 +8,8 @@
 
 namespace physgen::detail {
 
-/// How the elements of one field are stored: centre + scale * what memory holds, or as functions of a program's own say.
+/// How the elements of one field are stored: centre + scale * what memory holds, or as functions of a program's own
+/// say.
 struct Encoding {
   ElementType type = ElementType::float32;
   bool scaled = false;     ///< scale is not 1 or centre not 0
@@ -24,10 +25,9 @@ struct Encoding {
         scale(field.scale),
         centre(field.centre),
         own(field.own) {
-    has_codec = own == nullptr && ((type == ElementType::half && centre == 0) ||
-                                   (type == ElementType::bfloat16 && !scaled) ||
-                                   (type == ElementType::snorm16 &&
-                                    format::detail::snorm16_is_ordinary<float>(scale, centre)));
+    has_codec =
+        own == nullptr && ((type == ElementType::half && centre == 0) || (type == ElementType::bfloat16 && !scaled) ||
+                           (type == ElementType::snorm16 && format::detail::snorm16_is_ordinary<float>(scale, centre)));
   }
   /// Whether memory holds the very numbers, of this type.
   [[nodiscard]] PHYSGEN_FUNCTION bool is_plain(ElementType of) const { return type == of && !scaled && own == nullptr; }

@@ -87,9 +87,9 @@ TEST(Formats, are_spelled_as_the_runtime_calls_them) {
             "physgen::format::Quaternion<physgen::format::Float64>");
   EXPECT_EQ(host_type(stored(rotation("R"), Encoding::half, true)),
             "physgen::format::Quaternion<physgen::format::Half<>>");
-  EXPECT_EQ(host_type(stored(rotation("R"), Encoding::snorm16, true)),
-            "physgen::format::Quaternion16");
-  EXPECT_EQ(host_type(stored(rotation("R"), Encoding::snorm16)), "physgen::format::Snorm16<physgen::format::Interval{-1.0, 1.0}>");
+  EXPECT_EQ(host_type(stored(rotation("R"), Encoding::snorm16, true)), "physgen::format::Quaternion16");
+  EXPECT_EQ(host_type(stored(rotation("R"), Encoding::snorm16)),
+            "physgen::format::Snorm16<physgen::format::Interval{-1.0, 1.0}>");
 }
 
 TEST(Formats, spell_the_ends_of_equal_steps_as_decimals) {

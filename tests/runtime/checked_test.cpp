@@ -72,7 +72,8 @@ TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) 
   EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
 }
 
-/// The same place on every run, however many threads store: that of the smallest object, and of the first element there.
+/// The same place on every run, however many threads store: that of the smallest object, and of the first element
+/// there.
 TEST(CheckedFormats, name_the_first_object_that_is_wrong_whichever_thread_comes_first) {
   constexpr index_t n = 200000;
   Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(n);

@@ -214,7 +214,8 @@ TEST(Formats, an_element_is_assigned_added_to_and_read_as_a_number) {
 TEST(Formats, a_record_is_as_small_as_its_elements) {
   using Mixed = Array<elasticity::StressDerivativeObject, float, Host, Soa, MixedDerivative>;
   EXPECT_EQ(Mixed::record_bytes, 8 + 7 * 4 + 4 * 2);
-  using Compact = Array<elasticity::DeformationSvdObject, float, Host, Soa, CompactSvd<format::Snorm16<format::Interval{-1.0, 1.0}>>>;
+  using Compact = Array<elasticity::DeformationSvdObject, float, Host, Soa,
+                        CompactSvd<format::Snorm16<format::Interval{-1.0, 1.0}>>>;
   EXPECT_EQ(Compact::record_bytes, 8 * 2 + 3 * 2);
   EXPECT_EQ(Compact::elements, 21);
 }

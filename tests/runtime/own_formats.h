@@ -1,8 +1,6 @@
 // Formats of a program's own, for all ways in which elements are stored and read; and the library's that scale.
 #pragma once
 
-#include <physgen/parallel_for.h>
-
 #include <cmath>
 
 #include "test_objects.h"
@@ -137,7 +135,8 @@ using OwnObject = elasticity::StressDerivativeObject;
 /// All elements of all objects as they are stored.
 template <class Array>
 std::vector<std::vector<std::byte>> stored_elements(const Array& array) {
-  using Same = physgen::Array<typename Array::Object, typename Array::View::Precision, Host, Aos, typename Array::Formats>;
+  using Same =
+      physgen::Array<typename Array::Object, typename Array::View::Precision, Host, Aos, typename Array::Formats>;
   Same records(array.size());
   copy(records, array);
   synchronize();
@@ -148,76 +147,6 @@ std::vector<std::vector<std::byte>> stored_elements(const Array& array) {
     result.emplace_back(record, record + storage.record_bytes);
   }
   return result;
-}
-
-/// Numbers written one by one, in packs, by putdata() and by copies from floats and doubles are the same, and so are
-/// those that are read.
-template <class Real, class Layout>
-void check_own_formats_on_the_host(index_t n) {
-  std::mt19937 random(seed());
-  elasticity::StressDerivativeArray<Real, Host, Aos> source(n);
-  for (index_t i = 0; i < n; ++i) {
-    for (int k = 0; k < source.elements; ++k) source.putdata(i, k, own_value(k, random));
-  }
-  using Own = Array<OwnObject, Real, Host, Layout, OwnDerivative>;
-  Own single(n), packs(n), put(n), copied(n);
-  EXPECT_EQ(single.getdata(n - 1, 3), 0) << "the initial value, which is not zero bytes";
-  const auto from = source.const_view();
-  const auto to = single.view();
-  for (index_t i = 0; i < n; ++i) to.put(i, from.get(i));
-  constexpr int W = native_lanes<Real>;
-  elasticity::StressDerivativeArray<Real, Host, Soa> wide(n);
-  copy(wide, source);
-  for (index_t i = 0; i + W <= n; i += W) packs.view().put(Pack<W>{i}, wide.const_view().get(Pack<W>{i}));
-  for (index_t i = n / W * W; i < n; ++i) packs.view().put(i, from.get(i));
-  for (index_t i = 0; i < n; ++i) {
-    for (int k = 0; k < source.elements; ++k) put.putdata(i, k, source.getdata(i, k));
-  }
-  copy(copied, source);
-  const auto expected = stored_elements(single);
-  EXPECT_EQ(stored_elements(packs), expected);
-  EXPECT_EQ(stored_elements(copied), expected);
-
-  elasticity::StressDerivativeArray<Real, Host, Soa> back(n);
-  elasticity::StressDerivativeArray<double, Host, Aos> back_in_double(n);
-  copy(back, single);
-  copy(back_in_double, put);
-  for (index_t i = 0; i < n; ++i) {
-    const auto value = single.const_view().get(i), same = back.const_view().get(i);
-    ASSERT_EQ(value.x1111, same.x1111);
-    ASSERT_EQ(value.x2211, same.x2211);
-    ASSERT_EQ(value.x3311, same.x3311);
-    ASSERT_EQ(value.x2222, same.x2222);
-    ASSERT_EQ(value.x3322, same.x3322);
-    ASSERT_EQ(value.x3333, same.x3333);
-    ASSERT_EQ(value.x2121, same.x2121);
-    ASSERT_EQ(value.x2112, same.x2112);
-    ASSERT_EQ(value.x3131, same.x3131);
-    ASSERT_EQ(value.x3113, same.x3113);
-    ASSERT_EQ(value.x3232, same.x3232);
-    for (int k = 0; k < source.elements; ++k) {
-      const double wanted = source.getdata(i, k);
-      ASSERT_NEAR(single.getdata(i, k), wanted, own_error(k)) << "object " << i << " element " << k;
-      ASSERT_NEAR(back.getdata(i, k), wanted, own_error(k)) << "object " << i << " element " << k;
-      ASSERT_NEAR(put.getdata(i, k), wanted, own_error(k)) << "object " << i << " element " << k;
-      ASSERT_NEAR(back_in_double.getdata(i, k), wanted, own_error(k)) << "object " << i << " element " << k;
-    }
-  }
-  for (index_t i = 0; i + W <= n; i += W) {
-    const auto pack = packs.const_view().get(Pack<W>{i});
-    for (int l = 0; l < W; ++l) {
-      const auto lane = static_cast<std::size_t>(l);
-      const auto value = single.const_view().get(i + l);
-      ASSERT_EQ(pack.x1111.get(lane), value.x1111);
-      ASSERT_EQ(pack.x2211.get(lane), value.x2211);
-      ASSERT_EQ(pack.x3311.get(lane), value.x3311);
-      ASSERT_EQ(pack.x2222.get(lane), value.x2222);
-      ASSERT_EQ(pack.x2121.get(lane), value.x2121);
-      ASSERT_EQ(pack.x2112.get(lane), value.x2112);
-      ASSERT_EQ(pack.x3131.get(lane), value.x3131);
-      ASSERT_EQ(pack.x3232.get(lane), value.x3232);
-    }
-  }
 }
 
 /// To another space and back: the bits are those of a conversion on the host.
@@ -251,7 +180,8 @@ void check_own_formats_elsewhere(index_t n) {
   synchronize();
   EXPECT_EQ(count_different(back, wanted), 0);
   EXPECT_EQ(count_different(of_pinned, wanted), 0);
-  for (int k = 0; n > 0 && k < source.elements; ++k) EXPECT_EQ(there.getdata(n / 2, k), expected.getdata(n / 2, k)) << k;
+  for (int k = 0; n > 0 && k < source.elements; ++k)
+    EXPECT_EQ(there.getdata(n / 2, k), expected.getdata(n / 2, k)) << k;
 }
 
 }  // namespace physgen::test

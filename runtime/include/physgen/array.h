@@ -42,7 +42,8 @@ class Array {
   /// `size` objects with their fields' initial values (zero where the schema states none; a Rotation is the identity).
   /// @throw Error when size is negative or the memory cannot be had
   explicit Array(index_t size) { resize(size); }
-  /// On CUDA and in pinned memory this works in the default stream. @pre work on `other` in other streams is done (see synchronize())
+  /// On CUDA and in pinned memory this works in the default stream. @pre work on `other` in other streams is done (see
+  /// synchronize())
   Array(const Array& other) : Array(other.size_) { copy_first(storage(), other.storage(), size_); }
   Array& operator=(const Array& other) {
     if (this != &other) {
@@ -81,7 +82,8 @@ class Array {
   }
 
   /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
-  /// On CUDA and in pinned memory this works in the default stream. @pre work on this array in other streams is done (see synchronize())
+  /// On CUDA and in pinned memory this works in the default stream. @pre work on this array in other streams is done
+  /// (see synchronize())
   /// @throw Error when size is negative or the memory cannot be had; the array is then unchanged
   void resize(index_t size) {
     if (size == size_) return;

@@ -1,8 +1,9 @@
 // All storage formats: how the elements of a field lie in memory, apart from the type they are computed with.
 //
-// The library's are Native, Float32, Float64, Half<k>, Bfloat16, Snorm16<Interval{low, high}>, Scaled<Base, Affine{scale,
-// centre}>, and Quaternion<Component> for rotations. Their meaning is data, so that they are converted everywhere: by
-// accessors, packs, kernels and copies, on the host and on the device. What is a unit or an offset needs no more:
+// The library's are Native, Float32, Float64, Half<k>, Bfloat16, Snorm16<Interval{low, high}>, Scaled<Base,
+// Affine{scale, centre}>, and Quaternion<Component> for rotations. Their meaning is data, so that they are converted
+// everywhere: by accessors, packs, kernels and copies, on the host and on the device. What is a unit or an offset needs
+// no more:
 //
 //   using Kilometres = physgen::format::Scaled<physgen::format::Float32, physgen::format::Affine{.scale = 1000}>;
 //

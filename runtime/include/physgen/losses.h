@@ -11,14 +11,14 @@ namespace physgen {
 
 /// Counts of one array since it was made or last asked (Array::take_losses), or of one copy.
 struct Losses {
-  /// Where a loss was: of its kind, the one of the smallest object number, and of the smallest offset there; so the same
-  /// one however many threads stored.
+  /// Where a loss was: of its kind, the one of the smallest object number, and of the smallest offset there; so the
+  /// same one however many threads stored.
   struct Place {
     unsigned long long order = ~0ULL;  ///< grows with object and offset; the largest number: there is none
     unsigned int busy = 0;             ///< a thread is writing the others
     int offset = 0;                    ///< of the element in the record [bytes]
     index_t object = 0;                ///< the object's number
-    double value = 0;  ///< what was to be stored; of a matrix, the largest deviation from a rotation
+    double value = 0;                  ///< what was to be stored; of a matrix, the largest deviation from a rotation
 
     [[nodiscard]] PHYSGEN_FUNCTION bool known() const { return order != ~0ULL; }
     /// Object and offset in one number; of places that it cannot tell apart, those beyond 2^40 objects or 8 MiB of a
@@ -85,8 +85,8 @@ PHYSGEN_FUNCTION inline void raise(unsigned long long& bits, double value) {
 #endif
 }
 
-/// Makes `first` this place where it comes before the one that is there. Almost every call ends at the first comparison;
-/// else a lock of its own keeps place and value together.
+/// Makes `first` this place where it comes before the one that is there. Almost every call ends at the first
+/// comparison; else a lock of its own keeps place and value together.
 PHYSGEN_FUNCTION inline void keep_first(Losses::Place& first, index_t object, int offset, double value) {
   const unsigned long long order = Losses::Place::order_of(object, offset);
 #ifdef __CUDA_ARCH__

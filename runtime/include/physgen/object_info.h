@@ -30,8 +30,8 @@ struct FieldInfo {
   double initial;  ///< value of every element of a new object, but of rotations, which begin as the identity
   double scale;
   double centre;
-  bool rotation;    ///< one or an array of them
-  bool quaternion;  ///< rotations, stored as w, x, y, z
+  bool rotation;                  ///< one or an array of them
+  bool quaternion;                ///< rotations, stored as w, x, y, z
   const OwnCodec* own = nullptr;  ///< where the format is none of the library's
 
   /// Elements that code sees: 9 for a rotation, however it is stored.

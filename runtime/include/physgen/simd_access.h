@@ -48,8 +48,9 @@ namespace detail {
 
 /// Whether the processor's own conversion of halves is that of the format: of a power of two, or another factor.
 template <class Format, class T>
-inline constexpr bool is_half_of_floats = format::FromLibrary<Format> && Format::template type<T> == ElementType::half &&
-                                          Format::centre == 0 && std::is_same_v<T, float>;
+inline constexpr bool is_half_of_floats =
+    format::FromLibrary<Format> && Format::template type<T> == ElementType::half && Format::centre == 0 &&
+    std::is_same_v<T, float>;
 
 /// W numbers as they lie in memory, to W numbers to compute with, and back. Loops that compilers turn into packs; where
 /// an instruction converts a whole pack, it is named (with a mask of all lanes: of the others' operand g++ warns).
@@ -74,7 +75,8 @@ void encode_lanes(const T* values, typename Format::template Stored<T>* stored) 
 #if defined(__F16C__) && defined(__AVX512F__)
   if constexpr (is_half_of_floats<Format, T> && W == 16) {
     const __m512 scaled = _mm512_mul_ps(_mm512_load_ps(values), _mm512_set1_ps(float(1 / Format::scale)));
-    return _mm256_store_si256(reinterpret_cast<__m256i*>(stored), _mm512_maskz_cvtps_ph(0xffff, scaled, _MM_FROUND_TO_NEAREST_INT));
+    return _mm256_store_si256(reinterpret_cast<__m256i*>(stored),
+                              _mm512_maskz_cvtps_ph(0xffff, scaled, _MM_FROUND_TO_NEAREST_INT));
   }
 #endif
 #if defined(__F16C__)

@@ -53,6 +53,7 @@ inline constexpr bool is_plain = false;
 template <class Format, class Real>
   requires(!is_quaternion<Format>)
 inline constexpr bool is_plain<Format, Real> =
-    FromLibrary<Format> && std::is_same_v<typename Format::template Stored<Real>, Real> && Format::scale == 1 && Format::centre == 0;
+    FromLibrary<Format> && std::is_same_v<typename Format::template Stored<Real>, Real> && Format::scale == 1 &&
+    Format::centre == 0;
 
 }  // namespace physgen::format

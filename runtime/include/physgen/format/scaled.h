@@ -37,14 +37,14 @@ struct Scaled {
   template <class Real>
   [[nodiscard]] PHYSGEN_FUNCTION static Real decode(Stored<Real> stored) {
     using Work = Computed<Real>;
-    return static_cast<Real>(
-        detail::to_scale<Work>(Base::template decode<Work>(stored), static_cast<Work>(scale), static_cast<Work>(centre)));
+    return static_cast<Real>(detail::to_scale<Work>(Base::template decode<Work>(stored), static_cast<Work>(scale),
+                                                    static_cast<Work>(centre)));
   }
   template <class Real>
   [[nodiscard]] PHYSGEN_FUNCTION static Stored<Real> encode(Real value) {
     using Work = Computed<Real>;
-    return Base::template encode<Work>(detail::from_scale<Work>(static_cast<Work>(value), static_cast<Work>(1 / scale),
-                                                                static_cast<Work>(centre)));
+    return Base::template encode<Work>(
+        detail::from_scale<Work>(static_cast<Work>(value), static_cast<Work>(1 / scale), static_cast<Work>(centre)));
   }
 
  private:
