@@ -84,7 +84,7 @@ std::string encoded_type(const model::Field& field, model::Encoding encoding) {
       break;
   }
   const model::Range range = steps_range(field);
-  return prefix + "Snorm16<" + real(range.low) + ", " + real(range.high) + ">";
+  return prefix + "Snorm16<" + prefix + "Interval{" + real(range.low) + ", " + real(range.high) + "}>";
 }
 
 // "half, relative error up to 4.9e-4 (up to 32768 and from 6.1e-5 on)"
@@ -201,6 +201,7 @@ std::string format_type(const model::Field& field, model::Space space) {
   const auto& [encoding, quaternion] = field.format(space);
   const std::string name = encoded_type(field, encoding);
   if (!quaternion) return name;
+  if (encoding == model::Encoding::snorm16) return "physgen::format::Quaternion16";
   return "physgen::format::Quaternion<" + (encoding == model::Encoding::native ? "" : name) + ">";
 }
 

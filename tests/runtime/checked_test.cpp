@@ -106,6 +106,68 @@ TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) 
   EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
 }
 
+/// The same place on every run, however many threads store: that of the smallest object, and of the first element
+/// there.
+TEST(CheckedFormats, name_the_first_object_that_is_wrong_whichever_thread_comes_first) {
+  constexpr index_t n = 200000;
+  Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(n);
+  elasticity::StressDerivativeArray<float> wrong(n);
+  for (const index_t i : {10, 9999, 60000, 110000, 160000, 199999}) {
+    wrong.putdata(i, 1, 2);
+    wrong.putdata(i, 0, 1e6 + static_cast<double>(i));
+  }
+  for (int run = 0; run < 8; ++run) {
+    const Losses copied = losses_of_copy(array.storage(), wrong.storage());
+    EXPECT_EQ(copied.out_of_range, 12U);
+    EXPECT_EQ(copied.first.object, 10);
+    const auto fields = array.storage().fields;
+    const bool is_x1111 = fields[0].offset < fields[1].offset;
+    EXPECT_EQ(copied.first.offset, fields[is_x1111 ? 0 : 1].offset);
+    EXPECT_EQ(copied.first.value, is_x1111 ? 1000010 : 2);
+    const auto to = array.view();
+    const auto from = wrong.const_view();
+#pragma omp parallel for schedule(dynamic, 100) num_threads(8)
+    for (index_t k = 0; k < n; ++k) {
+      const index_t i = run % 2 == 0 ? n - 1 - k : k;
+      to.put(i, from.get(i));
+    }
+    const Losses stored = array.take_losses();
+    EXPECT_EQ(stored.first.object, 10);
+    EXPECT_EQ(stored.first.value, copied.first.value);
+    EXPECT_EQ(stored.first.offset, copied.first.offset);
+  }
+}
+
+TEST(Losses, of_several_chunks_begin_with_the_first_object) {
+  Losses all, later, earlier;
+  detail::remember(later.out_of_range, later.first, 3, 8, 5.0);
+  detail::remember(earlier.out_of_range, earlier.first, 7, 4, 6.0);
+  all.add(later, 100);
+  all.add(earlier, 90);
+  EXPECT_EQ(all.first.object, 97);
+  EXPECT_EQ(all.first.offset, 4);
+  EXPECT_EQ(all.first.value, 6.0);
+  EXPECT_EQ(all.out_of_range, 2U);
+  all.add(Losses{});
+  EXPECT_EQ(all.first.object, 97);
+  EXPECT_FALSE(all.first_imprecise.known());
+}
+
+TEST(CheckedScatter, refuses_a_pointer_that_is_there_twice) {
+  const NodePositionArray<float> array(5);
+  std::vector<elasticity::NodePosition<float>> objects(5);
+  std::vector<elasticity::NodePosition<float>*> pointers;
+  for (auto& object : objects) pointers.push_back(&object);
+  const auto write = [](auto& object, const auto& value) { object.x = value.x + Eigen::Vector3f::Ones(); };
+  scatter(array, pointers, write);
+  EXPECT_EQ(objects[3].x[0], 1);
+  pointers[4] = pointers[1];
+  pointers[3] = pointers[2];
+  EXPECT_EQ(message_of([&] { scatter(array, pointers, write); }),
+            "physgen: elasticity::NodePosition: pointers 2 and 3 of 5 are the same; an object is scattered to once");
+  EXPECT_EQ(objects[0].x[0], 1) << "nothing was written";
+}
+
 TEST(CheckedFormats, count_in_packs_and_not_in_padding) {
   Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(20);
   constexpr int W = native_lanes<float>;

@@ -1,6 +1,6 @@
 // Accessor classes of the object types in everything.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_EVERYTHING_H_93B559F10D7D1965
-#define PHYSGEN_EVERYTHING_H_93B559F10D7D1965
+#ifndef PHYSGEN_EVERYTHING_H_FE98BE8044D2540E
+#define PHYSGEN_EVERYTHING_H_FE98BE8044D2540E
 
 #include <physgen/runtime.h>
 
@@ -1746,10 +1746,9 @@ struct Frame {
 /// anew, and name the derived struct as the last argument of FrameArray.
 template <class Space>
 struct FrameFormats {
-  using turn = physgen::PerSpace<Space, physgen::format::Quaternion<>,
-                                        physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>>;
+  using turn = physgen::PerSpace<Space, physgen::format::Quaternion<>, physgen::format::Quaternion16>;
   using origin = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Half<>>;
-  using weight = physgen::format::Snorm16<0.0, 1.0>;
+  using weight = physgen::format::Snorm16<physgen::format::Interval{0.0, 1.0}>;
 };
 
 /// Where each field begins in the record of one Frame [bytes].
@@ -1919,22 +1918,24 @@ struct StoredFormats {
   using plain_half = physgen::format::Half<>;
   using load = physgen::format::Half<5>;
   using wide = physgen::format::Bfloat16;
-  using angle = physgen::format::Snorm16<-3.25, 3.25>;
-  using temperature = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Snorm16<273.0, 373.0>>;
+  using angle = physgen::format::Snorm16<physgen::format::Interval{-3.25, 3.25}>;
+  using temperature = physgen::PerSpace<Space, physgen::format::Native,
+                                               physgen::format::Snorm16<physgen::format::Interval{273.0, 373.0}>>;
   using stress = physgen::PerSpace<Space, physgen::format::Half<9>, physgen::format::Bfloat16>;
   using F = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Half<>>;
   using stretch = physgen::format::Half<>;
-  using spin = physgen::format::Snorm16<-8.0, 8.0>;
+  using spin = physgen::format::Snorm16<physgen::format::Interval{-8.0, 8.0}>;
   using R = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Quaternion<>>;
   using R32 = physgen::format::Quaternion<physgen::format::Float32>;
   using R64 = physgen::format::Quaternion<physgen::format::Float64>;
   using Rhalf = physgen::format::Quaternion<physgen::format::Half<>>;
   using Rbfloat = physgen::format::Quaternion<physgen::format::Bfloat16>;
-  using R16 = physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>;
-  using entries = physgen::PerSpace<Space, physgen::format::Half<>, physgen::format::Snorm16<-1.0, 1.0>>;
+  using R16 = physgen::format::Quaternion16;
+  using entries = physgen::PerSpace<Space, physgen::format::Half<>,
+                                           physgen::format::Snorm16<physgen::format::Interval{-1.0, 1.0}>>;
   using halves = physgen::format::Half<>;
   using turns = physgen::format::Quaternion<physgen::format::Half<>>;
-  using many = physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>;
+  using many = physgen::format::Quaternion16;
   using frame = FrameFormats<Space>;
   using frames = FrameFormats<Space>;
 };
@@ -2315,4 +2316,4 @@ static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physg
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_93B559F10D7D1965
+#endif  // PHYSGEN_EVERYTHING_H_FE98BE8044D2540E
