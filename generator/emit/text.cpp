@@ -65,11 +65,6 @@ model::Range steps_range(const model::Field& field) {
   return field.shape == model::Shape::rotation || !field.range ? model::Range{-1, 1} : *field.range;
 }
 
-std::string real(double value) {
-  const std::string text = number(value);
-  return text + (text.find_first_of(".e") == std::string::npos ? ".0" : "");
-}
-
 std::string encoded_type(const model::Field& field, model::Encoding encoding) {
   const std::string prefix = "physgen::format::";
   switch (encoding) {
@@ -147,6 +142,11 @@ bool initial_in_value(const model::Field& field) {
 std::string number(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string real(double value) {
+  const std::string text = number(value);
+  return text + (text.find_first_of(".e") == std::string::npos ? ".0" : "");
 }
 
 std::string stored_type(model::Element element) {

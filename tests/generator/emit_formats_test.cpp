@@ -68,7 +68,7 @@ TEST(Formats, of_nested_objects_are_those_of_their_type) {
   expect_contains(text,
                   "    physgen::field_info<physgen::shape::Scalar, typename Formats::p::x, Real>(\n"
                   "        \"p.x\", \"\", ARecord<Real, Formats>::p + ::other::PRecord<Real, typename Formats::p>::x, "
-                  "1, 0),\n");
+                  "1, 0.0),\n");
 }
 
 TEST(Formats, leave_integers_as_they_are) {

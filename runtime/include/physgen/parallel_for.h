@@ -7,6 +7,7 @@
 #include <physgen/simd_lanes.h>
 #include <physgen/space.h>
 
+#include <array>
 #include <concepts>
 
 namespace physgen {
@@ -36,6 +37,30 @@ constexpr int default_lanes() {
     }
   }
   return 1;
+}
+
+}  // namespace detail
+
+namespace detail {
+
+/// Calls kernel(i), whose exceptions `failure` keeps.
+template <class Kernel, class I>
+void call_kernel(RegionFailure& failure, const Kernel& kernel, const I& i) {
+  failure.guard([&] {
+#ifdef PHYSGEN_CHECKED
+    struct Running {
+      explicit Running(const I& index) { running_lanes = {lane_range(index), index_width(index)}; }
+      ~Running() { running_lanes = {}; }
+    } running(i);
+#endif
+    kernel(i);
+  });
+}
+
+/// The same, compiled for size: at the ends of a range.
+template <class Kernel, class I>
+[[gnu::cold, gnu::noinline]] void call_seldom(RegionFailure& failure, const Kernel& kernel, const I& i) {
+  call_kernel(failure, kernel, i);
 }
 
 }  // namespace detail
@@ -76,31 +101,18 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   static_assert(padding_objects % width == 0);
   if (begin >= end) return;
   detail::RegionFailure failure;
-  const auto call = [&](const auto& i) {
-    failure.guard([&] {
-#ifdef PHYSGEN_CHECKED
-      detail::running_lanes = {lane_range(i), width};
-#endif
-      kernel(i);
-    });
-#ifdef PHYSGEN_CHECKED
-    detail::running_lanes = {};
-#endif
-  };
-  const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
-  if constexpr (width > 1) {
-    if (begin % width != 0) with_pack<width>(begin / width * width, begin, end, call);
-  }
+  if constexpr (width == 1) {
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
-  for (index_t p = first; p < last; ++p) {
-    if constexpr (width == 1) {
-      call(p);
-    } else {
-      call(Pack<width>{p * width});
+    for (index_t i = begin; i < end; ++i) detail::call_kernel(failure, kernel, i);
+  } else {
+    const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
+#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
+    for (index_t p = first; p < last; ++p) detail::call_kernel(failure, kernel, Pack<width>{p * width});
+    // One loop, so that the kernel is compiled once for partial packs.
+    const std::array<index_t, 2> ends{begin / width, last};
+    for (std::size_t e = begin % width == 0 || ends[0] == ends[1] ? 1 : 0; e < 2; ++e) {
+      if (ends[e] * width < end) detail::call_seldom(failure, kernel, partial_pack<width>(ends[e] * width, begin, end));
     }
-  }
-  if constexpr (width > 1) {
-    if (last * width < end && last * width >= begin) with_pack<width>(last * width, begin, end, call);
   }
   failure.rethrow();
 }

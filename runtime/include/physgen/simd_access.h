@@ -146,7 +146,7 @@ class SimdCursor : protected LossSink {
     if constexpr (format::is_plain<Format, T>) {
       self().template write<T>(offset + k * int{sizeof(T)}, value);
     } else {
-      store_encoded<Format, T>(offset, k, value, self().written());
+      store_encoded<Format, T>(offset, k, value, self().written(), std::bool_constant<Derived::whole>());
     }
   }
   /// Stores the lanes whose bits are set in `lanes`.
@@ -156,9 +156,9 @@ class SimdCursor : protected LossSink {
     if constexpr (format::is_plain<Format, T>) {
       alignas(64) std::array<T, W> values;
       value.store_aligned(values.data());
-      self().write_lanes(offset + k * int{sizeof(T)}, values, lanes);
+      self().write_some_lanes(offset + k * int{sizeof(T)}, values, lanes);
     } else {
-      store_encoded<Format, T>(offset, k, value, lanes);
+      store_encoded<Format, T>(offset, k, value, lanes, std::false_type());
     }
   }
 
@@ -196,8 +196,9 @@ class SimdCursor : protected LossSink {
   static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
 
  private:
-  template <class Format, class T>
-  void store_encoded(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes) const {
+  template <class Format, class T, bool kWhole>
+  void store_encoded(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes,
+                     [[maybe_unused]] std::bool_constant<kWhole> whole) const {
     using Stored = typename Format::template Stored<T>;
     const int at = offset + k * int{sizeof(Stored)};
     alignas(64) std::array<Stored, W> stored;
@@ -211,7 +212,11 @@ class SimdCursor : protected LossSink {
       this->template count<Format, T>(at, values[lane], stored[lane], self().further(l));
     }
 #endif
-    self().write_lanes(at, stored, lanes);
+    if constexpr (kWhole) {
+      self().write_lanes(at, stored);
+    } else {
+      self().write_some_lanes(at, stored, lanes);
+    }
   }
 
   [[nodiscard]] const Derived& self() const { return static_cast<const Derived&>(*this); }
@@ -255,15 +260,19 @@ class ConsecutiveCursor : public SimdCursor<Derived, W> {
   }
 
   template <class T>
-  void write_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
+  void write_lanes(int offset, const std::array<T, W>& lanes) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
     if constexpr (Layout::contiguous(W)) {
-      if (which == Base::all_lanes) {
-        std::memcpy(address<T>(offset, 0), lanes.data(), sizeof lanes);
-        return;
-      }
+      std::memcpy(address<T>(offset, 0), lanes.data(), sizeof lanes);
+    } else {
+      PHYSGEN_UNROLL
+      for (int l = 0; l < W; ++l) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
     }
-    PHYSGEN_UNROLL
+  }
+  // A loop that stays one, and is not inlined: its code would stand at every store of a kernel, and runs seldom.
+  template <class T>
+  [[gnu::noinline]] void write_some_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
     for (int l = 0; l < W; ++l) {
       if (which >> l & 1) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
     }
@@ -285,6 +294,8 @@ class Cursor<Byte, Layout, kRecord, Pack<W>>
 
  public:
   static constexpr bool gathered = false;
+  /// Whether stores write all lanes.
+  static constexpr bool whole = true;
 
   Cursor(Byte* base, typename Layout::Pitch pitch, Pack<W> pack, Losses* losses)
       : Consecutive(base, pitch, pack.begin, losses) {}
@@ -315,7 +326,7 @@ class Cursor<Byte, Layout, kRecord, Pack<W>>
     } else {
       alignas(64) std::array<T, W> lanes;
       value.store_aligned(lanes.data());
-      this->write_lanes(offset, lanes, written());
+      this->write_lanes(offset, lanes);
     }
   }
 
@@ -352,6 +363,7 @@ class Cursor<Byte, Layout, kRecord, PartialPack<W>>
 
  public:
   static constexpr bool gathered = false;
+  static constexpr bool whole = false;
 
   Cursor(Byte* base, typename Layout::Pitch pitch, const PartialPack<W>& pack, Losses* losses)
       : Consecutive(base, pitch, pack.begin, losses), pack_(pack) {}
@@ -373,7 +385,7 @@ class Cursor<Byte, Layout, kRecord, PartialPack<W>>
   void write(int offset, const batch_t<T, W>& value) const {
     alignas(64) std::array<T, W> lanes;
     value.store_aligned(lanes.data());
-    this->write_lanes(offset, lanes, written());
+    this->write_some_lanes(offset, lanes, written());
   }
   // A loop that stays one: this runs at most twice per range, and its code stands in every kernel.
   template <class T>
@@ -397,6 +409,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
 
  public:
   static constexpr bool gathered = true;
+  static constexpr bool whole = false;
 
   Cursor(Byte* base, Pitch pitch, const xsimd::batch<U, A>& index, Losses* losses)
       : Base(losses, 0), base_(base), pitch_(pitch) {
@@ -424,7 +437,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   void write(int offset, const batch_t<T, W>& value) const {
     alignas(64) std::array<T, W> lanes;
     value.store_aligned(lanes.data());
-    write_lanes(offset, lanes, written());
+    write_some_lanes(offset, lanes, written());
   }
   template <class T>
   void read_lanes(int offset, std::array<T, W>& lanes) const {
@@ -437,7 +450,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   }
   // Lane by lane in order: of equal indices the last lane wins. Checked builds refuse them.
   template <class T>
-  void write_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
+  void write_some_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
     if constexpr (checked_build) check_distinct(which);
     for (int l = 0; l < W; ++l) {

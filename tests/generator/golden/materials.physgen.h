@@ -1,5 +1,6 @@
 // Accessor classes of the object types in materials.h. Written by physgen: change the schema, not this file.
-#pragma once
+#ifndef PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
+#define PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
 
 #include <physgen/runtime.h>
 
@@ -93,9 +94,9 @@ struct LameObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::mu, Real>(
-        "mu", "Pa", LameRecord<Real, Formats>::mu, 1, 0),
+        "mu", "Pa", LameRecord<Real, Formats>::mu, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::lambda, Real>(
-        "lambda", "Pa", LameRecord<Real, Formats>::lambda, 1, 0),
+        "lambda", "Pa", LameRecord<Real, Formats>::lambda, 1, 0.0),
   }};
   template <class Space>
   using Formats = LameFormats<physgen::Host>;
@@ -198,9 +199,9 @@ struct FibreObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::direction, float>(
-        "direction", "", FibreRecord<Real, Formats>::direction, 1, 0),
+        "direction", "", FibreRecord<Real, Formats>::direction, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::strength, double>(
-        "strength", "Pa", FibreRecord<Real, Formats>::strength, 1, 0),
+        "strength", "Pa", FibreRecord<Real, Formats>::strength, 1, 0.0),
   }};
   template <class Space>
   using Formats = FibreFormats<physgen::Host>;
@@ -220,3 +221,5 @@ static_assert(physgen::is_sound_record<FibreObject, float, FibreFormats<physgen:
 static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen::Host>>(20, 8, {8, 0}));
 
 }  // namespace material
+
+#endif  // PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
