@@ -6,11 +6,14 @@ function(physgen_give_cuda_cxx20 target)
   if(cuda_std_20 IN_LIST CMAKE_CUDA_COMPILE_FEATURES AND CMAKE_CUDA20_EXTENSION_COMPILE_OPTION)
     set_property(TARGET ${target} APPEND PROPERTY INTERFACE_COMPILE_FEATURES $<BUILD_INTERFACE:cuda_std_20>)
   elseif(NOT CMAKE_CUDA_FLAGS MATCHES "-std[= ]")
-    set(given 0)  # by CMake, to a source of a target with these properties
+    # CMake gives it where the target asks for 20, or for nothing: it then takes the standard of C++, which is 20 at least.
+    set(given 0)
+    set(standard $<TARGET_PROPERTY:CUDA_STANDARD>)
+    set(extensions $<TARGET_PROPERTY:CUDA_EXTENSIONS>)
     if(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION)
-      set(given $<STREQUAL:$<TARGET_PROPERTY:CUDA_STANDARD>,20>)
+      set(given $<OR:$<STREQUAL:${standard},>,$<STREQUAL:${standard},20>>)
     elseif(CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
-      set(given $<STREQUAL:$<TARGET_PROPERTY:CUDA_STANDARD>-$<TARGET_PROPERTY:CUDA_EXTENSIONS>,20-OFF>)
+      set(given $<OR:$<STREQUAL:${standard}-${extensions},-OFF>,$<STREQUAL:${standard}-${extensions},20-OFF>>)
     endif()
     set_property(TARGET ${target} APPEND PROPERTY INTERFACE_COMPILE_OPTIONS
       $<BUILD_INTERFACE:$<$<AND:$<COMPILE_LANGUAGE:CUDA>,$<NOT:${given}>>:-std=c++20>>)

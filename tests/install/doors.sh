@@ -35,8 +35,9 @@ case $rule in
 set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)' >"$work/later.cmake"
     must_configure later cuda "-DCMAKE_USER_MAKE_RULES_OVERRIDE_CUDA=$work/later.cmake"
     must_configure flags cuda -DCMAKE_CUDA_FLAGS=-std=c++20
-    for by in build later flags; do
-      given=$(grep -o -- '-std=[^ ]*' "$work/$by/compile_commands.json" | tr '\n' ' ')
+    must_configure subdirectory cuda_subdirectory "-DPHYSGEN=$source" -DPHYSGEN_GENERATOR=OFF
+    for by in build later flags subdirectory; do
+      given=$(grep '"command".*springs\.cu' "$work/$by/compile_commands.json" | grep -o -- '-std=[^ ]*' | tr '\n' ' ')
       [[ $given == '-std=c++20 ' ]] || fail "nvcc is given '$given' in the folder $by, expected: -std=c++20, once"
     done
     build build
