@@ -60,13 +60,17 @@ class Accepted:
 
 
 def choose(accepted, random, most=50):
-    """Up to `most` schemas whose namespaces differ and that are not too large together; at least one."""
+    """Up to `most` schemas whose namespaces differ and that are not too large together; sometimes one that alone is."""
+    fits = [schema for schema in accepted if schema.bytes <= LARGEST_PROGRAM and len(schema.objects) <= MOST_OBJECTS]
+    large = [schema for schema in accepted if schema not in fits]
+    if large and (not fits or random.random() < 0.1):
+        return [random.choice(large)]
     chosen, namespaces, size, objects = [], set(), 0, 0
-    for schema in random.sample(accepted, len(accepted)):
+    for schema in random.sample(fits, len(fits)):
         if len(chosen) == most:
             break
         too_large = size + schema.bytes > LARGEST_PROGRAM or objects + len(schema.objects) > MOST_OBJECTS
-        if schema.namespaces & namespaces or (chosen and too_large):
+        if schema.namespaces & namespaces or too_large:
             continue
         chosen.append(schema)
         namespaces |= schema.namespaces
