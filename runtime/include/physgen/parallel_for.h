@@ -26,7 +26,8 @@ template <class Kernel>
 constexpr int default_lanes() {
   static_assert(
       requires { typename Kernel::Scalar; },
-      "parallel_for() must know whether this kernel takes packs: give a function object a member type, "
+      "parallel_for() and parallel_reduce() must know whether this kernel takes packs: give a function object a member "
+      "type, "
       "`using Scalar = typename View::Precision;`; write over<float>(lambda) for a generic lambda; or "
       "parallel_for<1>(...), which calls it with one object at a time");
   if constexpr (requires { typename Kernel::Scalar; }) {
@@ -59,6 +60,21 @@ class RegionFailure {
  private:
   std::exception_ptr failure_;
 };
+
+/// Calls work(), which calls a kernel with i, keeps what it throws, and tells checked builds which lanes are called
+/// for.
+template <int kWidth, class I, class Work>
+void call_guarded([[maybe_unused]] const I& i, RegionFailure& failure, const Work& work) {
+  failure.guard([&] {
+#ifdef PHYSGEN_CHECKED
+    running_lanes = {lane_range(i), kWidth};
+#endif
+    work();
+  });
+#ifdef PHYSGEN_CHECKED
+  running_lanes = {};
+#endif
+}
 
 }  // namespace detail
 
@@ -98,17 +114,7 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   static_assert(padding_objects % width == 0);
   if (begin >= end) return;
   detail::RegionFailure failure;
-  const auto call = [&](const auto& i) {
-    failure.guard([&] {
-#ifdef PHYSGEN_CHECKED
-      detail::running_lanes = {lane_range(i), width};
-#endif
-      kernel(i);
-    });
-#ifdef PHYSGEN_CHECKED
-    detail::running_lanes = {};
-#endif
-  };
+  const auto call = [&](const auto& i) { detail::call_guarded<width>(i, failure, [&] { kernel(i); }); };
   const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
   if constexpr (width > 1) {
     if (begin % width != 0) with_pack<width>(begin / width * width, begin, end, call);
