@@ -27,7 +27,8 @@ template <class Kernel>
 constexpr int default_lanes() {
   static_assert(
       requires { typename Kernel::Scalar; },
-      "parallel_for() must know whether this kernel takes packs: give a function object a member type, "
+      "parallel_for() and parallel_reduce() must know whether this kernel takes packs: give a function object a member "
+      "type, "
       "`using Scalar = typename View::Precision;`; write over<float>(lambda) for a generic lambda; or "
       "parallel_for<1>(...), which calls it with one object at a time");
   if constexpr (requires { typename Kernel::Scalar; }) {
@@ -43,9 +44,9 @@ constexpr int default_lanes() {
 
 namespace detail {
 
-/// Calls kernel(i), whose exceptions `failure` keeps.
-template <class Kernel, class I>
-void call_kernel(RegionFailure& failure, const Kernel& kernel, const I& i) {
+/// Calls work(), which calls a kernel with i; keeps what it throws, and tells checked builds which lanes it is for.
+template <class I, class Work>
+void call_guarded([[maybe_unused]] const I& i, RegionFailure& failure, const Work& work) {
   failure.guard([&] {
 #ifdef PHYSGEN_CHECKED
     struct Running {
@@ -53,14 +54,14 @@ void call_kernel(RegionFailure& failure, const Kernel& kernel, const I& i) {
       ~Running() { running_lanes = {}; }
     } running(i);
 #endif
-    kernel(i);
+    work();
   });
 }
 
-/// The same, compiled for size: at the ends of a range.
+/// Calls kernel(i), compiled for size: at the ends of a range.
 template <class Kernel, class I>
 [[gnu::cold, gnu::noinline]] void call_seldom(RegionFailure& failure, const Kernel& kernel, const I& i) {
-  call_kernel(failure, kernel, i);
+  call_guarded(i, failure, [&] { kernel(i); });
 }
 
 }  // namespace detail
@@ -103,11 +104,14 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   detail::RegionFailure failure;
   if constexpr (width == 1) {
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
-    for (index_t i = begin; i < end; ++i) detail::call_kernel(failure, kernel, i);
+    for (index_t i = begin; i < end; ++i) detail::call_guarded(i, failure, [&] { kernel(i); });
   } else {
     const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
-    for (index_t p = first; p < last; ++p) detail::call_kernel(failure, kernel, Pack<width>{p * width});
+    for (index_t p = first; p < last; ++p) {
+      const Pack<width> pack{p * width};
+      detail::call_guarded(pack, failure, [&] { kernel(pack); });
+    }
     // One loop, so that the kernel is compiled once for partial packs.
     const std::array<index_t, 2> ends{begin / width, last};
     for (std::size_t e = begin % width == 0 || ends[0] == ends[1] ? 1 : 0; e < 2; ++e) {

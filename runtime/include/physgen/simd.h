@@ -8,6 +8,7 @@
 #endif
 
 #include <physgen/math.h>
+#include <physgen/simd_functions.h>
 #include <physgen/simd_masks.h>
 
 #include <Eigen/Core>

@@ -3,6 +3,7 @@
 
 #include <physgen/lanes.h>
 #include <physgen/simd_access.h>
+#include <physgen/simd_casts.h>
 
 namespace physgen {
 
@@ -10,25 +11,6 @@ namespace detail {
 
 template <class I>
 concept AnyPack = std::same_as<I, Pack<I::width>> || std::same_as<I, PartialPack<I::width>>;
-
-/// Bit l is lane l of a mask.
-template <class T, class A>
-[[nodiscard]] std::uint64_t bits_of(const xsimd::batch_bool<T, A>& mask) {
-  constexpr std::size_t width = xsimd::batch_bool<T, A>::size;
-  alignas(64) std::array<bool, width> lanes;
-  mask.store_unaligned(lanes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t l = 0; l < width; ++l) bits |= std::uint64_t{lanes[l]} << l;
-  return bits;
-}
-
-/// 0, 1, 2, ... as lanes of T.
-template <class T, int W>
-[[nodiscard]] batch_t<T, W> counting() {
-  alignas(64) std::array<T, W> lanes;
-  for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = static_cast<T>(l);
-  return batch_t<T, W>::load_aligned(lanes.data());
-}
 
 }  // namespace detail
 
