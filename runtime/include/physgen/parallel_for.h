@@ -4,6 +4,7 @@
 #include <physgen/add.h>
 #include <physgen/layout.h>
 #include <physgen/simd_lanes.h>
+#include <physgen/simd_rows.h>
 #include <physgen/space.h>
 
 #include <concepts>
