@@ -17,7 +17,8 @@ struct RowVisit {
   static_assert(std::is_integral_v<I>, "rows of packs need <physgen/parallel_for.h>; a gathered index has no rows");
 
   template <class T, class Ranges, class Entries, class Body>
-  [[gnu::flatten]] PHYSGEN_FUNCTION static void each(const Ranges& ranges, const Entries& entries, I i, const Body& body) {
+  [[gnu::flatten]] PHYSGEN_FUNCTION static void each(const Ranges& ranges, const Entries& entries, I i,
+                                                     const Body& body) {
     const auto range = ranges[i];
     const index_t begin = range.begin(), end = range.end();
     for (index_t k = begin; k < end; ++k) body(entries[k], true);
@@ -112,13 +113,13 @@ class Rows {
     using Sum = typename detail::Summand<Value>::type;
     using T = typename detail::NumberOf<typename detail::Summand<Value>::Scalar>::type;
     Sum sum = total;
-    for_each<T>(i, [&](const auto& entry, const auto& active) {
-      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(active)>, bool>) {
-        sum = step(std::as_const(sum), entry);
-      } else {
+    if constexpr (std::is_integral_v<I>) {
+      for_each<T>(i, [&](const auto& entry, bool /*active*/) { sum = step(std::as_const(sum), entry); });
+    } else {
+      for_each<T>(i, [&](const auto& entry, const auto& active) {
         detail::RowVisit<I>::replace_where(active, sum, Sum(step(std::as_const(sum), entry)));
-      }
-    });
+      });
+    }
     return sum;
   }
 
