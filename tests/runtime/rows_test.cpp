@@ -115,6 +115,16 @@ TEST(RowArrays, of_one_set_follow_its_order_on_both_sides) {
   }
 }
 
+TEST(Rows, show_entries_that_are_not_written) {
+  Rows rows = Rows::from_lists({"element", 5}, std::vector<std::vector<Entry>>{{{0, 0}, {4, 7}}});
+  std::int32_t last = 0;
+  rows.view().for_each(0, [&](const auto& entry, bool /*active*/) {
+    static_assert(std::is_same_v<decltype(entry.local()), const std::int32_t&>);
+    last = entry.local();
+  });
+  EXPECT_EQ(last, 7);
+}
+
 TEST(Rows, tell_a_kernel_that_was_given_those_of_other_sets) {
   const Rows rows = Rows::from_lists({"element", 5}, std::vector<std::vector<Entry>>(3));
   rows.view().require("Gather: node_tets", 3, 5);

@@ -25,6 +25,13 @@ struct RowVisit {
   }
 };
 
+/// The same objects, to be read.
+template <class Object, class Real, class Layout, class Formats, class Space>
+[[nodiscard]] PHYSGEN_FUNCTION View<Object, const Real, Layout, Formats, Space> read_only(
+    const View<Object, Real, Layout, Formats, Space>& view) {
+  return view;
+}
+
 /// What is summed: a number, or a matrix of numbers. Eigen's expressions, such as Zero(), stand for one.
 template <class Value>
 struct Summand {
@@ -96,13 +103,14 @@ class Rows {
   }
 
   /// Calls body(entry, active) for each entry of row(s) i: for one object as often as its row has entries; for a pack
-  /// as often as the longest row of its objects has. `entry` is the reference that view[k] gives, and `active` says
-  /// which lanes it belongs to: `true`, or a mask of lanes_t<T, I>. A lane that is not active, since its row has ended
-  /// or since it is no object of the kernel's range, is shown an entry of an active one. So everything that is read
-  /// exists, and what a body stores or adds depends on `active`: `add(i, view[j].m(), select(active, value, S(0)))`.
+  /// as often as the longest row of its objects has. `entry` is the reference that a read-only view[k] gives, and
+  /// `active` says which lanes it belongs to: `true`, or a mask of lanes_t<T, I>. A lane that is not active, since its
+  /// row has ended or since it is no object of the kernel's range, is shown an entry of an active one. So everything
+  /// that is read exists, and what a body adds depends on `active`: `add(i, view[j].m(), select(active, m, S(0)))`.
+  /// (Entries are written by kernels over entries, where no two lanes are one.)
   template <class T = Precision, class I, class Body>
   PHYSGEN_FUNCTION void for_each(const I& i, const Body& body) const {
-    detail::RowVisit<I>::template each<T>(ranges_, entries_, i, body);
+    detail::RowVisit<I>::template each<T>(ranges_, detail::read_only(entries_), i, body);
   }
 
   /// For each entry of row(s) i, in their order: total = step(total, entry). Lanes whose rows have ended keep theirs.
