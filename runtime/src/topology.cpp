@@ -8,6 +8,7 @@
 #include "backend.h"
 #include "backend_topology.h"
 #include "describe.h"
+#include "index_field.h"
 
 namespace physgen {
 
@@ -64,17 +65,6 @@ void renumber_on_host(const Storage& storage, const FieldInfo& field, const deta
   for (index_t i = 0; i < storage.size; ++i) {
     detail::renumber_object(address, field.offset, field.count, numbers, i);
   }
-}
-
-const FieldInfo& find_index_field(const Storage& storage, std::string_view name) {
-  std::string fields_of_indices;
-  for (const FieldInfo& field : storage.fields) {
-    if (field.type != ElementType::int32) continue;
-    if (field.name == name) return field;
-    fields_of_indices += " " + std::string(field.name);
-  }
-  throw Error(describe(storage) + ": there is no field of indices \"" + std::string(name) + "\"; " +
-              (fields_of_indices.empty() ? "the object has none" : "there are:" + fields_of_indices));
 }
 
 // Says which index of object i it is that has no new number.
@@ -163,7 +153,7 @@ void insert(const Storage& to, index_t begin, const Storage& from) {
 }  // namespace detail
 
 void renumber(const Storage& storage, std::string_view field_name, std::span<const index_t> new_number) {
-  const FieldInfo& field = find_index_field(storage, field_name);
+  const FieldInfo& field = detail::find_index_field(storage, field_name);
   if (storage.size == 0) return;
   detail::wait_for(std::span(&storage, 1));
   const bool on_host = host_accessible(storage.space);

@@ -100,6 +100,7 @@ class KernelScene {
   using Array = physgen::Array<Object, Real, Space, Layout>;
   template <class Object>
   using HostArray = physgen::Array<Object, Real, Host, Aos>;
+  using Incidences = RowArrays<Array<elasticity::IncidenceRangeObject>, Array<elasticity::IncidenceObject>>;
   static constexpr Real eps = std::numeric_limits<Real>::epsilon();
 
   /// @param cells an odd count makes neither tets nor nodes a multiple of a pack
@@ -118,9 +119,9 @@ class KernelScene {
     HostArray<elasticity::EdgeObject> host_edges(count(cube.mesh.edges));
     store_edges(cube.mesh, host_edges.view());
     upload(edges, host_edges);
-    upload_list(cube.mesh.node_tets, node_tets, node_tet_entries);
-    upload_list(cube.mesh.node_edges, node_edges, node_edge_entries);
-    upload_list(cube.mesh.edge_tets, edge_tets, edge_tet_entries);
+    node_tets = incidence_rows<Incidences>(cube.mesh.node_tets, tets.size());
+    node_edges = incidence_rows<Incidences>(cube.mesh.node_edges, edges.size());
+    edge_tets = incidence_rows<Incidences>(cube.mesh.edge_tets, tets.size());
 
     reference::Random random(77);
     HostArray<elasticity::NodeDisplacementObject> host_dx(nodes());
@@ -161,20 +162,16 @@ class KernelScene {
     run(n, DpFromDf{svd.const_view(), derivative.const_view(), gradient_differential.const_view(),
                     stress_differential.view()});
     run(n, ComputeCornerForces{rest.const_view(), stress.const_view(), corner_forces.view()});
-    run(nodes(),
-        GatherForces{node_tets.const_view(), node_tet_entries.const_view(), corner_forces.const_view(), forces.view()});
+    run(nodes(), GatherForces{node_tets.const_view(), corner_forces.const_view(), forces.view()});
     run(n, ComputeTetStiffness{rest.const_view(), svd.const_view(), derivative.const_view(), tet_stiffness.view()});
-    run(nodes(), GatherNodeStiffness{node_tets.const_view(), node_tet_entries.const_view(), tet_stiffness.const_view(),
-                                     node_stiffness.view()});
-    run(edges.size(), GatherEdgeStiffness{edge_tets.const_view(), edge_tet_entries.const_view(),
-                                          tet_stiffness.const_view(), edge_stiffness.view()});
+    run(nodes(), GatherNodeStiffness{node_tets.const_view(), tet_stiffness.const_view(), node_stiffness.view()});
+    run(edges.size(), GatherEdgeStiffness{edge_tets.const_view(), tet_stiffness.const_view(), edge_stiffness.view()});
     run(nodes(), ForceDifferential{node_stiffness.const_view(), edge_stiffness.const_view(), edges.const_view(),
-                                   node_edges.const_view(), node_edge_entries.const_view(), displacements.const_view(),
-                                   assembled.view()});
+                                   node_edges.const_view(), displacements.const_view(), assembled.view()});
     run(n, ComputeCornerForceDifferentials{tets.const_view(), displacements.const_view(), rest.const_view(),
                                            svd.const_view(), derivative.const_view(), corner_differentials.view()});
-    run(nodes(), GatherForceDifferentials{node_tets.const_view(), node_tet_entries.const_view(),
-                                          corner_differentials.const_view(), matrix_free.view()});
+    run(nodes(),
+        GatherForceDifferentials{node_tets.const_view(), corner_differentials.const_view(), matrix_free.view()});
   }
 
   /// A host copy to look into: download(array).view()[i].
@@ -188,8 +185,7 @@ class KernelScene {
   TruthCube cube;  ///< scaled to a side of 1 and rounded to Real
   Array<elasticity::TetObject> tets;
   Array<elasticity::EdgeObject> edges;
-  Array<elasticity::IncidenceRangeObject> node_tets, node_edges, edge_tets;
-  Array<elasticity::IncidenceObject> node_tet_entries, node_edge_entries, edge_tet_entries;
+  Incidences node_tets, node_edges, edge_tets;
   Array<elasticity::NodePositionObject> rest_positions, positions;
   Array<elasticity::NodeDisplacementObject> displacements;
   Array<elasticity::RestShapeObject> rest;
@@ -218,15 +214,6 @@ class KernelScene {
     HostArray<Object> host(size);
     std::memset(static_cast<void*>(host.view().data()), 0xff, static_cast<std::size_t>(size * host.record_bytes));
     upload(array, host);
-  }
-
-  void upload_list(const IncidenceList& list, Array<elasticity::IncidenceRangeObject>& ranges,
-                   Array<elasticity::IncidenceObject>& entries) {
-    HostArray<elasticity::IncidenceRangeObject> host_ranges(static_cast<index_t>(list.first.size()) - 1);
-    HostArray<elasticity::IncidenceObject> host_entries(static_cast<index_t>(list.entries.size()));
-    store_incidences(list, host_ranges.view(), host_entries.view());
-    upload(ranges, host_ranges);
-    upload(entries, host_entries);
   }
 
   template <class Function>

@@ -31,5 +31,33 @@ TEST(KernelsOverPacks, compute_what_they_compute_over_single_objects) {
   }
 }
 
+TEST(KernelsOverRows, refuse_lists_of_other_sets) {
+  KernelScene<Case<float, Aosoa<16>, NeoHookean>> scene(3);
+  const auto expect_refused = [](const auto& make, const std::string& name) {
+    try {
+      make();
+      FAIL() << name << " took rows of another set";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+  };
+  const auto tets = scene.node_tets.const_view(), edges = scene.node_edges.const_view();
+  const auto forces = scene.corner_forces.const_view();
+  expect_refused([&] { GatherForces(edges, forces, scene.forces.view()); }, "GatherForces: node_tets");
+  expect_refused([&] { GatherForceDifferentials(edges, forces, scene.matrix_free.view()); },
+                 "GatherForceDifferentials: node_tets");
+  const auto stiffness = scene.tet_stiffness.const_view();
+  expect_refused([&] { GatherNodeStiffness(edges, stiffness, scene.node_stiffness.view()); },
+                 "GatherNodeStiffness: node_tets");
+  expect_refused([&] { GatherEdgeStiffness(tets, stiffness, scene.edge_stiffness.view()); },
+                 "GatherEdgeStiffness: edge_tets");
+  expect_refused(
+      [&] {
+        ForceDifferential(scene.node_stiffness.const_view(), scene.edge_stiffness.const_view(),
+                          scene.edges.const_view(), tets, scene.displacements.const_view(), scene.assembled.view());
+      },
+      "ForceDifferential: node_edges");
+}
+
 }  // namespace
 }  // namespace physgen::fem

@@ -9,36 +9,45 @@
 namespace physgen::fem {
 
 /// df(v) = K_v dx(v) + sum over the edges of v of E dx(n), where v is m, and E^T dx(m), where v is n.
-template <class NodeStiffnessView, class EdgeStiffnessView, class EdgeView, class RangeView, class IncidenceView,
-          class DisplacementView, class DifferentialView>
+template <class NodeStiffnessView, class EdgeStiffnessView, class EdgeView, class NodeEdges, class DisplacementView,
+          class DifferentialView>
 struct ForceDifferential {
   using Scalar = typename DifferentialView::Precision;
   NodeStiffnessView node_stiffness;  ///< elasticity::NodeStiffness
   EdgeStiffnessView edge_stiffness;  ///< elasticity::EdgeStiffness
   EdgeView edges;                    ///< elasticity::Edge
-  RangeView node_edges;              ///< elasticity::IncidenceRange of each node, into:
-  IncidenceView incidences;          ///< elasticity::Incidence: edge, side
+  NodeEdges node_edges;              ///< Rows of elasticity::Incidence: edge, side
   DisplacementView displacements;    ///< elasticity::NodeDisplacement
   DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
 
+  /// @throw Error when there is not a row for each node, or rows do not name these edges
+  ForceDifferential(const NodeStiffnessView& node_blocks, const EdgeStiffnessView& edge_blocks,
+                    const EdgeView& edge_nodes, const NodeEdges& rows, const DisplacementView& dx,
+                    const DifferentialView& sums)
+      : node_stiffness(node_blocks),
+        edge_stiffness(edge_blocks),
+        edges(edge_nodes),
+        node_edges(rows),
+        displacements(dx),
+        differentials(sums) {
+    node_edges.require("ForceDifferential: node_edges", differentials.size(), edges.size());
+  }
+
   PHYSGEN_FUNCTION void operator()(index_t node) const {
-    const index_t begin = node_edges[node].begin(), end = node_edges[node].end();
+    using Vector = Vector3<Scalar>;
     const Matrix3<Scalar> K = node_stiffness[node].K();
-    const Vector3<Scalar> own = displacements[node].dx();
-    Vector3<Scalar> sum = multiply_add<Scalar>(K, own, Vector3<Scalar>::Zero());
-    for (index_t k = begin; k < end; ++k) {
-      const index_t edge = incidences[k].element();
-      const int side = incidences[k].local();
+    const Vector own = displacements[node].dx();
+    const auto add_edge = [&](const Vector& sum, const auto& incidence) -> Vector {
+      const index_t edge = incidence.element();
+      const int side = incidence.local();
       const index_t other = edges[edge].nodes()[1 - side];
       const Matrix3<Scalar> E = edge_stiffness[edge].E();
-      const Vector3<Scalar> dx = displacements[other].dx();
-      sum = side == 0 ? multiply_add<Scalar>(E, dx, sum) : transpose_multiply_add<Scalar>(E, dx, sum);
-    }
-    differentials[node].df() = sum;
+      const Vector dx = displacements[other].dx();
+      return side == 0 ? multiply_add<Scalar>(E, dx, sum) : transpose_multiply_add<Scalar>(E, dx, sum);
+    };
+    differentials[node].df() = node_edges.fold(node, multiply_add<Scalar>(K, own, Vector::Zero()), add_edge);
   }
 };
-template <class... Views>
-ForceDifferential(Views...) -> ForceDifferential<Views...>;
 
 /// dG = -volume dP(Ds(dx) Dm^-1) Dm^-T [N]: the element form, before its sum at the nodes.
 template <class TetView, class DisplacementView, class RestView, class SvdView, class DerivativeView, class CornerView>
@@ -69,19 +78,22 @@ template <class... Views>
 ComputeCornerForceDifferentials(Views...) -> ComputeCornerForceDifferentials<Views...>;
 
 /// df(node) = sum over its tets.
-template <class RangeView, class IncidenceView, class CornerView, class NodeView>
+template <class NodeTets, class CornerView, class NodeView>
 struct GatherForceDifferentials {
   using Scalar = typename NodeView::Precision;
-  RangeView node_tets;       ///< elasticity::IncidenceRange of each node, into:
-  IncidenceView incidences;  ///< elasticity::Incidence: tet, corner
+  NodeTets node_tets;        ///< Rows of elasticity::Incidence: tet, corner
   CornerView differentials;  ///< elasticity::CornerForces: their change
   NodeView nodes;            ///< elasticity::NodeForceDifferential, written
 
+  /// @throw Error when there is not a row for each node, or rows do not name these tets
+  GatherForceDifferentials(const NodeTets& rows, const CornerView& changes, const NodeView& sums)
+      : node_tets(rows), differentials(changes), nodes(sums) {
+    node_tets.require("GatherForceDifferentials: node_tets", nodes.size(), differentials.size());
+  }
+
   PHYSGEN_FUNCTION void operator()(index_t node) const {
-    nodes[node].df() = detail::gather_corners<Scalar>(node_tets, incidences, differentials, node);
+    nodes[node].df() = detail::gather_corners<Scalar>(node_tets, differentials, node);
   }
 };
-template <class... Views>
-GatherForceDifferentials(Views...) -> GatherForceDifferentials<Views...>;
 
 }  // namespace physgen::fem

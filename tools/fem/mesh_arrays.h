@@ -2,9 +2,10 @@
 #pragma once
 
 #include <fem/mesh.h>
-#include <physgen/config.h>
+#include <physgen/row_arrays.h>
 
 #include <span>
+#include <vector>
 
 namespace physgen::fem {
 
@@ -36,6 +37,18 @@ void store_incidences(const IncidenceList& list, const RangeView& ranges, const 
     incidences[static_cast<index_t>(k)].element() = list.entries[k].element;
     incidences[static_cast<index_t>(k)].local() = list.entries[k].local;
   }
+}
+
+/// An incidence list as rows for kernels.
+/// @tparam Arrays RowArrays of elasticity::Incidence, in any space
+/// @param targets how many elements there are: tets, or edges
+/// @throw Error when the list names an element that is none of them
+template <class Arrays>
+[[nodiscard]] Arrays incidence_rows(const IncidenceList& list, index_t targets) {
+  std::vector<typename Arrays::Value> entries;
+  entries.reserve(list.entries.size());
+  for (const auto [element, local] : list.entries) entries.push_back({element, local});
+  return Arrays::from_offsets({"element", targets}, list.first, entries);
 }
 
 /// Stores node positions [m], rounded to the view's precision. @pre a host view of points.size()

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fem/scalar.h>
-#include <physgen/pack.h>
+#include <physgen/rows.h>
 
 namespace physgen::fem {
 
@@ -94,52 +94,49 @@ template <class... Views>
 ComputeTetStiffness(Views...) -> ComputeTetStiffness<Views...>;
 
 /// K(node) = sum of its corners' blocks over its tets.
-template <class RangeView, class IncidenceView, class TetStiffnessView, class NodeStiffnessView>
+template <class NodeTets, class TetStiffnessView, class NodeStiffnessView>
 struct GatherNodeStiffness {
   using Scalar = typename NodeStiffnessView::Precision;
-  RangeView node_tets;         ///< elasticity::IncidenceRange of each node, into:
-  IncidenceView incidences;    ///< elasticity::Incidence: tet, corner
+  NodeTets node_tets;          ///< Rows of elasticity::Incidence: tet, corner
   TetStiffnessView stiffness;  ///< elasticity::TetStiffness
   NodeStiffnessView nodes;     ///< elasticity::NodeStiffness, written
 
+  /// @throw Error when there is not a row for each node, or rows do not name these tets
+  GatherNodeStiffness(const NodeTets& rows, const TetStiffnessView& tets, const NodeStiffnessView& sums)
+      : node_tets(rows), stiffness(tets), nodes(sums) {
+    node_tets.require("GatherNodeStiffness: node_tets", nodes.size(), stiffness.size());
+  }
+
   PHYSGEN_FUNCTION void operator()(index_t node) const {
-    const index_t begin = node_tets[node].begin(), end = node_tets[node].end();
-    Matrix3<Scalar> sum = Matrix3<Scalar>::Zero();
-    for (index_t k = begin; k < end; ++k) {
-      const int corner = incidences[k].local();
-      sum += stiffness[index_t{incidences[k].element()}].k(corner).get();
-    }
-    nodes[node].K() = sum;
+    nodes[node].K() = node_tets.sum(node, Matrix3<Scalar>::Zero(), [&](const auto& incidence) -> Matrix3<Scalar> {
+      const int corner = incidence.local();
+      return stiffness[index_t{incidence.element()}].k(corner);
+    });
   }
 };
-template <class... Views>
-GatherNodeStiffness(Views...) -> GatherNodeStiffness<Views...>;
 
 /// E(m, n) = df(m)/dx(n): sum over the tets of the edge; local edges from 6 on run from n to m and are transposed.
-template <class RangeView, class IncidenceView, class TetStiffnessView, class EdgeStiffnessView>
+template <class EdgeTets, class TetStiffnessView, class EdgeStiffnessView>
 struct GatherEdgeStiffness {
   using Scalar = typename EdgeStiffnessView::Precision;
-  RangeView edge_tets;         ///< elasticity::IncidenceRange of each edge, into:
-  IncidenceView incidences;    ///< elasticity::Incidence: tet, local edge + 6 if flipped
+  EdgeTets edge_tets;          ///< Rows of elasticity::Incidence: tet, local edge + 6 if flipped
   TetStiffnessView stiffness;  ///< elasticity::TetStiffness
   EdgeStiffnessView edges;     ///< elasticity::EdgeStiffness, written
 
+  /// @throw Error when there is not a row for each edge, or rows do not name these tets
+  GatherEdgeStiffness(const EdgeTets& rows, const TetStiffnessView& tets, const EdgeStiffnessView& sums)
+      : edge_tets(rows), stiffness(tets), edges(sums) {
+    edge_tets.require("GatherEdgeStiffness: edge_tets", edges.size(), stiffness.size());
+  }
+
   PHYSGEN_FUNCTION void operator()(index_t edge) const {
-    const index_t begin = edge_tets[edge].begin(), end = edge_tets[edge].end();
-    Matrix3<Scalar> sum = Matrix3<Scalar>::Zero();
-    for (index_t k = begin; k < end; ++k) {
-      const int local = incidences[k].local();
-      const auto tet = stiffness[index_t{incidences[k].element()}];
-      if (local < 6) {
-        sum += tet.e(local).get();
-      } else {
-        sum += tet.e(local - 6).get().transpose();
-      }
-    }
-    edges[edge].E() = sum;
+    edges[edge].E() = edge_tets.sum(edge, Matrix3<Scalar>::Zero(), [&](const auto& incidence) -> Matrix3<Scalar> {
+      const int local = incidence.local();
+      const auto tet = stiffness[index_t{incidence.element()}];
+      if (local < 6) return tet.e(local);
+      return tet.e(local - 6).get().transpose();
+    });
   }
 };
-template <class... Views>
-GatherEdgeStiffness(Views...) -> GatherEdgeStiffness<Views...>;
 
 }  // namespace physgen::fem

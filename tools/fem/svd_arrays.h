@@ -28,22 +28,16 @@ void check_size(const Array& array, const char* name, index_t expected) {
               std::to_string(expected) + "; resize it first");
 }
 
-template <class Array>
-struct ArrayTraits;
-template <class Object, class Real, class Space_, class Layout>
-struct ArrayTraits<Array<Object, Real, Space_, Layout>> {
-  using Space = Space_;
-  using Precision = Real;
-};
-
 template <class Gradients, class Part>
 constexpr bool goes_with() {
   using Plain = std::remove_cvref_t<Part>;
   if constexpr (std::is_same_v<Plain, Skip>) {
     return true;
   } else {
-    return std::is_same_v<typename ArrayTraits<Plain>::Space, typename ArrayTraits<Gradients>::Space> &&
-           std::is_same_v<typename ArrayTraits<Plain>::Precision, typename ArrayTraits<Gradients>::Precision>;
+    using PartView = typename Plain::View;
+    using View = typename Gradients::View;
+    return std::is_same_v<typename PartView::Space, typename View::Space> &&
+           std::is_same_v<typename PartView::Precision, typename View::Precision>;
   }
 }
 
@@ -51,7 +45,7 @@ constexpr bool goes_with() {
 
 /// F = U diag(s) V^T for each object; see svd(A) for what is guaranteed. On CUDA it runs in the default stream and does
 /// not wait; for another stream, run the kernel ComputeSvdParts.
-/// @param F array of any generated type whose only field is a Matrix<3, 3>, in any layout
+/// @param F array of any generated type whose only field is a Matrix<3, 3>, in any layout and format
 /// @param U, V arrays of types whose only field is a Rotation or Matrix<3, 3>, written; or `skip`
 /// @param s array of a type whose only field is a Diagonal<3> or Vector<3>, written; or `skip`
 /// @tparam kSweeps see svd(A)
@@ -62,7 +56,7 @@ void svd(const Gradients& F, Left&& U, Stretches&& s, Right&& V) {
   static_assert(detail::goes_with<Gradients, Left>() && detail::goes_with<Gradients, Stretches>() &&
                     detail::goes_with<Gradients, Right>(),
                 "svd(F, U, s, V): all arrays have the space and the precision of F");
-  using Space = typename detail::ArrayTraits<Gradients>::Space;
+  using Space = typename Gradients::View::Space;
   using Where = std::conditional_t<Space::kind == SpaceKind::cuda, Cuda, Host>;
   detail::check_size(U, "U", F.size());
   detail::check_size(s, "s", F.size());

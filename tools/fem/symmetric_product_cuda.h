@@ -9,22 +9,6 @@ namespace physgen::fem {
 
 namespace detail {
 
-/// Adds to three numbers in memory: as one vector where the hardware can and there is a fourth number beside them.
-template <bool kPadded, class S>
-__device__ inline void add_atomically(S* to, const Vector3<S>& value) {
-#if __CUDA_ARCH__ >= 900
-  if constexpr (kPadded && sizeof(S) == 4) {
-    asm volatile("red.global.add.v4.f32 [%0], {%1, %2, %3, %4};"
-                 :
-                 : "l"(to), "f"(value[0]), "f"(value[1]), "f"(value[2]), "f"(0.0F)
-                 : "memory");
-  } else
-#endif
-  {
-    for (int k = 0; k < 3; ++k) atomicAdd(to + k, value[k]);
-  }
-}
-
 template <class Product>
 struct WriteNodeContributions {
   Product product;
@@ -38,8 +22,6 @@ struct WriteNodeContributions {
 template <class Product>
 __global__ void add_edges(const Product product, index_t edges) {
   using S = typename Product::Scalar;
-  using Layout = typename decltype(Product::differentials)::Layout;
-  constexpr bool padded = std::is_same_v<Layout, AosPadded>;
   constexpr unsigned all = 0xffffffffU;
   const index_t i = blockIdx.x * index_t{blockDim.x} + threadIdx.x;
   const int lane = static_cast<int>(threadIdx.x % 32);
@@ -50,7 +32,7 @@ __global__ void add_edges(const Product product, index_t edges) {
     const auto ends = product.edges[i].nodes();
     m = ends[0];
     sum = contribution.to_m;
-    add_atomically<padded>(&product.differentials[ends[1]].df()[0], contribution.to_n);
+    add(i, product.differentials[ends[1]].df(), contribution.to_n);
   }
 #pragma unroll
   for (int distance = 1; distance < 32; distance *= 2) {
@@ -63,7 +45,7 @@ __global__ void add_edges(const Product product, index_t edges) {
     }
   }
   const int before = __shfl_up_sync(all, m, 1);
-  if (i < edges && (lane == 0 || before != m)) add_atomically<padded>(&product.differentials[m].df()[0], sum);
+  if (i < edges && (lane == 0 || before != m)) add(i, product.differentials[m].df(), sum);
 }
 
 constexpr int nodes_per_block = 32;

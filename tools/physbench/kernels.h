@@ -166,9 +166,9 @@ struct GatherForces {
   static double bytes(const MeshSizes& n, double real) {
     return incidence_bytes(n.nodes, 4 * n.tets) + n.tets * 9 * real + n.nodes * 3 * real;
   }
-  template <class Real, class... View>
-  static auto make(const View&... view) {
-    return fem::GatherForces{view...};
+  template <class Real>
+  static auto make(const auto& ranges, const auto& entries, const auto& forces, const auto& out) {
+    return fem::GatherForces{Rows{ranges, entries, forces.size()}, forces, out};
   }
 };
 
@@ -191,9 +191,9 @@ struct NodeStiffness {
   static double bytes(const MeshSizes& n, double real) {
     return incidence_bytes(n.nodes, 4 * n.tets) + n.tets * 24 * real + n.nodes * 6 * real;
   }
-  template <class Real, class... View>
-  static auto make(const View&... view) {
-    return fem::GatherNodeStiffness{view...};
+  template <class Real>
+  static auto make(const auto& ranges, const auto& entries, const auto& tets, const auto& out) {
+    return fem::GatherNodeStiffness{Rows{ranges, entries, tets.size()}, tets, out};
   }
 };
 
@@ -205,9 +205,9 @@ struct EdgeStiffness {
   static double bytes(const MeshSizes& n, double real) {
     return incidence_bytes(n.edges, 6 * n.tets) + n.tets * 54 * real + n.edges * 9 * real;
   }
-  template <class Real, class... View>
-  static auto make(const View&... view) {
-    return fem::GatherEdgeStiffness{view...};
+  template <class Real>
+  static auto make(const auto& ranges, const auto& entries, const auto& tets, const auto& out) {
+    return fem::GatherEdgeStiffness{Rows{ranges, entries, tets.size()}, tets, out};
   }
 };
 
@@ -220,9 +220,10 @@ struct AddForceDifferential {
   static double bytes(const MeshSizes& n, double real) {
     return incidence_bytes(n.nodes, 2 * n.edges) + n.edges * (8 + 9 * real) + n.nodes * 12 * real;
   }
-  template <class Real, class... View>
-  static auto make(const View&... view) {
-    return fem::ForceDifferential{view...};
+  template <class Real>
+  static auto make(const auto& nodes, const auto& blocks, const auto& edges, const auto& ranges, const auto& entries,
+                   const auto& displacements, const auto& out) {
+    return fem::ForceDifferential{nodes, blocks, edges, Rows{ranges, entries, edges.size()}, displacements, out};
   }
 };
 

@@ -5,6 +5,7 @@
 #include <physgen/host_loop.h>
 #include <physgen/layout.h>
 #include <physgen/simd_lanes.h>
+#include <physgen/simd_rows.h>
 #include <physgen/space.h>
 
 #include <array>

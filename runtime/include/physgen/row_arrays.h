@@ -1,0 +1,263 @@
+// Rows in arrays of their own: made from lists, pairs or offsets, checked, and changed along with the two sets that
+// they connect. Kernels take their view(), a Rows.
+#pragma once
+
+#include <physgen/rows.h>
+#include <physgen/topology.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace physgen {
+
+/// What the entries of rows name.
+struct RowTargets {
+  std::string field;  ///< of the entries, which holds the numbers: "element", or "pair.node" of a nested object
+  index_t count;      ///< objects of the set: numbers are 0 .. count-1
+};
+
+namespace detail {
+
+/// A row: the entries begin .. end-1.
+struct RowRange {
+  std::int32_t begin, end;
+};
+
+/// Rows that follow each other. @throw Error when a length is negative or there are more entries than an Index can name
+[[nodiscard]] std::vector<RowRange> rows_of_lengths(std::string_view entries, std::span<const index_t> lengths);
+
+/// How many of the pairs, whose first members these are, each row has. @throw Error when one names no row
+[[nodiscard]] std::vector<index_t> lengths_of_pairs(std::string_view entries, index_t rows,
+                                                    std::span<const index_t> row_of_pair);
+
+/// @throw Error when offsets do not begin with 0, ascend, and end with the number of entries
+[[nodiscard]] std::vector<index_t> lengths_of_offsets(std::string_view entries, std::span<const std::int32_t> offsets,
+                                                      std::size_t count);
+
+/// @pre `entries` are host records in Aos
+/// @throw Error when a row is no range of the entries, or an entry of a row does not name a target
+void check_rows(std::span<const RowRange> rows, const Storage& entries, const RowTargets& targets);
+
+/// @throw Error when new numbers are not given for each target, or one exceeds the new count
+void check_new_targets(const Storage& entries, const RowTargets& targets, std::span<const index_t> new_number,
+                       index_t count);
+
+/// Rows chosen from old ones, and which old entry each of theirs is.
+struct ChosenRows {
+  std::vector<RowRange> rows;
+  std::vector<index_t> entries;
+};
+
+/// Row i becomes the old row order[i] (-1: one without entries), less the entries that name a target without a new
+/// number. @param new_number of the targets; empty optional: they all keep theirs
+[[nodiscard]] ChosenRows choose_rows(std::span<const RowRange> rows, const Storage& entries, const std::string& field,
+                                     std::span<const index_t> order,
+                                     std::optional<std::span<const index_t>> new_number);
+
+/// Record i of `to` becomes record numbers[i] of `from`. @pre both are host records in Aos, of one size
+void pick_records(const Storage& to, const Storage& from, std::span<const index_t> numbers);
+
+}  // namespace detail
+
+/// A row of entries for each object of one set; the entries name objects of another set, or of the same one. Every
+/// number has been checked against the size of the set that it indexes. Rows lie one behind the other, in order.
+///
+/// When one of the two sets changes (topology.h), its rows follow by the function of the same name, with the same
+/// numbers: permute(), compact(), erase() and append() for the objects that have the rows, renumber() for the objects
+/// that entries name. Where both are one set, call both. All of these work on the host, whatever the space: arrays are
+/// copied there and back, on CUDA in the default stream, and the call returns when that is done. When one throws, the
+/// rows are as they were. All views end.
+/// @tparam Ranges_ array of a generated type with two fields `Index begin, end`, such as elasticity::IncidenceRange
+/// @tparam Entries_ array of any generated type, in the same space
+template <class Ranges_, class Entries_>
+class RowArrays {
+ public:
+  using Ranges = Ranges_;
+  using Entries = Entries_;
+  using Space = typename Entries::View::Space;
+  static_assert(std::is_same_v<Space, typename Ranges::View::Space>, "ranges and entries lie in one space");
+  /// One entry.
+  using Value = typename Entries::Value;
+  using View = Rows<typename Ranges::ConstView, typename Entries::View>;
+  using ConstView = Rows<typename Ranges::ConstView, typename Entries::ConstView>;
+
+  /// No rows, of entries that name nothing.
+  RowArrays() = default;
+
+  /// Takes over arrays that were filled elsewhere, such as on the device. Rows may leave out entries, and share some.
+  /// @throw Error naming row, entry and number when a row is no range of the entries, or an entry names no target
+  RowArrays(RowTargets targets, Ranges ranges, Entries entries)
+      : targets_(std::move(targets)), ranges_(std::move(ranges)), entries_(std::move(entries)) {
+    check();
+  }
+  /// The same rows in other layouts, precisions or another space.
+  template <class OtherRanges, class OtherEntries>
+    requires(!std::is_same_v<RowArrays<OtherRanges, OtherEntries>, RowArrays>)
+  explicit RowArrays(const RowArrays<OtherRanges, OtherEntries>& other)
+      : targets_(other.targets()), ranges_(other.ranges().size()), entries_(other.entries().size()) {
+    copy(ranges_, other.ranges());
+    copy(entries_, other.entries());
+    synchronize();
+  }
+
+  /// Row i has the entries lists[i].
+  /// @throw Error when an entry names no target, or there are more than 2^31 - 1
+  [[nodiscard]] static RowArrays from_lists(RowTargets targets, std::span<const std::vector<Value>> lists) {
+    std::vector<index_t> lengths;
+    for (const auto& list : lists) lengths.push_back(static_cast<index_t>(list.size()));
+    return made(std::move(targets), detail::rows_of_lengths(name, lengths), [&](HostEntries& entries) {
+      index_t k = 0;
+      for (const auto& list : lists) {
+        for (const Value& entry : list) entries.view().put(k++, entry);
+      }
+    });
+  }
+
+  /// Row i has the entries of the pairs (i, entry), in their order.
+  /// @throw Error when a pair names none of the rows 0 .. rows-1, an entry no target, or there are more than 2^31 - 1
+  [[nodiscard]] static RowArrays from_pairs(RowTargets targets, index_t rows,
+                                            std::span<const std::pair<index_t, Value>> pairs) {
+    std::vector<index_t> row_of_pair;
+    for (const auto& pair : pairs) row_of_pair.push_back(pair.first);
+    const std::vector<detail::RowRange> ranges =
+        detail::rows_of_lengths(name, detail::lengths_of_pairs(name, rows, row_of_pair));
+    return made(std::move(targets), ranges, [&](HostEntries& entries) {
+      std::vector<detail::RowRange> left = ranges;
+      for (const auto& [row, entry] : pairs) {
+        entries.view().put(index_t{left[static_cast<std::size_t>(row)].begin++}, entry);
+      }
+    });
+  }
+
+  /// Row i has the entries first[i] up to, not including, first[i + 1].
+  /// @throw Error when `first` does not begin with 0, descends, or does not end with the number of entries; or an entry
+  /// names no target
+  [[nodiscard]] static RowArrays from_offsets(RowTargets targets, std::span<const std::int32_t> first,
+                                              std::span<const Value> entries) {
+    const std::vector<index_t> lengths = detail::lengths_of_offsets(name, first, entries.size());
+    return made(std::move(targets), detail::rows_of_lengths(name, lengths), [&](HostEntries& host) {
+      for (index_t k = 0; k < host.size(); ++k) host.view().put(k, entries[static_cast<std::size_t>(k)]);
+    });
+  }
+
+  /// Rows.
+  [[nodiscard]] index_t size() const { return ranges_.size(); }
+  [[nodiscard]] const RowTargets& targets() const { return targets_; }
+  [[nodiscard]] const Ranges& ranges() const { return ranges_; }
+  [[nodiscard]] const Entries& entries() const { return entries_; }
+  /// What kernels are given; they may write the entries' fields. See check().
+  [[nodiscard]] View view() { return {ranges_.const_view(), entries_.view(), targets_.count}; }
+  [[nodiscard]] ConstView view() const { return const_view(); }
+  [[nodiscard]] ConstView const_view() const { return {ranges_.const_view(), entries_.const_view(), targets_.count}; }
+
+  /// Checks all rows anew, after a kernel has written entries.
+  /// @throw Error naming row, entry and number when a row is no range of the entries, or an entry names no target
+  void check() const { detail::check_rows(rows_on_host(), on_host(entries_).storage(), targets_); }
+
+  /// Row i becomes the old row order[i]. @throw Error when `order` does not name each row once
+  void permute(std::span<const index_t> order) {
+    check_permutation(order, size(), title());
+    choose(order, {}, targets_.count);
+  }
+  /// Keeps the listed rows, in this order. @throw Error when `kept` is not ascending
+  void compact(std::span<const index_t> kept) {
+    check_ascending(kept, size(), title());
+    choose(kept, {}, targets_.count);
+  }
+  /// Removes the listed rows. @throw Error when a number is out of range or listed twice
+  void erase(std::span<const index_t> erased) { choose(remaining(size(), erased, title()), {}, targets_.count); }
+  /// Adds rows without entries at the end. @throw Error when count is negative
+  void append(index_t count) {
+    std::vector<index_t> order(static_cast<std::size_t>(detail::grown_size(std::array{ranges_.storage()}, count)), -1);
+    for (index_t i = 0; i < size(); ++i) order[static_cast<std::size_t>(i)] = i;
+    choose(order, {}, targets_.count);
+  }
+
+  /// After a change of the set that entries name: target v has become new_number[v], of `count`. Entries of a target
+  /// that is gone (-1) are dropped, the others keep their order. See inverse() and new_numbers().
+  /// @throw Error when there is not a number for each target, or one is not below `count`
+  void renumber(std::span<const index_t> new_number, index_t count) {
+    detail::check_new_targets(entries_.storage(), targets_, new_number, count);
+    std::vector<index_t> same;
+    for (index_t i = 0; i < size(); ++i) same.push_back(i);
+    choose(same, new_number, count);
+  }
+
+ private:
+  template <class Array>
+  using HostForm =
+      physgen::Array<typename Array::Object, typename Array::View::Precision, Host, Aos, typename Array::Formats>;
+  using HostRanges = HostForm<Ranges>;
+  using HostEntries = HostForm<Entries>;
+  static constexpr std::string_view name = Entries::Object::name;
+
+  [[nodiscard]] static std::string title() { return "rows of " + std::string(name); }
+
+  template <class Array>
+  [[nodiscard]] static HostForm<Array> on_host(const Array& array) {
+    HostForm<Array> host(array.size());
+    if constexpr (device_accessible(Space::kind)) synchronize();  // what was ordered before may still write it
+    copy(host, array);
+    if constexpr (device_accessible(Space::kind)) synchronize();
+    return host;
+  }
+  [[nodiscard]] std::vector<detail::RowRange> rows_on_host() const {
+    const HostRanges host = on_host(ranges_);
+    std::vector<detail::RowRange> rows;
+    for (index_t i = 0; i < host.size(); ++i) {
+      const auto range = host.view()[i];
+      rows.push_back({range.begin(), range.end()});
+    }
+    return rows;
+  }
+  template <class To>
+  [[nodiscard]] static To uploaded(const HostForm<To>& from) {
+    To to(from.size());
+    copy(to, from);
+    synchronize();
+    return to;
+  }
+  void replace(std::span<const detail::RowRange> rows, const HostEntries& host_entries) {
+    HostRanges host(static_cast<index_t>(rows.size()));
+    for (index_t i = 0; i < host.size(); ++i) {
+      const detail::RowRange& row = rows[static_cast<std::size_t>(i)];
+      host.view()[i].begin() = row.begin;
+      host.view()[i].end() = row.end;
+    }
+    Ranges ranges = uploaded<Ranges>(host);
+    Entries entries = uploaded<Entries>(host_entries);
+    ranges_.swap(ranges);
+    entries_.swap(entries);
+  }
+
+  template <class Fill>
+  [[nodiscard]] static RowArrays made(RowTargets targets, const std::vector<detail::RowRange>& rows, const Fill& fill) {
+    HostEntries entries(rows.empty() ? 0 : rows.back().end);
+    fill(entries);
+    detail::check_rows(rows, entries.storage(), targets);
+    RowArrays result;
+    result.targets_ = std::move(targets);
+    result.replace(rows, entries);
+    return result;
+  }
+
+  void choose(std::span<const index_t> order, std::optional<std::span<const index_t>> new_number, index_t targets) {
+    const HostEntries old = on_host(entries_);
+    const detail::ChosenRows chosen =
+        detail::choose_rows(rows_on_host(), old.storage(), targets_.field, order, new_number);
+    HostEntries entries(static_cast<index_t>(chosen.entries.size()));
+    detail::pick_records(entries.storage(), old.storage(), chosen.entries);
+    if (new_number) physgen::renumber(entries.storage(), targets_.field, *new_number);
+    replace(chosen.rows, entries);
+    targets_.count = targets;
+  }
+
+  RowTargets targets_{{}, 0};
+  Ranges ranges_;
+  Entries entries_;
+};
+
+}  // namespace physgen

@@ -1,0 +1,25 @@
+// A field of indices by its name.
+#pragma once
+
+#include <physgen/error.h>
+
+#include <string>
+#include <string_view>
+
+#include "describe.h"
+
+namespace physgen::detail {
+
+/// @throw Error naming the fields of indices that there are, when this is none
+[[nodiscard]] inline const FieldInfo& find_index_field(const Storage& storage, std::string_view name) {
+  std::string fields_of_indices;
+  for (const FieldInfo& field : storage.fields) {
+    if (field.type != ElementType::int32) continue;
+    if (field.name == name) return field;
+    fields_of_indices += " " + std::string(field.name);
+  }
+  throw Error(describe(storage) + ": there is no field of indices \"" + std::string(name) + "\"; " +
+              (fields_of_indices.empty() ? "the object has none" : "there are:" + fields_of_indices));
+}
+
+}  // namespace physgen::detail
