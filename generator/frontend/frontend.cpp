@@ -11,6 +11,7 @@
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <clang/Frontend/Utils.h>
 #include <clang/Lex/Preprocessor.h>
+#include <llvm/Support/CrashRecoveryContext.h>
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/TargetParser/Triple.h>
@@ -24,6 +25,7 @@ namespace physgen::frontend {
 namespace {
 
 constexpr const char* vocabulary_dir = "/physgen.builtin";
+constexpr unsigned stack_bytes = 256U << 20;
 // Any target with a 32-bit int will do, the same on every machine; this one has few builtins to register.
 constexpr const char* target = "riscv64-unknown-linux-gnu";
 
@@ -164,7 +166,10 @@ Result parse(const std::string& path, const ParseOptions& options) {
   const auto dependencies = std::make_shared<clang::DependencyCollector>();
   compiler.addDependencyCollector(dependencies);
   Action action(schema);
-  const bool completed = compiler.ExecuteAction(action);
+  // On a thread for its stack: Clang skips brackets that nothing closes by recursion, and a hundred thousand of them
+  // are soon there where a file is damaged.
+  bool completed = false;
+  llvm::CrashRecoveryContext().RunSafelyOnThread([&] { completed = compiler.ExecuteAction(action); }, stack_bytes);
   result.dependencies = dependencies->getDependencies().vec();
   if (completed && !compiler.getDiagnostics().hasErrorOccurred()) result.schema = std::move(schema);
   diagnostics.flush();

@@ -227,6 +227,12 @@ TEST(Frontend, refuses_nesting_that_explodes_at_the_field_that_is_too_large_and_
   EXPECT_NE(found[0].find("and compilers bear 2 MiB"), std::string::npos);
 }
 
+TEST(Frontend, survives_half_a_million_brackets_that_nothing_closes) {
+  const auto result = parse_text(schema_of("struct PHYSGEN_OBJECT() A " + std::string(500000, '[')));
+  EXPECT_FALSE(result.schema.has_value());
+  EXPECT_NE(result.diagnostics.find("error: "), std::string::npos);
+}
+
 // Clang would evaluate 2^30 fields for the variable.
 TEST(Frontend, does_not_let_a_variable_of_an_exploding_object_explode) {
   std::string text = "struct PHYSGEN_OBJECT() O0 {\n  Scalar x;\n};\n";
