@@ -7,8 +7,8 @@
 //
 //   using Kilometres = physgen::format::Scaled<physgen::format::Float32, physgen::format::Affine{.scale = 1000}>;
 //
-// A format of your own is a struct with the members of format::Native, but for Library, which says that a format is not
-// one. For lengths, say, that lie close to each other near zero:
+// A format of your own is a struct with the members of format::Native except Library, by which the library knows its
+// own. For lengths, say, that lie close to each other near zero:
 //
 //   struct Rooted {                                                   // keeps the square root, in a half
 //     static constexpr const char* name = "rooted";
