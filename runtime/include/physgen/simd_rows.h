@@ -43,7 +43,7 @@ class RowLengths {
 
 template <AnyPack I>
 struct RowVisit<I> {
-  static constexpr int W = pack_width<I>;
+  static constexpr int W = I::width;
   using Integers = batch_t<std::int32_t, W>;
 
   template <class T, class Ranges, class Entries, class Body>
