@@ -187,18 +187,17 @@ class RowArrays {
   }
 
  private:
-  template <class Array>
-  using HostForm =
-      physgen::Array<typename Array::Object, typename Array::View::Precision, Host, Aos, typename Array::Formats>;
+  template <class Given>
+  using HostForm = Array<typename Given::Object, typename Given::View::Precision, Host, Aos, typename Given::Formats>;
   using HostRanges = HostForm<Ranges>;
   using HostEntries = HostForm<Entries>;
   static constexpr std::string_view name = Entries::Object::name;
 
   [[nodiscard]] static std::string title() { return "rows of " + std::string(name); }
 
-  template <class Array>
-  [[nodiscard]] static HostForm<Array> on_host(const Array& array) {
-    HostForm<Array> host(array.size());
+  template <class Given>
+  [[nodiscard]] static HostForm<Given> on_host(const Given& array) {
+    HostForm<Given> host(array.size());
     if constexpr (device_accessible(Space::kind)) synchronize();  // what was ordered before may still write it
     copy(host, array);
     if constexpr (device_accessible(Space::kind)) synchronize();
