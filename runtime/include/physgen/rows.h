@@ -47,12 +47,12 @@ struct Summand<Value> {
 
 /// The type of one number of S.
 template <class S>
-struct NumberOf {
+struct LaneOf {
   using type = S;
 };
 template <class S>
   requires requires { typename S::value_type; }
-struct NumberOf<S> {
+struct LaneOf<S> {
   using type = typename S::value_type;
 };
 
@@ -119,7 +119,7 @@ class Rows {
   template <class Value, class I, class Step>
   [[nodiscard]] PHYSGEN_FUNCTION auto fold(const I& i, const Value& total, const Step& step) const {
     using Sum = typename detail::Summand<Value>::type;
-    using T = typename detail::NumberOf<typename detail::Summand<Value>::Scalar>::type;
+    using T = typename detail::LaneOf<typename detail::Summand<Value>::Scalar>::type;
     Sum sum = total;
     if constexpr (std::is_integral_v<I>) {
       for_each<T>(i, [&](const auto& entry, bool /*active*/) { sum = step(std::as_const(sum), entry); });
