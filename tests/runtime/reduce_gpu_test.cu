@@ -98,7 +98,7 @@ TEST_F(CudaReduce, refuses_a_workspace_that_is_too_small) {
   ReduceWorkspace workspace(100000, 8);
   EXPECT_NO_THROW((void)sum(Cuda{}, 100000, Scattered{}, workspace));
   EXPECT_EQ(message_of([&] { (void)sum(Cuda{}, 1000000, Scattered{}, workspace); }),
-            "physgen: a reduction of 1000000 objects to 8 bytes needs a workspace of 4176 bytes, and this one has 664; "
+            "physgen: a reduction of 1000000 objects to 8 bytes needs a workspace of 4176 bytes, and this one has 656; "
             "make it ReduceWorkspace(1000000, 8)");
   EXPECT_THROW((void)argmax(Cuda{}, 100000, Scattered{}, workspace), Error) << "16 bytes of result";
 }

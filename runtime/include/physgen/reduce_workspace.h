@@ -18,7 +18,8 @@ class ReduceWorkspace {
       : parts_(SpaceKind::cuda, bytes_for(objects, value_bytes), "a workspace for reductions"),
         result_(SpaceKind::pinned, value_bytes, "the result of a reduction") {}
 
-  /// Of device memory that a reduction takes: 1/128 of a byte per object and byte of its result, and 256 more.
+  /// Of device memory that a reduction takes: 1/2048 of a byte per object and byte of its result, and
+  /// some hundred bytes more.
   [[nodiscard]] static index_t bytes_for(index_t objects, index_t value_bytes) {
     constexpr index_t limit = std::numeric_limits<index_t>::max() / 64;
     if (objects < 0 || value_bytes < 1 || value_bytes > limit / (objects / detail::reduce_block + 2)) {

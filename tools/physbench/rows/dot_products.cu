@@ -40,7 +40,7 @@ class CudaDotCase final : public Case {
   double copy() override {
     const auto* a = reinterpret_cast<const float4*>(operands_.a.storage().base);
     const auto* b = reinterpret_cast<const float4*>(operands_.b.storage().base);
-    constexpr unsigned blocks = 132 * 8, threads = 256;
+    constexpr unsigned blocks = 132 * 8, threads = 256;  // as many as an H200 runs at once
     watch_.start();
     read_both<<<blocks, threads>>>(a, b, operands_.bytes() / index_t{sizeof(float4)}, value());
     cuda::check(cudaGetLastError(), "reading");
