@@ -187,7 +187,7 @@ template <class Kernel>
 Accuracy HostKernel<Kernel>::check(Dataset& data, const Storage& result) {
   check_written(result);
   const auto compare = [&]<class Real>(Real /*storage*/) {
-    const typename Result<Kernel, Real>::ConstView view(result.base, result.size, result.pitch, result.space);
+    const typename Result<Kernel, Real>::ConstView view(result.base, result.size, result.pitch);
     return detail::compare<Kernel, Real>(data, [&view](index_t i) { return view.get(i); });
   };
   return result.fields.front().type == ElementType::float32 ? compare(float()) : compare(double());
