@@ -1,5 +1,6 @@
 // Accessor classes of the object types in elasticity.h. Written by physgen: change the schema, not this file.
-#pragma once
+#ifndef PHYSGEN_ELASTICITY_H_4EC8853F26ACC126
+#define PHYSGEN_ELASTICITY_H_4EC8853F26ACC126
 
 #include <physgen/runtime.h>
 
@@ -84,7 +85,7 @@ struct DeformationGradientObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
-        "F", "1", DeformationGradientRecord<Real, Formats>::F, 1, 0),
+        "F", "1", DeformationGradientRecord<Real, Formats>::F, 1, 0.0),
   }};
   template <class Space>
   using Formats = DeformationGradientFormats<physgen::Host>;
@@ -183,7 +184,7 @@ struct DeformationGradientDifferentialObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(
-        "dF", "1", DeformationGradientDifferentialRecord<Real, Formats>::dF, 1, 0),
+        "dF", "1", DeformationGradientDifferentialRecord<Real, Formats>::dF, 1, 0.0),
   }};
   template <class Space>
   using Formats = DeformationGradientDifferentialFormats<physgen::Host>;
@@ -308,11 +309,11 @@ struct DeformationSvdObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 3> fields = {{
     physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
-        "U", "", DeformationSvdRecord<Real, Formats>::U, 1, 0),
+        "U", "", DeformationSvdRecord<Real, Formats>::U, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::V, Real>(
-        "V", "", DeformationSvdRecord<Real, Formats>::V, 1, 0),
+        "V", "", DeformationSvdRecord<Real, Formats>::V, 1, 0.0),
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
-        "s", "1", DeformationSvdRecord<Real, Formats>::s, 1, 0),
+        "s", "1", DeformationSvdRecord<Real, Formats>::s, 1, 0.0),
   }};
   template <class Space>
   using Formats = DeformationSvdFormats<physgen::Host>;
@@ -433,11 +434,11 @@ struct QuaternionSvdObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 3> fields = {{
     physgen::field_info<physgen::shape::Vector<4>, typename Formats::u, Real>(
-        "u", "", QuaternionSvdRecord<Real, Formats>::u, 1, 0),
+        "u", "", QuaternionSvdRecord<Real, Formats>::u, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<4>, typename Formats::v, Real>(
-        "v", "", QuaternionSvdRecord<Real, Formats>::v, 1, 0),
+        "v", "", QuaternionSvdRecord<Real, Formats>::v, 1, 0.0),
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
-        "s", "1", QuaternionSvdRecord<Real, Formats>::s, 1, 0),
+        "s", "1", QuaternionSvdRecord<Real, Formats>::s, 1, 0.0),
   }};
   template <class Space>
   using Formats = QuaternionSvdFormats<physgen::Host>;
@@ -534,7 +535,7 @@ struct PrincipalStretchesObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
-        "s", "1", PrincipalStretchesRecord<Real, Formats>::s, 1, 0),
+        "s", "1", PrincipalStretchesRecord<Real, Formats>::s, 1, 0.0),
   }};
   template <class Space>
   using Formats = PrincipalStretchesFormats<physgen::Host>;
@@ -631,7 +632,7 @@ struct ElementRotationObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Rotation, typename Formats::R, Real>(
-        "R", "", ElementRotationRecord<Real, Formats>::R, 1, 0),
+        "R", "", ElementRotationRecord<Real, Formats>::R, 1, 0.0),
   }};
   template <class Space>
   using Formats = ElementRotationFormats<physgen::Host>;
@@ -852,29 +853,29 @@ struct StressDerivativeObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 12> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::x1111, Real>(
-        "x1111", "Pa", StressDerivativeRecord<Real, Formats>::x1111, 1, 0),
+        "x1111", "Pa", StressDerivativeRecord<Real, Formats>::x1111, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2211, Real>(
-        "x2211", "Pa", StressDerivativeRecord<Real, Formats>::x2211, 1, 0),
+        "x2211", "Pa", StressDerivativeRecord<Real, Formats>::x2211, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3311, Real>(
-        "x3311", "Pa", StressDerivativeRecord<Real, Formats>::x3311, 1, 0),
+        "x3311", "Pa", StressDerivativeRecord<Real, Formats>::x3311, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2222, Real>(
-        "x2222", "Pa", StressDerivativeRecord<Real, Formats>::x2222, 1, 0),
+        "x2222", "Pa", StressDerivativeRecord<Real, Formats>::x2222, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3322, Real>(
-        "x3322", "Pa", StressDerivativeRecord<Real, Formats>::x3322, 1, 0),
+        "x3322", "Pa", StressDerivativeRecord<Real, Formats>::x3322, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3333, Real>(
-        "x3333", "Pa", StressDerivativeRecord<Real, Formats>::x3333, 1, 0),
+        "x3333", "Pa", StressDerivativeRecord<Real, Formats>::x3333, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2121, Real>(
-        "x2121", "Pa", StressDerivativeRecord<Real, Formats>::x2121, 1, 0),
+        "x2121", "Pa", StressDerivativeRecord<Real, Formats>::x2121, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2112, Real>(
-        "x2112", "Pa", StressDerivativeRecord<Real, Formats>::x2112, 1, 0),
+        "x2112", "Pa", StressDerivativeRecord<Real, Formats>::x2112, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3131, Real>(
-        "x3131", "Pa", StressDerivativeRecord<Real, Formats>::x3131, 1, 0),
+        "x3131", "Pa", StressDerivativeRecord<Real, Formats>::x3131, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3113, Real>(
-        "x3113", "Pa", StressDerivativeRecord<Real, Formats>::x3113, 1, 0),
+        "x3113", "Pa", StressDerivativeRecord<Real, Formats>::x3113, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3232, Real>(
-        "x3232", "Pa", StressDerivativeRecord<Real, Formats>::x3232, 1, 0),
+        "x3232", "Pa", StressDerivativeRecord<Real, Formats>::x3232, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3223, Real>(
-        "x3223", "Pa", StressDerivativeRecord<Real, Formats>::x3223, 1, 0),
+        "x3223", "Pa", StressDerivativeRecord<Real, Formats>::x3223, 1, 0.0),
   }};
   template <class Space>
   using Formats = StressDerivativeFormats<physgen::Host>;
@@ -967,7 +968,7 @@ struct StressObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::P, Real>(
-        "P", "Pa", StressRecord<Real, Formats>::P, 1, 0),
+        "P", "Pa", StressRecord<Real, Formats>::P, 1, 0.0),
   }};
   template <class Space>
   using Formats = StressFormats<physgen::Host>;
@@ -1062,7 +1063,7 @@ struct StressDifferentialObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(
-        "dP", "Pa", StressDifferentialRecord<Real, Formats>::dP, 1, 0),
+        "dP", "Pa", StressDifferentialRecord<Real, Formats>::dP, 1, 0.0),
   }};
   template <class Space>
   using Formats = StressDifferentialFormats<physgen::Host>;
@@ -1170,9 +1171,9 @@ struct RestShapeObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dm_inverse, Real>(
-        "dm_inverse", "1/m", RestShapeRecord<Real, Formats>::dm_inverse, 1, 0),
+        "dm_inverse", "1/m", RestShapeRecord<Real, Formats>::dm_inverse, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::volume, Real>(
-        "volume", "m^3", RestShapeRecord<Real, Formats>::volume, 1, 0),
+        "volume", "m^3", RestShapeRecord<Real, Formats>::volume, 1, 0.0),
   }};
   template <class Space>
   using Formats = RestShapeFormats<physgen::Host>;
@@ -1265,7 +1266,7 @@ struct CornerForcesObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(
-        "G", "N", CornerForcesRecord<Real, Formats>::G, 1, 0),
+        "G", "N", CornerForcesRecord<Real, Formats>::G, 1, 0.0),
   }};
   template <class Space>
   using Formats = CornerForcesFormats<physgen::Host>;
@@ -1528,37 +1529,37 @@ struct ElementRecordObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 16> fields = {{
     physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
-        "U", "", ElementRecordRecord<Real, Formats>::U, 1, 0),
+        "U", "", ElementRecordRecord<Real, Formats>::U, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::V, Real>(
-        "V", "", ElementRecordRecord<Real, Formats>::V, 1, 0),
+        "V", "", ElementRecordRecord<Real, Formats>::V, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x1111, Real>(
-        "x1111", "Pa", ElementRecordRecord<Real, Formats>::x1111, 1, 0),
+        "x1111", "Pa", ElementRecordRecord<Real, Formats>::x1111, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2211, Real>(
-        "x2211", "Pa", ElementRecordRecord<Real, Formats>::x2211, 1, 0),
+        "x2211", "Pa", ElementRecordRecord<Real, Formats>::x2211, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3311, Real>(
-        "x3311", "Pa", ElementRecordRecord<Real, Formats>::x3311, 1, 0),
+        "x3311", "Pa", ElementRecordRecord<Real, Formats>::x3311, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2222, Real>(
-        "x2222", "Pa", ElementRecordRecord<Real, Formats>::x2222, 1, 0),
+        "x2222", "Pa", ElementRecordRecord<Real, Formats>::x2222, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3322, Real>(
-        "x3322", "Pa", ElementRecordRecord<Real, Formats>::x3322, 1, 0),
+        "x3322", "Pa", ElementRecordRecord<Real, Formats>::x3322, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3333, Real>(
-        "x3333", "Pa", ElementRecordRecord<Real, Formats>::x3333, 1, 0),
+        "x3333", "Pa", ElementRecordRecord<Real, Formats>::x3333, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2121, Real>(
-        "x2121", "Pa", ElementRecordRecord<Real, Formats>::x2121, 1, 0),
+        "x2121", "Pa", ElementRecordRecord<Real, Formats>::x2121, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x2112, Real>(
-        "x2112", "Pa", ElementRecordRecord<Real, Formats>::x2112, 1, 0),
+        "x2112", "Pa", ElementRecordRecord<Real, Formats>::x2112, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3131, Real>(
-        "x3131", "Pa", ElementRecordRecord<Real, Formats>::x3131, 1, 0),
+        "x3131", "Pa", ElementRecordRecord<Real, Formats>::x3131, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3113, Real>(
-        "x3113", "Pa", ElementRecordRecord<Real, Formats>::x3113, 1, 0),
+        "x3113", "Pa", ElementRecordRecord<Real, Formats>::x3113, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3232, Real>(
-        "x3232", "Pa", ElementRecordRecord<Real, Formats>::x3232, 1, 0),
+        "x3232", "Pa", ElementRecordRecord<Real, Formats>::x3232, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::x3223, Real>(
-        "x3223", "Pa", ElementRecordRecord<Real, Formats>::x3223, 1, 0),
+        "x3223", "Pa", ElementRecordRecord<Real, Formats>::x3223, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dF, Real>(
-        "dF", "1", ElementRecordRecord<Real, Formats>::dF, 1, 0),
+        "dF", "1", ElementRecordRecord<Real, Formats>::dF, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::dP, Real>(
-        "dP", "Pa", ElementRecordRecord<Real, Formats>::dP, 1, 0),
+        "dP", "Pa", ElementRecordRecord<Real, Formats>::dP, 1, 0.0),
   }};
   template <class Space>
   using Formats = ElementRecordFormats<physgen::Host>;
@@ -1652,7 +1653,7 @@ struct NodePositionObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::x, Real>(
-        "x", "m", NodePositionRecord<Real, Formats>::x, 1, 0),
+        "x", "m", NodePositionRecord<Real, Formats>::x, 1, 0.0),
   }};
   template <class Space>
   using Formats = NodePositionFormats<physgen::Host>;
@@ -1745,7 +1746,7 @@ struct NodeForceObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::f, Real>(
-        "f", "N", NodeForceRecord<Real, Formats>::f, 1, 0),
+        "f", "N", NodeForceRecord<Real, Formats>::f, 1, 0.0),
   }};
   template <class Space>
   using Formats = NodeForceFormats<physgen::Host>;
@@ -1840,7 +1841,7 @@ struct NodeDisplacementObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::dx, Real>(
-        "dx", "m", NodeDisplacementRecord<Real, Formats>::dx, 1, 0),
+        "dx", "m", NodeDisplacementRecord<Real, Formats>::dx, 1, 0.0),
   }};
   template <class Space>
   using Formats = NodeDisplacementFormats<physgen::Host>;
@@ -1937,7 +1938,7 @@ struct NodeForceDifferentialObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::df, Real>(
-        "df", "N", NodeForceDifferentialRecord<Real, Formats>::df, 1, 0),
+        "df", "N", NodeForceDifferentialRecord<Real, Formats>::df, 1, 0.0),
   }};
   template <class Space>
   using Formats = NodeForceDifferentialFormats<physgen::Host>;
@@ -2035,7 +2036,7 @@ struct NodeStiffnessObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::K, Real>(
-        "K", "N/m", NodeStiffnessRecord<Real, Formats>::K, 1, 0),
+        "K", "N/m", NodeStiffnessRecord<Real, Formats>::K, 1, 0.0),
   }};
   template <class Space>
   using Formats = NodeStiffnessFormats<physgen::Host>;
@@ -2130,7 +2131,7 @@ struct EdgeStiffnessObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::E, Real>(
-        "E", "N/m", EdgeStiffnessRecord<Real, Formats>::E, 1, 0),
+        "E", "N/m", EdgeStiffnessRecord<Real, Formats>::E, 1, 0.0),
   }};
   template <class Space>
   using Formats = EdgeStiffnessFormats<physgen::Host>;
@@ -2246,9 +2247,9 @@ struct TetStiffnessObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
-        "k", "N/m", TetStiffnessRecord<Real, Formats>::k, 4, 0),
+        "k", "N/m", TetStiffnessRecord<Real, Formats>::k, 4, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::e, Real>(
-        "e", "N/m", TetStiffnessRecord<Real, Formats>::e, 6, 0),
+        "e", "N/m", TetStiffnessRecord<Real, Formats>::e, 6, 0.0),
   }};
   template <class Space>
   using Formats = TetStiffnessFormats<physgen::Host>;
@@ -2339,7 +2340,7 @@ struct TetObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
-        "nodes", "", TetRecord<Real, Formats>::nodes, 1, 0),
+        "nodes", "", TetRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = TetFormats<physgen::Host>;
@@ -2428,7 +2429,7 @@ struct EdgeObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
-        "nodes", "", EdgeRecord<Real, Formats>::nodes, 1, 0),
+        "nodes", "", EdgeRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = EdgeFormats<physgen::Host>;
@@ -2533,9 +2534,9 @@ struct IncidenceRangeObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "begin", "", IncidenceRangeRecord<Real, Formats>::begin, 1, 0),
+        "begin", "", IncidenceRangeRecord<Real, Formats>::begin, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "end", "", IncidenceRangeRecord<Real, Formats>::end, 1, 0),
+        "end", "", IncidenceRangeRecord<Real, Formats>::end, 1, 0.0),
   }};
   template <class Space>
   using Formats = IncidenceRangeFormats<physgen::Host>;
@@ -2640,9 +2641,9 @@ struct IncidenceObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "element", "", IncidenceRecord<Real, Formats>::element, 1, 0),
+        "element", "", IncidenceRecord<Real, Formats>::element, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "local", "", IncidenceRecord<Real, Formats>::local, 1, 0),
+        "local", "", IncidenceRecord<Real, Formats>::local, 1, 0.0),
   }};
   template <class Space>
   using Formats = IncidenceFormats<physgen::Host>;
@@ -2662,3 +2663,5 @@ static_assert(physgen::is_sound_record<IncidenceObject, float, IncidenceFormats<
 static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats<physgen::Host>>(8, 4, {0, 4}));
 
 }  // namespace elasticity
+
+#endif  // PHYSGEN_ELASTICITY_H_4EC8853F26ACC126

@@ -1,12 +1,12 @@
 # How this tree is compiled: language level, warnings, CUDA, sanitizers, and build folders that can be carried to other
-# machines. Nothing here reaches users of an installed physgen.
+# machines. Of this, only the sanitizers of a build with PHYSGEN_SANITIZE reach users of an installed physgen.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 get_property(multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
-if(NOT CMAKE_BUILD_TYPE AND NOT multi_config)
+if(NOT CMAKE_BUILD_TYPE AND NOT multi_config AND PROJECT_IS_TOP_LEVEL)
   set_property(CACHE CMAKE_BUILD_TYPE PROPERTY VALUE Release)
   set(CMAKE_BUILD_TYPE Release)
 endif()
@@ -19,6 +19,11 @@ if(PHYSGEN_CUDA)
   enable_language(CUDA)
   if(NOT DEFINED CMAKE_CUDA20_STANDARD_COMPILE_OPTION)  # CMake 3.25 does not know that nvcc 12 and later have C++20
     set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+    set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
+    if(NOT PROJECT_IS_TOP_LEVEL)
+      set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20 PARENT_SCOPE)
+      set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20 PARENT_SCOPE)
+    endif()
   endif()
   set(CMAKE_CUDA_STANDARD 20)
   set(CMAKE_CUDA_STANDARD_REQUIRED ON)
@@ -26,9 +31,10 @@ if(PHYSGEN_CUDA)
   find_package(CUDAToolkit REQUIRED)
 endif()
 
-if(PHYSGEN_SANITIZE)
-  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-omit-frame-pointer>"
-                      "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-fsanitize=address>")
+if(PHYSGEN_SANITIZE)  # exported as well: programs must be linked, and are better compiled, as their libraries are
+  set(PHYSGEN_SANITIZERS "$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-omit-frame-pointer>"
+                         "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-fsanitize=address>")
+  add_compile_options("${PHYSGEN_SANITIZERS}")
   add_link_options(-fsanitize=address,undefined)
 endif()
 

@@ -7,14 +7,12 @@ set(folders "")
 foreach(file IN LISTS files)
   message(STATUS "removing $ENV{DESTDIR}${file}")
   file(REMOVE "$ENV{DESTDIR}${file}")
-  # include/physgen and the like, and the folders right below: no other folder is physgen's own.
+  # include/physgen and the like, and all folders below: no other folder is physgen's own.
   cmake_path(GET file PARENT_PATH folder)
-  cmake_path(GET folder PARENT_PATH above)
-  if(folder MATCHES "/(include|cmake|doc)/physgen$")
+  while(folder MATCHES "/(include/physgen|include/physgen-fem|cmake/physgen|doc/physgen)(/|$)")
     list(APPEND folders "${folder}")
-  elseif(above MATCHES "/(include|cmake|doc)/physgen$")
-    list(APPEND folders "${folder}" "${above}")
-  endif()
+    cmake_path(GET folder PARENT_PATH folder)
+  endwhile()
 endforeach()
 list(REMOVE_DUPLICATES folders)
 list(SORT folders ORDER DESCENDING)  # inner folders first

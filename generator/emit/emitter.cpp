@@ -1,6 +1,9 @@
 // See emitter.h. This file holds what surrounds the objects: head, includes, namespaces.
 #include "emit/emitter.h"
 
+#include <cctype>
+#include <cstdint>
+#include <cstdio>
 #include <set>
 
 #include "emit/pieces.h"
@@ -9,11 +12,27 @@
 namespace physgen::emit {
 namespace {
 
+// Names the schema and, by a checksum (FNV-1a), the text: a header that two targets generated from one schema is the
+// same to a program that includes both, which #pragma once cannot know, and other schemas of the same file name are
+// not.
+std::string include_guard(const std::string& schema_file, std::string_view text) {
+  std::string guard = "PHYSGEN_";
+  for (const char c : schema_file) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (letter < 0x80 && std::isalnum(letter) != 0)
+      guard += static_cast<char>(std::toupper(letter));
+    else if (guard.back() != '_')
+      guard += '_';
+  }
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  char digits[20];
+  std::snprintf(digits, sizeof digits, "%s%016llX", guard.back() == '_' ? "" : "_",
+                static_cast<unsigned long long>(sum));
+  return guard + digits;
+}
+
 void head(Printer& out, const model::Schema& schema) {
-  out.comment("//", "Accessor classes of the object types in " + schema.file +
-                        ". Written by physgen: change the schema, not this file.");
-  out.line("#pragma once");
-  out.line();
   out.line("#include <physgen/runtime.h>");
   out.line();
   const std::string version = std::to_string(runtime_version);
@@ -73,9 +92,15 @@ std::string accessor_header(const model::Schema& schema) {
     object_code(out, host.of(name), cuda.of(name));
   }
   enter("");
-  std::string text = std::move(out).text();
-  text.pop_back();  // every object and namespace ends with an empty line
-  return text;
+  const std::string body = std::move(out).text();  // every object and namespace ends with an empty line
+  const std::string guard = include_guard(schema.file, body);
+  Printer file;
+  file.comment("//", "Accessor classes of the object types in " + schema.file +
+                         ". Written by physgen: change the schema, not this file.");
+  file.line("#ifndef " + guard);
+  file.line("#define " + guard);
+  file.line();
+  return std::move(file).text() + body + "#endif  // " + guard + "\n";
 }
 
 }  // namespace physgen::emit

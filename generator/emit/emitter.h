@@ -12,7 +12,8 @@ namespace physgen::emit {
 inline constexpr int runtime_version = 3;
 
 /// The text of the header with the accessor classes of all objects of `schema`; the same text for the same schema,
-/// whatever the machine and the time. It depends on the runtime and on the headers of imported objects.
+/// whatever the machine and the time, so that several targets may generate one schema. It depends on the runtime and on
+/// the headers of imported objects.
 /// @pre validate(schema) has no objection
 /// @throws std::logic_error when a planned record does not pass its proof (a defect of physgen)
 [[nodiscard]] std::string accessor_header(const model::Schema& schema);

@@ -54,7 +54,7 @@ void fields(Printer& out, const plan::Record& record) {
     out.filled(
         "physgen::field_info<" + shape_type(field) + ", " + format(run) + ", " + stored_type(field.element) + ">(",
         {"\"" + run.name() + "\"", "\"" + field.unit + "\"", offset(run, *record.object),
-         std::to_string(field.array_extent == 0 ? 1 : field.array_extent), number(field.initial.value_or(0))},
+         std::to_string(field.array_extent == 0 ? 1 : field.array_extent), real(field.initial.value_or(0))},
         "),");
   }
   out.close("}};");

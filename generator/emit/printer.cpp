@@ -9,10 +9,12 @@ namespace {
 
 constexpr std::size_t step = 2;
 
-// A backslash at the end of a line comment would pull the next line into it.
+// A backslash at the end of a line comment would pull the next line into it; compilers warn of its trigraph.
 std::string_view without_end(std::string_view line) {
-  while (!line.empty() && (line.back() == ' ' || line.back() == '\t' || line.back() == '\r' || line.back() == '\\')) {
-    line.remove_suffix(1);
+  while (!line.empty()) {
+    const bool trigraph = line.ends_with("?\?/");
+    if (!trigraph && std::string_view(" \t\r\\").find(line.back()) == std::string_view::npos) break;
+    line.remove_suffix(trigraph ? 3 : 1);
   }
   return line;
 }

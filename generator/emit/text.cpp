@@ -65,11 +65,6 @@ model::Range steps_range(const model::Field& field) {
   return field.shape == model::Shape::rotation || !field.range ? model::Range{-1, 1} : *field.range;
 }
 
-std::string real(double value) {
-  const std::string text = number(value);
-  return text + (text.find_first_of(".e") == std::string::npos ? ".0" : "");
-}
-
 std::string encoded_type(const model::Field& field, model::Encoding encoding) {
   const std::string prefix = "physgen::format::";
   switch (encoding) {
@@ -89,7 +84,7 @@ std::string encoded_type(const model::Field& field, model::Encoding encoding) {
       break;
   }
   const model::Range range = steps_range(field);
-  return prefix + "Snorm16<" + real(range.low) + ", " + real(range.high) + ">";
+  return prefix + "Snorm16<" + prefix + "Interval{" + real(range.low) + ", " + real(range.high) + "}>";
 }
 
 // "half, relative error up to 4.9e-4 (up to 32768 and from 6.1e-5 on)"
@@ -149,6 +144,11 @@ std::string number(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
+std::string real(double value) {
+  const std::string text = number(value);
+  return text + (text.find_first_of(".e") == std::string::npos ? ".0" : "");
+}
+
 std::string stored_type(model::Element element) {
   switch (element) {
     case model::Element::real:
@@ -201,6 +201,7 @@ std::string format_type(const model::Field& field, model::Space space) {
   const auto& [encoding, quaternion] = field.format(space);
   const std::string name = encoded_type(field, encoding);
   if (!quaternion) return name;
+  if (encoding == model::Encoding::snorm16) return "physgen::format::Quaternion16";
   return "physgen::format::Quaternion<" + (encoding == model::Encoding::native ? "" : name) + ">";
 }
 

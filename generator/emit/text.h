@@ -7,8 +7,11 @@
 
 namespace physgen::emit {
 
-/// Shortest text that reads back as `value`: "0.5", "1e-12".
+/// Shortest text that reads back as `value`, for people: "0.5", "1e-12", "3".
 [[nodiscard]] std::string number(double value);
+
+/// The same as a literal of type double, "3.0": as integers, numbers of 20 digits would be taken modulo 2^64.
+[[nodiscard]] std::string real(double value);
 
 /// C++ type of a stored element: "Real", "float", "double", "std::int32_t".
 [[nodiscard]] std::string stored_type(model::Element element);

@@ -1,4 +1,6 @@
 // The value struct: an aggregate of all fields of one object, or of the objects of a SIMD batch.
+#include <cstdint>
+
 #include "emit/pieces.h"
 #include "emit/text.h"
 
@@ -28,10 +30,18 @@ std::string member_type(const model::Field& field, const plan::Slot& slot, const
 }
 
 std::string literal(model::Element element, double value) {
-  const std::string text = number(value);
-  if (element == model::Element::real) return "physgen::all_lanes<Real>(" + text + ")";
-  if (element != model::Element::float32) return text;
-  return text + (text.find_first_of(".e") == std::string::npos ? ".0f" : "f");
+  switch (element) {
+    case model::Element::real:
+      return "physgen::all_lanes<Real>(" + real(value) + ")";
+    case model::Element::float32:
+      return real(value) + "f";
+    case model::Element::float64:
+      return real(value);
+    case model::Element::index:
+    case model::Element::int32:
+      break;
+  }
+  return std::to_string(static_cast<std::int32_t>(value));
 }
 
 // Only where the schema states a value: an object that a kernel is about to fill costs nothing.

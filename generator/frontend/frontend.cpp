@@ -3,6 +3,7 @@
 #include "frontend/frontend.h"
 
 #include <clang/AST/ASTConsumer.h>
+#include <clang/AST/DeclCXX.h>
 #include <clang/Basic/LangStandard.h>
 #include <clang/Basic/Version.h>
 #include <clang/Frontend/CompilerInstance.h>
@@ -10,9 +11,12 @@
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <clang/Frontend/Utils.h>
 #include <clang/Lex/Preprocessor.h>
+#include <llvm/Support/CrashRecoveryContext.h>
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 #include <llvm/TargetParser/Triple.h>
+
+#include <map>
 
 #include "frontend/objects.h"
 #include "frontend/vocabulary.h"
@@ -21,6 +25,7 @@ namespace physgen::frontend {
 namespace {
 
 constexpr const char* vocabulary_dir = "/physgen.builtin";
+constexpr unsigned stack_bytes = 256U << 20;
 // Any target with a 32-bit int will do, the same on every machine; this one has few builtins to register.
 constexpr const char* target = "riscv64-unknown-linux-gnu";
 
@@ -33,7 +38,26 @@ class Consumer : public clang::ASTConsumer {
     schema_ = read_schema(context, context.getDiagnostics().hasErrorOccurred(), has_vocabulary);
   }
 
+  /// Clang evaluates a variable field by field, those of nested structs included: twenty-five structs of two of the one
+  /// before would take gigabytes. A struct of so many fields is called invalid, and its variables are not looked at; as
+  /// an object it is far above what model::validate allows.
+  void HandleTagDeclDefinition(clang::TagDecl* tag) override {
+    auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
+    if (record == nullptr || record->isDependentContext()) return;
+    double count = 1;
+    const auto add = [&](clang::QualType type) {
+      const auto* nested = type->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+      const auto known = nested == nullptr ? fields_.end() : fields_.find(nested->getCanonicalDecl());
+      count += known == fields_.end() ? 1 : known->second;
+    };
+    for (const auto& base : record->bases()) add(base.getType());
+    for (const auto* field : record->fields()) add(field->getType());
+    fields_[record->getCanonicalDecl()] = count;
+    if (count > 1 << 18) record->setInvalidDecl();
+  }
+
  private:
+  std::map<const clang::CXXRecordDecl*, double> fields_;  // with those of nested structs
   clang::Preprocessor& preprocessor_;
   model::Schema& schema_;
 };
@@ -81,6 +105,34 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> file_system() {
   return files;
 }
 
+/// What to write instead, where Clang can only say that it does not know a name.
+std::string notes(llvm::StringRef diagnostics) {
+  std::string text;
+  if (diagnostics.contains("' file not found"))
+    text +=
+        "note: a schema can include <physgen/schema.h> and other schemas, but no system headers; -I adds folders "
+        "to look in\n";
+  const bool library = diagnostics.contains("undeclared identifier 'std'") ||
+                       diagnostics.contains("undeclared identifier 'Eigen'") ||
+                       diagnostics.contains("no member named 'vector' in namespace 'std'");
+  if (library || diagnostics.contains("unknown type name"))
+    text +=
+        "note: types of fields are Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, "
+        "Index, "
+        "float, double, int, objects, and fixed arrays of these, 'Scalar x[8];'; write Vector<3> for Eigen::Vector3d "
+        "or "
+        "std::array<double, 3>, Matrix<3, 3> for Eigen::Matrix3d, and for a std::vector an array of objects of its own "
+        "whose numbers are kept here as an Index\n";
+  if (!library && (diagnostics.contains("use of undeclared identifier") || diagnostics.contains("call to 'format'") ||
+                   diagnostics.contains("call to 'layout'")))
+    text +=
+        "note: options of fields are unit(\"Pa\"), range(low, high), initial(value) and format(space, storage), "
+        "of objects layout(space, pattern) and align(bytes); spaces are host and cuda, one layout and one format for "
+        "each; patterns aos, aos_padded, soa, aosoa(W); storages float32, float64, half, bfloat16, snorm16, "
+        "quaternion(), quaternion(half)\n";
+  return text;
+}
+
 }  // namespace
 
 Result parse(const std::string& path, const ParseOptions& options) {
@@ -114,20 +166,14 @@ Result parse(const std::string& path, const ParseOptions& options) {
   const auto dependencies = std::make_shared<clang::DependencyCollector>();
   compiler.addDependencyCollector(dependencies);
   Action action(schema);
-  const bool completed = compiler.ExecuteAction(action);
+  // On a thread for its stack: Clang skips brackets that nothing closes by recursion, and a hundred thousand of them
+  // are soon there where a file is damaged.
+  bool completed = false;
+  llvm::CrashRecoveryContext().RunSafelyOnThread([&] { completed = compiler.ExecuteAction(action); }, stack_bytes);
   result.dependencies = dependencies->getDependencies().vec();
   if (completed && !compiler.getDiagnostics().hasErrorOccurred()) result.schema = std::move(schema);
   diagnostics.flush();
-  if (llvm::StringRef(result.diagnostics).contains("' file not found"))
-    diagnostics
-        << "note: a schema can include <physgen/schema.h> and other schemas, but no system headers; -I adds folders "
-           "to look in\n";
-  if (llvm::StringRef(result.diagnostics).contains("use of undeclared identifier") ||
-      llvm::StringRef(result.diagnostics).contains("call to 'format'"))
-    diagnostics
-        << "note: options of fields are unit(\"Pa\"), range(low, high), initial(value) and format(space, storage), "
-           "of objects layout(space, pattern) and align(bytes); spaces are host and cuda, one format for each; "
-           "storages float32, float64, half, bfloat16, snorm16, quaternion(), quaternion(half)\n";
+  diagnostics << notes(result.diagnostics);
   diagnostics.flush();
   return result;
 }

@@ -173,7 +173,8 @@ class SchemaReader {
     const bool good = is_plain_field(declaration, report_);
     model::Field field;
     field.name = declaration.getName().str();
-    field.doc = comment(declaration);
+    // Clang looks for it through all the text behind the last comment, each time. Objects of more fields are refused.
+    if (object.fields.size() < 5000) field.doc = comment(declaration);
     field.location = location(declaration.getLocation());
     Places field_places;
     field_places.name = declaration.getLocation();

@@ -25,6 +25,12 @@ struct Option {
   [[nodiscard]] int integer(unsigned member) const {
     return static_cast<int>(value.getStructField(member).getInt().getExtValue());
   }
+  /// @return none: not one of the enumerators 0 to `last`, but a cast
+  [[nodiscard]] static std::optional<int> enumerator(const clang::APValue& value, int last) {
+    const auto number = value.getInt().getExtValue();
+    if (number < 0 || number > last) return std::nullopt;
+    return static_cast<int>(number);
+  }
   [[nodiscard]] double real(unsigned member) const { return value.getStructField(member).getFloat().convertToDouble(); }
   [[nodiscard]] clang::SourceRange range() const { return expression->getSourceRange(); }
 };
@@ -91,14 +97,19 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Object& object,
   Places places(report);
   for_each_option(declaration, object_annotation, report.context(), [&](const Option& option) {
     if (option.type == "Layout") {
-      const bool host = option.integer(0) == 0;
+      const auto& pattern = option.value.getStructField(1);
+      const auto space = Option::enumerator(option.value.getStructField(0), 1);
+      const auto kind = Option::enumerator(pattern.getStructField(0), static_cast<int>(model::LayoutKind::aosoa));
+      if (!space || !kind)
+        return report.error(option.range(),
+                            "this names no space or no pattern of the vocabulary; write layout(host, ...) or "
+                            "layout(cuda, ...) with aos, aos_padded, soa or aosoa(tile)");
+      const bool host = *space == 0;
       if (!places.add(host ? Aspect::host_layout : Aspect::cuda_layout, option,
                       host ? "layout(host, ...)" : "layout(cuda, ...)"))
         return;
-      const auto& pattern = option.value.getStructField(1);
-      const auto kind = static_cast<model::LayoutKind>(pattern.getStructField(0).getInt().getExtValue());
       const int tile = static_cast<int>(pattern.getStructField(1).getInt().getExtValue());
-      (host ? object.host_layout : object.cuda_layout) = model::Layout{kind, tile};
+      (host ? object.host_layout : object.cuda_layout) = model::Layout{static_cast<model::LayoutKind>(*kind), tile};
     } else if (option.type == "Alignment") {
       if (!places.add(Aspect::alignment, option, "align(...)")) return;
       object.alignment = option.integer(0);
@@ -128,14 +139,24 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, R
     } else if (option.type == "Initial") {
       if (places.add(Aspect::initial, option, "initial(...)")) field.initial = option.real(0);
     } else if (option.type == "Format") {
-      const bool host = option.integer(0) == 0;
+      const auto& storage = option.value.getStructField(1);
+      const auto space = Option::enumerator(option.value.getStructField(0), 1);
+      const auto encoding = Option::enumerator(storage.getStructField(0), static_cast<int>(model::Encoding::snorm16));
+      const auto quaternions = Option::enumerator(storage.getStructField(1), 1);
+      if (!space || !encoding)
+        return report.error(option.range(),
+                            "this names no space or no storage of the vocabulary; write format(host, ...) or "
+                            "format(cuda, ...) with float32, float64, half, bfloat16, snorm16 or quaternion(...)");
+      if (!quaternions)
+        return report.error(option.range(),
+                            "the components of a quaternion are numbers, not quaternions; write quaternion(), or one "
+                            "with their storage, such as quaternion(half)");
+      const bool host = *space == 0;
       if (!places.add(host ? Aspect::host_format : Aspect::cuda_format, option,
                       host ? "format(host, ...)" : "format(cuda, ...)"))
         return;
-      const auto& storage = option.value.getStructField(1);
-      const auto encoding = static_cast<model::Encoding>(storage.getStructField(0).getInt().getExtValue());
-      const bool quaternion = !storage.getStructField(1).getInt().isZero();
-      (host ? field.host_format : field.cuda_format) = model::Format{encoding, quaternion};
+      (host ? field.host_format : field.cuda_format) =
+          model::Format{static_cast<model::Encoding>(*encoding), *quaternions == 1};
     } else {
       reject(option, "PHYSGEN", field_options, report);
     }

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <span>
 
+#include "model/taken_names.h"
+
 namespace physgen::model {
 namespace {
 
@@ -32,9 +34,7 @@ constexpr std::string_view reserved_objects[] = {
     "Real",   "Cursor",    "Value",  "Record", "Layout",    "Space",    "View",  "Array",    "Ref",
     "Object", "Scalar",    "Vector", "Matrix", "Symmetric", "Diagonal", "Skew",  "Rotation", "Index",
     "bytes",  "alignment", "get",    "put",    "physgen",   "std",      "Eigen", "Formats"};
-// Macros of system headers and compilers.
-constexpr std::string_view macros[] = {"NULL", "NAN", "INFINITY", "EOF", "errno", "assert", "linux", "unix"};
-constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen"};
+constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen", "xsimd"};
 
 bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -47,6 +47,16 @@ bool is_identifier(std::string_view name) {
          std::all_of(name.begin(), name.end(), letter_or_digit);
 }
 
+// M_pi for M_PI, C_v for C_V, nu_12 for NU_12.
+std::string with_small_letters(std::string_view name) {
+  std::string changed(name);
+  const auto lower = [](unsigned char c) { return static_cast<char>(std::tolower(c)); };
+  const auto underscore = changed.begin() + static_cast<std::ptrdiff_t>(changed.find('_'));
+  std::transform(underscore, changed.end(), underscore, lower);
+  if (is_written_as_a_macro(changed)) std::transform(changed.begin(), underscore, changed.begin(), lower);
+  return changed;
+}
+
 }  // namespace
 
 std::string name_problem(std::string_view name, NameOf of) {
@@ -57,8 +67,11 @@ std::string name_problem(std::string_view name, NameOf of) {
     return "ends with an underscore, which generated code keeps for its own members; write the name without it";
   if (name.find("__") != std::string_view::npos)
     return "contains two underscores in a row, which is reserved for compilers; write one";
-  if (is_one_of(name, macros) || name.starts_with("PHYSGEN"))
-    return "is a macro of the system's or of physgen's headers; choose another name";
+  if (is_written_as_a_macro(name))
+    return "is written as the macros of system headers are, in capitals with an underscore; write '" +
+           with_small_letters(name) + "' or another name with a small letter";
+  if (is_macro(name))
+    return "is a macro of a header that programs include, and means something else there; choose another name";
   const bool reserved = of == NameOf::field    ? is_one_of(name, reserved_fields)
                         : of == NameOf::object ? is_one_of(name, reserved_objects)
                                                : is_one_of(name, reserved_scopes);

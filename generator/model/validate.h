@@ -43,6 +43,9 @@ struct Issue {
 /// Largest vector, matrix side, array extent and record of one object (in elements); they keep all offsets far inside
 /// int.
 inline constexpr int max_side = 1024;
+/// Bytes of the largest value of one field's entry, with double: what Eigen keeps on the stack,
+/// EIGEN_STACK_ALLOCATION_LIMIT.
+inline constexpr int max_value_bytes = 128 * 1024;
 inline constexpr int max_extent = 65536;
 inline constexpr int max_elements = 1 << 20;
 inline constexpr int max_tile = 1024;

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "convert.h"
+
 namespace physgen::backend {
 
 /// Zeroed memory of the pinned or cuda space, or null with the reason in `why`.
@@ -19,13 +21,14 @@ void copy_bytes(std::byte* to, const std::byte* from, index_t bytes, Stream stre
 void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int rows,
                Stream stream);
 
-/// Converts objects begin .. end-1 where at least one side is in CUDA memory; see cuda/transfer.cu for what travels and
+/// Converts objects begin .. end-1 where at least one side is in CUDA memory, and both only where no functions of the
+/// program's own change a field; see cuda/transfer.cu for what travels and
 /// where it is converted.
 /// @return bytes that travelled between host and device; between arrays of the device, those of the objects read
 index_t convert(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream);
 
 /// Sets one field of objects begin .. end-1 in CUDA memory to its initial value; done when this returns.
-void fill(const Storage& storage, const FieldInfo& field, index_t begin, index_t end);
+void fill(const Storage& storage, const detail::Fill& field, index_t begin, index_t end);
 
 /// What the formats of `to` could not hold of objects begin .. end-1 of `from`, which lies in CUDA memory; done when
 /// this returns.

@@ -61,9 +61,12 @@ Buffer::Buffer(SpaceKind space, index_t bytes, const std::string& what) : bytes_
 
 void copy_memory(std::byte* to, SpaceKind to_space, const std::byte* from, SpaceKind from_space, index_t bytes) {
   if (bytes == 0) return;
+  detail::wait_for_host_work(to_space);
+  detail::wait_for_host_work(from_space);
   if (host_accessible(to_space) && host_accessible(from_space)) {
     std::memcpy(to, from, static_cast<std::size_t>(bytes));
   } else {
+    detail::refuse_capture(nullptr, "a copy of bytes");
     backend::copy_bytes(to, from, bytes, nullptr);
     synchronize();
   }

@@ -3,6 +3,7 @@
 
 #include <physgen/storage.h>
 
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -94,33 +95,62 @@ struct Conversion {
   }
 };
 
-/// The initial value of one field.
+/// The initial value of one field, as it is stored.
 struct Fill {
   int offset;
   int count;
-  Encoding encoding;
+  int size;
   bool rotation;
   bool quaternion;
-  double value;
+  std::uint64_t value = 0;  // of all elements; of a rotation, of those that are 0
+  std::uint64_t one = 0;    // of the others
 
   explicit Fill(const FieldInfo& field)
       : offset(field.offset),
         count(field.count),
-        encoding(encoding_of(field)),
+        size(element_bytes(field.type)),
         rotation(field.rotation),
-        quaternion(field.quaternion),
-        value(field.initial) {}
+        quaternion(field.quaternion) {
+    const auto stored = [encoding = encoding_of(field)](double number) {
+      alignas(8) std::byte bytes[8] = {};
+      encode(bytes, encoding, number);
+      return std::bit_cast<std::uint64_t>(bytes);
+    };
+    value = stored(rotation ? 0.0 : field.initial);
+    if (rotation) one = stored(1.0);
+  }
+  /// Whether cleared memory is what it would write.
+  [[nodiscard]] bool is_zero() const { return value == 0 && one == 0; }
   PHYSGEN_FUNCTION void run(const Addressing& array, index_t i) const {
-    const int size = element_bytes(encoding.type);
     for (int k = 0; k < count; ++k) {
-      const bool one = quaternion ? k % 4 == 0 : k % 9 % 4 == 0;  // w, or the diagonal
-      encode(array.address(i, offset + k * size, size), encoding, rotation ? (one ? 1.0 : 0.0) : value);
+      const bool is_one = rotation && (quaternion ? k % 4 == 0 : k % 9 % 4 == 0);  // w, or the diagonal
+      const std::uint64_t bits = is_one ? one : value;
+      std::byte* to = array.address(i, offset + k * size, size);
+      if (size == 8) {
+        *reinterpret_cast<std::uint64_t*>(to) = bits;
+      } else if (size == 4) {
+        *reinterpret_cast<std::uint32_t*>(to) = static_cast<std::uint32_t>(bits);
+      } else {
+        *reinterpret_cast<std::uint16_t*>(to) = static_cast<std::uint16_t>(bits);
+      }
     }
   }
 };
 
+/// The first field that changes between the two arrays by functions of a format of a program's own, which only the host
+/// has; else null.
+[[nodiscard]] inline const FieldInfo* changed_by_own_functions(const Storage& to, const Storage& from) {
+  for (std::size_t f = 0; f < to.fields.size(); ++f) {
+    const FieldInfo &a = to.fields[f], &b = from.fields[f];
+    if (a.own == nullptr && b.own == nullptr) continue;
+    if (a.quaternion != b.quaternion || !(encoding_of(a) == encoding_of(b))) return &a;
+  }
+  return nullptr;
+}
+
 /// Counts what `move` could not hold of object i.
 PHYSGEN_FUNCTION inline void count_element(Losses& losses, const ElementMove& move, const Addressing& from, index_t i) {
+  if (move.to.own != nullptr && move.to == move.from) return;  // it moves as it is
   alignas(8) std::byte stored[8];
   const double value = decode<double>(from.address(i, move.from_offset, element_bytes(move.from.type)), move.from);
   encode(stored, move.to, value);

@@ -1,5 +1,5 @@
 // Single elements between any two storage formats that are known at run time only, on host and device: what copies of
-// whole arrays are made of. A new 16-bit format is one more codec, and its case in with_codec().
+// whole arrays are made of. A new 16-bit format is a case in decode() and encode(), and for speed one more codec.
 #pragma once
 
 #include <physgen/object_info.h>
@@ -8,16 +8,34 @@
 
 namespace physgen::detail {
 
-/// How the elements of one field are stored: centre + scale * what memory holds.
+/// How the elements of one field are stored: centre + scale * what memory holds, or as functions of a program's own
+/// say.
 struct Encoding {
-  ElementType type;
+  ElementType type = ElementType::float32;
+  bool scaled = false;     ///< scale is not 1 or centre not 0
+  bool has_codec = false;  ///< with_codec() knows it
   double scale = 1;
   double centre = 0;
+  const OwnCodec* own = nullptr;  ///< called on the host alone
+
+  Encoding() = default;
+  explicit Encoding(const FieldInfo& field)
+      : type(field.type),
+        scaled(field.scale != 1 || field.centre != 0),
+        scale(field.scale),
+        centre(field.centre),
+        own(field.own) {
+    has_codec =
+        own == nullptr && ((type == ElementType::half && centre == 0) || (type == ElementType::bfloat16 && !scaled) ||
+                           (type == ElementType::snorm16 && format::detail::snorm16_is_ordinary<float>(scale, centre)));
+  }
+  /// Whether memory holds the very numbers, of this type.
+  [[nodiscard]] PHYSGEN_FUNCTION bool is_plain(ElementType of) const { return type == of && !scaled && own == nullptr; }
   bool operator==(const Encoding&) const = default;
 };
-[[nodiscard]] inline Encoding encoding_of(const FieldInfo& field) { return {field.type, field.scale, field.centre}; }
+[[nodiscard]] inline Encoding encoding_of(const FieldInfo& field) { return Encoding(field); }
 
-/// What 16 bits stand for, computed in S: one struct for each kind of encoding.
+/// What 16 bits stand for, computed in S, for loops over many elements: one struct for each kind of encoding.
 template <class S>
 struct HalfCodec {
   S scale, inverse;
@@ -53,7 +71,7 @@ struct Snorm16Codec {
   }
 };
 
-/// Calls visit(codec) with the codec of an encoding in 16 bits; does nothing for others.
+/// Calls visit(codec) with the codec of an encoding. @pre encoding.has_codec
 #ifdef __CUDACC__
 #pragma nv_exec_check_disable
 #endif
@@ -76,43 +94,66 @@ PHYSGEN_FUNCTION inline void with_codec(const Encoding& encoding, const Visit& v
 /// The value of an element. @tparam S float or double. Integers are not converted to float.
 template <class S>
 [[nodiscard]] PHYSGEN_FUNCTION inline S decode(const std::byte* from, const Encoding& encoding) {
+#ifndef __CUDA_ARCH__
+  if (encoding.own != nullptr) return static_cast<S>(encoding.own->decode(from));
+#endif
+  S value(0);
   switch (encoding.type) {
-    case ElementType::float32:
-      return static_cast<S>(*reinterpret_cast<const float*>(from));
-    case ElementType::float64:
-      return static_cast<S>(*reinterpret_cast<const double*>(from));
     case ElementType::int32:
       return static_cast<S>(*reinterpret_cast<const std::int32_t*>(from));
+    case ElementType::snorm16: {
+      const auto steps = *reinterpret_cast<const std::int16_t*>(from);
+      if (format::detail::snorm16_is_ordinary<S>(encoding.scale, encoding.centre))
+        return format::detail::snorm16_to_real<S>(steps, static_cast<S>(encoding.scale),
+                                                  static_cast<S>(encoding.centre));
+      return format::detail::snorm16_to_real_exactly<S>(steps, encoding.scale, encoding.centre);
+    }
+    case ElementType::float32:
+      value = static_cast<S>(*reinterpret_cast<const float*>(from));
+      break;
+    case ElementType::float64:
+      value = static_cast<S>(*reinterpret_cast<const double*>(from));
+      break;
     case ElementType::half:
+      value = static_cast<S>(format::detail::half_to_float(*reinterpret_cast<const std::uint16_t*>(from)));
+      break;
     case ElementType::bfloat16:
-    case ElementType::snorm16:
+      value = static_cast<S>(format::detail::bfloat16_to_float(*reinterpret_cast<const std::uint16_t*>(from)));
       break;
   }
-  S value(0);
-  with_codec<S>(encoding,
-                [&](const auto& codec) { value = codec.decode(*reinterpret_cast<const std::uint16_t*>(from)); });
-  return value;
+  if (!encoding.scaled) return value;
+  return format::detail::to_scale<S>(value, static_cast<S>(encoding.scale), static_cast<S>(encoding.centre));
 }
 
 /// Stores a value.
 template <class S>
 PHYSGEN_FUNCTION inline void encode(std::byte* to, const Encoding& encoding, S value) {
-  switch (encoding.type) {
-    case ElementType::float32:
-      *reinterpret_cast<float*>(to) = static_cast<float>(value);
-      return;
-    case ElementType::float64:
-      *reinterpret_cast<double*>(to) = static_cast<double>(value);
-      return;
-    case ElementType::int32:
-      *reinterpret_cast<std::int32_t*>(to) = static_cast<std::int32_t>(value);
-      return;
-    case ElementType::half:
-    case ElementType::bfloat16:
-    case ElementType::snorm16:
-      break;
+#ifndef __CUDA_ARCH__
+  if (encoding.own != nullptr) return encoding.own->encode(to, static_cast<double>(value));
+#endif
+  if (encoding.type == ElementType::int32) {
+    *reinterpret_cast<std::int32_t*>(to) = static_cast<std::int32_t>(value);
+    return;
   }
-  with_codec<S>(encoding, [&](const auto& codec) { *reinterpret_cast<std::uint16_t*>(to) = codec.encode(value); });
+  if (encoding.type == ElementType::snorm16) {
+    *reinterpret_cast<std::int16_t*>(to) =
+        format::detail::snorm16_is_ordinary<S>(encoding.scale, encoding.centre)
+            ? format::detail::real_to_snorm16<S>(value, static_cast<S>(encoding.scale), static_cast<S>(encoding.centre))
+            : format::detail::real_to_snorm16_exactly<S>(value, encoding.scale, encoding.centre);
+    return;
+  }
+  if (encoding.scaled) {
+    value = format::detail::from_scale<S>(value, static_cast<S>(1 / encoding.scale), static_cast<S>(encoding.centre));
+  }
+  if (encoding.type == ElementType::float32) {
+    *reinterpret_cast<float*>(to) = static_cast<float>(value);
+  } else if (encoding.type == ElementType::float64) {
+    *reinterpret_cast<double*>(to) = static_cast<double>(value);
+  } else if (encoding.type == ElementType::half) {
+    *reinterpret_cast<std::uint16_t*>(to) = format::detail::float_to_half(format::detail::to_odd(value));
+  } else {
+    *reinterpret_cast<std::uint16_t*>(to) = format::detail::float_to_bfloat16(format::detail::to_odd(value));
+  }
 }
 
 /// One element from one format to another; the very bits where both are the same.

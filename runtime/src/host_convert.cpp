@@ -55,18 +55,18 @@ void convert_lanes(const ElementMove& move, Lanes to, Lanes from, index_t count)
     if (size == 4) return move_lanes<std::uint32_t>(to, from, count);
     return move_lanes<std::uint16_t>(to, from, count);
   }
-  if (move.to.type == ElementType::float32 && move.from.type == ElementType::float64) {
+  if (move.to.is_plain(ElementType::float32) && move.from.is_plain(ElementType::float64)) {
     return convert_lanes<float, double>(to, from, count, [](double value) { return static_cast<float>(value); });
   }
-  if (move.to.type == ElementType::float64 && move.from.type == ElementType::float32) {
+  if (move.to.is_plain(ElementType::float64) && move.from.is_plain(ElementType::float32)) {
     return convert_lanes<double, float>(to, from, count, [](float value) { return static_cast<double>(value); });
   }
-  if (move.from.type == ElementType::float32 && element_bytes(move.to.type) == 2) {
+  if (move.from.is_plain(ElementType::float32) && move.to.has_codec) {
     return with_codec<float>(move.to, [&](const auto& codec) {
       convert_lanes<std::uint16_t, float>(to, from, count, [&codec](float value) { return codec.encode(value); });
     });
   }
-  if (move.to.type == ElementType::float32 && element_bytes(move.from.type) == 2) {
+  if (move.to.is_plain(ElementType::float32) && move.from.has_codec) {
     return with_codec<float>(move.from, [&](const auto& codec) {
       convert_lanes<float, std::uint16_t>(to, from, count, [&codec](std::uint16_t bits) { return codec.decode(bits); });
     });

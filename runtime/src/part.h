@@ -12,9 +12,8 @@ namespace physgen::detail {
   part.base = nullptr;
   part.size = objects;
   const bool many_tiles = like.pitch < like.padded;
-  // An array of one short tile may be tiled or not: its part is as long, and the same whichever it is.
-  constexpr index_t longest_tile = 1024;
-  if (!many_tiles && like.padded <= longest_tile) {
+  // An array of one tile that a part of all its objects may hold: that is as long, and moves in one run.
+  if (!many_tiles && like.padded <= align_up(objects, padding_objects)) {
     part.padded = like.padded;
   } else {
     part.pitch = many_tiles ? like.pitch : align_up(objects, padding_objects);
@@ -29,12 +28,6 @@ namespace physgen::detail {
   int bytes = 0;
   for (const FieldInfo& field : array.fields) bytes += field.count * element_bytes(field.type);
   return bytes;
-}
-
-/// Objects that pass through a part at a time: about 8 MiB, whole tiles of every layout.
-[[nodiscard]] inline index_t chunk_objects(const Storage& array) {
-  constexpr index_t bytes = 8 << 20, tiles = 1024;
-  return align_up(bytes / (array.record_bytes > 0 ? array.record_bytes : 1) + 1, tiles);
 }
 
 }  // namespace physgen::detail

@@ -1,4 +1,5 @@
 // Copies between arrays, initial values and single elements, over arrays without their types.
+#include <physgen/chunked_transfer.h>
 #include <physgen/error.h>
 #include <physgen/storage.h>
 
@@ -60,9 +61,15 @@ void require_two_arrays_of_one_type(const Storage& to, const Storage& from) {
 
 Losses count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
   if (begin == end) return {};
-  if (!host_accessible(from.space)) return backend::count_losses(to, from, begin, end, stream);
-  if (from.space == SpaceKind::pinned) synchronize(stream);  // a transfer may be writing there
-  return detail::count_on_host(to, from, begin, end);
+  if (host_accessible(from.space)) {
+    detail::wait_for_host_work(from.space, stream);
+    return detail::count_on_host(to, from, begin, end);
+  }
+  if (detail::changed_by_own_functions(to, from) == nullptr) return backend::count_losses(to, from, begin, end, stream);
+  Losses losses;
+  ChunkedDownload chunks(from, begin, end, stream);
+  while (chunks.next()) losses.add(detail::count_on_host(to, chunks.chunk(), 0, chunks.chunk().size), chunks.begin());
+  return losses;
 }
 
 }  // namespace
@@ -74,6 +81,19 @@ index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_
                 describe(from) + " to " + describe(to));
   }
   if (begin == end) return 0;
+  const bool on_host = host_accessible(from.space) && host_accessible(to.space);
+  if (on_host) {
+    detail::wait_for_host_work(from.space, stream);
+    detail::wait_for_host_work(to.space, stream);
+  } else if (to.space == SpaceKind::host || from.space == SpaceKind::host) {
+    detail::refuse_capture(stream, "a copy to or from host memory that is not pinned");
+  }
+  const FieldInfo* own = on_host ? nullptr : detail::changed_by_own_functions(to, from);
+  if (own != nullptr && to.space == from.space) {
+    throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + std::string(own->name) +
+                " is stored in a format of the program's own, whose functions are called on the host; copy by way of a "
+                "host array, or take format::Scaled");
+  }
   if (checked_build && !detail::same_records(to, from))
     throw_if_falsified(count_losses(to, from, begin, end, stream), to);
   if (detail::same_records(to, from) && detail::same_runs(to, from)) {
@@ -83,11 +103,15 @@ index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_
     const index_t last = to_the_end && whole_tiles ? align_up(end, to.pitch) : end;
     return detail::copy_plain(to, begin, from, begin, last - begin, stream);
   }
-  if (host_accessible(from.space) && host_accessible(to.space)) {
+  if (on_host) {
     detail::convert_on_host(to, 0, from, 0, begin, end);
     return (end - begin) * from.record_bytes;
   }
   return backend::convert(to, from, begin, end, stream);
+}
+
+void detail::wait_for_host_work(SpaceKind space, Stream stream) {
+  if (space == SpaceKind::pinned) synchronize(stream);
 }
 
 void copy_first(const Storage& to, const Storage& from, index_t count, Stream stream) {
@@ -166,20 +190,28 @@ void start_losses(Losses& counters, const Losses* old, index_t objects, SpaceKin
 
 void initialize(const Storage& storage, index_t begin, index_t end) {
   if (begin == end) return;
+  detail::wait_for_host_work(storage.space);
   for (const FieldInfo& field : storage.fields) {
-    if (field.initial == 0 && field.centre == 0 && !field.rotation) continue;  // buffers come zeroed
+    const detail::Fill fill(field);
+    if (fill.is_zero()) continue;
     if (host_accessible(storage.space)) {
       const detail::Addressing array(storage);
-      const detail::Fill fill(field);
 #pragma omp parallel for schedule(static) if (end - begin > 8192)
       for (index_t i = begin; i < end; ++i) fill.run(array, i);
     } else {
-      backend::fill(storage, field, begin, end);
+      backend::fill(storage, fill, begin, end);
     }
   }
 }
 
 namespace {
+
+// Before a transfer of one element: it sees what the default stream has done.
+void refuse_or_wait(SpaceKind space, const char* what) {
+  if (space == SpaceKind::host) return;
+  detail::refuse_capture(nullptr, what);
+  detail::wait_for_host_work(space);
+}
 
 // The nearest number that an int32 may be converted from; 0 for NaN.
 double limited(double value) {
@@ -191,6 +223,7 @@ double limited(double value) {
 
 double getdata(const Storage& storage, index_t i, int k) {
   const auto [field, element] = find_element(storage, i, k);
+  refuse_or_wait(storage.space, "getdata()");
   const int size = element_bytes(field.type);
   // A single element, or all those of a quaternion.
   alignas(8) std::array<std::byte, 32> bytes{};
@@ -235,6 +268,7 @@ void putdata(const Storage& storage, index_t i, int k, double value) {
                        field.offset + element * size);
     throw_if_falsified(losses, storage);
   }
+  refuse_or_wait(storage.space, "putdata()");
   if (host_accessible(storage.space)) {
     std::memcpy(to, bytes.data(), static_cast<std::size_t>(size));
   } else {

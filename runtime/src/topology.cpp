@@ -155,6 +155,7 @@ void insert(const Storage& to, index_t begin, const Storage& from) {
 void renumber(const Storage& storage, std::string_view field_name, std::span<const index_t> new_number) {
   const FieldInfo& field = detail::find_index_field(storage, field_name);
   if (storage.size == 0) return;
+  detail::wait_for(std::span(&storage, 1));
   const bool on_host = host_accessible(storage.space);
   const detail::Numbers uploaded(new_number, std::span(&storage, 1));
   const detail::NewNumbers numbers{

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string sound = preamble + object("Scalar x;");
-const std::string broken = preamble + object("Scalar& x;");
+const std::string sound = schema_of(object("Scalar x;"));
+const std::string broken = schema_of(object("Scalar& x;"));
 
 std::string text_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -105,7 +105,7 @@ TEST_F(Command, does_not_touch_an_unchanged_header) {
   EXPECT_EQ(unchanged.out, "unchanged out/a.physgen.h\n");
   EXPECT_EQ(fs::last_write_time(folder / "out/a.physgen.h"), long_ago);
   EXPECT_GT(fs::last_write_time(folder / "stamp"), long_ago) << "the stamp says that physgen has run";
-  folder.write("a.h", preamble + object("Scalar y;"));
+  folder.write("a.h", schema_of(object("Scalar y;")));
   EXPECT_EQ(run("generate a.h -o out --verbose").out, "written   out/a.physgen.h\n");
   EXPECT_GT(fs::last_write_time(folder / "out/a.physgen.h"), long_ago);
 }
@@ -179,10 +179,10 @@ TEST_F(Command, says_what_an_empty_file_needs) {
 }
 
 TEST_F(Command, lists_what_the_stamp_depends_on) {
-  folder.write("a.h", "#include \"odd #1 $name.h\"\n#include \"b.h\"\n" + object("B b;"));
+  folder.write("a.h", "#include \"odd #1 $name.h\"\n#include \"b.h\"\n" + schema_of(object("B b;")));
   folder.write("odd #1 $name.h", "#pragma once\n#include \"b.h\"\n");
-  folder.write("inc/b.h", "#pragma once\n" + preamble + "struct PHYSGEN_OBJECT() B {\n  Scalar x;\n};\n");
-  folder.write("c.h", "#include \"b.h\"\n" + object("B b;"));
+  folder.write("inc/b.h", "#pragma once\n" + schema_of("struct PHYSGEN_OBJECT() B {\n  Scalar x;\n};\n"));
+  folder.write("c.h", "#include \"b.h\"\n" + schema_of(object("B b;")));
   const auto outcome = run("generate a.h c.h -o out -I inc --depfile 'some dir/d' --stamp 'some dir/stamp'");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(text_of(folder / "some dir/d"),
@@ -224,6 +224,17 @@ TEST_F(Command, refuses_wrong_use) {
   EXPECT_EQ(files("."), std::vector<std::string>{"a.h"});
 }
 
+TEST_F(Command, says_that_there_is_no_such_command_or_schema) {
+  folder.write("a.h", sound);
+  for (const char* arguments : {"foo", "foo -o out", "genrate a.h -o out"}) {
+    const auto outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.err.substr(0, 48),
+              "physgen: error: there is no command or schema '" + std::string(1, arguments[0]))
+        << outcome.err;
+  }
+}
+
 TEST_F(Command, explains_itself) {
   EXPECT_EQ(run("--help").status, 0);
   EXPECT_NE(run("--help").out.find("generate"), std::string::npos);
@@ -254,11 +265,11 @@ TEST_F(Command, generates_the_shipped_schemas_in_time) {
 }
 
 TEST_F(Command, generates_a_thousand_objects_in_time) {
-  std::string text = preamble;
+  std::string text;
   for (int i = 0; i < 1000; ++i)
     text += "/// Object.\nstruct PHYSGEN_OBJECT(layout(host, aosoa(16))) Object" + std::to_string(i) +
             "x {\n  PHYSGEN(unit(\"Pa\")) Scalar a, b, c;  ///< stress\n  Matrix<3, 3> F;\n};\n";
-  folder.write("a.h", text);
+  folder.write("a.h", schema_of(text));
   const double seconds = best_of(2, [&] { EXPECT_EQ(run("generate a.h -o out").status, 0); });
   std::printf("physgen, 1000 objects: %.2f s (goal: 2)\n", seconds);
 }

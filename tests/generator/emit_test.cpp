@@ -10,6 +10,7 @@
 #include "emit/emitter.h"
 #include "emit/printer.h"
 #include "emit/text.h"
+#include "model/header_size.h"
 #include "models.h"
 #include "text_checks.h"
 
@@ -143,9 +144,85 @@ TEST(Emitter, writes_no_line_that_is_too_long_or_ends_in_blanks) {
   }
 }
 
+// As integers, numbers of 20 digits are taken modulo 2^64, and -0 loses its sign.
+TEST(Emitter, prints_initial_values_as_literals_of_their_type) {
+  const auto line_of = [](Element element, double value) {
+    auto with_value = scalar("x", element);
+    with_value.initial = value;
+    const std::string text = accessor_header(schema({object("A", {with_value})}));
+    const auto begin = text.find(" x = ") + 5;
+    return text.substr(begin, text.find(';', begin) - begin);
+  };
+  EXPECT_EQ(line_of(Element::real, 0x1p64), "physgen::all_lanes<Real>(18446744073709551616.0)");
+  EXPECT_EQ(line_of(Element::float64, 0x1p64), "18446744073709551616.0");
+  EXPECT_EQ(line_of(Element::float64, 1.2345678901234568e20), "123456789012345683968.0");
+  EXPECT_EQ(line_of(Element::float32, 0x1p64), "18446744073709551616.0f");
+  EXPECT_EQ(line_of(Element::float64, -0.0), "-0.0");
+  EXPECT_EQ(line_of(Element::float64, 1e-12), "1e-12");
+  EXPECT_EQ(line_of(Element::index, 1e9), "1000000000");
+  EXPECT_EQ(line_of(Element::int32, -2147483648.0), "-2147483648");
+  auto with_value = scalar("x");
+  with_value.initial = 0x1p64;
+  expect_contains(accessor_header(schema({object("A", {with_value})})),
+                  "ARecord<Real, Formats>::x, 1, 18446744073709551616.0),\n");
+}
+
+TEST(Emitter, guards_a_header_by_the_name_of_its_schema_and_its_text) {
+  const auto guard_of = [](const model::Schema& made) {
+    const std::string text = accessor_header(made);
+    const auto begin = text.find("#ifndef ") + 8;
+    const std::string guard = text.substr(begin, text.find('\n', begin) - begin);
+    EXPECT_EQ(text.find("#pragma once"), std::string::npos);
+    expect_contains(text, "#ifndef " + guard + "\n#define " + guard + "\n\n#include <physgen/runtime.h>\n");
+    EXPECT_TRUE(text.ends_with("\n#endif  // " + guard + "\n"));
+    return guard;
+  };
+  auto made = schema({object("A", {scalar("x")})});
+  made.file = "tissue.model-2__b.h";
+  const std::string guard = guard_of(made);
+  EXPECT_EQ(guard.substr(0, 29), "PHYSGEN_TISSUE_MODEL_2_B_H_" + guard.substr(27, 2)) << guard;
+  EXPECT_EQ(guard, guard_of(made));
+  made.objects[0].name = "B";  // a different schema of the same file name
+  EXPECT_NE(guard, guard_of(made));
+}
+
+// The estimate decides what is refused before anything is written.
+TEST(Emitter, writes_about_as_much_as_was_estimated) {
+  const auto compare = [](const char* what, const model::Schema& made) {
+    model::HeaderSizes sizes;
+    double estimate = 0;
+    for (const auto& one : made.objects) estimate += sizes.of(one).bytes;
+    const auto bytes = static_cast<double>(accessor_header(made).size());
+    EXPECT_GT(estimate, 0.75 * bytes) << what;
+    EXPECT_LT(estimate, 1.5 * bytes) << what;
+    std::cout << what << ": estimate / bytes " << estimate / bytes << '\n';
+  };
+  compare("one scalar", schema({object("A", {scalar("x")})}));
+  std::vector<model::Field> many;
+  for (int f = 0; f < 1000; ++f) many.push_back(scalar("some_name_" + std::to_string(f)));
+  compare("many fields", schema({object("A", many)}));
+  for (auto& one : many) one.doc = std::string(500, 'x');
+  compare("long comments", schema({object("A", many)}));
+  compare("an array", schema({object("A", {scalar("x")}), object("B", {array(nested("a", "test::A"), 5000)})}));
+  compare("long names", schema({object(std::string(500, 'A'), {scalar(std::string(300, 'x'))}),
+                                object(std::string(700, 'B'), {nested("a", "test::" + std::string(500, 'A'))})}));
+  std::vector<model::Object> chain{object("O0", {scalar("x")})}, doubled{object("O0", {scalar("x")})};
+  for (int i = 1; i <= 70; ++i)
+    chain.push_back(object("O" + std::to_string(i), {scalar("x"), nested("o", "test::O" + std::to_string(i - 1))}));
+  compare("a chain", schema(chain));
+  for (int i = 1; i <= 11; ++i) {
+    const std::string inner = "test::O" + std::to_string(i - 1);
+    doubled.push_back(object("O" + std::to_string(i), {nested("a", inner), nested("b", inner)}));
+  }
+  compare("a tree", schema(doubled));
+  compare("a tree of arrays",
+          schema({object("A", {scalar("x"), scalar("y")}), object("B", {array(nested("a", "test::A"), 12)}),
+                  object("C", {array(nested("b", "test::B"), 12)}), object("D", {array(nested("c", "test::C"), 12)})}));
+}
+
 TEST(Emitter, lets_no_comment_swallow_the_next_line) {
   auto sly = scalar("x");
-  sly.doc = "first \\\r\nsecond \\  ";
+  sly.doc = "first \\\r\nsecond \\ ?\?/ ";
   const std::string text = accessor_header(schema({object("A", {sly})}));
   expect_contains(text, "  /// first\n  /// second\n  Real x;\n");
 }

@@ -17,14 +17,17 @@ namespace physgen::test {
 
 struct DiagnosticCase {
   std::string name;                   ///< "reports_" in front of it is the test's name
-  std::string schema;                 ///< after the two lines of `preamble`
+  std::string schema;                 ///< as schema_of() takes it, which begins it with two lines
   std::vector<std::string> expected;  ///< beginnings of the diagnostics, "line:column: error: ..."
 };
 
 /// What GoogleTest prints of a case.
 inline void PrintTo(const DiagnosticCase& diagnostic, std::ostream* out) { *out << diagnostic.name; }
 
-inline const std::string preamble = "#include <physgen/schema.h>\nusing namespace physgen::schema;\n";
+/// A schema with these declarations in a namespace m; they begin on line 3.
+inline std::string schema_of(const std::string& declarations) {
+  return "#include <physgen/schema.h>\nnamespace m { using namespace physgen::schema;\n" + declarations + "}\n";
+}
 
 /// An object A with these members on its second line.
 inline std::string object(const std::string& members) { return "struct PHYSGEN_OBJECT() A {\n  " + members + "\n};\n"; }

@@ -124,16 +124,16 @@ inline const std::vector<DiagnosticCase> constructs_cases = {
     {"an_object_that_contains_itself",
      object("Scalar x; A a;"),
      {"4:15: error: field has incomplete type 'A'",
-      "3:25: note: definition of 'A' is not complete until the closing '}'",
+      "3:25: note: definition of 'm::A' is not complete until the closing '}'",
       "4:15: error: object 'A' contains itself in field 'a'; store an Index of the other object instead"}},
     {"an_object_that_contains_an_array_of_itself",
      object("A a[2];"),
      {"4:5: error: field has incomplete type 'A'",
-      "3:25: note: definition of 'A' is not complete until the closing '}'",
+      "3:25: note: definition of 'm::A' is not complete until the closing '}'",
       "4:5: error: object 'A' contains itself in field 'a'; store an Index of the other object instead"}},
     {"an_object_used_before_its_declaration",
      "struct B;\n" + object("B b;"),
-     {"5:5: error: field has incomplete type 'B'", "3:8: note: forward declaration of 'B'"}},
+     {"5:5: error: field has incomplete type 'B'", "3:8: note: forward declaration of 'm::B'"}},
 };
 
 }  // namespace physgen::test

@@ -26,6 +26,11 @@ inline const std::vector<DiagnosticCase> types_cases = {
      object("Vector<1025> v;"),
      {"4:3: error: field 'v' has the type Vector<1025>, whose sizes must be from 1 to 1024; keep larger matrices in "
       "objects of blocks"}},
+    {"a_matrix_too_large_for_the_stack",
+     object("Matrix<200, 200> m;"),
+     {"4:3: error: field 'm' has the type Matrix<200, 200>, whose value takes 320000 bytes in double, and Eigen keeps "
+      "no "
+      "more than 131072 on the stack; write blocks, such as 'Matrix<64, 64> m[...]'"}},
     {"an_array_of_zero_entries",
      object("Scalar x[0];"),
      {"4:3: error: field 'x' is an array of no entries; write an extent of at least 1, or remove it"}},
@@ -50,7 +55,7 @@ inline const std::vector<DiagnosticCase> types_cases = {
      {"5:3: error: field 'x' is an array of arrays; write 'Matrix<R, C> x;' or one array of the product of the "
       "extents"}},
     {"too_many_elements_in_one_object",
-     object("Matrix<1024, 1024> m; Scalar x;"),
+     object("Matrix<128, 128> m[64]; Scalar x;"),
      {"3:25: error: object 'A' has more than 1048576 elements; split it, or keep its large parts in arrays of objects "
       "of their own"}},
     {"an_object_without_fields",

@@ -12,7 +12,7 @@ namespace {
 class Diagnostics : public testing::TestWithParam<DiagnosticCase> {};
 
 TEST_P(Diagnostics, reports) {
-  const auto result = parse_text(preamble + GetParam().schema);
+  const auto result = parse_text(schema_of(GetParam().schema));
   EXPECT_FALSE(result.schema.has_value());
   const auto found = headlines(result.diagnostics);
   const auto& expected = GetParam().expected;

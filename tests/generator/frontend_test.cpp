@@ -11,7 +11,7 @@ using model::Shape;
 
 /// The schema's model; the test fails if it has errors.
 model::Schema sound(const std::string& text) {
-  auto result = parse_text(preamble + text);
+  auto result = parse_text(schema_of(text));
   EXPECT_TRUE(result.schema.has_value()) << result.diagnostics;
   EXPECT_EQ(result.diagnostics, "");
   return result.schema.value_or(model::Schema{});
@@ -128,36 +128,36 @@ TEST(Frontend, carries_doc_comments_of_objects_and_fields) {
 TEST(Frontend, keeps_namespaces_and_places) {
   const auto schema = sound("namespace a::b {\n" + object("Scalar first, second;") + "}\n");
   const auto& a = schema.objects.at(0);
-  EXPECT_EQ(a.qualified_name(), "a::b::A");
+  EXPECT_EQ(a.qualified_name(), "m::a::b::A");
   EXPECT_EQ(a.location, (model::Location{"schema.h", 4, 25}));
   EXPECT_EQ(a.fields.at(1).location, (model::Location{"schema.h", 5, 17}));
 }
 
 TEST(Frontend, reads_nested_and_imported_objects) {
   const Folder folder;
-  const auto main = folder.write(
-      "schema.h", "#include \"parts/shape.h\"\n#include \"units.h\"\n" + object("shape::Corner corners[4]; Unit u;"));
+  const auto main = folder.write("schema.h", "#include \"parts/shape.h\"\n#include \"units.h\"\n" +
+                                                 schema_of(object("shape::Corner corners[4]; Unit u;")));
   const auto shape = folder.write(
-      "parts/shape.h", preamble + "namespace shape {\nstruct PHYSGEN_OBJECT() Corner {\n  Scalar x;\n};\n}\n");
-  const auto units = folder.write("more/units.h", preamble + "struct PHYSGEN_OBJECT() Unit {\n  Scalar x;\n};\n");
+      "parts/shape.h", schema_of("namespace shape {\nstruct PHYSGEN_OBJECT() Corner {\n  Scalar x;\n};\n}\n"));
+  const auto units = folder.write("more/units.h", schema_of("struct PHYSGEN_OBJECT() Unit {\n  Scalar x;\n};\n"));
   const auto result = frontend::parse(main, {{folder / "more"}});
   ASSERT_TRUE(result.schema.has_value()) << result.diagnostics;
   ASSERT_EQ(result.schema->imported.size(), 2u);
-  EXPECT_EQ(result.schema->imported[0].qualified_name(), "shape::Corner");
+  EXPECT_EQ(result.schema->imported[0].qualified_name(), "m::shape::Corner");
   EXPECT_EQ(result.schema->imported[0].header, "shape.physgen.h");
   EXPECT_EQ(result.schema->imported[1].header, "units.physgen.h");
   ASSERT_EQ(result.schema->objects.size(), 1u);
   const auto& field = result.schema->objects[0].fields.at(0);
   EXPECT_EQ(field.shape, Shape::object);
-  EXPECT_EQ(field.object, "shape::Corner");
+  EXPECT_EQ(field.object, "m::shape::Corner");
   EXPECT_EQ(field.array_extent, 4);
   EXPECT_EQ(result.dependencies, (std::vector<std::string>{main, shape, units}));
 }
 
 TEST(Frontend, reports_errors_of_an_included_schema_in_its_file) {
   const Folder folder;
-  const auto main = folder.write("main.h", "#include \"schema.h\"\n" + object("Scalar x;"));
-  folder.write("schema.h", preamble + "struct PHYSGEN_OBJECT() B {\n  Scalar* p;\n};\n");
+  const auto main = folder.write("main.h", "#include \"schema.h\"\n" + schema_of(object("Scalar x;")));
+  folder.write("schema.h", schema_of("struct PHYSGEN_OBJECT() B {\n  Scalar* p;\n};\n"));
   const auto result = frontend::parse(main);
   EXPECT_FALSE(result.schema.has_value());
   ASSERT_EQ(headlines(result.diagnostics).size(), 1u) << result.diagnostics;
@@ -165,7 +165,7 @@ TEST(Frontend, reports_errors_of_an_included_schema_in_its_file) {
 }
 
 TEST(Frontend, underlines_what_is_wrong_as_clang_does) {
-  const auto result = parse_text(preamble + object("PHYSGEN(unit(\"m\"), range(2, 1)) Scalar x;"));
+  const auto result = parse_text(schema_of(object("PHYSGEN(unit(\"m\"), range(2, 1)) Scalar x;")));
   EXPECT_NE(result.diagnostics.find("error: range(2, 1) is empty; write the lower end first, range(1, 2)\n"
                                     "    4 |   PHYSGEN(unit(\"m\"), range(2, 1)) Scalar x;\n"
                                     "      |                      ^~~~~~~~~~~\n"
@@ -175,7 +175,7 @@ TEST(Frontend, underlines_what_is_wrong_as_clang_does) {
 }
 
 TEST(Frontend, says_that_system_headers_are_not_there) {
-  const auto result = parse_text("#include <vector>\n" + preamble + object("Scalar& x;"));
+  const auto result = parse_text("#include <vector>\n" + schema_of(object("Scalar& x;")));
   EXPECT_NE(result.diagnostics.find("note: a schema can include <physgen/schema.h> and other schemas"),
             std::string::npos);
   EXPECT_EQ(headlines(result.diagnostics).size(), 2u) << "the missing header hides another error\n"
@@ -194,6 +194,70 @@ TEST(Frontend, says_what_an_empty_schema_needs) {
   }
 }
 
+TEST(Frontend, says_what_to_write_instead_of_types_of_the_library) {
+  for (const char* type : {"std::vector<double>", "Eigen::Vector3d", "Vector3d"}) {
+    const auto result = parse_text(schema_of(object(std::string(type) + " x;")));
+    EXPECT_NE(result.diagnostics.find("write Vector<3> for Eigen::Vector3d or std::array<double, 3>, Matrix<3, 3> for "
+                                      "Eigen::Matrix3d, and for a std::vector an array of objects of its own"),
+              std::string::npos)
+        << result.diagnostics;
+    EXPECT_EQ(result.diagnostics.find("options of fields"), std::string::npos) << result.diagnostics;
+  }
+}
+
+TEST(Frontend, names_the_patterns_where_a_layout_is_misspelt) {
+  for (const char* pattern : {"sao", "3"}) {
+    const auto result = parse_text(
+        schema_of("struct PHYSGEN_OBJECT(layout(host, " + std::string(pattern) + ")) A {\n  Scalar x;\n};\n"));
+    EXPECT_NE(result.diagnostics.find("patterns aos, aos_padded, soa, aosoa(W)"), std::string::npos)
+        << result.diagnostics;
+  }
+}
+
+// Nesting doubles the fields thirty times: without a limit, gigabytes of code.
+TEST(Frontend, refuses_nesting_that_explodes_at_the_field_that_is_too_large_and_says_it_once) {
+  std::string text = "struct PHYSGEN_OBJECT() O0 {\n  Scalar x;\n};\n";
+  for (int i = 1; i <= 30; ++i)
+    text += "struct PHYSGEN_OBJECT() O" + std::to_string(i) + " {\n  O" + std::to_string(i - 1) + " a, b;\n};\n";
+  const auto result = parse_text(schema_of(text));
+  EXPECT_FALSE(result.schema.has_value());
+  const auto found = headlines(result.diagnostics);
+  ASSERT_EQ(found.size(), 1u) << result.diagnostics;
+  EXPECT_EQ(found[0].substr(0, 47), "40:3: error: object 'O12' would become about 3.") << found[0];
+  EXPECT_NE(found[0].find("and compilers bear 2 MiB"), std::string::npos);
+}
+
+TEST(Frontend, survives_half_a_million_brackets_that_nothing_closes) {
+  const auto result = parse_text(schema_of("struct PHYSGEN_OBJECT() A " + std::string(500000, '[')));
+  EXPECT_FALSE(result.schema.has_value());
+  EXPECT_NE(result.diagnostics.find("error: "), std::string::npos);
+}
+
+// Clang would evaluate 2^30 fields for the variable.
+TEST(Frontend, does_not_let_a_variable_of_an_exploding_object_explode) {
+  std::string text = "struct PHYSGEN_OBJECT() O0 {\n  Scalar x;\n};\n";
+  for (int i = 1; i <= 30; ++i)
+    text += "struct PHYSGEN_OBJECT() O" + std::to_string(i) + " {\n  O" + std::to_string(i - 1) + " a, b;\n} v" +
+            std::to_string(i) + ";\n";
+  const auto result = parse_text(schema_of(text));
+  EXPECT_FALSE(result.schema.has_value());
+  EXPECT_NE(result.diagnostics.find("object 'O12' would become about"), std::string::npos) << result.diagnostics;
+}
+
+TEST(Frontend, refuses_a_schema_whose_objects_are_too_much_together) {
+  std::string text = "struct PHYSGEN_OBJECT() O0 {\n  Scalar x;\n};\n";
+  for (int i = 1; i <= 160; ++i)
+    text += "struct PHYSGEN_OBJECT() O" + std::to_string(i) + " {\n  Scalar x; O" + std::to_string(i - 1) + " o;\n};\n";
+  const auto result = parse_text(schema_of(text));
+  EXPECT_FALSE(result.schema.has_value());
+  const auto found = headlines(result.diagnostics);
+  ASSERT_GE(found.size(), 1u);
+  EXPECT_NE(
+      found[0].find("the generated header would exceed 8 MiB; move it and those after it to a schema of their own"),
+      std::string::npos)
+      << found[0];
+}
+
 TEST(Frontend, does_not_see_the_headers_of_the_host) {
   sound("#if __has_include(<vector>) || __has_include(<stdint.h>)\n#error the host's\n#endif\n" + object("Scalar x;"));
 }
@@ -207,15 +271,15 @@ TEST(Frontend, accepts_harmless_declarations_beside_objects) {
 }
 
 TEST(Frontend, survives_comments_that_are_not_utf8) {
-  const auto result = parse_text(preamble +
-                                 "/// 20 \xb0"
-                                 "C\n" +
-                                 object("Scalar x;  ///< \xff\xfe"));
+  const auto result =
+      parse_text(schema_of("/// 20 \xb0"
+                           "C\n" +
+                           object("Scalar x;  ///< \xff\xfe")));
   EXPECT_TRUE(result.schema.has_value()) << result.diagnostics;
 }
 
 TEST(Frontend, gives_the_same_model_every_time) {
-  const std::string text = preamble + object("Scalar x; Symmetric<3> k[4];");
+  const std::string text = schema_of(object("Scalar x; Symmetric<3> k[4];"));
   EXPECT_EQ(parse_text(text).schema, parse_text(text).schema);
 }
 

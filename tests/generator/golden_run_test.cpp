@@ -26,7 +26,7 @@ void walk(Walk<action>& w, const Ref& ref, material::Fibre<Real>& value) {
 }
 
 template <Action action, class Ref, class Real>
-void walk(Walk<action>& w, const Ref& ref, ::Stamp<Real>& value) {
+void walk(Walk<action>& w, const Ref& ref, tissue::Stamp<Real>& value) {
   w.one(ref.time(), value.time);
   w.one(ref.step(), value.step);
 }
@@ -178,9 +178,9 @@ void round_trips() {
 template <class Object>
 class GoldenRun : public testing::Test {};
 
-using Objects = testing::Types<material::LameObject, material::FibreObject, ::StampObject, tissue::model::ShapesObject,
-                               tissue::model::NamesObject, tissue::model::EntriesObject, tissue::model::OptionsObject,
-                               tissue::model::ElementObject, tissue::other::PatchObject>;
+using Objects = testing::Types<material::LameObject, material::FibreObject, tissue::StampObject,
+                               tissue::model::ShapesObject, tissue::model::NamesObject, tissue::model::EntriesObject,
+                               tissue::model::OptionsObject, tissue::model::ElementObject, tissue::other::PatchObject>;
 TYPED_TEST_SUITE(GoldenRun, Objects);
 
 template <class Object, class Real>

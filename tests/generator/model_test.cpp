@@ -39,6 +39,7 @@ Schema with(std::vector<Field> fields) {
   schema.file = "a.h";
   schema.objects.push_back({});
   schema.objects[0].name = "A";
+  schema.objects[0].scope = "m";
   schema.objects[0].fields = std::move(fields);
   return schema;
 }
@@ -208,22 +209,24 @@ TEST(Rules, refuse_names_that_clang_would_not_let_through) {
 }
 
 TEST(Rules, refuse_nesting_that_does_not_end) {
-  EXPECT_EQ(issues(with({nested("a", "A")})),
+  EXPECT_EQ(issues(with({nested("a", "m::A")})),
             "object 'A' contains itself; store an 'Index' of the other object instead");
-  Schema both = with({nested("b", "B")});
+  Schema both = with({nested("b", "m::B")});
   both.objects.push_back(both.objects[0]);
   both.objects[1].name = "B";
-  both.objects[1].fields = {nested("a", "A")};
-  EXPECT_EQ(issues(both),
-            "field 'b' nests 'B', which is not declared before it; declare that object first (objects cannot nest each "
-            "other)");
+  both.objects[1].fields = {nested("a", "m::A")};
+  EXPECT_EQ(
+      issues(both),
+      "field 'b' nests 'm::B', which is not declared before it; declare that object first (objects cannot nest each "
+      "other)");
 }
 
 TEST(Rules, count_the_elements_of_nested_objects) {
-  Schema schema = with({of("m", Shape::matrix, 1024, 512)});
+  Schema schema = with({of("m", Shape::matrix, 128, 128)});
+  schema.objects[0].fields[0].array_extent = 32;
   schema.objects.push_back(schema.objects[0]);
   schema.objects[1].name = "B";
-  schema.objects[1].fields = {nested("a", "A")};
+  schema.objects[1].fields = {nested("a", "m::A")};
   schema.objects[1].fields[0].array_extent = 3;
   ASSERT_EQ(validate(schema).size(), 1u) << issues(schema);
   EXPECT_EQ(validate(schema)[0].place, (Place{false, 1, -1}));
@@ -304,8 +307,8 @@ TEST(Rules, refuse_formats_of_nested_objects) {
   Schema schema = with({scalar("x")});
   schema.objects.push_back(schema.objects[0]);
   schema.objects[1].name = "B";
-  schema.objects[1].fields = {stored(nested("a", "A"), Encoding::half)};
-  EXPECT_EQ(issues(schema), "format() has no meaning for nested object 'a'; write it at the fields of 'A'");
+  schema.objects[1].fields = {stored(nested("a", "m::A"), Encoding::half)};
+  EXPECT_EQ(issues(schema), "format() has no meaning for nested object 'a'; write it at the fields of 'm::A'");
 }
 
 TEST(Rules, place_an_issue_at_the_format_of_its_space) {
@@ -330,10 +333,114 @@ TEST(Rules, refuse_fields_named_as_a_type_of_a_nested_object_that_is_said_beside
     schema.objects[0].name = "B";
     schema.objects.push_back(schema.objects[0]);
     schema.objects[1].name = "A";
-    schema.objects[1].fields = {nested("b", "B"), scalar(std::string("B") + ending)};
-    EXPECT_EQ(issues(schema), "field name 'B" + std::string(ending) + "' is also the name of the object type 'B" +
+    schema.objects[1].fields = {nested("b", "m::B"), scalar(std::string("B") + ending)};
+    EXPECT_EQ(issues(schema), "field name 'B" + std::string(ending) + "' is also the name of the object type 'm::B" +
                                   ending + "' nested here; choose another name");
   }
+}
+
+// What Eigen keeps on the stack is 128 KiB: 128 x 128 doubles.
+TEST(Rules, refuse_fields_whose_value_is_too_large_for_the_stack) {
+  EXPECT_EQ(issues(with({of("x", Shape::matrix, 128, 128)})), "");
+  EXPECT_EQ(issues(with({of("x", Shape::diagonal, 1024, 1024)})), "");
+  for (const Shape shape : {Shape::symmetric, Shape::skew}) {
+    EXPECT_EQ(issues(with({of("x", shape, 128, 128)})), "");
+    EXPECT_NE(issues(with({of("x", shape, 129, 129)})).find("whose value takes 133128 bytes in double"),
+              std::string::npos);
+  }
+  Field narrow = of("x", Shape::matrix, 256, 128);
+  for (const Element element : {Element::float32, Element::index, Element::int32}) {
+    narrow.element = element;
+    EXPECT_EQ(issues(with({narrow})), "");
+  }
+  narrow.rows = 257;
+  EXPECT_EQ(issues(with({narrow})),
+            "field 'x' has the type Matrix<257, 128>, whose value takes 131584 bytes, and Eigen keeps no more than "
+            "131072 on the stack; write blocks, such as 'Matrix<64, 64> x[...]'");
+}
+
+TEST(Rules, refuse_initial_values_that_become_0_as_floats) {
+  Field field = scalar("a");
+  field.initial = -1e-60;
+  for (const Element element : {Element::real, Element::float32}) {
+    field.element = element;
+    EXPECT_EQ(issues(with({field})),
+              "initial(-1e-60) is 0 as a float, as the elements of 'a' are or can be; write 0 or a size from 1.5e-45 "
+              "on, or declare it double");
+  }
+  field.element = Element::float64;
+  EXPECT_EQ(issues(with({field})), "");
+  field.element = Element::real;
+  for (const double held : {0.0, -0.0, 1.5e-45, -1e-40}) {
+    field.initial = held;
+    EXPECT_EQ(issues(with({field})), "");
+  }
+}
+
+// Names of physics must pass: moduli, invariants, coefficients of Mooney and Rivlin, components of strain.
+TEST(Rules, refuse_names_of_macros_and_of_nothing_else) {
+  for (const char* name : {"M_PI", "INT_MAX", "CHAR_BIT", "RAND_MAX", "FP_NAN", "HUGE_VAL", "UINT8_MAX",
+                           "CLOCKS_PER_SEC", "EIGEN_WORLD_VERSION", "EXIT_FAILURE", "SEEK_SET"})
+    EXPECT_NE(issues(with({scalar(name)})).find("is written as the macros of system headers are"), std::string::npos)
+        << name << ": " << issues(with({scalar(name)}));
+  for (const char* name : {"EDOM", "ERANGE", "EOF", "NAN", "INFINITY", "BUFSIZ", "L_tmpnam", "offsetof", "errno",
+                           "assert", "M_PIl", "PRIu64", "SIGINT", "stdin", "va_arg", "cudaStreamLegacy", "linux"})
+    EXPECT_NE(issues(with({scalar(name)})).find("is a macro of a header"), std::string::npos) << name;
+  for (const char* name : {"F",  "U",  "V",   "J",     "P",   "E", "K",    "G",    "J0",  "J2",  "I1",  "C10", "A11",
+                           "EA", "EI", "EXX", "SIGMA", "EPS", "W", "dPdF", "K_Ic", "M_b", "T_c", "SCN", "PRI", "cu"})
+    EXPECT_EQ(issues(with({scalar(name)})), "") << name;
+  EXPECT_EQ(issues(with({scalar("K_IC")})),
+            "field name 'K_IC' is written as the macros of system headers are, in capitals with an underscore; write "
+            "'K_ic' or another name with a small letter");
+  EXPECT_NE(issues(with({scalar("NU_12")})).find("write 'nu_12'"), std::string::npos);
+}
+
+TEST(Rules, refuse_objects_outside_all_namespaces_and_namespaces_of_the_c_library) {
+  Schema schema = with({scalar("x")});
+  schema.objects[0].scope = "";
+  EXPECT_EQ(issues(schema),
+            "object 'A' stands outside all namespaces, where the C library has names such as index, time and link; "
+            "write 'namespace some_name { ... }' around it");
+  for (const char* name : {"index", "time", "stat", "div", "tm", "sinf", "size_t", "y0"}) {
+    schema.objects[0].scope = name;
+    EXPECT_EQ(issues(schema), "namespace '" + std::string(name) +
+                                  "' has the name of something in the C library, which stands outside all namespaces, "
+                                  "too; choose another name");
+    schema.objects[0].scope = std::string("m::") + name;
+    EXPECT_EQ(issues(schema), "") << "within another namespace, nothing is in its way";
+  }
+}
+
+TEST(Rules, refuse_objects_whose_generated_types_are_namespaces) {
+  for (const char* ending : {"", "Formats", "Record", "Ref", "Object", "View", "Array"}) {
+    Schema schema = with({scalar("x")});
+    schema.objects.push_back(schema.objects[0]);
+    schema.objects[1].name = "B";
+    schema.objects[1].scope = "m::A" + std::string(ending) + "::n";
+    EXPECT_EQ(issues(schema), "object 'B' is in a namespace 'A" + std::string(ending) +
+                                  "', beside object 'A', which would generate a type of that name; rename one of them");
+    EXPECT_EQ(validate(schema).at(0).other.object, 0);
+    std::swap(schema.objects[0], schema.objects[1]);
+    EXPECT_EQ(issues(schema), "object 'A' would generate a type 'A" + std::string(ending) +
+                                  "' beside the namespace of that name; rename one of them");
+    schema.objects[0].scope = "other::A" + std::string(ending);
+    EXPECT_EQ(issues(schema), "") << "of another scope";
+  }
+}
+
+TEST(Rules, refuse_objects_of_too_many_fields_of_their_own) {
+  Schema schema = with({});
+  for (int f = 0; f < 10000; ++f) schema.objects[0].fields.push_back(scalar("x" + std::to_string(f)));
+  ASSERT_EQ(validate(schema).size(), 1U);
+  EXPECT_EQ(validate(schema)[0].place, (Place{false, 0, -1}));
+  EXPECT_NE(issues(schema).find("of generated code, and compilers bear 2 MiB; split it into several objects"),
+            std::string::npos);
+  schema.imported.swap(schema.objects);  // somebody else's header
+  schema.objects = {with({nested("a", "m::A")}).objects[0]};
+  schema.objects[0].name = "B";
+  EXPECT_NE(issues(schema).find("'B' would become"), std::string::npos);
+  schema.objects[0].fields = {scalar("x")};
+  EXPECT_EQ(issues(schema), "");
 }
 
 TEST(Rules, refuse_a_schema_without_objects) { EXPECT_EQ(validate(Schema{}).size(), 1u); }

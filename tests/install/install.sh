@@ -19,7 +19,8 @@ for component in runtime generator; do
 done
 left=$(find third -not -type d)
 [[ ! $left ]] || { echo "uninstalling left these: $left" >&2; exit 1; }
-[[ ! -e third/include/physgen ]] || { echo 'uninstalling left the folder include/physgen' >&2; exit 1; }
+left=$(find third -name 'physgen*' -o -path '*/doc/*')
+[[ ! $left ]] || { echo "uninstalling left the folders $left" >&2; exit 1; }
 rm -rf third
 
 mv first 'package without physgen'

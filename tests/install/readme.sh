@@ -18,7 +18,7 @@ done
 # The two lines that every project begins with are left out of the README.
 grep -q '^project(' "$work/CMakeLists.txt" ||
   sed -i '1i cmake_minimum_required(VERSION 3.20)\nproject(example LANGUAGES CXX)' "$work/CMakeLists.txt"
-cmake -S "$work" -B "$work/build" -G "$generator" \
+cmake -S "$work" -B "$work/build" -G "$generator" -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON \
   -Dphysgen_DIR="$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")"
 cmake --build "$work/build"
 "$work/build/pressure"

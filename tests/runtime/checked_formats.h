@@ -7,7 +7,7 @@ namespace physgen::test {
 
 struct Coarse : elasticity::StressDerivativeFormats<Host> {
   using x1111 = format::Half<>;
-  using x2211 = format::Snorm16<-1.0, 1.0>;
+  using x2211 = format::Snorm16<format::Interval{-1.0, 1.0}>;
 };
 struct QuaternionRotations : elasticity::DeformationSvdFormats<Host> {
   using U = format::Quaternion<>;

@@ -27,10 +27,40 @@ TEST_F(CheckedOnDevice, kernels_count_what_formats_cannot_hold) {
   EXPECT_EQ(losses.out_of_range, 100U);
   EXPECT_EQ(losses.not_a_number, 1U);
   EXPECT_EQ(losses.imprecise, 100U);
-  EXPECT_EQ(losses.first_imprecise.object % 100, 34);
+  EXPECT_EQ(losses.first_imprecise.object, 34);
+  EXPECT_EQ(losses.first_imprecise.value, double{1e-7F});
   EXPECT_GT(losses.worst_relative_error(), 0x1p-11);
-  EXPECT_TRUE(losses.first.object % 100 == 33 || losses.first.object == 5000) << losses.first.object;
+  EXPECT_EQ(losses.first.object, 33);
+  EXPECT_EQ(losses.first.value, 70000);
   EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
+}
+
+struct StoreInTurn {
+  Derivatives::View derivatives;
+  index_t step;
+  PHYSGEN_FUNCTION void operator()(index_t k) const {
+    const index_t i = k * step % derivatives.size();
+    derivatives[i].x1111() = i >= 17 ? static_cast<float>(100000 + i) : 0.0F;
+  }
+};
+
+/// Every thread of every warp has something to count, in orders of their own.
+TEST_F(CheckedOnDevice, kernels_name_the_first_object_that_is_wrong_whichever_thread_comes_first) {
+  Derivatives array(1000003);
+  for (const index_t step : {1, 1000002, 7, 500001}) {
+    parallel_for(Cuda{}, array.size(), StoreInTurn{array.view(), step});
+    const Losses losses = array.take_losses();
+    EXPECT_EQ(losses.out_of_range, 1000003U - 17U);
+    EXPECT_EQ(losses.first.object, 17) << step;
+    EXPECT_EQ(losses.first.value, 100017) << step;
+  }
+  elasticity::StressDerivativeArray<float, Cuda> wrong(300000);
+  const Derivatives target(wrong.size());
+  for (const index_t i : {299999, 77, 5000}) wrong.putdata(i, 0, 1e6 + static_cast<double>(i));
+  const Losses copied = losses_of_copy(target.storage(), wrong.storage());
+  EXPECT_EQ(copied.out_of_range, 3U);
+  EXPECT_EQ(copied.first.object, 77);
+  EXPECT_EQ(copied.first.value, 1000077);
 }
 
 struct StoreReflections {

@@ -25,7 +25,7 @@ TEST(CheckedView, reports_a_null_view) {
 
 TEST(CheckedView, reports_device_memory_used_on_the_host) {
   std::vector<std::byte> memory(4096);
-  const NodePositionView<float, Aosoa<32>> view(memory.data(), 5, 32, SpaceKind::cuda);
+  const NodePositionView<float, Aosoa<32>, Cuda> view(memory.data(), 5, 32);
   EXPECT_EQ(
       message_of([&] { (void)view[0]; }),
       "physgen: elasticity::NodePosition: a view of cuda memory is used on the host; copy the array to Host first");
@@ -34,7 +34,9 @@ TEST(CheckedView, reports_device_memory_used_on_the_host) {
 TEST(CheckedView, reports_out_of_packs_and_threads) {
   NodePositionArray<float> array(20000);
   const auto view = array.view();
-  EXPECT_THROW(parallel_for(Host{}, 20001, [=](index_t i) { (void)view[i]; }), Error);
+  EXPECT_THROW(parallel_for<1>(Host{}, 20001, [=](index_t i) { (void)view[i]; }), Error);
+  EXPECT_THROW(parallel_for(Host{}, 20001, over<float>([=](auto i) { (void)view[i]; })), Error);
+  EXPECT_NO_THROW(parallel_for(Host{}, 3, 19999, over<float>([=](auto i) { (void)view[i]; })));
   EXPECT_THROW((void)view[Pack<8>{20000}], Error);
   EXPECT_NO_THROW((void)view[Pack<8>{19992}]);
   EXPECT_THROW((void)view[Pack<8>{4}], Error) << "a pack that does not start at a multiple of its width";
@@ -45,6 +47,38 @@ TEST(CheckedView, reports_a_gathered_index_out_of_range) {
   const auto view = array.view();
   const batch_t<std::int32_t, native_lanes<float>> index(10);
   EXPECT_THROW((void)view[index], Error);
+}
+
+TEST(CheckedView, reports_entries_and_elements_that_do_not_exist) {
+  elasticity::TetStiffnessArray<float> blocks(3);
+  elasticity::NodeStiffnessArray<float> nodes(3);
+  const auto view = blocks.view();
+  EXPECT_EQ(message_of([&] { (void)view[0].k(4); }),
+            "physgen: index 4 of an entry of elasticity::TetStiffness::k, of which there are 4; give one from 0 to 3");
+  EXPECT_THROW((void)view[0].e(-1), Error);
+  EXPECT_THROW((void)nodes.view()[0].K()[6], Error) << "a symmetric 3x3 stores 6 elements";
+  EXPECT_THROW((void)nodes.view()[0].K()(0, 3), Error);
+  EXPECT_THROW((void)nodes.view()[Pack<8>{0}], Error) << "the array has 3 objects only";
+  const auto partial = nodes.view()[PartialPack<8>{0, 0, 3}];
+  EXPECT_THROW((void)partial.K()[-1], Error);
+  EXPECT_NO_THROW((void)partial.K()[5]);
+}
+
+TEST(CheckedView, reports_a_gathered_store_of_two_lanes_to_one_object) {
+  NodePositionArray<float> array(40);
+  const auto view = array.view();
+  const auto store_to_halves = over<float>([=](auto i) {
+    using S = lanes_t<float, decltype(i)>;
+    view[numbers(i) / 2].x() = Eigen::Matrix<S, 3, 1>(S(1), S(2), S(3));
+  });
+  EXPECT_NE(message_of([&] { parallel_for(Host{}, 40, store_to_halves); }).find("both name object"), std::string::npos);
+  EXPECT_NO_THROW(parallel_for<1>(Host{}, 40, store_to_halves));
+  // The lanes outside a range repeat one inside, and are no objects of their own.
+  const auto store_to_own = over<float>([=](auto i) {
+    using S = lanes_t<float, decltype(i)>;
+    view[numbers(i)].x() = Eigen::Matrix<S, 3, 1>(S(1), S(2), S(3));
+  });
+  EXPECT_NO_THROW(parallel_for(Host{}, 3, 38, store_to_own));
 }
 
 TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) {
@@ -72,17 +106,80 @@ TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) 
   EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
 }
 
+/// The same place on every run, however many threads store: that of the smallest object, and of the first element
+/// there.
+TEST(CheckedFormats, name_the_first_object_that_is_wrong_whichever_thread_comes_first) {
+  constexpr index_t n = 200000;
+  Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(n);
+  elasticity::StressDerivativeArray<float> wrong(n);
+  for (const index_t i : {10, 9999, 60000, 110000, 160000, 199999}) {
+    wrong.putdata(i, 1, 2);
+    wrong.putdata(i, 0, 1e6 + static_cast<double>(i));
+  }
+  for (int run = 0; run < 8; ++run) {
+    const Losses copied = losses_of_copy(array.storage(), wrong.storage());
+    EXPECT_EQ(copied.out_of_range, 12U);
+    EXPECT_EQ(copied.first.object, 10);
+    const auto fields = array.storage().fields;
+    const bool is_x1111 = fields[0].offset < fields[1].offset;
+    EXPECT_EQ(copied.first.offset, fields[is_x1111 ? 0 : 1].offset);
+    EXPECT_EQ(copied.first.value, is_x1111 ? 1000010 : 2);
+    const auto to = array.view();
+    const auto from = wrong.const_view();
+#pragma omp parallel for schedule(dynamic, 100) num_threads(8)
+    for (index_t k = 0; k < n; ++k) {
+      const index_t i = run % 2 == 0 ? n - 1 - k : k;
+      to.put(i, from.get(i));
+    }
+    const Losses stored = array.take_losses();
+    EXPECT_EQ(stored.first.object, 10);
+    EXPECT_EQ(stored.first.value, copied.first.value);
+    EXPECT_EQ(stored.first.offset, copied.first.offset);
+  }
+}
+
+TEST(Losses, of_several_chunks_begin_with_the_first_object) {
+  Losses all, later, earlier;
+  detail::remember(later.out_of_range, later.first, 3, 8, 5.0);
+  detail::remember(earlier.out_of_range, earlier.first, 7, 4, 6.0);
+  all.add(later, 100);
+  all.add(earlier, 90);
+  EXPECT_EQ(all.first.object, 97);
+  EXPECT_EQ(all.first.offset, 4);
+  EXPECT_EQ(all.first.value, 6.0);
+  EXPECT_EQ(all.out_of_range, 2U);
+  all.add(Losses{});
+  EXPECT_EQ(all.first.object, 97);
+  EXPECT_FALSE(all.first_imprecise.known());
+}
+
+TEST(CheckedScatter, refuses_a_pointer_that_is_there_twice) {
+  const NodePositionArray<float> array(5);
+  std::vector<elasticity::NodePosition<float>> objects(5);
+  std::vector<elasticity::NodePosition<float>*> pointers;
+  for (auto& object : objects) pointers.push_back(&object);
+  const auto write = [](auto& object, const auto& value) { object.x = value.x + Eigen::Vector3f::Ones(); };
+  scatter(array, pointers, write);
+  EXPECT_EQ(objects[3].x[0], 1);
+  pointers[4] = pointers[1];
+  pointers[3] = pointers[2];
+  EXPECT_EQ(message_of([&] { scatter(array, pointers, write); }),
+            "physgen: elasticity::NodePosition: pointers 2 and 3 of 5 are the same; an object is scattered to once");
+  EXPECT_EQ(objects[0].x[0], 1) << "nothing was written";
+}
+
 TEST(CheckedFormats, count_in_packs_and_not_in_padding) {
   Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse> array(20);
   constexpr int W = native_lanes<float>;
   const auto view = array.view();
-  for (index_t i = 0; i < 20; i += W) view[Pack<W>{i}].x1111() = batch_t<float, W>(1e6F);
-  EXPECT_EQ(array.take_losses().out_of_range, 20U);
-  const batch_t<std::int32_t, W> same(7);
-  view[same].x1111() = batch_t<float, W>(1e6F);
+  for (index_t i = 0; i < 20; i += W) {
+    view[partial_pack<W>(i, 1, 20)].x1111() = batch_t<float, W>(1e6F);
+  }
+  EXPECT_EQ(array.take_losses().out_of_range, 19U);
+  view[numbers(Pack<W>{0}) + 3].x1111() = batch_t<float, W>(1e6F);
   const Losses gathered = array.take_losses();
   EXPECT_EQ(gathered.out_of_range, static_cast<unsigned>(W));
-  EXPECT_EQ(gathered.first.object, 7);
+  EXPECT_EQ(gathered.first.object, 3);
 }
 
 TEST(CheckedFormats, count_matrices_that_are_no_rotations) {
@@ -93,6 +190,9 @@ TEST(CheckedFormats, count_matrices_that_are_no_rotations) {
   const Losses losses = array.take_losses();
   EXPECT_EQ(losses.not_a_rotation, 2U);
   EXPECT_EQ(losses.first.object, 1);
+  using S = batch_t<float, native_lanes<float>>;
+  array.view()[PartialPack<native_lanes<float>>{0, 0, 3}].U() = Eigen::Matrix<S, 3, 3>::Constant(S(2));
+  EXPECT_EQ(array.take_losses().not_a_rotation, 3U) << "lanes outside the range are no objects";
 }
 
 TEST(CheckedFormats, keep_their_counts_when_an_array_changes_its_size) {

@@ -14,7 +14,7 @@ TYPED_TEST_SUITE(DeviceAccess, AllLayouts, LayoutName);
 
 template <class Real, class Layout>
 struct SwapRotations {
-  elasticity::DeformationSvdView<Real, Layout> svd;
+  elasticity::DeformationSvdView<Real, Layout, Cuda> svd;
   PHYSGEN_FUNCTION void operator()(index_t i) const {
     const auto value = svd.get(i);
     svd.put(i, {value.V, value.U, value.s});
@@ -24,10 +24,10 @@ struct SwapRotations {
 
 // Host and device compilers must lay out a kernel's views alike: this is compiled by both.
 struct ManyViews {
-  elasticity::DeformationSvdView<const float, Aosoa<32>> a;
-  elasticity::DeformationSvdView<float, Aosoa<32>> b;
-  elasticity::NodeForceView<float, AosPadded> c;
-  elasticity::NodeForceView<float, Soa> d;
+  elasticity::DeformationSvdView<const float, Aosoa<32>, Cuda> a;
+  elasticity::DeformationSvdView<float, Aosoa<32>, Cuda> b;
+  elasticity::NodeForceView<float, AosPadded, Cuda> c;
+  elasticity::NodeForceView<float, Soa, Cuda> d;
 };
 static_assert(checked_build || sizeof(ManyViews) == (2 + 2 + 2 + 3) * sizeof(void*));
 
@@ -124,7 +124,7 @@ TEST_F(DeviceWords, touch_no_other_field_and_no_other_object) {
 
 template <class Layout>
 struct AddToFirst {
-  elasticity::NodeForceView<float, Layout> force;
+  elasticity::NodeForceView<float, Layout, Cuda> force;
   PHYSGEN_FUNCTION void operator()([[maybe_unused]] index_t i) const {
 #ifdef __CUDA_ARCH__
     atomicAdd(&force[i % 3].f()(1), 1.0F);

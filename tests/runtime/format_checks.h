@@ -24,7 +24,7 @@ struct MixedDerivative : elasticity::StressDerivativeFormats<Host> {
   using x2211 = format::Float64;
   using x3311 = format::Bfloat16;
   using x2222 = format::Float32;
-  using x3322 = format::Snorm16<-2.0, 2.0>;
+  using x3322 = format::Snorm16<format::Interval{-2.0, 2.0}>;
   using x3333 = format::Half<3>;
 };
 
@@ -118,7 +118,7 @@ void check_losses() {
     for (int k = 0; k < values.elements; ++k) values.putdata(i, k, 1);
   }
   values.putdata(17, 0, 1e6);                                       // beyond half
-  values.putdata(18, 4, 2.5);                                       // beyond the range of Snorm16<-2, 2>
+  values.putdata(18, 4, 2.5);                                       // beyond the range of Snorm16 over [-2, 2]
   values.putdata(19, 4, std::numeric_limits<double>::quiet_NaN());  // which it keeps, but no solver wants
   values.putdata(20, 2, 1e30);                                      // which bfloat16 holds
   values.putdata(21, 0, 1e-7);                                      // a half with one bit left

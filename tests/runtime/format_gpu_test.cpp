@@ -20,7 +20,7 @@ TYPED_TEST(CudaFormatsOver, pinned_memory_round_trips_as_well) { check_mixed_rou
 TYPED_TEST(CudaFormatsOver, rotations_come_back_from_quaternions) {
   check_rotations<Cuda, TypeParam, format::Native>(1025, 6e-7);
   check_rotations<Cuda, TypeParam, format::Half<>>(1025, 2e-3);
-  check_rotations<Cuda, TypeParam, format::Snorm16<-1.0, 1.0>>(1025, 9e-5);
+  check_rotations<Cuda, TypeParam, format::Snorm16<format::Interval{-1.0, 1.0}>>(1025, 9e-5);
 }
 
 /// Device and host convert alike, bit by bit, between any two layouts and formats.

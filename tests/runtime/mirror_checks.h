@@ -184,7 +184,7 @@ void check_mirror_moves_only_what_changed() {
   check.expect_host_up_to_date();
   expect_moved(5 * mirror_block, n);
 
-  // Both sides in different blocks; two that touch, one that does not.
+  // Both sides in different blocks; two that touch, one that does not. And both in one block, of which parts move.
   check.write_host(0, 3, 19);
   check.write_device(2 * mirror_block - 1, 2 * mirror_block + 1, 20);
   check.write_device(4 * mirror_block, 5 * mirror_block, 21);
@@ -192,6 +192,13 @@ void check_mirror_moves_only_what_changed() {
   expect_moved(0, 3 * mirror_block);  // three blocks
   check.expect_device_up_to_date();
   expect_moved(0, mirror_block);
+  check.write_host(100, 110, 23);
+  check.write_device(300, 310, 24);
+  check.write_host(500, 510, 25);
+  check.expect_device_up_to_date();
+  check.expect_host_up_to_date();
+  EXPECT_LE(mirror.bytes_moved() - moved, 2 * mirror_block * form.record_bytes);
+  moved = mirror.bytes_moved();
 
   // Only what is read moves.
   check.write_device(0, n, 22);
@@ -204,7 +211,7 @@ void check_mirror_moves_only_what_changed() {
 }
 
 template <class Space, class Layout>
-void check_mirror_refuses_a_block_that_changed_on_both_sides() {
+void check_mirror_refuses_objects_that_changed_on_both_sides() {
   using Position = elasticity::NodePositionObject;
   using Tested = Mirror<Array<Position, float, Host, AosPadded>, Array<Position, float, Space, Layout>>;
   std::mt19937 random(seed());
@@ -213,8 +220,8 @@ void check_mirror_refuses_a_block_that_changed_on_both_sides() {
   check.expect_device_up_to_date();
   check.write_host(mirror_block + 7, mirror_block + 8, 3);
   const std::string message = message_of([&] { (void)check.mirror().write_device(); });
-  EXPECT_NE(message.find("elasticity::NodePosition[12288]: block 1 (objects 4096 to 8191) was changed on the host and "
-                         "cannot be changed on the device as well; read_device() first"),
+  EXPECT_NE(message.find("elasticity::NodePosition[12288]: objects 4103 to 4103 were changed on the host and cannot be "
+                         "changed on the device as well; read_device() first"),
             std::string::npos)
       << message;
   const index_t before = check.mirror().bytes_moved();
@@ -223,14 +230,103 @@ void check_mirror_refuses_a_block_that_changed_on_both_sides() {
   check.write_device(0, mirror_block, 4);
   check.expect_device_up_to_date();
   check.write_device(mirror_block, 2 * mirror_block, 5);
-  const std::string other_side = message_of([&] { (void)check.mirror().write_host(0, 1); });
-  EXPECT_NE(other_side.find("block 0 (objects 0 to 4095) was changed on the device"), std::string::npos) << other_side;
+  const std::string other_side = message_of([&] { (void)check.mirror().write_host(7, 12); });
+  EXPECT_NE(other_side.find("objects 7 to 11 were changed on the device"), std::string::npos) << other_side;
   check.expect_host_up_to_date();
   for (const auto& [begin, end] : {std::pair<index_t, index_t>(-1, 3), {5, 4}, {0, n + 1}}) {
     EXPECT_THROW((void)check.mirror().write_host(begin, end), Error);
     EXPECT_THROW((void)check.mirror().read_device(begin, end), Error);
   }
   check.expect_device_up_to_date();
+}
+
+/// Objects that nobody wrote keep every bit on both sides, whatever precisions and formats these have.
+/// @tparam Written, Kept arrays of one object type, the latter of numbers that the former cannot hold
+template <class Mirror, class Written, class Kept>
+void check_mirror_keeps_what_nobody_wrote(Side kept_side, index_t n) {
+  std::mt19937 random(seed());
+  Mirror mirror(n);
+  const auto tenths = [&](const Storage& storage) {
+    Kept values(n);
+    for (index_t i = 0; i < n; ++i) {
+      for (int k = 0; k < values.elements; ++k) values.putdata(i, k, 0.1 * static_cast<double>(3 * i + k + 1));
+    }
+    copy(storage, values.storage());
+    synchronize();
+  };
+  const auto storage_of = [&](const auto& view, Storage form) {
+    form.base = const_cast<std::byte*>(view.data());
+    return form;
+  };
+  const Storage kept_form = Kept(n).storage(), written_form = Written(n).storage();
+  Storage kept, written;
+  if (kept_side == Side::host) {
+    kept = storage_of(mirror.write_host(), kept_form);
+    tenths(kept);
+    written = storage_of(mirror.read_device(), written_form);
+  } else {
+    kept = storage_of(mirror.write_device(), kept_form);
+    tenths(kept);
+    written = storage_of(mirror.read_host(), written_form);
+  }
+  const auto write = [&](index_t begin, index_t end) {
+    if (kept_side == Side::host) {
+      (void)mirror.write_device(begin, end);
+    } else {
+      (void)mirror.write_host(begin, end);
+    }
+  };
+  const auto read = [&](index_t begin, index_t end) {
+    if (kept_side == Side::host) {
+      (void)mirror.read_host(begin, end);
+    } else {
+      (void)mirror.read_device(begin, end);
+    }
+  };
+  std::vector<bool> touched(static_cast<std::size_t>(n), false);
+  for (int step = 0; step < 20; ++step) {
+    const index_t begin = std::uniform_int_distribution<index_t>(0, n - 1)(random);
+    const index_t end = std::min(n, begin + 1 + static_cast<index_t>(random() % (step % 3 == 0 ? 70 : 3)));
+    write(begin, end);
+    for (index_t i = begin; i < end; ++i) {
+      putdata(written, i, 1, 2048);
+      touched[static_cast<std::size_t>(i)] = true;
+    }
+    if (step % 4 == 3) read(begin, std::min(n, begin + 5));
+  }
+  read(0, n);
+  index_t changed = 0, missed = 0;
+  Kept now(n);
+  copy(now.storage(), kept);
+  synchronize();
+  for (index_t i = 0; i < n; ++i) {
+    if (touched[static_cast<std::size_t>(i)]) {
+      missed += now.getdata(i, 1) != 2048;
+      continue;
+    }
+    for (int k = 0; k < now.elements; ++k) changed += now.getdata(i, k) != 0.1 * static_cast<double>(3 * i + k + 1);
+  }
+  EXPECT_EQ(changed, 0) << "elements of objects that nobody wrote";
+  EXPECT_EQ(missed, 0) << "objects that were written";
+}
+
+struct HalfPositions : elasticity::NodePositionFormats<Host> {
+  using x = format::Half<>;
+};
+
+template <class Space, class Layout>
+void check_mirrors_of_different_formats() {
+  using Position = elasticity::NodePositionObject;
+  using Doubles = Array<Position, double, Host, Aos>;
+  using Floats = Array<Position, float, Space, Layout>;
+  using Halves = Array<Position, double, Space, Layout, HalfPositions>;
+  for (const index_t n : {index_t{40}, mirror_block + 100}) {
+    check_mirror_keeps_what_nobody_wrote<Mirror<Doubles, Floats>, Floats, Doubles>(Side::host, n);
+    check_mirror_keeps_what_nobody_wrote<Mirror<Doubles, Halves>, Halves, Doubles>(Side::host, n);
+    using HostFloats = Array<Position, float, Host, Soa>;
+    using DeviceDoubles = Array<Position, double, Space, Layout>;
+    check_mirror_keeps_what_nobody_wrote<Mirror<HostFloats, DeviceDoubles>, HostFloats, DeviceDoubles>(Side::device, n);
+  }
 }
 
 /// Random writes and reads of ranges on both sides; whatever is read is what was last written.

@@ -17,14 +17,17 @@ TYPED_TEST(CudaMirror, moves_only_the_blocks_that_changed) {
   check_mirror_moves_only_what_changed<Cuda, TypeParam, TypeParam>();
   check_mirror_moves_only_what_changed<Cuda, TypeParam, AosPadded>();
 }
-TYPED_TEST(CudaMirror, refuses_a_block_that_changed_on_both_sides) {
-  check_mirror_refuses_a_block_that_changed_on_both_sides<Cuda, TypeParam>();
+TYPED_TEST(CudaMirror, refuses_objects_that_changed_on_both_sides) {
+  check_mirror_refuses_objects_that_changed_on_both_sides<Cuda, TypeParam>();
 }
 TYPED_TEST(CudaMirror, reads_what_was_written_last_under_random_use) {
   check_mirror_under_random_use<Cuda, TypeParam>();
 }
 TYPED_TEST(CudaMirror, lets_its_objects_change_topology) {
   check_mirror_of_objects_that_change_topology<Cuda, TypeParam>();
+}
+TYPED_TEST(CudaMirror, keeps_what_nobody_wrote_whatever_the_formats) {
+  check_mirrors_of_different_formats<Cuda, TypeParam>();
 }
 
 }  // namespace

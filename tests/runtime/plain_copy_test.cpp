@@ -1,4 +1,6 @@
 // Runs of bytes between any places of two arrays in one layout: what transfers of ranges are made of.
+#include <chunks.h>
+#include <part.h>
 #include <plain_copy.h>
 
 #include "topology_checks.h"
@@ -25,6 +27,45 @@ TYPED_TEST(PlainCopy, moves_objects_between_any_places) {
     (void)detail::copy_plain(to.array.storage(), to_begin, from.array.storage(), from_begin, count, nullptr);
     std::copy_n(from.model.begin() + from_begin, count, to.model.begin() + to_begin);
     expect_sound(to.array, to.model);
+  }
+}
+
+/// A part for a chunk lies in step with its array, so that whole tiles of both are one run: hundreds of objects of a
+/// wide tile are one transfer for each field, not one for each 32 objects.
+TYPED_TEST(PlainCopy, chunks_cover_their_range_and_begin_with_whole_tiles) {
+  using Object = tissue::model::ShapesObject;
+  std::mt19937 random(seed());
+  const Storage form = Array<Object, float, Host, TypeParam>(1).storage();
+  for (int repeat = 0; repeat < 200; ++repeat) {
+    Storage array = form;
+    array.size = 1 + static_cast<index_t>(random() % 1000000);
+    array.padded = TypeParam::padded(array.size);
+    array.pitch = TypeParam::pitch(array.size);
+    array.record_bytes = repeat % 3 == 0 ? 1 << 20 : repeat % 3 == 1 ? 4000 : form.record_bytes;
+    const auto begin = static_cast<index_t>(random() % static_cast<unsigned>(array.size));
+    const index_t end = begin + static_cast<index_t>(random() % static_cast<unsigned>(array.size - begin + 1));
+    const detail::Chunks chunks(array, begin, end, repeat % 2 == 0 ? 1 : 4);
+    const Storage part = detail::part_of(array, chunks.objects, SpaceKind::pinned);
+    index_t reached = begin;
+    for (index_t k = 0; k < chunks.count(); ++k) {
+      ASSERT_EQ(chunks.first(k), reached) << "chunk " << k << " of " << begin << " to " << end;
+      ASSERT_LT(chunks.first(k), chunks.last(k));
+      if (k > 0) {
+        ASSERT_EQ(chunks.first(k) % chunks.tile, 0) << k;
+      }
+      const index_t in_part = chunks.first(k) - chunks.aligned(k);
+      ASSERT_EQ(chunks.aligned(k) % padding_objects, 0);
+      if (array.pitch < array.padded) {
+        ASSERT_EQ(in_part % array.pitch, chunks.first(k) % array.pitch) << k;
+      }
+      ASSERT_LE(in_part + chunks.last(k) - chunks.first(k), part.padded);
+      reached = chunks.last(k);
+    }
+    ASSERT_EQ(reached, end);
+    // Little more than a usual chunk, or a tile of huge records, or what all objects take.
+    const index_t usual = (index_t{8} << 20) + 2 * chunks.tile * array.record_bytes;
+    ASSERT_LE(part.bytes(), (repeat % 2 == 0 ? 1 : 4) * usual) << array.record_bytes;
+    ASSERT_LE(part.bytes(), std::max(array.bytes(), chunks.tile * array.record_bytes));
   }
 }
 

@@ -89,7 +89,7 @@ TEST(ParallelFor, passes_on_what_a_kernel_throws) {
   const auto kernel = [](index_t i) {
     if (i == 12345) throw Error("object 12345 is bad");
   };
-  EXPECT_THROW(parallel_for(Host{}, 20000, kernel), Error);
+  EXPECT_THROW(parallel_for<1>(Host{}, 20000, kernel), Error);
 }
 
 }  // namespace

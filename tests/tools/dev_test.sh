@@ -63,7 +63,7 @@ touch "$work/output"
 case $rule in
   help_names_every_command)
     dev 0 help
-    for name in setup build run test gpu report format tidy clean; do says "  $name "; done
+    for name in setup build run test fuzz gpu report format tidy clean; do says "  $name "; done
     dev 0
     ;;
   unknown_command_exits_with_2)
@@ -157,6 +157,16 @@ case $rule in
     called "python3 $root/tools/report/report.py a.json b.json -o /somewhere\$"
     dev 2 report -o
     says 'report: -o needs a folder'
+    ;;
+  fuzz_hands_its_arguments_to_the_script)
+    program build/release/fuzz/run
+    dev 0 fuzz --seed 7
+    called 'run --minutes 10 --seed 7$'
+    dev 0 fuzz --minutes 1 --seed 7
+    called 'run --minutes 1 --seed 7$'
+    rm "$root/build/release/fuzz/run"
+    dev 2 fuzz
+    says 'fuzz needs LLVM'
     ;;
   gpu_runs_carried_programs_at_another_path)
     fake nvcc

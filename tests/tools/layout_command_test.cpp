@@ -26,9 +26,10 @@ class LayoutCommand : public testing::Test {
   };
 
   LayoutCommand() {
-    folder.write("a.h", preamble + "struct PHYSGEN_OBJECT(layout(cuda, aos_padded)) Node {\n  Vector<3> x;\n};\n" +
-                            "struct PHYSGEN_OBJECT() Tet {\n  PHYSGEN(format(cuda, half)) Matrix<3, 3> F;\n};\n");
-    folder.write("broken.h", preamble + object("Scalar& x;"));
+    folder.write("a.h",
+                 schema_of("struct PHYSGEN_OBJECT(layout(cuda, aos_padded)) Node {\n  Vector<3> x;\n};\n"
+                           "struct PHYSGEN_OBJECT() Tet {\n  PHYSGEN(format(cuda, half)) Matrix<3, 3> F;\n};\n"));
+    folder.write("broken.h", schema_of(object("Scalar& x;")));
   }
 
   /// Runs `physgen layout` in the test's folder.
@@ -54,7 +55,7 @@ TEST_F(LayoutCommand, draws_all_objects_of_a_schema) {
 TEST_F(LayoutCommand, draws_what_is_asked_for) {
   const auto outcome = run("a.h --object Tet --space cuda --real double --layout 'aosoa(8)'");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("Tet on cuda, aosoa(8), Real = double\n")) << outcome.out;
+  EXPECT_TRUE(outcome.out.starts_with("m::Tet on cuda, aosoa(8), Real = double\n")) << outcome.out;
   EXPECT_EQ(outcome.out.find("Node"), std::string::npos);
 }
 

@@ -36,14 +36,14 @@ void multiply(Host /*space*/, const SymmetricProduct<Views...>& product, const E
         const index_t begin = first[node_begin], end = first[node_end];
         own.resize(static_cast<std::size_t>(end - begin));
         for (index_t p = begin / W * W; p < end; p += W) {  // packs at the ends also see edges of the neighbours
+          const auto pack = p + W <= sums.edges()
+                                ? detail::edge_contributions(product, Pack<W>{p})
+                                : detail::edge_contributions(product, partial_pack<W>(p, 0, sums.edges()));
           alignas(64) std::array<std::array<Scalar, W>, 6> lanes;
-          with_pack<W>(p, 0, sums.edges(), [&](const auto& edge) {
-            const auto pack = detail::edge_contributions(product, edge);
-            for (std::size_t k = 0; k < 3; ++k) {
-              pack.to_m[static_cast<int>(k)].store_aligned(lanes[k].data());
-              pack.to_n[static_cast<int>(k)].store_aligned(lanes[3 + k].data());
-            }
-          });
+          for (std::size_t k = 0; k < 3; ++k) {
+            pack.to_m[static_cast<int>(k)].store_aligned(lanes[k].data());
+            pack.to_n[static_cast<int>(k)].store_aligned(lanes[3 + k].data());
+          }
           for (index_t e = std::max(p, begin); e < std::min(p + W, end); ++e) {
             const auto l = static_cast<std::size_t>(e - p);
             own[static_cast<std::size_t>(e - begin)] = {lanes[0][l], lanes[1][l], lanes[2][l]};

@@ -25,4 +25,8 @@ void add_cuda_gather_rows(std::vector<Row>& rows, Dataset& data);
 void add_host_force_rows(std::vector<Row>& rows, Dataset& data);
 void add_cuda_force_rows(std::vector<Row>& rows, Dataset& data);
 
+/// Dot products, beside a pass that only reads as many bytes.
+void add_host_dot_rows(std::vector<Row>& rows);
+void add_cuda_dot_rows(std::vector<Row>& rows);
+
 }  // namespace physgen::bench

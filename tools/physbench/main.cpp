@@ -68,12 +68,14 @@ void add_rows(std::vector<Row>& rows, Group group, Dataset& host, Dataset& cuda,
   if (group == Group::gathers) add_host_gather_rows(rows, host);
   if (group == Group::forces) add_host_force_rows(rows, host);
   if (group == Group::growth) add_growth_rows(rows, sizes);
+  if (group == Group::reduce) add_host_dot_rows(rows);
 #ifdef PHYSGEN_BENCH_CUDA
   if (!gpu) return;
   if (group == Group::storage) add_cuda_storage_rows(rows, cuda);
   if (group == Group::conversions) add_cuda_conversion_rows(rows, cuda.count(Domain::tets, Domain::tets));
   if (group == Group::gathers) add_cuda_gather_rows(rows, cuda);
   if (group == Group::forces) add_cuda_force_rows(rows, cuda);
+  if (group == Group::reduce) add_cuda_dot_rows(rows);
 #else
   static_cast<void>(cuda);
 #endif

@@ -26,6 +26,7 @@ GROUP is one of these, each with its own rows, all of which are run where no fil
   gathers        nodes gathered under an ordered, a random and a renumbered mesh, in every layout of the nodes
   forces         the product with the assembled stiffness: by gathers, by its symmetric half, by cuSPARSE
   growth         dP from dF from 2^10 to 2^24 objects (to 2^22 on the CPU)
+  reduce         dot products of 2^18 to 2^24 vectors (to 2^22 on the CPU), beside a pass that only reads as much
 and
   replay         runs a kernel on one input everywhere, and prints the results, the reference and the errors; numbers
                  are decimal, hexadecimal, nan or inf: replay svd float 1 0 0 0 0x1.8p+0 0 0 0 1
@@ -43,12 +44,13 @@ Exit status: 0 done, 1 a row failed or none matched, 2 wrong use. The flags of G
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Group>, 6> groups{{{"errors", Group::errors},
+constexpr std::array<std::pair<std::string_view, Group>, 7> groups{{{"errors", Group::errors},
                                                                     {"storage", Group::storage},
                                                                     {"conversions", Group::conversions},
                                                                     {"gathers", Group::gathers},
                                                                     {"forces", Group::forces},
-                                                                    {"growth", Group::growth}}};
+                                                                    {"growth", Group::growth},
+                                                                    {"reduce", Group::reduce}}};
 
 index_t number(std::string_view flag, std::string_view text, index_t largest) {
   index_t value = 0;

@@ -9,7 +9,7 @@
 namespace physgen::bench {
 
 /// Which rows there are: the first word of the command line, or those of the kernels.
-enum class Group { kernels, errors, storage, conversions, gathers, forces, growth };
+enum class Group { kernels, errors, storage, conversions, gathers, forces, growth, reduce };
 
 struct Options {
   Group group = Group::kernels;

@@ -3,10 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
+#include <system_error>
 
 #include "emit/emitter.h"
 #include "files.h"
@@ -187,6 +189,14 @@ bool names_command(const std::string& argument) {
   return false;
 }
 
+/// @throws UsageError if the first argument is neither an option nor a file: a command that is not there
+void require_command_or_schema(const std::string& first) {
+  std::error_code ignored;
+  if (first.starts_with('-') || std::filesystem::exists(first, ignored)) return;
+  throw UsageError("there is no command or schema '" + first +
+                   "'; commands are generate, check, model and layout, and a schema is a file");
+}
+
 }  // namespace
 
 int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
@@ -194,7 +204,15 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   CLI::App app("physgen writes accessor classes for physics objects from a schema, an annotated C++ header.",
                "physgen");
   describe(app, values);
-  if (!arguments.empty() && !names_command(arguments.front())) arguments.insert(arguments.begin(), "generate");
+  if (!arguments.empty() && !names_command(arguments.front())) {
+    try {
+      require_command_or_schema(arguments.front());
+    } catch (const UsageError& error) {
+      err << "physgen: error: " << error.what() << '\n';
+      return wrong_use;
+    }
+    arguments.insert(arguments.begin(), "generate");
+  }
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     app.parse(std::move(arguments));

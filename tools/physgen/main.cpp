@@ -1,10 +1,18 @@
 // The command physgen. Everything it does is in command.h; only this file talks to the process.
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "command.h"
 
 int main(int argc, char** argv) {
+  // Clang's destructors do not bear an exception from within Clang; nothing has been written by then.
+  std::set_new_handler([] {
+    std::fputs("physgen: error: this schema needs more memory than there is\n", stderr);
+    std::_Exit(2);
+  });
   try {
     return physgen::command::run({argv + 1, argv + argc}, std::cout, std::cerr);
   } catch (const std::exception& error) {

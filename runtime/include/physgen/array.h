@@ -27,8 +27,6 @@ using FormatsOf = typename Object::template Formats<PerSpace<Space, Host, Cuda>>
 /// redeclares some: `struct Compact : DeformationSvdFormats<Cuda> { using U = format::Quaternion<>; };`
 template <class Object_, class Real, class Space, class Layout, class Formats_ = FormatsOf<Object_, Space>>
 class Array {
-  using Record = typename Object_::template Record<Real, Formats_>;
-
  public:
   using Object = Object_;
   using Formats = Formats_;
@@ -44,7 +42,8 @@ class Array {
   /// `size` objects with their fields' initial values (zero where the schema states none; a Rotation is the identity).
   /// @throw Error when size is negative or the memory cannot be had
   explicit Array(index_t size) { resize(size); }
-  /// On CUDA this works in the default stream. @pre work on `other` in other streams is done (see synchronize())
+  /// On CUDA and in pinned memory this works in the default stream. @pre work on `other` in other streams is done (see
+  /// synchronize())
   Array(const Array& other) : Array(other.size_) { copy_first(storage(), other.storage(), size_); }
   Array& operator=(const Array& other) {
     if (this != &other) {
@@ -83,7 +82,8 @@ class Array {
   }
 
   /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
-  /// On CUDA this works in the default stream. @pre work on this array in other streams is done (see synchronize())
+  /// On CUDA and in pinned memory this works in the default stream. @pre work on this array in other streams is done
+  /// (see synchronize())
   /// @throw Error when size is negative or the memory cannot be had; the array is then unchanged
   void resize(index_t size) {
     if (size == size_) return;
@@ -116,7 +116,7 @@ class Array {
 
  private:
   [[nodiscard]] static index_t checked_bytes(index_t size) {
-    constexpr index_t limit = std::numeric_limits<index_t>::max() / (Record::bytes + 64) / 2;
+    constexpr index_t limit = std::numeric_limits<index_t>::max() / record_bytes / 4;  // room for padding
     if (size < 0 || size > limit) {
       throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) + " objects of " +
                   std::to_string(record_bytes) + " bytes cannot exist; 0 to " + std::to_string(limit) + " can");

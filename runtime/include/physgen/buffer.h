@@ -43,7 +43,7 @@ class Buffer {
   SpaceKind space_ = SpaceKind::host;
 };
 
-/// Copies bytes between memory of any two spaces; done when this returns.
+/// Copies bytes between memory of any two spaces, ordered in the default stream; done when this returns.
 /// @throw Error with CUDA's message when it fails
 void copy_memory(std::byte* to, SpaceKind to_space, const std::byte* from, SpaceKind from_space, index_t bytes);
 

@@ -13,7 +13,7 @@ namespace physgen {
 class ChunkedUpload {
  public:
   /// @param to in CUDA memory; @param begin, end which of its objects
-  /// @throw Error when pinned memory cannot be had, or without CUDA
+  /// @throw Error when pinned memory cannot be had, without CUDA, and while `stream` is being captured
   ChunkedUpload(const Storage& to, index_t begin, index_t end, Stream stream);
   ~ChunkedUpload();
   ChunkedUpload(const ChunkedUpload&) = delete;
@@ -35,7 +35,7 @@ class ChunkedUpload {
 class ChunkedDownload {
  public:
   /// @param from in CUDA memory; @param begin, end which of its objects
-  /// @throw Error when pinned memory cannot be had, or without CUDA
+  /// @throw Error when pinned memory cannot be had, without CUDA, and while `stream` is being captured
   ChunkedDownload(const Storage& from, index_t begin, index_t end, Stream stream);
   ~ChunkedDownload();
   ChunkedDownload(const ChunkedDownload&) = delete;

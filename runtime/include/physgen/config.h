@@ -1,6 +1,11 @@
-// What every header of the runtime needs: the function marker for host and device code, the index type, and the number
-// that ties generated code to the runtime it was written for.
+// What every header of the runtime needs: the function marker for host and device code, the index type, the number that
+// ties generated code to the runtime it was written for, and the constant that ties objects to the library of their
+// mode.
 #pragma once
+
+#if __cplusplus <= 201703L
+#error "physgen needs C++20 (g++: -std=c++20, nvcc: -std=c++20); in CMake, link physgen::runtime, which gives it"
+#endif
 
 #include <cstddef>
 #include <cstdint>
@@ -28,11 +33,25 @@ namespace physgen {
 /// Counts objects and bytes; signed, 64 bit: more than 2^31 objects are ordinary.
 using index_t = std::int64_t;
 
-/// Whether bounds, null, spaces and losses of storage formats are checked.
+// Checked objects and others disagree about arrays and views and must not meet in one program. So each refers to a
+// constant that the library of its own mode defines and no other; where a program has the wrong library, the linker
+// names that constant. PHYSGEN_ANY_MODE is for those sources of physgen that both libraries contain as they are: they
+// have no checked_build to ask for.
 #ifdef PHYSGEN_CHECKED
+extern "C" const char physgen_objects_were_compiled_with_PHYSGEN_CHECKED;
+/// Whether bounds, null, spaces and losses of storage formats are checked.
 inline constexpr bool checked_build = true;
-#else
+namespace detail {
+[[gnu::used, gnu::visibility("hidden")]] inline const char* const checked_mode =
+    &physgen_objects_were_compiled_with_PHYSGEN_CHECKED;
+}
+#elif !defined(PHYSGEN_ANY_MODE)
+extern "C" const char physgen_objects_were_compiled_without_PHYSGEN_CHECKED;
 inline constexpr bool checked_build = false;
+namespace detail {
+[[gnu::used, gnu::visibility("hidden")]] inline const char* const unchecked_mode =
+    &physgen_objects_were_compiled_without_PHYSGEN_CHECKED;
+}
 #endif
 
 /// Smallest multiple of `step` that is not below `value`. @pre value >= 0, step > 0

@@ -42,7 +42,8 @@ using Operand = decltype(operand(std::declval<T>()));
 template <class Value>
 using ReadValue = std::conditional_t<std::is_class_v<Value>, const Value, Value>;
 
-/// Returned by deleted operators: their names are what compilers print.
+/// Returned by deleted functions: their names are what compilers print.
+struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself;
 struct a_named_reference_is_not_assigned_so_write_to_the_view_itself;
 struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
 
@@ -65,12 +66,12 @@ class ElementRef {
   /// The value. For temporaries only: `const S m = view[i].m();`.
   [[nodiscard]] PHYSGEN_FUNCTION detail::ReadValue<Value> get() const&& { return read(); }
   PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
-  Value get() const& = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
   operator Value() const& = delete;
 
   PHYSGEN_FUNCTION const ElementRef& operator=(const Value& value) const& { return write(value); }
   /// Copies the element.
-  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef& other) const& { return write(other.read()); }
+  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef&& other) const& { return write(other.read()); }
   PHYSGEN_FUNCTION const ElementRef& operator+=(const Value& value) const&
     requires(!Cursor::gathered)
   {
@@ -99,6 +100,8 @@ class ElementRef {
 
   using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
   ElementRef& operator=(const ElementRef&) & = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(const ElementRef&) const& =
+      delete;
   NotAssigned operator=(const Value&) & = delete;
   NotAssigned operator+=(const Value&) & = delete;
   NotAssigned operator-=(const Value&) & = delete;

@@ -29,13 +29,13 @@ class FieldRef {
   /// The field's value. For temporaries only: `const auto x = view[i].x().get();`.
   [[nodiscard]] PHYSGEN_FUNCTION const Value get() const&& { return read(); }
   PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
-  const Value get() const& = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
   operator Value() const& = delete;
 
   /// Stores `value`.
   PHYSGEN_FUNCTION const FieldRef& operator=(const Value& value) const& { return write(value); }
   /// Copies the field.
-  PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef& other) const& { return write(other.read()); }
+  PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef&& other) const& { return write(other.read()); }
   PHYSGEN_FUNCTION const FieldRef& operator+=(const Value& value) const&
     requires calculates
   {
@@ -76,6 +76,8 @@ class FieldRef {
 
   using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
   FieldRef& operator=(const FieldRef&) & = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(const FieldRef&) const& =
+      delete;
   NotAssigned operator=(const Value&) & = delete;
   NotAssigned operator+=(const Value&) & = delete;
   NotAssigned operator-=(const Value&) & = delete;
@@ -196,26 +198,23 @@ inline constexpr bool is_field_ref<FieldRef<Shape, Format, T, Cursor>> = true;
 template <class A, class B = int>
 concept SomeFieldReference = is_field_ref<std::remove_cvref_t<A>> || is_field_ref<std::remove_cvref_t<B>>;
 
-struct a_field_is_no_value_so_calculate_with_what_its_get_returns;
+struct a_field_is_no_value_so_calculate_with_what_its_get_returns {};  // complete: clang 14 asks for that
 
 }  // namespace detail
 
-namespace detail {
-using NoValue = a_field_is_no_value_so_calculate_with_what_its_get_returns;
-}
 template <class A, class B>
   requires detail::SomeFieldReference<A, B>
-detail::NoValue operator+(A&&, B&&) = delete;
+detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator+(A&&, B&&) = delete;
 template <class A, class B>
   requires detail::SomeFieldReference<A, B>
-detail::NoValue operator-(A&&, B&&) = delete;
+detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator-(A&&, B&&) = delete;
 template <class A, class B>
   requires detail::SomeFieldReference<A, B>
-detail::NoValue operator*(A&&, B&&) = delete;
+detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator*(A&&, B&&) = delete;
 template <class A, class B>
   requires detail::SomeFieldReference<A, B>
-detail::NoValue operator/(A&&, B&&) = delete;
+detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator/(A&&, B&&) = delete;
 template <detail::SomeFieldReference A>
-detail::NoValue operator-(A&&) = delete;
+detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator-(A&&) = delete;
 
 }  // namespace physgen

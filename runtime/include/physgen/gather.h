@@ -3,12 +3,16 @@
 
 #include <physgen/array.h>
 #include <physgen/chunked_transfer.h>
-#include <physgen/parallel_for.h>
+#include <physgen/host_loop.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <ranges>
 #include <span>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace physgen {
 
@@ -28,10 +32,29 @@ void check_not_null(std::span<T* const> objects, std::string_view object_type) {
   }
 }
 
+/// Two threads would write one object. @throw Error naming the first pointer that is there a second time
+template <class T>
+void check_different(std::span<T* const> objects, std::string_view object_type) {
+  std::vector<std::size_t> order(objects.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return objects[a] != objects[b] ? std::less<>()(objects[a], objects[b]) : a < b;
+  });
+  std::size_t first = 0, second = objects.size();
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (objects[order[k]] != objects[order[k - 1]] || order[k] >= second) continue;
+    first = order[k - 1];
+    second = order[k];
+  }
+  if (second == objects.size()) return;
+  throw Error(std::string(object_type) + ": pointers " + std::to_string(first) + " and " + std::to_string(second) +
+              " of " + std::to_string(objects.size()) + " are the same; an object is scattered to once");
+}
+
 }  // namespace detail
 
-/// Makes `array` hold object_of(i) for i = 0 .. size-1, resized to fit: for handles of any kind. On the host it is done
-/// when this returns. On CUDA the work is ordered in `stream`, which this waits for.
+/// Makes `array` hold object_of(i) for i = 0 .. size-1, resized to fit: for handles of any kind. Done when this
+/// returns; on CUDA and in pinned memory behind what is ordered in `stream`, which this waits for.
 /// @param object_of index_t -> Value of one object; called on several threads at once. Where it is noexcept, a CUDA
 ///        array that has the size already is filled in place, which saves its allocation
 /// @throw Error when the memory cannot be had, and in checked builds when a format cannot hold a value; what object_of
@@ -41,13 +64,15 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
                Stream stream = nullptr) {
   using Gathered = Array<Object, Real, Space, Layout, Formats>;
   if constexpr (host_accessible(Space::kind)) {
+    detail::wait_for_host_work(Space::kind, stream);
     Gathered gathered(size);
     const auto view = gathered.view();
-    parallel_for<1>(Host{}, size, [&](index_t i) { view.put(i, object_of(i)); });
+    detail::host_loop(size, [&](index_t i) { view.put(i, object_of(i)); });
     throw_if_falsified(gathered.take_losses(), gathered.storage());
     array = std::move(gathered);
   } else {
     // Packed in chunks, in the array's own form, while the chunk before is transferred.
+    using Pinned = Array<Object, Real, PinnedHost, Layout, Formats>;
     constexpr bool cannot_fail = std::is_nothrow_invocable_v<const ObjectOf&, index_t> && !checked_build;
     const bool in_place = cannot_fail && array.size() == size;
     Gathered fresh(in_place ? 0 : size);
@@ -57,10 +82,9 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
     while (upload.next()) {
       Losses of_chunk;
       of_chunk.objects = upload.chunk().size;
-      const View<Object, Real, Layout, Formats, PinnedHost> chunk(upload.chunk().base, upload.chunk().size,
-                                                                  upload.chunk().pitch, &of_chunk);
+      const typename Pinned::View chunk(upload.chunk().base, upload.chunk().size, upload.chunk().pitch, &of_chunk);
       const index_t begin = upload.begin();
-      parallel_for<1>(Host{}, chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
+      detail::host_loop(chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
       losses.add(of_chunk, begin);
     }
     synchronize(stream);  // what failed shows here, while the array is as it was
@@ -91,27 +115,30 @@ void gather(const Pointers& pointers, Array<Object, Real, Space, Layout, Formats
 }
 
 /// Hands every object of `array` to set(i, value), i = 0 .. size-1: for handles of any kind. Done when this returns; on
-/// CUDA behind what is ordered in `stream`.
+/// CUDA and in pinned memory behind what is ordered in `stream`.
 /// @param set called on several threads at once, once for each i
 template <class Object, class Real, class Space, class Layout, class Formats, class Set>
 void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const Set& set, Stream stream = nullptr) {
   if constexpr (host_accessible(Space::kind)) {
+    detail::wait_for_host_work(Space::kind, stream);
     const auto view = array.view();
-    parallel_for<1>(Host{}, view.size(), [&](index_t i) { set(i, view.get(i)); });
+    detail::host_loop(view.size(), [&](index_t i) { set(i, view.get(i)); });
   } else {
+    using Pinned = Array<Object, Real, PinnedHost, Layout, Formats>;
     ChunkedDownload download(array.storage(), 0, array.size(), stream);
     while (download.next()) {
-      const View<Object, const Real, Layout, Formats, PinnedHost> chunk(download.chunk().base, download.chunk().size,
-                                                                        download.chunk().pitch);
+      const typename Pinned::ConstView chunk(download.chunk().base, download.chunk().size, download.chunk().pitch);
       const index_t begin = download.begin();
-      parallel_for<1>(Host{}, chunk.size(), [&](index_t i) { set(begin + i, chunk.get(i)); });
+      detail::host_loop(chunk.size(), [&](index_t i) { set(begin + i, chunk.get(i)); });
     }
   }
 }
 
-/// Writes the array's objects back to the objects pointed to, in this order.
+/// Writes the array's objects back to the objects pointed to, in this order; otherwise as scatter_by().
 /// @param from_value (T&, const Value&); called on several threads at once
-/// @throw Error when a pointer is null or there are not as many pointers as objects; no object is then changed
+/// @pre no two pointers are the same: two threads would write one object
+/// @throw Error when a pointer is null or there are not as many pointers as objects, and in checked builds when two
+///        pointers are the same; no object is then changed
 template <PointerRange Pointers, class Object, class Real, class Space, class Layout, class Formats, class FromValue>
 void scatter(const Array<Object, Real, Space, Layout, Formats>& array, const Pointers& pointers,
              const FromValue& from_value, Stream stream = nullptr) {
@@ -121,6 +148,7 @@ void scatter(const Array<Object, Real, Space, Layout, Formats>& array, const Poi
                 std::to_string(objects.size()) + " objects; give one pointer for each object");
   }
   detail::check_not_null(objects, Object::name);
+  if (checked_build) detail::check_different(objects, Object::name);
   scatter_by(
       array, [&](index_t i, const auto& value) { from_value(*objects[static_cast<std::size_t>(i)], value); }, stream);
 }

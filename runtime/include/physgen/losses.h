@@ -1,5 +1,5 @@
 // What storage formats could not hold. Checked builds count it wherever elements are stored, and remember the place of
-// the first value that is wrong and of the first one that is imprecise.
+// the first value, in the order of the objects, that is wrong and of the first one that is imprecise.
 #pragma once
 
 #include <physgen/format.h>
@@ -11,12 +11,23 @@ namespace physgen {
 
 /// Counts of one array since it was made or last asked (Array::take_losses), or of one copy.
 struct Losses {
-  /// Where a loss was, for the first of its kind.
+  /// Where a loss was: of its kind, the one of the smallest object number, and of the smallest offset there; so the
+  /// same one however many threads stored.
   struct Place {
-    unsigned int known = 0;
-    int offset = 0;      ///< of the element in the record [bytes]
-    index_t object = 0;  ///< the object's number
-    double value = 0;    ///< what was to be stored; of a matrix, the largest deviation from a rotation
+    unsigned long long order = ~0ULL;  ///< grows with object and offset; the largest number: there is none
+    unsigned int busy = 0;             ///< a thread is writing the others
+    int offset = 0;                    ///< of the element in the record [bytes]
+    index_t object = 0;                ///< the object's number
+    double value = 0;                  ///< what was to be stored; of a matrix, the largest deviation from a rotation
+
+    [[nodiscard]] PHYSGEN_FUNCTION bool known() const { return order != ~0ULL; }
+    /// Object and offset in one number; of places that it cannot tell apart, those beyond 2^40 objects or 8 MiB of a
+    /// record, the one that came first stays.
+    [[nodiscard]] PHYSGEN_FUNCTION static unsigned long long order_of(index_t object, int offset) {
+      constexpr unsigned long long objects = (1ULL << 40) - 1, offsets = (1ULL << 23) - 1;
+      const auto at = static_cast<unsigned long long>(object), byte = static_cast<unsigned long long>(offset);
+      return (at < objects ? at : objects) << 23 | (byte < offsets ? byte : offsets);
+    }
   };
 
   unsigned long long out_of_range = 0;    ///< finite, and stored as infinity or as the end of the range
@@ -41,9 +52,10 @@ struct Losses {
     imprecise += other.imprecise;
     if (worst < other.worst) worst = other.worst;
     const auto adopt = [further](Place& place, Place from) {
-      if (place.known != 0) return;
-      place = from;
-      if (place.known != 0) place.object += further;
+      if (!from.known()) return;
+      from.object += further;
+      from.order = Place::order_of(from.object, from.offset);
+      if (from.order < place.order) place = from;
     };
     adopt(first, other.first);
     adopt(first_imprecise, other.first_imprecise);
@@ -73,22 +85,42 @@ PHYSGEN_FUNCTION inline void raise(unsigned long long& bits, double value) {
 #endif
 }
 
-/// Whether this call is the first for `flag`.
-PHYSGEN_FUNCTION inline bool claim(unsigned int& flag) {
+/// Makes `first` this place where it comes before the one that is there. Almost every call ends at the first
+/// comparison; else a lock of its own keeps place and value together.
+PHYSGEN_FUNCTION inline void keep_first(Losses::Place& first, index_t object, int offset, double value) {
+  const unsigned long long order = Losses::Place::order_of(object, offset);
 #ifdef __CUDA_ARCH__
-  return atomicExch(&flag, 1U) == 0;
+  auto* known = const_cast<volatile Losses::Place*>(&first);
+  while (order < known->order) {
+    if (atomicCAS(&first.busy, 0U, 1U) != 0) continue;  // threads of a warp go on one by one
+    __threadfence();
+    if (order < known->order) {
+      known->object = object;
+      known->offset = offset;
+      known->value = value;
+      known->order = order;
+    }
+    __threadfence();
+    atomicExch(&first.busy, 0U);
+  }
 #else
-  return __atomic_exchange_n(&flag, 1U, __ATOMIC_RELAXED) == 0;
+  while (order < __atomic_load_n(&first.order, __ATOMIC_RELAXED)) {
+    if (__atomic_exchange_n(&first.busy, 1U, __ATOMIC_ACQUIRE) != 0) continue;
+    if (order < __atomic_load_n(&first.order, __ATOMIC_RELAXED)) {
+      first.object = object;
+      first.offset = offset;
+      first.value = value;
+      __atomic_store_n(&first.order, order, __ATOMIC_RELAXED);
+    }
+    __atomic_store_n(&first.busy, 0U, __ATOMIC_RELEASE);
+  }
 #endif
 }
 
 PHYSGEN_FUNCTION inline void remember(unsigned long long& counter, Losses::Place& first, index_t object, int offset,
                                       double value) {
   count_one(counter);
-  if (!claim(first.known)) return;
-  first.object = object;
-  first.offset = offset;
-  first.value = value;
+  keep_first(first, object, offset, value);
 }
 
 /// Counts what became of `value`, stored in `type` and read back as `back`.

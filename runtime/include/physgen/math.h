@@ -1,9 +1,9 @@
 // Scalar functions for kernels that are written once: float and double here, on host and CUDA device; simd.h adds
-// packs. Kernels call them unqualified (`using math::sqrt; sqrt(x)`), so that argument-dependent lookup finds those of
-// packs.
+// packs. Kernels call them unqualified (`using namespace physgen::math; sqrt(x)`), so that argument-dependent lookup
+// finds those of packs.
 #pragma once
 
-#include <physgen/config.h>
+#include <physgen/pack.h>
 
 #include <bit>
 #include <cmath>
@@ -14,29 +14,99 @@
 
 namespace physgen::math {
 
+// Of single numbers; xsimd has the same for packs, but for those that simd_functions.h mends. Errors of packs in units
+// in the last place, the worst of 1e6 arguments in each of three ranges, for float and double, SSE4, AVX2 and AVX-512:
+// sqrt, floor, ceil, trunc, round, abs, copysign and fmod exact or rounded once; pow 0.51; log, log1p 0.9; exp, sinh,
+// cosh, tanh, hypot, sin, cos, acos, expm1 2.3; asin, atan, atan2 2.6; cbrt 3.2; tan 3.3; sin, cos and tan take
+// arguments of any size. pow and fmod call the C library lane by lane. NaN, infinities and zeros give what the C library
+// gives, but packs lose the sign of a zero in expm1 and log1p, and before SSE4 in floor, ceil, trunc and round. Errors
+// of single numbers are the C library's, and on a device those of CUDA's manual. So last bits differ between packs,
+// single numbers and CUDA, but for what is exact or rounded once.
 using std::abs;
+using std::acos;
+using std::asin;
+using std::atan;
+using std::atan2;
+using std::cbrt;
+using std::ceil;
 using std::copysign;
+using std::cos;
+using std::cosh;
+using std::exp;
+using std::expm1;
+using std::floor;
 using std::fma;
+using std::fmod;
+using std::hypot;
+using std::isfinite;
+using std::isinf;
+using std::isnan;
 using std::log;
 using std::log1p;
+using std::round;
+using std::sin;
+using std::sinh;
 using std::sqrt;
+using std::tan;
+using std::tanh;
+using std::trunc;
+
+/// One number, of which packs hold several.
+template <class T>
+concept Number = std::is_arithmetic_v<T>;
+/// One number or a pack.
+template <class S>
+concept Lanewise = Number<S> || requires { typename S::batch_bool_type; };
+/// A plain number beside numbers of another type, or beside packs: `max(m, 0)`, `max(m, 0.0)`.
+template <class T, class S>
+concept PlainBeside = Number<T> && !std::is_same_v<T, S> && (std::is_integral_v<T> || !std::is_integral_v<S>);
 
 // Templates, so that code which opens these namespaces in a CUDA file still means CUDA's own min and max by theirs.
 
 /// The smaller and the larger of two numbers. Which operand comes back when one is NaN is unspecified.
-template <std::floating_point S>
+template <Number S>
 PHYSGEN_FUNCTION inline S min(const S& x, const S& y) {
   return y < x ? y : x;
 }
-template <std::floating_point S>
+template <Number S>
 PHYSGEN_FUNCTION inline S max(const S& x, const S& y) {
   return x < y ? y : x;
 }
+/// A plain number stands second, and takes the type of the first: `max(m, 0.0)` of a float m is a float.
+template <class S, PlainBeside<S> T>
+PHYSGEN_FUNCTION inline S min(const S& x, T y) {
+  return min(x, all_lanes<S>(y));
+}
+template <class S, PlainBeside<S> T>
+PHYSGEN_FUNCTION inline S max(const S& x, T y) {
+  return max(x, all_lanes<S>(y));
+}
 
-/// `condition ? a : b`, both evaluated: the form that exists for packs, too.
+/// x, but not below `low` and not above `high`. @pre low <= high
+template <class S, class Low, class High>
+PHYSGEN_FUNCTION inline S clamp(const S& x, const Low& low, const High& high) {
+  return min(max(x, low), high);
+}
+
+/// x^y, as std::pow() has it.
 template <std::floating_point S>
+PHYSGEN_FUNCTION inline S pow(const S& x, const S& y) {
+  return std::pow(x, y);
+}
+template <class S, PlainBeside<S> T>
+PHYSGEN_FUNCTION inline S pow(const S& x, T y) {
+  return pow(x, all_lanes<S>(y));
+}
+
+/// `condition ? a : b`, both evaluated, lane by lane: a condition of packs is a mask, of lanes of any type. `b` may be
+/// a plain number. lanewise.h has those of Eigen's vectors and matrices.
+template <Lanewise S>
 PHYSGEN_FUNCTION inline S select(bool condition, const S& a, const S& b) {
   return condition ? a : b;
+}
+template <class Condition, Lanewise S, PlainBeside<S> T>
+PHYSGEN_FUNCTION inline S select(const Condition& condition, const S& a, T b) {
+  return select(condition, a, all_lanes<S>(b));
 }
 
 /// A power of two and its inverse, both normal numbers.

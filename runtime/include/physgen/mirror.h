@@ -3,6 +3,8 @@
 
 #include <physgen/array.h>
 
+#include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,57 +16,84 @@ enum class Side : std::uint8_t { host, device };
 
 namespace detail {
 
-/// Which side of a mirror holds the newer objects, block by block.
-class ChangedBlocks {
+/// Objects begin .. end-1.
+struct ObjectRange {
+  index_t begin;
+  index_t end;
+  bool operator==(const ObjectRange&) const = default;
+};
+
+/// Some of the objects of an array, as ranges that neither touch nor overlap.
+class ObjectSet {
  public:
-  ChangedBlocks() = default;
-  /// `size` objects that are the same on both sides. @param object its name, for messages
-  ChangedBlocks(index_t size, std::string_view object);
-
-  /// Notes that objects begin .. end-1 are written on `side`.
-  /// @throw Error when there are no such objects, or one of their blocks is newer on the other side; nothing is noted
-  void mark(Side side, index_t begin, index_t end);
-
-  struct Range {
-    index_t begin;
-    index_t end;
-  };
-  /// The blocks that hold objects of begin .. end-1 and are newer on `side`, neighbours joined.
-  /// @throw Error when there are no such objects
-  [[nodiscard]] std::vector<Range> newer(Side side, index_t begin, index_t end) const;
-
-  /// Notes that both sides hold the same objects in `range`, which newer() gave.
-  void settle(const Range& range);
+  /// Whether it has one of begin .. end-1, and the first such range of them.
+  [[nodiscard]] std::optional<ObjectRange> first_in(index_t begin, index_t end) const;
+  /// What it has of begin .. end-1, in order.
+  [[nodiscard]] std::vector<ObjectRange> in(index_t begin, index_t end) const;
+  /// Adds begin .. end-1; takes the time of a search, and of the ranges that it joins. @pre begin < end
+  void add(index_t begin, index_t end);
+  /// Removes begin .. end-1. @pre begin < end
+  void remove(index_t begin, index_t end);
 
  private:
-  enum class State : std::uint8_t { same, newer_on_host, newer_on_device };
+  std::map<index_t, index_t> ends_;  // of each range, by its beginning
+};
 
-  [[nodiscard]] static State newer_on(Side side) {
-    return side == Side::host ? State::newer_on_host : State::newer_on_device;
-  }
+/// Which objects of a mirror are newer on which side: exactly those that were written there.
+class ChangedObjects {
+ public:
+  ChangedObjects() = default;
+  /// `size` objects that are the same on both sides. @param object its name, for messages
+  ChangedObjects(index_t size, std::string_view object) : size_(size), object_(object) {}
+
+  /// Notes that objects begin .. end-1 are written on `side`.
+  /// @throw Error when there are no such objects, or some are newer on the other side; nothing is noted
+  void mark(Side side, index_t begin, index_t end);
+
+  /// The objects of begin .. end-1 that are newer on `side`, in order.
+  /// @throw Error when there are no such objects
+  [[nodiscard]] std::vector<ObjectRange> newer(Side side, index_t begin, index_t end) const;
+
+  /// What to copy from `side` so that `ranges`, which newer() gave, are up to date on the other: those themselves; or,
+  /// where a copy gives the other side what it had of all objects that are the same, whole blocks, as far as they
+  /// hold nothing that is newer there, so that few transfers do.
+  [[nodiscard]] std::vector<ObjectRange> widened(Side side, const std::vector<ObjectRange>& ranges) const;
+
+  /// Notes that both sides hold the same objects in `range`.
+  void settle(const ObjectRange& range);
+
+ private:
   void check_range(index_t begin, index_t end) const;
-  [[nodiscard]] Range objects_of(std::size_t block) const;
+  [[nodiscard]] const ObjectSet& newer_on(Side side) const { return side == Side::host ? on_host_ : on_device_; }
 
   index_t size_ = 0;
   std::string_view object_;
-  std::vector<State> blocks_;
+  ObjectSet on_host_, on_device_;  // without common objects
 };
+
+/// Whether both store every element in the same format, so that copies both ways change no bit.
+[[nodiscard]] bool same_formats(const Storage& a, const Storage& b);
 
 }  // namespace detail
 
-/// Objects per block: whole tiles and whole packs, and transfers long enough to run at the rate of the bus.
+/// Objects of a block, which moves whole where that changes nothing: whole tiles and whole packs, and transfers long
+/// enough to run at the rate of the bus.
 inline constexpr index_t mirror_block = 4096;
 
 /// A host array and a device array of the same objects. Who says what is written, and asks before reading, moves no
-/// more than changed, in blocks of mirror_block objects:
+/// more than changed:
 ///
 ///   Mirror<NodePositionArray<float, PinnedHost>, NodePositionArray<float, Cuda>> x(n);
 ///   auto host = x.write_host(first, last);   // moves nothing; write objects first .. last-1
-///   auto device = x.read_device();           // moves the blocks of these objects
+///   auto device = x.read_device();           // moves these objects
 ///
 /// Each call names the objects that it is for; what it returns may be used for them until the next call. What lies in
-/// other objects may be out of date. A side whose objects are newer on the other must read before it writes, so no
-/// object is ever newer on both sides.
+/// other objects may be out of date. A side whose objects are newer on the other must read them before it writes them,
+/// so no object is ever newer on both sides.
+///
+/// An object that one side never wrote keeps every bit that it has on the other, also where the sides differ in
+/// precision or format: then exactly the written ranges move, each by itself. Where the formats are the same, whole
+/// blocks of mirror_block objects move instead, as far as the other side holds nothing newer there.
 /// @tparam HostArray_, DeviceArray_ arrays of one object type; any spaces, layouts and precisions
 template <class HostArray_, class DeviceArray_>
 class Mirror {
@@ -93,8 +122,8 @@ class Mirror {
   [[nodiscard]] index_t size() const { return host_.size(); }
 
   /// For writing objects begin .. end-1 of one side, or all. Moves nothing.
-  /// @throw Error when there are no such objects, or a block that holds some is newer on the other side and has not
-  ///        been read on this one: the message names the block. Nothing is changed then.
+  /// @throw Error when there are no such objects, or some are newer on the other side and have not been read on this
+  ///        one: the message names the first. Nothing is changed then.
   [[nodiscard]] typename HostArray::View write_host(index_t begin, index_t end) {
     changed_.mark(Side::host, begin, end);
     return host_.view();
@@ -106,10 +135,10 @@ class Mirror {
   }
   [[nodiscard]] typename DeviceArray::View write_device() { return write_device(0, size()); }
 
-  /// For reading objects begin .. end-1 of one side, or all, after the blocks that hold them and are newer on the other
-  /// side have been copied. The copies are ordered in `stream` and done on return: give the stream in which kernels
-  /// work on the device's objects.
-  /// @throw Error when there are no such objects or a copy fails; the other side's blocks then stay the newer ones
+  /// For reading objects begin .. end-1 of one side, or all, after those that are newer on the other side have been
+  /// copied. The copies are ordered in `stream` and done on return: give the stream in which kernels work on the
+  /// device's objects.
+  /// @throw Error when there are no such objects or a copy fails; the other side's objects then stay the newer ones
   [[nodiscard]] typename HostArray::ConstView read_host(index_t begin, index_t end, Stream stream = nullptr) {
     update(host_.storage(), device_.storage(), Side::device, begin, end, stream);
     return host_.const_view();
@@ -147,8 +176,12 @@ class Mirror {
 
  private:
   void update(const Storage& to, const Storage& from, Side newer, index_t begin, index_t end, Stream stream) {
-    const auto ranges = changed_.newer(newer, begin, end);
+    auto ranges = changed_.newer(newer, begin, end);
     if (ranges.empty()) return;
+    if (to.space != SpaceKind::host || from.space != SpaceKind::host) {
+      detail::refuse_capture(stream, "reading what is newer on the other side of a mirror");
+    }
+    if (detail::same_formats(to, from)) ranges = changed_.widened(newer, ranges);
     index_t bytes = 0;
     for (const auto& range : ranges) bytes += copy_range(to, from, range.begin, range.end, stream);
     if (to.space != SpaceKind::host || from.space != SpaceKind::host) synchronize(stream);
@@ -158,7 +191,7 @@ class Mirror {
 
   HostArray host_;
   DeviceArray device_;
-  detail::ChangedBlocks changed_;
+  detail::ChangedObjects changed_;
   index_t bytes_moved_ = 0;
 };
 

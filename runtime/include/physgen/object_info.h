@@ -7,13 +7,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <initializer_list>
 #include <string_view>
 
 namespace physgen {
 
+/// The functions of a format of a program's own, for what converts on the host.
+struct OwnCodec {
+  double (*decode)(const std::byte* from);
+  void (*encode)(std::byte* to, double value);
+};
+
 /// One field of an object type: `count` stored elements of one type that follow each other from byte `offset` of the
-/// record on. An element stands for centre + scale * what is stored.
+/// record on. An element stands for centre + scale * what is stored, or for what the functions of its own format say.
 struct FieldInfo {
   std::string_view name;  ///< "svd.U" for a field of a nested object
   std::string_view unit;  ///< empty: none stated
@@ -23,8 +30,9 @@ struct FieldInfo {
   double initial;  ///< value of every element of a new object, but of rotations, which begin as the identity
   double scale;
   double centre;
-  bool rotation;    ///< one or an array of them
-  bool quaternion;  ///< rotations, stored as w, x, y, z
+  bool rotation;                  ///< one or an array of them
+  bool quaternion;                ///< rotations, stored as w, x, y, z
+  const OwnCodec* own = nullptr;  ///< where the format is none of the library's
 
   /// Elements that code sees: 9 for a rotation, however it is stored.
   [[nodiscard]] PHYSGEN_FUNCTION constexpr int visible_count() const { return quaternion ? count / 4 * 9 : count; }
@@ -33,6 +41,40 @@ struct FieldInfo {
 /// Elements of a field of this shape and format that are stored.
 template <class Shape, class Format>
 inline constexpr int stored_count = format::is_quaternion<Format> ? 4 : Shape::count;
+
+namespace detail {
+
+template <class Format, class T>
+struct OwnFunctions {
+  using Stored = typename Format::template Stored<T>;
+  static_assert(std::is_trivially_copyable_v<Stored> &&
+                    int{sizeof(Stored)} == element_bytes(Format::template type<T>) &&
+                    Format::template type<T> != ElementType::int32,
+                "a format's Stored has the bytes of its ElementType, which is one of numbers");
+
+  static double decode(const std::byte* from) {
+    Stored stored;
+    std::memcpy(&stored, from, sizeof stored);
+    return static_cast<double>(Format::template decode<T>(stored));
+  }
+  static void encode(std::byte* to, double value) {
+    const Stored stored = Format::template encode<T>(static_cast<T>(value));
+    std::memcpy(to, &stored, sizeof stored);
+  }
+  static constexpr OwnCodec codec{&decode, &encode};
+};
+
+/// The functions of Format where copies do not know it by its numbers, else null.
+template <class Format, class T>
+[[nodiscard]] constexpr const OwnCodec* own_codec() {
+  if constexpr (format::FromLibrary<Format>) {
+    return nullptr;
+  } else {
+    return &OwnFunctions<Format, T>::codec;
+  }
+}
+
+}  // namespace detail
 
 /// @tparam T the type computed with
 /// @param entries of a fixed array; 1 for others
@@ -49,7 +91,8 @@ template <class Shape, class Format, class T>
           Element::scale,
           Element::centre,
           std::is_same_v<Shape, shape::Rotation>,
-          format::is_quaternion<Format>};
+          format::is_quaternion<Format>,
+          detail::own_codec<Element, T>()};
 }
 
 /// Number of elements over all fields, as code sees them.

@@ -12,6 +12,7 @@ namespace physgen {
 /// W consecutive objects, starting at a multiple of W. All of them are objects of the kernel's range.
 template <int W>
 struct Pack {
+  static constexpr int width = W;
   index_t begin;
 };
 
@@ -20,6 +21,7 @@ struct Pack {
 /// array nor the neighbours of a range. Its numbers have the same bits as in a whole pack.
 template <int W>
 struct PartialPack {
+  static constexpr int width = W;
   index_t begin;  ///< of lane 0; a multiple of W
   int first, last;
 
@@ -31,6 +33,16 @@ struct PartialPack {
 struct LaneRange {
   int first, last;
 };
+
+/// How many objects an index stands for.
+template <class I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr int index_width(const I& /*i*/) {
+  if constexpr (std::is_integral_v<I>) {
+    return 1;
+  } else {
+    return I::width;
+  }
+}
 
 /// The lanes of an index that are objects of the kernel's range.
 template <class I>
@@ -47,16 +59,11 @@ template <int W>
   return {i.first, i.last};
 }
 
-/// Calls body(pack) for the pack that begins at `at` as far as it lies in begin .. end-1: with a Pack or a PartialPack.
-/// @pre `at` is a multiple of W, and the pack holds at least one of the range
-template <int W, class Body>
-void with_pack(index_t at, index_t begin, index_t end, const Body& body) {
-  if (begin <= at && at + W <= end) {
-    body(Pack<W>{at});
-  } else {
-    body(PartialPack<W>{at, static_cast<int>(begin > at ? begin - at : 0),
-                        static_cast<int>(end < at + W ? end - at : W)});
-  }
+/// The pack that begins at `at`, as far as it lies in begin .. end-1.
+/// @pre `at` is a multiple of W, and the pack holds at least one object of the range
+template <int W>
+[[nodiscard]] constexpr PartialPack<W> partial_pack(index_t at, index_t begin, index_t end) {
+  return {at, static_cast<int>(begin > at ? begin - at : 0), static_cast<int>(end < at + W ? end - at : W)};
 }
 
 /// What an element of type T becomes under an index of type I: T itself, or a SIMD batch. Specialised in simd_access.h.

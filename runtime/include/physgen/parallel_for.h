@@ -2,13 +2,14 @@
 #pragma once
 
 #include <physgen/add.h>
+#include <physgen/host_loop.h>
 #include <physgen/layout.h>
 #include <physgen/simd_lanes.h>
 #include <physgen/simd_rows.h>
 #include <physgen/space.h>
 
+#include <array>
 #include <concepts>
-#include <exception>
 
 namespace physgen {
 
@@ -27,12 +28,15 @@ template <class Kernel>
 constexpr int default_lanes() {
   static_assert(
       requires { typename Kernel::Scalar; },
-      "parallel_for() must know whether this kernel takes packs: give a function object a member type, "
+      "parallel_for() and parallel_reduce() must know whether this kernel takes packs: give a function object a member "
+      "type, "
       "`using Scalar = typename View::Precision;`; write over<float>(lambda) for a generic lambda; or "
       "parallel_for<1>(...), which calls it with one object at a time");
   if constexpr (requires { typename Kernel::Scalar; }) {
     constexpr int lanes = pack_lanes<typename Kernel::Scalar>();
-    if constexpr (std::invocable<const Kernel&, Pack<lanes>>) return lanes;
+    if constexpr (lanes > 1) {
+      if constexpr (std::invocable<const Kernel&, Pack<lanes>>) return lanes;
+    }
   }
   return 1;
 }
@@ -41,25 +45,25 @@ constexpr int default_lanes() {
 
 namespace detail {
 
-/// Keeps the first exception that is thrown in an OpenMP region, which it must not leave, and throws it behind it.
-class RegionFailure {
- public:
-  template <class Work>
-  void guard(const Work& work) {
-    try {
-      work();
-    } catch (...) {
-#pragma omp critical(physgen_region_failure)
-      if (!failure_) failure_ = std::current_exception();
-    }
-  }
-  void rethrow() const {
-    if (failure_) std::rethrow_exception(failure_);
-  }
+/// Calls work(), which calls a kernel with i; keeps what it throws, and tells checked builds which lanes it is for.
+template <class I, class Work>
+void call_guarded([[maybe_unused]] const I& i, RegionFailure& failure, const Work& work) {
+  failure.guard([&] {
+#ifdef PHYSGEN_CHECKED
+    struct Running {
+      explicit Running(const I& index) { running_lanes = {lane_range(index), index_width(index)}; }
+      ~Running() { running_lanes = {}; }
+    } running(i);
+#endif
+    work();
+  });
+}
 
- private:
-  std::exception_ptr failure_;
-};
+/// Calls kernel(i), compiled for size: at the ends of a range.
+template <class Kernel, class I>
+[[gnu::cold, gnu::noinline]] void call_seldom(RegionFailure& failure, const Kernel& kernel, const I& i) {
+  call_guarded(i, failure, [&] { kernel(i); });
+}
 
 }  // namespace detail
 
@@ -99,33 +103,21 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   static_assert(padding_objects % width == 0);
   if (begin >= end) return;
   detail::RegionFailure failure;
-  const auto call = [&](const auto& i) {
-    failure.guard([&] {
-#ifdef PHYSGEN_CHECKED
-      detail::running_lanes = {lane_range(i), width};
-#endif
-      kernel(i);
-    });
-#ifdef PHYSGEN_CHECKED
-    detail::running_lanes = {};
-#endif
-  };
-  const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
-  if constexpr (width > 1) {
-    if (begin % width != 0) with_pack<width>(begin / width * width, begin, end, call);
-  }
-  // Fewer objects than this are done before other threads have woken up.
-  [[maybe_unused]] constexpr index_t worth_threads = 8192;
-#pragma omp parallel for schedule(static) if (end - begin >= worth_threads)
-  for (index_t p = first; p < last; ++p) {
-    if constexpr (width == 1) {
-      call(p);
-    } else {
-      call(Pack<width>{p * width});
+  if constexpr (width == 1) {
+#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
+    for (index_t i = begin; i < end; ++i) detail::call_guarded(i, failure, [&] { kernel(i); });
+  } else {
+    const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
+#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
+    for (index_t p = first; p < last; ++p) {
+      const Pack<width> pack{p * width};
+      detail::call_guarded(pack, failure, [&] { kernel(pack); });
     }
-  }
-  if constexpr (width > 1) {
-    if (last * width < end && last * width >= begin) with_pack<width>(last * width, begin, end, call);
+    // One loop, so that the kernel is compiled once for partial packs.
+    const std::array<index_t, 2> ends{begin / width, last};
+    for (std::size_t e = begin % width == 0 || ends[0] == ends[1] ? 1 : 0; e < 2; ++e) {
+      if (ends[e] * width < end) detail::call_seldom(failure, kernel, partial_pack<width>(ends[e] * width, begin, end));
+    }
   }
   failure.rethrow();
 }

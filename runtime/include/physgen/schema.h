@@ -2,6 +2,8 @@
 // A schema is an ordinary C++20 header of structs; physgen reads it and writes the accessor classes. To other compilers
 // the macros are empty and the types are plain markers, so editors understand a schema and it costs nothing to include.
 //
+// Objects stand in a namespace:
+//
 //   #include <physgen/schema.h>
 //   namespace elasticity {
 //   using namespace physgen::schema;
@@ -92,7 +94,7 @@ struct Initial {
 enum class Encoding { native, float32, float64, half, bfloat16, snorm16 };
 struct Storage {
   Encoding encoding;
-  bool quaternion;
+  int quaternions;  // 1: the encoding is that of a quaternion's components
 };
 struct Format {
   Space space;
@@ -133,18 +135,18 @@ inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
 
 // How elements are stored, apart from the precision that they are computed with:
 /// In single or double precision, whatever the scene chooses.
-inline constexpr detail::Storage float32{detail::Encoding::float32, false};
-inline constexpr detail::Storage float64{detail::Encoding::float64, false};
+inline constexpr detail::Storage float32{detail::Encoding::float32, 0};
+inline constexpr detail::Storage float64{detail::Encoding::float64, 0};
 /// IEEE half: 11 significant bits up to 65504, relative error 4.9e-4. With a range(...), scaled by the power of two
 /// that brings its larger end to 32768.
-inline constexpr detail::Storage half{detail::Encoding::half, false};
+inline constexpr detail::Storage half{detail::Encoding::half, 0};
 /// 8 significant bits with the range of float: relative error 3.9e-3.
-inline constexpr detail::Storage bfloat16{detail::Encoding::bfloat16, false};
+inline constexpr detail::Storage bfloat16{detail::Encoding::bfloat16, 0};
 /// 16 bits, equal steps over the field's range(...): absolute error its width / 131068.
-inline constexpr detail::Storage snorm16{detail::Encoding::snorm16, false};
+inline constexpr detail::Storage snorm16{detail::Encoding::snorm16, 0};
 /// A Rotation as a unit quaternion: 4 components, as precise as computed, or in one of the above: quaternion(half).
-[[nodiscard]] constexpr detail::Storage quaternion(detail::Storage component = {detail::Encoding::native, false}) {
-  return {component.encoding, true};
+[[nodiscard]] constexpr detail::Storage quaternion(detail::Storage component = {detail::Encoding::native, 0}) {
+  return {component.encoding, component.quaternions + 1};
 }
 
 /// How the field is stored in a space, where the program does not choose otherwise: format(cuda, half). Kernels read

@@ -3,10 +3,12 @@
 #pragma once
 
 #ifdef __CUDACC__
-#error "physgen/simd.h is for host translation units only; kernels take float or double on CUDA"
+#error \
+    "physgen/simd.h and parallel_for.h are for host translation units (.cpp); .cu: <physgen/cuda/parallel_for.h>, float, double"
 #endif
 
 #include <physgen/math.h>
+#include <physgen/simd_functions.h>
 #include <physgen/simd_masks.h>
 
 #include <Eigen/Core>

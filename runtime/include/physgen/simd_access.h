@@ -53,18 +53,24 @@ struct SameLanes<xsimd::batch<S, A>, T> {
 
 namespace detail {
 
+/// Whether the processor's own conversion of halves is that of the format: of a power of two, or another factor.
+template <class Format, class T>
+inline constexpr bool is_half_of_floats =
+    format::FromLibrary<Format> && Format::template type<T> == ElementType::half && Format::centre == 0 &&
+    std::is_same_v<T, float>;
+
 /// W numbers as they lie in memory, to W numbers to compute with, and back. Loops that compilers turn into packs; where
-/// an instruction converts a whole pack, it is named.
+/// an instruction converts a whole pack, it is named (with a mask of all lanes: of the others' operand g++ warns).
 template <class Format, class T, int W>
 void decode_lanes(const typename Format::template Stored<T>* stored, T* values) {
 #if defined(__F16C__) && defined(__AVX512F__)
-  if constexpr (Format::template type<T> == ElementType::half && std::is_same_v<T, float> && W == 16) {
-    const __m512 wide = _mm512_cvtph_ps(_mm256_load_si256(reinterpret_cast<const __m256i*>(stored)));
+  if constexpr (is_half_of_floats<Format, T> && W == 16) {
+    const __m512 wide = _mm512_maskz_cvtph_ps(0xffff, _mm256_load_si256(reinterpret_cast<const __m256i*>(stored)));
     return _mm512_store_ps(values, _mm512_mul_ps(wide, _mm512_set1_ps(float(Format::scale))));
   }
 #endif
 #if defined(__F16C__)
-  if constexpr (Format::template type<T> == ElementType::half && std::is_same_v<T, float> && W == 8) {
+  if constexpr (is_half_of_floats<Format, T> && W == 8) {
     const __m256 wide = _mm256_cvtph_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(stored)));
     return _mm256_store_ps(values, _mm256_mul_ps(wide, _mm256_set1_ps(float(Format::scale))));
   }
@@ -74,13 +80,14 @@ void decode_lanes(const typename Format::template Stored<T>* stored, T* values) 
 template <class Format, class T, int W>
 void encode_lanes(const T* values, typename Format::template Stored<T>* stored) {
 #if defined(__F16C__) && defined(__AVX512F__)
-  if constexpr (Format::template type<T> == ElementType::half && std::is_same_v<T, float> && W == 16) {
+  if constexpr (is_half_of_floats<Format, T> && W == 16) {
     const __m512 scaled = _mm512_mul_ps(_mm512_load_ps(values), _mm512_set1_ps(float(1 / Format::scale)));
-    return _mm256_store_si256(reinterpret_cast<__m256i*>(stored), _mm512_cvtps_ph(scaled, _MM_FROUND_TO_NEAREST_INT));
+    return _mm256_store_si256(reinterpret_cast<__m256i*>(stored),
+                              _mm512_maskz_cvtps_ph(0xffff, scaled, _MM_FROUND_TO_NEAREST_INT));
   }
 #endif
 #if defined(__F16C__)
-  if constexpr (Format::template type<T> == ElementType::half && std::is_same_v<T, float> && W == 8) {
+  if constexpr (is_half_of_floats<Format, T> && W == 8) {
     const __m256 scaled = _mm256_mul_ps(_mm256_load_ps(values), _mm256_set1_ps(float(1 / Format::scale)));
     return _mm_store_si128(reinterpret_cast<__m128i*>(stored), _mm256_cvtps_ph(scaled, _MM_FROUND_TO_NEAREST_INT));
   }
@@ -146,7 +153,7 @@ class SimdCursor : protected LossSink {
     if constexpr (format::is_plain<Format, T>) {
       self().template write<T>(offset + k * int{sizeof(T)}, value);
     } else {
-      store_encoded<Format, T>(offset, k, value, self().written());
+      store_encoded<Format, T>(offset, k, value, self().written(), std::bool_constant<Derived::whole>());
     }
   }
   /// Stores the lanes whose bits are set in `lanes`.
@@ -156,9 +163,9 @@ class SimdCursor : protected LossSink {
     if constexpr (format::is_plain<Format, T>) {
       alignas(64) std::array<T, W> values;
       value.store_aligned(values.data());
-      self().write_lanes(offset + k * int{sizeof(T)}, values, lanes);
+      self().write_some_lanes(offset + k * int{sizeof(T)}, values, lanes);
     } else {
-      store_encoded<Format, T>(offset, k, value, lanes);
+      store_encoded<Format, T>(offset, k, value, lanes, std::false_type());
     }
   }
 
@@ -181,6 +188,7 @@ class SimdCursor : protected LossSink {
   void check_rotation([[maybe_unused]] const Eigen::Matrix<S, 3, 3>& R) const {
 #ifdef PHYSGEN_CHECKED
     for (int l = 0; l < W; ++l) {
+      if ((self().written() >> l & 1) == 0) continue;
       Eigen::Matrix3d one;
       for (int k = 0; k < 9; ++k) {
         one(k % 3, k / 3) = static_cast<double>(R(k % 3, k / 3).get(static_cast<std::size_t>(l)));
@@ -195,8 +203,9 @@ class SimdCursor : protected LossSink {
   static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
 
  private:
-  template <class Format, class T>
-  void store_encoded(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes) const {
+  template <class Format, class T, bool kWhole>
+  void store_encoded(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes,
+                     [[maybe_unused]] std::bool_constant<kWhole> whole) const {
     using Stored = typename Format::template Stored<T>;
     const int at = offset + k * int{sizeof(Stored)};
     alignas(64) std::array<Stored, W> stored;
@@ -210,7 +219,11 @@ class SimdCursor : protected LossSink {
       this->template count<Format, T>(at, values[lane], stored[lane], self().further(l));
     }
 #endif
-    self().write_lanes(at, stored, lanes);
+    if constexpr (kWhole) {
+      self().write_lanes(at, stored);
+    } else {
+      self().write_some_lanes(at, stored, lanes);
+    }
   }
 
   [[nodiscard]] const Derived& self() const { return static_cast<const Derived&>(*this); }
@@ -254,15 +267,19 @@ class ConsecutiveCursor : public SimdCursor<Derived, W> {
   }
 
   template <class T>
-  void write_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
+  void write_lanes(int offset, const std::array<T, W>& lanes) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
     if constexpr (Layout::contiguous(W)) {
-      if (which == Base::all_lanes) {
-        std::memcpy(address<T>(offset, 0), lanes.data(), sizeof lanes);
-        return;
-      }
+      std::memcpy(address<T>(offset, 0), lanes.data(), sizeof lanes);
+    } else {
+      PHYSGEN_UNROLL
+      for (int l = 0; l < W; ++l) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
     }
-    PHYSGEN_UNROLL
+  }
+  // A loop that stays one, and is not inlined: its code would stand at every store of a kernel, and runs seldom.
+  template <class T>
+  [[gnu::noinline]] void write_some_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
     for (int l = 0; l < W; ++l) {
       if (which >> l & 1) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
     }
@@ -284,6 +301,8 @@ class Cursor<Byte, Layout, kRecord, Pack<W>>
 
  public:
   static constexpr bool gathered = false;
+  /// Whether stores write all lanes.
+  static constexpr bool whole = true;
 
   Cursor(Byte* base, typename Layout::Pitch pitch, Pack<W> pack, Losses* losses)
       : Consecutive(base, pitch, pack.begin, losses) {}
@@ -314,7 +333,7 @@ class Cursor<Byte, Layout, kRecord, Pack<W>>
     } else {
       alignas(64) std::array<T, W> lanes;
       value.store_aligned(lanes.data());
-      this->write_lanes(offset, lanes, written());
+      this->write_lanes(offset, lanes);
     }
   }
 
@@ -351,6 +370,7 @@ class Cursor<Byte, Layout, kRecord, PartialPack<W>>
 
  public:
   static constexpr bool gathered = false;
+  static constexpr bool whole = false;
 
   Cursor(Byte* base, typename Layout::Pitch pitch, const PartialPack<W>& pack, Losses* losses)
       : Consecutive(base, pitch, pack.begin, losses), pack_(pack) {}
@@ -372,7 +392,7 @@ class Cursor<Byte, Layout, kRecord, PartialPack<W>>
   void write(int offset, const batch_t<T, W>& value) const {
     alignas(64) std::array<T, W> lanes;
     value.store_aligned(lanes.data());
-    this->write_lanes(offset, lanes, written());
+    this->write_some_lanes(offset, lanes, written());
   }
   // A loop that stays one: this runs at most twice per range, and its code stands in every kernel.
   template <class T>
@@ -396,6 +416,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
 
  public:
   static constexpr bool gathered = true;
+  static constexpr bool whole = false;
 
   Cursor(Byte* base, Pitch pitch, const xsimd::batch<U, A>& index, Losses* losses)
       : Base(losses, 0), base_(base), pitch_(pitch) {
@@ -423,7 +444,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   void write(int offset, const batch_t<T, W>& value) const {
     alignas(64) std::array<T, W> lanes;
     value.store_aligned(lanes.data());
-    write_lanes(offset, lanes, written());
+    write_some_lanes(offset, lanes, written());
   }
   template <class T>
   void read_lanes(int offset, std::array<T, W>& lanes) const {
@@ -436,7 +457,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   }
   // Lane by lane in order: of equal indices the last lane wins. Checked builds refuse them.
   template <class T>
-  void write_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
+  void write_some_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
     if constexpr (checked_build) check_distinct(which);
     for (int l = 0; l < W; ++l) {

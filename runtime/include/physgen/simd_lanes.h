@@ -3,39 +3,14 @@
 
 #include <physgen/lanes.h>
 #include <physgen/simd_access.h>
+#include <physgen/simd_casts.h>
 
 namespace physgen {
 
 namespace detail {
 
 template <class I>
-inline constexpr int pack_width = 0;
-template <int W>
-inline constexpr int pack_width<Pack<W>> = W;
-template <int W>
-inline constexpr int pack_width<PartialPack<W>> = W;
-
-template <class I>
-concept AnyPack = (pack_width<I> > 0);
-
-/// Bit l is lane l of a mask.
-template <class T, class A>
-[[nodiscard]] std::uint64_t bits_of(const xsimd::batch_bool<T, A>& mask) {
-  constexpr std::size_t width = xsimd::batch_bool<T, A>::size;
-  alignas(64) std::array<bool, width> lanes;
-  mask.store_unaligned(lanes.data());
-  std::uint64_t bits = 0;
-  for (std::size_t l = 0; l < width; ++l) bits |= std::uint64_t{lanes[l]} << l;
-  return bits;
-}
-
-/// 0, 1, 2, ... as lanes of T.
-template <class T, int W>
-[[nodiscard]] batch_t<T, W> counting() {
-  alignas(64) std::array<T, W> lanes;
-  for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = static_cast<T>(l);
-  return batch_t<T, W>::load_aligned(lanes.data());
-}
+concept AnyPack = std::same_as<I, Pack<I::width>> || std::same_as<I, PartialPack<I::width>>;
 
 }  // namespace detail
 
@@ -65,7 +40,7 @@ template <int W>
 
 template <detail::AnyPack I, class T, class A>
 [[nodiscard]] bool any(const I& i, const xsimd::batch_bool<T, A>& condition) {
-  static_assert(xsimd::batch_bool<T, A>::size == static_cast<std::size_t>(detail::pack_width<I>));
+  static_assert(xsimd::batch_bool<T, A>::size == std::size_t{I::width});
   const LaneRange range = lane_range(i);
   return (detail::bits_of(condition) >> range.first & (~std::uint64_t{0} >> (64 - (range.last - range.first)))) != 0;
 }
@@ -79,7 +54,7 @@ namespace detail {
 template <class I, class T, class A, class Better>
 [[nodiscard]] T best(const I& i, const xsimd::batch<T, A>& value, const Better& better) {
   constexpr std::size_t width = xsimd::batch<T, A>::size;
-  static_assert(width == static_cast<std::size_t>(pack_width<I>));
+  static_assert(width == std::size_t{I::width});
   alignas(64) std::array<T, width> lanes;
   value.store_aligned(lanes.data());
   const LaneRange range = lane_range(i);

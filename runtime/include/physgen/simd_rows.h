@@ -10,7 +10,12 @@ namespace detail {
 
 template <AnyPack I>
 struct RowVisit<I> {
+<<<<<<< HEAD
+  static constexpr int W = I::width;
+  using Integers = batch_t<std::int32_t, W>;
+=======
   static constexpr int W = pack_width<I>;
+>>>>>>> rows
 
   // Lane by lane where integers are compared: compilers vectorise these loops, and without optimization xsimd 8.1 has
   // no comparison of integers for AVX-512.

@@ -44,7 +44,7 @@ struct Cuda {
   return "?";
 }
 
-/// A CUDA stream (cudaStream_t); null is the default stream. Operations on host memory alone ignore it.
+/// A CUDA stream (cudaStream_t); null is the default stream. What order it gives: storage.h.
 using Stream = CUstream_st*;
 
 }  // namespace physgen

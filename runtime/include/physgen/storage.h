@@ -25,9 +25,19 @@ struct Storage {
   [[nodiscard]] index_t bytes() const { return padded * record_bytes; }
 };
 
+// The rule of streams, for all operations of the library:
+//   - An operation is ordered in the stream that it is given, or in the default stream where it takes none. It sees
+//     what was ordered in that stream before it, and what is ordered there later sees its result, whichever spaces are
+//     involved. So what the host does to pinned memory waits for the stream first. Ordinary host memory (Host) is
+//     worked on while a call runs, never later.
+//   - Access through a host view, a kernel on the host included, is no operation: before it, synchronize(stream).
+//   - While a stream is captured in a graph, an operation that would wait or allocate throws an Error that says so, and
+//     orders nothing. What remains: copies between arrays in CUDA memory, and copies without conversion between pinned
+//     and CUDA memory; in checked builds only those of the latter kind.
+
 /// Copies all objects of `from` to `to`, converting layout, storage format, precision and space in one pass. Where both
-/// lie on the host it is done when this returns; else it is ordered in `stream`, and host memory that is not pinned
-/// makes the call wait.
+/// lie on the host, pinned or not, or one lies in host memory that is not pinned, it is done when this returns; else
+/// only ordered in `stream`.
 /// @throw Error when the sizes or the object types differ, an array is null, or they share memory; in checked builds
 /// also when a format cannot hold a value (losses_of_copy() falsifies one). `to` is then unchanged
 void copy(const Storage& to, const Storage& from, Stream stream = nullptr);
@@ -54,7 +64,8 @@ index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_
 /// Copies the first `count` objects only. @pre count <= both sizes
 void copy_first(const Storage& to, const Storage& from, index_t count, Stream stream = nullptr);
 
-/// Sets objects begin .. end-1 to their fields' initial values. @pre 0 <= begin <= end <= storage.padded
+/// Sets objects begin .. end-1, whose memory is zero as a new Buffer's is, to their fields' initial values.
+/// @pre 0 <= begin <= end <= storage.padded
 void initialize(const Storage& storage, index_t begin, index_t end);
 
 /// Element k (counted over the fields in order, 9 for a rotation) of object i, converted to double and back. On CUDA a
@@ -65,10 +76,20 @@ void initialize(const Storage& storage, index_t begin, index_t end);
 void putdata(const Storage& storage, index_t i, int k, double value);
 
 /// Waits until all work in `stream` is done. Nothing to do without CUDA or a device.
-/// @throw Error with CUDA's message when the work failed
+/// @throw Error with CUDA's message when the work failed, and when the stream is being captured
 void synchronize(Stream stream = nullptr);
 
-/// Whether this build has CUDA and the machine a usable device.
+/// Whether this build has CUDA and the machine a usable device; found out once.
 [[nodiscard]] bool cuda_available();
+
+namespace detail {
+
+/// @throw Error naming `what` where the stream is being captured, or, of the default stream, one that waits for it
+void refuse_capture(Stream stream, const char* what);
+
+/// Before the host works on memory of this space: waits for the stream where the device may be at it.
+void wait_for_host_work(SpaceKind space, Stream stream = nullptr);
+
+}  // namespace detail
 
 }  // namespace physgen

@@ -75,7 +75,7 @@ template <class Tuple>
 /// All new arrays are built before the first of them replaces an old one. So a change that fails, be it that the last
 /// array's memory cannot be had, leaves every array as it was; and while it runs a change needs the memory of the set
 /// once more. Arrays have no spare capacity: each change moves all objects, so collect them into one call. It ends all
-/// views of the arrays. On CUDA it works in the default stream and is done when the call returns.
+/// views of the arrays. It is ordered in the default stream (storage.h) and done when the call returns.
 /// @pre work on the arrays in other streams is done (see synchronize())
 template <class... Arrays>
 class ArraySet {
@@ -107,8 +107,8 @@ class ArraySet {
     const index_t old_size = size();
     const auto given = detail::storages(std::tie(others...));
     const index_t new_size = detail::grown_size(detail::storages(arrays_), detail::common_size(given));
+    detail::wait_for(given);  // of which those that lie in pinned memory are read at once
     const std::tuple<decltype(detail::in_form_of<Arrays>(others))...> same(detail::in_form_of<Arrays>(others)...);
-    detail::wait_for(given);
     const auto added = detail::storages(same);
     replace(new_size, [&](std::size_t a, const Storage& to, const Storage& from) {
       copy_first(to, from, old_size);
@@ -152,6 +152,7 @@ class ArraySet {
     std::tuple<Arrays...> replacements(Arrays{size}...);
     const auto to = detail::storages(replacements);
     const auto from = detail::storages(arrays_);
+    detail::wait_for(from);
     for (std::size_t a = 0; a < to.size(); ++a) fill(a, to[a], from[a]);
     detail::wait_for(to);  // what failed on the device shows here, while the old arrays are still in place
     [&]<std::size_t... a>(std::index_sequence<a...>) {
@@ -187,7 +188,7 @@ void erase(Array<Object, Real, Space, Layout, Formats>& array, std::span<const i
 }
 
 /// Lets the indices of a field follow the objects they name, after these have been changed: every index v of the field
-/// becomes new_number[v]. For new_number see inverse() and new_numbers(). On CUDA as ArraySet.
+/// becomes new_number[v]. For new_number see inverse() and new_numbers(). On CUDA and in pinned memory as ArraySet.
 /// @param field its name in the schema, such as "nodes"; "svd.rank" for one of a nested object
 /// @throw Error when there is no such field of indices; or when an index is out of range of new_number, or names an
 ///        object that is gone (-1): the message names the first such object and its index. Nothing is changed then.

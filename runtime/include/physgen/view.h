@@ -137,9 +137,10 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
 #ifdef PHYSGEN_CHECKED
     if constexpr (std::is_integral_v<I>) {
       check_range(static_cast<index_t>(i), static_cast<index_t>(i) + 1);
-    } else if constexpr (requires { i.begin; }) {
+    } else if constexpr (requires { I::width; }) {
       const LaneRange range = lane_range(i);
-      check_range(i.begin + range.first, i.begin + range.last);
+      const index_t begin = i.begin % I::width == 0 ? i.begin : -1;  // a pack begins at a multiple of its width
+      check_range(begin + range.first, begin + range.last);
     } else {
       for (std::size_t l = 0; l < I::size; ++l) {
         const auto object = static_cast<index_t>(i.get(l));

@@ -16,6 +16,7 @@ using cuda::check;
 namespace backend {
 
 std::byte* allocate(SpaceKind space, index_t bytes, std::string& why) {
+  detail::refuse_capture(nullptr, "an allocation");
   void* data = nullptr;
   const auto size = static_cast<std::size_t>(bytes);
   cudaError_t status = space == SpaceKind::cuda ? cudaMalloc(&data, size) : cudaMallocHost(&data, size);
@@ -43,7 +44,10 @@ void copy_bytes(std::byte* to, const std::byte* from, index_t bytes, Stream stre
         "copying between spaces");
 }
 
-void synchronize_device() { check(cudaDeviceSynchronize(), "waiting for the device"); }
+void synchronize_device() {
+  detail::refuse_capture(nullptr, "waiting for the device");
+  check(cudaDeviceSynchronize(), "waiting for the device");
+}
 
 void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int rows,
                Stream stream) {
@@ -60,15 +64,36 @@ void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t f
 
 }  // namespace backend
 
+void detail::refuse_capture(Stream stream, const char* what) {
+  if (stream == nullptr && !cuda_available()) return;
+  cudaStreamCaptureStatus status = cudaStreamCaptureStatusNone;
+  const cudaError_t error = cudaStreamIsCapturing(stream, &status);
+  if (error == cudaErrorStreamCaptureImplicit) {
+    cudaGetLastError();
+    status = cudaStreamCaptureStatusActive;
+  } else {
+    check(error, what);
+  }
+  if (status == cudaStreamCaptureStatusNone) return;
+  throw Error(std::string(what) + " must wait or allocate, which cannot be captured in a graph: " +
+              (stream == nullptr ? "a stream that waits for the default stream, in which this works," : "its stream") +
+              " is being captured; do it before cudaStreamBeginCapture() or after cudaStreamEndCapture()");
+}
+
 void synchronize(Stream stream) {
   if (stream == nullptr && !cuda_available()) return;  // nothing can have been ordered
+  detail::refuse_capture(stream, "waiting for a stream");
   check(cudaStreamSynchronize(stream), "waiting for a stream");
 }
 
+// Asked once: on a device whose context a kernel has broken CUDA may deny that there is one, and work would seem done.
 bool cuda_available() {
-  int devices = 0;
-  const bool available = cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0;
-  if (!available) cudaGetLastError();
+  static const bool available = [] {
+    int devices = 0;
+    const bool found = cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0;
+    if (!found) cudaGetLastError();
+    return found;
+  }();
   return available;
 }
 

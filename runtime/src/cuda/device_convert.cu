@@ -227,8 +227,8 @@ void for_each_part(const detail::Conversion& conversion, const Launch& launch) {
   };
   if (all_moved(4)) return Kind::words4;
   if (all_moved(2)) return Kind::words2;
-  if (uniform && from.type == ElementType::float32 && element_bytes(to.type) == 2) return Kind::narrow;
-  if (uniform && to.type == ElementType::float32 && element_bytes(from.type) == 2) return Kind::widen;
+  if (uniform && from.is_plain(ElementType::float32) && to.has_codec) return Kind::narrow;
+  if (uniform && to.is_plain(ElementType::float32) && from.has_codec) return Kind::widen;
   return Kind::any;
 }
 
@@ -327,8 +327,9 @@ Losses backend::count_losses(const Storage& to, const Storage& from, index_t beg
   return losses;
 }
 
-void backend::fill(const Storage& storage, const FieldInfo& field, index_t begin, index_t end) {
-  fill_kernel<<<blocks_for(end - begin, threads), threads>>>(Addressing(storage), detail::Fill(field), begin, end);
+void backend::fill(const Storage& storage, const detail::Fill& field, index_t begin, index_t end) {
+  detail::refuse_capture(nullptr, "the initial values of an array");
+  fill_kernel<<<blocks_for(end - begin, threads), threads>>>(Addressing(storage), field, begin, end);
   check(cudaGetLastError(), "launching the fill of an array");
   check(cudaDeviceSynchronize(), "filling an array");
 }

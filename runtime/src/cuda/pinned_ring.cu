@@ -1,6 +1,7 @@
 // See pinned_ring.h.
 #include <physgen/cuda/check.h>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -40,7 +41,7 @@ std::vector<std::unique_ptr<T>>& idle() {
 
 PinnedRing::PinnedRing(index_t bytes) : exceptions_(std::uncaught_exceptions()) {
   constexpr index_t step = index_t{16} << 20;  // so that few sizes occur
-  bytes = align_up(bytes, step);
+  bytes = std::max(align_up(bytes, step), step);
   int device = 0;
   check(cudaGetDevice(&device), "asking for the current device");
   {
@@ -71,8 +72,13 @@ PinnedRing::PinnedRing(index_t bytes) : exceptions_(std::uncaught_exceptions()) 
 }
 
 PinnedRing::~PinnedRing() {
+  constexpr index_t longest_kept = index_t{64} << 20;  // those of huge records would be kept for few
   for (int k = 0; k < pieces; ++k) cudaEventSynchronize(pieces_->done[k]);
   if (std::uncaught_exceptions() > exceptions_) cudaDeviceSynchronize();  // a transfer may not have been noted
+  if (pieces_->bytes > longest_kept) {
+    delete pieces_;
+    return;
+  }
   const std::lock_guard lock(mutex);
   idle<Pieces>().emplace_back(pieces_);  // which has room
 }

@@ -8,8 +8,8 @@
 
 namespace physgen::cuda {
 
-/// Three pieces of pinned memory. Making pinned memory takes longer than filling it, so the pieces are kept for the
-/// next ring of the process; they are never given back.
+/// Three pieces of pinned memory. Making pinned memory takes longer than filling it, so pieces of up to 64 MiB are kept
+/// for the next ring of the process; these are never given back.
 class PinnedRing {
  public:
   /// @param bytes of each piece

@@ -1,5 +1,6 @@
 // See stream_memory.h.
 #include <physgen/cuda/check.h>
+#include <physgen/storage.h>
 
 #include <map>
 #include <mutex>
@@ -33,6 +34,7 @@ cudaMemPool_t pool() {
 }  // namespace
 
 StreamMemory::StreamMemory(index_t bytes, cudaStream_t stream) : stream_(stream) {
+  detail::refuse_capture(stream, "an operation that needs memory of its own");
   check(cudaMallocFromPoolAsync(&data_, static_cast<std::size_t>(bytes), pool(), stream),
         "allocating device memory for a conversion");
 }

@@ -10,7 +10,7 @@ namespace physgen::cuda {
 /// takes longer than to convert its objects.
 class StreamMemory {
  public:
-  /// @throw Error when the memory cannot be had
+  /// @throw Error when the memory cannot be had, or the stream is being captured
   StreamMemory(index_t bytes, cudaStream_t stream);
   StreamMemory(const StreamMemory&) = delete;
   StreamMemory& operator=(const StreamMemory&) = delete;

@@ -3,14 +3,18 @@
 //   - Pageable memory must pass through pinned memory anyway, by the hands of the processor. It converts on the way
 //     where that makes doubles floats: then fewer bytes travel. Else the host's form travels and the device converts:
 //     to change the layout or to make 16-bit formats takes a processor longer than the bytes take to travel.
+//   - The functions of formats of a program's own are called by the processor, also for pinned memory.
 // What was measured of that, and what was not: tools/physbench/README.md, "Who converts". A copy goes in chunks: while
 // one travels, the processor is at the next one.
 #include <physgen/chunked_transfer.h>
 #include <physgen/cuda/check.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "../backend.h"
+#include "../chunks.h"
+#include "../convert.h"
 #include "../describe.h"
 #include "../host_convert.h"
 #include "../part.h"
@@ -24,23 +28,8 @@ namespace physgen {
 
 namespace {
 
+using detail::Chunks;
 using detail::part_of;
-
-// The chunks of a range of objects, each from a multiple of the chunk's size on, but for the first.
-struct Chunks {
-  index_t begin, end, objects;
-
-  /// @param times larger than usual
-  Chunks(const Storage& array, index_t begin_, index_t end_, index_t times = 1)
-      : begin(begin_),
-        end(end_),
-        objects(std::min(detail::chunk_objects(array) * times, align_up(end_ - begin_ + 1, index_t{1024}))) {}
-  [[nodiscard]] index_t first(index_t k) const { return k == 0 ? begin : (begin / objects + k) * objects; }
-  [[nodiscard]] index_t last(index_t k) const { return std::min(end, (begin / objects + k + 1) * objects); }
-  [[nodiscard]] index_t count() const { return begin == end ? 0 : (end - 1) / objects - begin / objects + 1; }
-  /// The multiple of 32 at or before the beginning of chunk k: where a part for it begins.
-  [[nodiscard]] index_t aligned(index_t k) const { return first(k) / padding_objects * padding_objects; }
-};
 
 // Pinned memory to the device, and back: the transfer of one chunk, then, or before it, the conversion.
 index_t convert_pinned(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
@@ -49,7 +38,7 @@ index_t convert_pinned(const Storage& to, const Storage& from, index_t begin, in
   const Chunks chunks(travelling, begin, end, 4);
   // Two parts and a second stream: one part is converted while the other one travels.
   constexpr index_t parts = 2;
-  Storage part = part_of(travelling, chunks.objects + padding_objects, SpaceKind::cuda);
+  Storage part = part_of(travelling, chunks.objects, SpaceKind::cuda);
   const cuda::StreamMemory memory(parts * part.bytes(), stream);
   const cuda::SideStream side(stream);
   const auto part_for = [&](index_t k) {
@@ -89,6 +78,7 @@ index_t convert_pinned(const Storage& to, const Storage& from, index_t begin, in
 
 // Whether the processor converts on the way to or from pageable memory.
 bool processor_converts(const Storage& host, const Storage& device) {
+  if (detail::changed_by_own_functions(host, device) != nullptr) return true;
   const auto plain = [](const Storage& array) {
     return std::all_of(array.fields.begin(), array.fields.end(),
                        [](const FieldInfo& field) { return element_bytes(field.type) >= 4 && !field.quaternion; });
@@ -105,7 +95,7 @@ struct Passage {
 
   Passage(const Storage& host, index_t begin, index_t end, Stream stream)
       : chunks(host, begin, end),
-        pinned(part_of(host, chunks.objects + padding_objects, SpaceKind::pinned)),
+        pinned(part_of(host, chunks.objects, SpaceKind::pinned)),
         part(pinned),
         ring(pinned.bytes()),
         memory(part.bytes(), stream) {
@@ -177,8 +167,16 @@ index_t backend::convert(const Storage& to, const Storage& from, index_t begin, 
     cuda::convert(to, 0, from, 0, begin, end, stream);
     return (end - begin) * from.record_bytes;
   }
-  if (from.space == SpaceKind::host) return upload(to, from, begin, end, stream);
-  if (to.space == SpaceKind::host) return download(to, from, begin, end, stream);
+  detail::refuse_capture(stream, "a copy that converts between host and cuda memory");
+  const bool on_host = detail::changed_by_own_functions(to, from) != nullptr;
+  if (on_host) {
+    detail::wait_for_host_work(from.space, stream);
+    detail::wait_for_host_work(to.space, stream);
+  }
+  if (from.space == SpaceKind::host || (on_host && from.space == SpaceKind::pinned))
+    return upload(to, from, begin, end, stream);
+  if (to.space == SpaceKind::host || (on_host && to.space == SpaceKind::pinned))
+    return download(to, from, begin, end, stream);
   return convert_pinned(to, from, begin, end, stream);
 }
 
@@ -196,7 +194,7 @@ struct ChunkedUpload::State {
   Storage to;
   Chunks chunks;
   Storage chunk;
-  cuda::PinnedRing ring;
+  std::optional<cuda::PinnedRing> ring;  // none for no objects
   Stream stream;
   bool padded_records;   // their padding travels, too, and must not be what another transfer left
   index_t filling = -1;  // the chunk that is being filled
@@ -205,9 +203,11 @@ struct ChunkedUpload::State {
       : to(to_),
         chunks(to_, begin, end),
         chunk(part_of(to_, chunks.objects, SpaceKind::pinned)),
-        ring(chunk.bytes()),
         stream(stream_),
-        padded_records(detail::stored_bytes(to_) < to_.record_bytes) {}
+        padded_records(detail::stored_bytes(to_) < to_.record_bytes) {
+    detail::refuse_capture(stream, "a transfer in chunks");
+    if (begin < end) ring.emplace(chunk.bytes());
+  }
 };
 
 ChunkedUpload::ChunkedUpload(const Storage& to, index_t begin, index_t end, Stream stream)
@@ -219,11 +219,11 @@ bool ChunkedUpload::next() {
   if (s.filling >= s.chunks.count()) return false;
   if (s.filling >= 0) {
     detail::copy_plain(s.to, begin(), s.chunk, 0, s.chunk.size, s.stream);
-    s.ring.used(s.filling, s.stream);
+    s.ring->used(s.filling, s.stream);
   }
   if (++s.filling >= s.chunks.count()) return false;
-  s.ring.wait(s.filling);
-  s.chunk.base = s.ring.piece(s.filling);
+  s.ring->wait(s.filling);
+  s.chunk.base = s.ring->piece(s.filling);
   s.chunk.size = s.chunks.last(s.filling) - s.chunks.first(s.filling);
   if (s.padded_records) detail::clear_on_host(s.chunk.base, s.chunk.size * s.chunk.record_bytes);
   return true;
@@ -235,7 +235,7 @@ struct ChunkedDownload::State {
   Storage from;
   Chunks chunks;
   Storage chunk;
-  cuda::PinnedRing ring;
+  std::optional<cuda::PinnedRing> ring;  // none for no objects
   Stream stream;
   index_t reading = -1;  // the chunk that is being read
   index_t ordered = 0;   // chunks whose transfer has been ordered
@@ -244,11 +244,13 @@ struct ChunkedDownload::State {
       : from(from_),
         chunks(from_, begin, end),
         chunk(part_of(from_, chunks.objects, SpaceKind::pinned)),
-        ring(chunk.bytes()),
-        stream(stream_) {}
+        stream(stream_) {
+    detail::refuse_capture(stream, "a transfer in chunks");
+    if (begin < end) ring.emplace(chunk.bytes());
+  }
 
   void place(index_t k) {
-    chunk.base = ring.piece(k);
+    chunk.base = ring->piece(k);
     chunk.size = chunks.last(k) - chunks.first(k);
   }
 };
@@ -264,11 +266,11 @@ bool ChunkedDownload::next() {
   for (; s.ordered < std::min(s.chunks.count(), s.reading + cuda::PinnedRing::pieces); ++s.ordered) {
     s.place(s.ordered);
     detail::copy_plain(s.chunk, 0, s.from, s.chunks.first(s.ordered), s.chunk.size, s.stream);
-    s.ring.used(s.ordered, s.stream);
+    s.ring->used(s.ordered, s.stream);
   }
   if (s.reading >= s.chunks.count()) return false;
   s.place(s.reading);
-  s.ring.wait(s.reading);
+  s.ring->wait(s.reading);
   return true;
 }
 const Storage& ChunkedDownload::chunk() const { return state_->chunk; }

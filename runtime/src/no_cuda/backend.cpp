@@ -24,7 +24,7 @@ void copy_rows(std::byte* /*to*/, index_t /*to_pitch*/, const std::byte* /*from*
 index_t convert(const Storage& /*to*/, const Storage& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
   throw Error(reason);
 }
-void fill(const Storage& /*storage*/, const FieldInfo& /*field*/, index_t /*begin*/, index_t /*end*/) {
+void fill(const Storage& /*storage*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
   throw Error(reason);
 }
 
@@ -35,6 +35,8 @@ Losses count_losses(const Storage& /*to*/, const Storage& /*from*/, index_t /*be
 void synchronize_device() {}
 
 }  // namespace backend
+
+void detail::refuse_capture(Stream /*stream*/, const char* /*what*/) {}
 
 void synchronize(Stream /*stream*/) {}
 bool cuda_available() { return false; }

@@ -1,8 +1,10 @@
-// What every use of GPU or pinned memory says in a build without CUDA.
+// What every use of GPU or pinned memory says in a program whose library has no CUDA.
 #pragma once
 
 namespace physgen::backend {
 
-inline constexpr const char* reason = "this physgen was built without CUDA; configure with -DPHYSGEN_CUDA=ON";
+inline constexpr const char* reason =
+    "this program has physgen without CUDA; enable the language CUDA before find_package(physgen), or ask it for "
+    "COMPONENTS cuda; physgen itself is configured with -DPHYSGEN_CUDA=ON";
 
 }  // namespace physgen::backend

@@ -1,17 +1,20 @@
 // Accessor classes of the object types in everything.h. Written by physgen: change the schema, not this file.
-#pragma once
+#ifndef PHYSGEN_EVERYTHING_H_FE98BE8044D2540E
+#define PHYSGEN_EVERYTHING_H_FE98BE8044D2540E
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 2
-#error "everything.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 3
+#error "everything.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 #include "materials.physgen.h"
 
+namespace tissue {
+
 // ---- Stamp ----------------------------------------------------------------------------------------------------------
 
-/// A moment; in the global namespace.
+/// A moment, of a namespace around those of the others.
 /// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Stamp {
@@ -49,6 +52,11 @@ class StampRef {
   using Value = Stamp<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit StampRef(const Cursor& cursor) : at_(cursor) {}
+  StampRef(const StampRef&) = default;
+  StampRef& operator=(const StampRef&) & = delete;
+  PHYSGEN_FUNCTION const StampRef& operator=(const StampRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const StampRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// [s]
   PHYSGEN_FUNCTION decltype(auto) time() const {
@@ -58,7 +66,7 @@ class StampRef {
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::step);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.time = time();
     value.step = step();
@@ -75,7 +83,7 @@ class StampRef {
 
 /// What the runtime knows of Stamp.
 struct StampObject {
-  static constexpr std::string_view name = "Stamp";
+  static constexpr std::string_view name = "tissue::Stamp";
   template <class Real>
   using Value = Stamp<Real>;
   template <class Real, class Formats>
@@ -85,16 +93,16 @@ struct StampObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::time, double>(
-        "time", "s", StampRecord<Real, Formats>::time, 1, 0),
+        "time", "s", StampRecord<Real, Formats>::time, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "step", "", StampRecord<Real, Formats>::step, 1, 0),
+        "step", "", StampRecord<Real, Formats>::step, 1, 0.0),
   }};
   template <class Space>
   using Formats = StampFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = StampFormats<physgen::Host>>
-using StampView = physgen::View<StampObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<StampObject, Space>>
+using StampView = physgen::View<StampObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StampObject, Space>>
@@ -105,6 +113,8 @@ using StampArray = physgen::Array<StampObject, Real, Space, Layout, Formats>;
 // lies inside its tile.
 static_assert(physgen::is_sound_record<StampObject, float, StampFormats<physgen::Host>>(12, 8, {0, 8}));
 static_assert(physgen::is_sound_record<StampObject, double, StampFormats<physgen::Host>>(12, 8, {0, 8}));
+
+}  // namespace tissue
 
 namespace tissue::model {
 
@@ -203,6 +213,11 @@ class ShapesRef {
   using Value = Shapes<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit ShapesRef(const Cursor& cursor) : at_(cursor) {}
+  ShapesRef(const ShapesRef&) = default;
+  ShapesRef& operator=(const ShapesRef&) & = delete;
+  PHYSGEN_FUNCTION const ShapesRef& operator=(const ShapesRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const ShapesRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Scalar.
   PHYSGEN_FUNCTION decltype(auto) a() const {
@@ -256,7 +271,7 @@ class ShapesRef {
     return at_.template field<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(Record::M);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.a = a();
     value.v = v().get();
@@ -307,40 +322,41 @@ struct ShapesObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 14> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::a, Real>(
-        "a", "", ShapesRecord<Real, Formats>::a, 1, 0),
+        "a", "", ShapesRecord<Real, Formats>::a, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::v, Real>(
-        "v", "", ShapesRecord<Real, Formats>::v, 1, 0),
+        "v", "", ShapesRecord<Real, Formats>::v, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
-        "nodes", "", ShapesRecord<Real, Formats>::nodes, 1, 0),
+        "nodes", "", ShapesRecord<Real, Formats>::nodes, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
-        "F", "1", ShapesRecord<Real, Formats>::F, 1, 0),
+        "F", "1", ShapesRecord<Real, Formats>::F, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(
-        "B", "", ShapesRecord<Real, Formats>::B, 1, 0),
+        "B", "", ShapesRecord<Real, Formats>::B, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(
-        "row", "", ShapesRecord<Real, Formats>::row, 1, 0),
+        "row", "", ShapesRecord<Real, Formats>::row, 1, 0.0),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::K, Real>(
-        "K", "N/m", ShapesRecord<Real, Formats>::K, 1, 0),
+        "K", "N/m", ShapesRecord<Real, Formats>::K, 1, 0.0),
     physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::C2, double>(
-        "C2", "", ShapesRecord<Real, Formats>::C2, 1, 0),
+        "C2", "", ShapesRecord<Real, Formats>::C2, 1, 0.0),
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
-        "s", "", ShapesRecord<Real, Formats>::s, 1, 0),
+        "s", "", ShapesRecord<Real, Formats>::s, 1, 0.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::W, Real>(
-        "W", "1/s", ShapesRecord<Real, Formats>::W, 1, 0),
+        "W", "1/s", ShapesRecord<Real, Formats>::W, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
-        "U", "", ShapesRecord<Real, Formats>::U, 1, 0),
+        "U", "", ShapesRecord<Real, Formats>::U, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::V, float>(
-        "V", "", ShapesRecord<Real, Formats>::V, 1, 0),
+        "V", "", ShapesRecord<Real, Formats>::V, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
-        "count", "", ShapesRecord<Real, Formats>::count, 1, 0),
+        "count", "", ShapesRecord<Real, Formats>::count, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(
-        "M", "", ShapesRecord<Real, Formats>::M, 1, 0),
+        "M", "", ShapesRecord<Real, Formats>::M, 1, 0.0),
   }};
   template <class Space>
   using Formats = ShapesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = ShapesFormats<physgen::Host>>
-using ShapesView = physgen::View<ShapesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<ShapesObject, Space>>
+using ShapesView = physgen::View<ShapesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<ShapesObject, Space>>
@@ -474,6 +490,11 @@ class NamesRef {
   using Value = Names<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit NamesRef(const Cursor& cursor) : at_(cursor) {}
+  NamesRef(const NamesRef&) = default;
+  NamesRef& operator=(const NamesRef&) & = delete;
+  PHYSGEN_FUNCTION const NamesRef& operator=(const NamesRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const NamesRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   PHYSGEN_FUNCTION decltype(auto) value() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::value, Real>(Record::value);
@@ -537,6 +558,7 @@ class NamesRef {
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) self(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Names::self");
     return at_.template field<physgen::shape::Scalar, typename Formats::self, Real>(
         Record::self + entry * Record::plan_.stride[20]);
   }
@@ -544,7 +566,7 @@ class NamesRef {
     return at_.template field<physgen::shape::Vector<2>, typename Formats::tissue, Real>(Record::tissue);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value_;
     value_.value = value();
     value_.entry = entry();
@@ -613,56 +635,56 @@ struct NamesObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 22> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::value, Real>(
-        "value", "", NamesRecord<Real, Formats>::value, 1, 0),
+        "value", "", NamesRecord<Real, Formats>::value, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::entry, Real>(
-        "entry", "", NamesRecord<Real, Formats>::entry, 1, 0),
+        "entry", "", NamesRecord<Real, Formats>::entry, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::S, Real>(
-        "S", "", NamesRecord<Real, Formats>::S, 1, 0),
+        "S", "", NamesRecord<Real, Formats>::S, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::R, Real>(
-        "R", "", NamesRecord<Real, Formats>::R, 1, 0),
+        "R", "", NamesRecord<Real, Formats>::R, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::at, Real>(
-        "at", "", NamesRecord<Real, Formats>::at, 1, 0),
+        "at", "", NamesRecord<Real, Formats>::at, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::cursor, Real>(
-        "cursor", "", NamesRecord<Real, Formats>::cursor, 1, 0),
+        "cursor", "", NamesRecord<Real, Formats>::cursor, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::name, Real>(
-        "name", "", NamesRecord<Real, Formats>::name, 1, 0),
+        "name", "", NamesRecord<Real, Formats>::name, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::fields, Real>(
-        "fields", "", NamesRecord<Real, Formats>::fields, 1, 0),
+        "fields", "", NamesRecord<Real, Formats>::fields, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::Layout, Real>(
-        "Layout", "", NamesRecord<Real, Formats>::Layout, 1, 0),
+        "Layout", "", NamesRecord<Real, Formats>::Layout, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::host, Real>(
-        "host", "", NamesRecord<Real, Formats>::host, 1, 0),
+        "host", "", NamesRecord<Real, Formats>::host, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::plan, Real>(
-        "plan", "", NamesRecord<Real, Formats>::plan, 1, 0),
+        "plan", "", NamesRecord<Real, Formats>::plan, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::slot, Real>(
-        "slot", "", NamesRecord<Real, Formats>::slot, 1, 0),
+        "slot", "", NamesRecord<Real, Formats>::slot, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::stride, Real>(
-        "stride", "", NamesRecord<Real, Formats>::stride, 1, 0),
+        "stride", "", NamesRecord<Real, Formats>::stride, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::offset, Real>(
-        "offset", "", NamesRecord<Real, Formats>::offset, 1, 0),
+        "offset", "", NamesRecord<Real, Formats>::offset, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::format, Real>(
-        "format", "", NamesRecord<Real, Formats>::format, 1, 0),
+        "format", "", NamesRecord<Real, Formats>::format, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::Native, Real>(
-        "Native", "", NamesRecord<Real, Formats>::Native, 1, 0),
+        "Native", "", NamesRecord<Real, Formats>::Native, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::PerSpace, Real>(
-        "PerSpace", "", NamesRecord<Real, Formats>::PerSpace, 1, 0),
+        "PerSpace", "", NamesRecord<Real, Formats>::PerSpace, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::field, Real>(
-        "field", "", NamesRecord<Real, Formats>::field, 1, 0),
+        "field", "", NamesRecord<Real, Formats>::field, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::element, Real>(
-        "element", "", NamesRecord<Real, Formats>::element, 1, 0),
+        "element", "", NamesRecord<Real, Formats>::element, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::nested, Real>(
-        "nested", "", NamesRecord<Real, Formats>::nested, 1, 0),
+        "nested", "", NamesRecord<Real, Formats>::nested, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::self, Real>(
-        "self", "", NamesRecord<Real, Formats>::self, 2, 0),
+        "self", "", NamesRecord<Real, Formats>::self, 2, 0.0),
     physgen::field_info<physgen::shape::Vector<2>, typename Formats::tissue, Real>(
-        "tissue", "", NamesRecord<Real, Formats>::tissue, 1, 0),
+        "tissue", "", NamesRecord<Real, Formats>::tissue, 1, 0.0),
   }};
   template <class Space>
   using Formats = NamesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = NamesFormats<physgen::Host>>
-using NamesView = physgen::View<NamesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<NamesObject, Space>>
+using NamesView = physgen::View<NamesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<NamesObject, Space>>
@@ -734,43 +756,54 @@ class EntriesRef {
   using Value = Entries<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit EntriesRef(const Cursor& cursor) : at_(cursor) {}
+  EntriesRef(const EntriesRef&) = default;
+  EntriesRef& operator=(const EntriesRef&) & = delete;
+  PHYSGEN_FUNCTION const EntriesRef& operator=(const EntriesRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const EntriesRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Weights of the five points.
   /// They sum to one. [1] Range [0, 1].
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) weights(int entry) const {
+    physgen::check_inner(entry, 5, "an entry of tissue::model::Entries::weights");
     return at_.template field<physgen::shape::Scalar, typename Formats::weights, Real>(
         Record::weights + entry * Record::plan_.stride[0]);
   }
   /// [N/m]. Symmetric, 6 stored.
   /// @pre 0 <= entry < 4
   PHYSGEN_FUNCTION decltype(auto) k(int entry) const {
+    physgen::check_inner(entry, 4, "an entry of tissue::model::Entries::k");
     return at_.template field<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
         Record::k + entry * Record::plan_.stride[1]);
   }
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) flags(int entry) const {
+    physgen::check_inner(entry, 3, "an entry of tissue::model::Entries::flags");
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
         Record::flags + entry * Record::plan_.stride[2]);
   }
   /// More entries than are worth unrolling
   /// @pre 0 <= entry < 40
   PHYSGEN_FUNCTION decltype(auto) history(int entry) const {
+    physgen::check_inner(entry, 40, "an entry of tissue::model::Entries::history");
     return at_.template field<physgen::shape::Scalar, typename Formats::history, double>(
         Record::history + entry * Record::plan_.stride[3]);
   }
   /// @pre 0 <= entry < 6
   PHYSGEN_FUNCTION decltype(auto) edges(int entry) const {
+    physgen::check_inner(entry, 6, "an entry of tissue::model::Entries::edges");
     return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
         Record::edges + entry * Record::plan_.stride[4]);
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) entry(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Entries::entry");
     return at_.template field<physgen::shape::Scalar, typename Formats::entry, Real>(
         Record::entry + entry * Record::plan_.stride[5]);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     PHYSGEN_UNROLL
     for (int entry_ = 0; entry_ < 5; ++entry_) value.weights[entry_] = weights(entry_);
@@ -815,24 +848,25 @@ struct EntriesObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 6> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::weights, Real>(
-        "weights", "1", EntriesRecord<Real, Formats>::weights, 5, 0),
+        "weights", "1", EntriesRecord<Real, Formats>::weights, 5, 0.0),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
-        "k", "N/m", EntriesRecord<Real, Formats>::k, 4, 0),
+        "k", "N/m", EntriesRecord<Real, Formats>::k, 4, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "flags", "", EntriesRecord<Real, Formats>::flags, 3, 0),
+        "flags", "", EntriesRecord<Real, Formats>::flags, 3, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::history, double>(
-        "history", "", EntriesRecord<Real, Formats>::history, 40, 0),
+        "history", "", EntriesRecord<Real, Formats>::history, 40, 0.0),
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
-        "edges", "", EntriesRecord<Real, Formats>::edges, 6, 0),
+        "edges", "", EntriesRecord<Real, Formats>::edges, 6, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::entry, Real>(
-        "entry", "", EntriesRecord<Real, Formats>::entry, 2, 0),
+        "entry", "", EntriesRecord<Real, Formats>::entry, 2, 0.0),
   }};
   template <class Space>
   using Formats = EntriesFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = EntriesFormats<physgen::Host>>
-using EntriesView = physgen::View<EntriesObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<EntriesObject, Space>>
+using EntriesView = physgen::View<EntriesObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<EntriesObject, Space>>
@@ -857,13 +891,13 @@ static_assert(physgen::is_sound_record<EntriesObject, double, EntriesFormats<phy
 template <class Real>
 struct Options {
   /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
-  Real density = physgen::all_lanes<Real>(1060);
+  Real density = physgen::all_lanes<Real>(1060.0);
   /// Range [0, 0.5]; initially 0.45.
   Real nu = physgen::all_lanes<Real>(0.45);
   /// [1]. Initially 0.5.
   Eigen::Matrix<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
   /// Symmetric, 6 stored. Initially 1.
-  Eigen::Matrix<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1));
+  Eigen::Matrix<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1.0));
   /// Initially -1.
   physgen::same_lanes_t<Real, std::int32_t> label = -1;
   /// Initially 7.
@@ -920,6 +954,11 @@ class OptionsRef {
   using Value = Options<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit OptionsRef(const Cursor& cursor) : at_(cursor) {}
+  OptionsRef(const OptionsRef&) = default;
+  OptionsRef& operator=(const OptionsRef&) & = delete;
+  PHYSGEN_FUNCTION const OptionsRef& operator=(const OptionsRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const OptionsRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
   PHYSGEN_FUNCTION decltype(auto) density() const {
@@ -954,7 +993,7 @@ class OptionsRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::fixed, double>(Record::fixed);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.density = density();
     value.nu = nu();
@@ -993,17 +1032,17 @@ struct OptionsObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 8> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::density, Real>(
-        "density", "kg/m^3", OptionsRecord<Real, Formats>::density, 1, 1060),
+        "density", "kg/m^3", OptionsRecord<Real, Formats>::density, 1, 1060.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::nu, Real>(
         "nu", "", OptionsRecord<Real, Formats>::nu, 1, 0.45),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::direction, Real>(
         "direction", "1", OptionsRecord<Real, Formats>::direction, 1, 0.5),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(
-        "metric", "", OptionsRecord<Real, Formats>::metric, 1, 1),
+        "metric", "", OptionsRecord<Real, Formats>::metric, 1, 1.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "label", "", OptionsRecord<Real, Formats>::label, 1, -1),
+        "label", "", OptionsRecord<Real, Formats>::label, 1, -1.0),
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
-        "group", "", OptionsRecord<Real, Formats>::group, 1, 7),
+        "group", "", OptionsRecord<Real, Formats>::group, 1, 7.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::spin, Real>(
         "spin", "", OptionsRecord<Real, Formats>::spin, 1, 0.25),
     physgen::field_info<physgen::shape::Scalar, typename Formats::fixed, double>(
@@ -1013,8 +1052,9 @@ struct OptionsObject {
   using Formats = OptionsFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = OptionsFormats<physgen::Host>>
-using OptionsView = physgen::View<OptionsObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<OptionsObject, Space>>
+using OptionsView = physgen::View<OptionsObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Soa, physgen::AosPadded>,
           class Formats = physgen::FormatsOf<OptionsObject, Space>>
@@ -1039,7 +1079,7 @@ struct Element {
   /// Constants of the tissue.
   ::material::Lame<Real> lame;
   ::material::Fibre<Real> fibres[2];
-  ::Stamp<Real> stamp;
+  ::tissue::Stamp<Real> stamp;
   Shapes<Real> shapes;
   /// [m^3]
   Real volume;
@@ -1051,7 +1091,7 @@ template <class Space>
 struct ElementFormats {
   using lame = ::material::LameFormats<Space>;
   using fibres = ::material::FibreFormats<Space>;
-  using stamp = ::StampFormats<Space>;
+  using stamp = ::tissue::StampFormats<Space>;
   using shapes = ShapesFormats<Space>;
   using volume = physgen::format::Native;
 };
@@ -1063,7 +1103,7 @@ struct ElementRecord {
     physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
     physgen::nested_slot<::material::LameRecord<Real, typename Formats::lame>>(),
     physgen::nested_slot<::material::FibreRecord<Real, typename Formats::fibres>>(2),
-    physgen::nested_slot<::StampRecord<Real, typename Formats::stamp>>(),
+    physgen::nested_slot<::tissue::StampRecord<Real, typename Formats::stamp>>(),
     physgen::nested_slot<ShapesRecord<Real, typename Formats::shapes>>(),
     physgen::slot<physgen::shape::Scalar, typename Formats::volume, Real>(),
   }});
@@ -1086,6 +1126,11 @@ class ElementRef {
   using Value = Element<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit ElementRef(const Cursor& cursor) : at_(cursor) {}
+  ElementRef(const ElementRef&) = default;
+  ElementRef& operator=(const ElementRef&) & = delete;
+  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const ElementRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Before the nested objects by name, behind them in the record.
   PHYSGEN_FUNCTION decltype(auto) flag() const {
@@ -1097,11 +1142,12 @@ class ElementRef {
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION ::material::FibreRef<Real, typename Formats::fibres, Cursor> fibres(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Element::fibres");
     return ::material::FibreRef<Real, typename Formats::fibres, Cursor>(
         at_.nested(Record::fibres + entry * Record::plan_.stride[2]));
   }
-  PHYSGEN_FUNCTION ::StampRef<Real, typename Formats::stamp, Cursor> stamp() const {
-    return ::StampRef<Real, typename Formats::stamp, Cursor>(at_.nested(Record::stamp));
+  PHYSGEN_FUNCTION ::tissue::StampRef<Real, typename Formats::stamp, Cursor> stamp() const {
+    return ::tissue::StampRef<Real, typename Formats::stamp, Cursor>(at_.nested(Record::stamp));
   }
   PHYSGEN_FUNCTION ShapesRef<Real, typename Formats::shapes, Cursor> shapes() const {
     return ShapesRef<Real, typename Formats::shapes, Cursor>(at_.nested(Record::shapes));
@@ -1111,7 +1157,7 @@ class ElementRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::volume, Real>(Record::volume);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.flag = flag();
     value.lame = lame().get();
@@ -1148,78 +1194,82 @@ struct ElementObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 24> fields = {{
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "flag", "", ElementRecord<Real, Formats>::flag, 1, 0),
+        "flag", "", ElementRecord<Real, Formats>::flag, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::lame::mu, Real>(
         "lame.mu", "Pa", ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::mu,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::lame::lambda, Real>(
         "lame.lambda", "Pa",
-        ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::lambda, 1, 0),
+        ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::lambda, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::fibres::direction, float>(
         "fibres[0].direction", "",
         ElementRecord<Real, Formats>::fibres + ::material::FibreRecord<Real, typename Formats::fibres>::direction, 1,
-        0),
+        0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::fibres::strength, double>(
         "fibres[0].strength", "Pa",
-        ElementRecord<Real, Formats>::fibres + ::material::FibreRecord<Real, typename Formats::fibres>::strength, 1, 0),
+        ElementRecord<Real, Formats>::fibres + ::material::FibreRecord<Real, typename Formats::fibres>::strength, 1,
+        0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::fibres::direction, float>(
         "fibres[1].direction", "",
         ElementRecord<Real, Formats>::fibres + 1 * ElementRecord<Real, Formats>::plan_.stride[2] +
             ::material::FibreRecord<Real, typename Formats::fibres>::direction,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::fibres::strength, double>(
         "fibres[1].strength", "Pa",
         ElementRecord<Real, Formats>::fibres + 1 * ElementRecord<Real, Formats>::plan_.stride[2] +
             ::material::FibreRecord<Real, typename Formats::fibres>::strength,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::stamp::time, double>(
-        "stamp.time", "s", ElementRecord<Real, Formats>::stamp + ::StampRecord<Real, typename Formats::stamp>::time, 1,
-        0),
+        "stamp.time", "s",
+        ElementRecord<Real, Formats>::stamp + ::tissue::StampRecord<Real, typename Formats::stamp>::time, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "stamp.step", "", ElementRecord<Real, Formats>::stamp + ::StampRecord<Real, typename Formats::stamp>::step, 1,
-        0),
+        "stamp.step", "",
+        ElementRecord<Real, Formats>::stamp + ::tissue::StampRecord<Real, typename Formats::stamp>::step, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::shapes::a, Real>(
-        "shapes.a", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::a, 1, 0),
+        "shapes.a", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::a, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::shapes::v, Real>(
-        "shapes.v", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::v, 1, 0),
+        "shapes.v", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::v, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
         "shapes.nodes", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::nodes,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::shapes::F, Real>(
-        "shapes.F", "1", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::F, 1, 0),
+        "shapes.F", "1", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::F, 1,
+        0.0),
     physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::shapes::B, Real>(
-        "shapes.B", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::B, 1, 0),
+        "shapes.B", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::B, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::shapes::row, Real>(
         "shapes.row", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::row, 1,
-        0),
+        0.0),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::shapes::K, Real>(
         "shapes.K", "N/m", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::K, 1,
-        0),
+        0.0),
     physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::shapes::C2, double>(
-        "shapes.C2", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::C2, 1, 0),
+        "shapes.C2", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::C2, 1,
+        0.0),
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::shapes::s, Real>(
-        "shapes.s", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::s, 1, 0),
+        "shapes.s", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::s, 1, 0.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::shapes::W, Real>(
         "shapes.W", "1/s", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::W, 1,
-        0),
+        0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::shapes::U, Real>(
-        "shapes.U", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::U, 1, 0),
+        "shapes.U", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::U, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::shapes::V, float>(
-        "shapes.V", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::V, 1, 0),
+        "shapes.V", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::V, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
         "shapes.count", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::count,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::shapes::M, double>(
-        "shapes.M", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::M, 1, 0),
+        "shapes.M", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::M, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::volume, Real>(
-        "volume", "m^3", ElementRecord<Real, Formats>::volume, 1, 0),
+        "volume", "m^3", ElementRecord<Real, Formats>::volume, 1, 0.0),
   }};
   template <class Space>
   using Formats = ElementFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = ElementFormats<physgen::Host>>
-using ElementView = physgen::View<ElementObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<ElementObject, Space>>
+using ElementView = physgen::View<ElementObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aosoa<64>>,
           class Formats = physgen::FormatsOf<ElementObject, Space>>
@@ -1283,9 +1333,15 @@ class PatchRef {
   using Value = Patch<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit PatchRef(const Cursor& cursor) : at_(cursor) {}
+  PatchRef(const PatchRef&) = default;
+  PatchRef& operator=(const PatchRef&) & = delete;
+  PHYSGEN_FUNCTION const PatchRef& operator=(const PatchRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const PatchRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor> elements(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::other::Patch::elements");
     return ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor>(
         at_.nested(Record::elements + entry * Record::plan_.stride[0]));
   }
@@ -1296,7 +1352,7 @@ class PatchRef {
     return ::tissue::model::OptionsRef<Real, typename Formats::options, Cursor>(at_.nested(Record::options));
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     PHYSGEN_UNROLL
     for (int entry = 0; entry < 2; ++entry) value.elements[entry] = elements(entry).get();
@@ -1329,291 +1385,291 @@ struct PatchObject {
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
         "elements[0].flag", "",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::mu, Real>(
         "elements[0].lame.mu", "Pa",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
             ::material::LameRecord<Real, typename Formats::elements::lame>::mu,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::lambda, Real>(
         "elements[0].lame.lambda", "Pa",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
             ::material::LameRecord<Real, typename Formats::elements::lame>::lambda,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
         "elements[0].fibres[0].direction", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
         "elements[0].fibres[0].strength", "Pa",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
         "elements[0].fibres[1].direction", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
                     ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
         "elements[0].fibres[1].strength", "Pa",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
                     ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::time, double>(
         "elements[0].stamp.time", "s",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-            ::StampRecord<Real, typename Formats::elements::stamp>::time,
-        1, 0),
+            ::tissue::StampRecord<Real, typename Formats::elements::stamp>::time,
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
         "elements[0].stamp.step", "",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-            ::StampRecord<Real, typename Formats::elements::stamp>::step,
-        1, 0),
+            ::tissue::StampRecord<Real, typename Formats::elements::stamp>::step,
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::shapes::a, Real>(
         "elements[0].shapes.a", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::a,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::shapes::v, Real>(
         "elements[0].shapes.v", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
         "elements[0].shapes.nodes", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::nodes,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::elements::shapes::F, Real>(
         "elements[0].shapes.F", "1",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::F,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::elements::shapes::B, Real>(
         "elements[0].shapes.B", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::B,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::elements::shapes::row, Real>(
         "elements[0].shapes.row", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::row,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::elements::shapes::K, Real>(
         "elements[0].shapes.K", "N/m",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::K,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::elements::shapes::C2, double>(
         "elements[0].shapes.C2", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::C2,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::elements::shapes::s, Real>(
         "elements[0].shapes.s", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::s,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::elements::shapes::W, Real>(
         "elements[0].shapes.W", "1/s",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::W,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::U, Real>(
         "elements[0].shapes.U", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::U,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::V, float>(
         "elements[0].shapes.V", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
         "elements[0].shapes.count", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::count,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::elements::shapes::M, double>(
         "elements[0].shapes.M", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::M,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::volume, Real>(
         "elements[0].volume", "m^3",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::volume,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
         "elements[1].flag", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::mu, Real>(
         "elements[1].lame.mu", "Pa",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
                 ::material::LameRecord<Real, typename Formats::elements::lame>::mu,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::lambda, Real>(
         "elements[1].lame.lambda", "Pa",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
                 ::material::LameRecord<Real, typename Formats::elements::lame>::lambda,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
         "elements[1].fibres[0].direction", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
         "elements[1].fibres[0].strength", "Pa",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
         "elements[1].fibres[1].direction", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
                     ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
         "elements[1].fibres[1].strength", "Pa",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
                 1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
                     ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::time, double>(
         "elements[1].stamp.time", "s",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-                ::StampRecord<Real, typename Formats::elements::stamp>::time,
-        1, 0),
+                ::tissue::StampRecord<Real, typename Formats::elements::stamp>::time,
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
         "elements[1].stamp.step", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-                ::StampRecord<Real, typename Formats::elements::stamp>::step,
-        1, 0),
+                ::tissue::StampRecord<Real, typename Formats::elements::stamp>::step,
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::shapes::a, Real>(
         "elements[1].shapes.a", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::a,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::shapes::v, Real>(
         "elements[1].shapes.v", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
         "elements[1].shapes.nodes", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::nodes,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::elements::shapes::F, Real>(
         "elements[1].shapes.F", "1",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::F,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::elements::shapes::B, Real>(
         "elements[1].shapes.B", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::B,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::elements::shapes::row, Real>(
         "elements[1].shapes.row", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::row,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::elements::shapes::K, Real>(
         "elements[1].shapes.K", "N/m",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::K,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::elements::shapes::C2, double>(
         "elements[1].shapes.C2", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::C2,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::elements::shapes::s, Real>(
         "elements[1].shapes.s", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::s,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::elements::shapes::W, Real>(
         "elements[1].shapes.W", "1/s",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::W,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::U, Real>(
         "elements[1].shapes.U", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::U,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::V, float>(
         "elements[1].shapes.V", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
         "elements[1].shapes.count", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::count,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::elements::shapes::M, double>(
         "elements[1].shapes.M", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::M,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::elements::volume, Real>(
         "elements[1].volume", "m^3",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::volume,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::weight, float>(
-        "weight", "", PatchRecord<Real, Formats>::weight, 1, 0),
+        "weight", "", PatchRecord<Real, Formats>::weight, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::options::density, Real>(
         "options.density", "kg/m^3",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::density,
-        1, 1060),
+        1, 1060.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::options::nu, Real>(
         "options.nu", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::nu, 1,
@@ -1626,15 +1682,15 @@ struct PatchObject {
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::options::metric, Real>(
         "options.metric", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::metric,
-        1, 1),
+        1, 1.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
         "options.label", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::label, 1,
-        -1),
+        -1.0),
     physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
         "options.group", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::group, 1,
-        7),
+        7.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::options::spin, Real>(
         "options.spin", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::spin, 1,
@@ -1648,8 +1704,8 @@ struct PatchObject {
   using Formats = PatchFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = PatchFormats<physgen::Host>>
-using PatchView = physgen::View<PatchObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<PatchObject, Space>>
+using PatchView = physgen::View<PatchObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<PatchObject, Space>>
@@ -1690,10 +1746,9 @@ struct Frame {
 /// anew, and name the derived struct as the last argument of FrameArray.
 template <class Space>
 struct FrameFormats {
-  using turn = physgen::PerSpace<Space, physgen::format::Quaternion<>,
-                                        physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>>;
+  using turn = physgen::PerSpace<Space, physgen::format::Quaternion<>, physgen::format::Quaternion16>;
   using origin = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Half<>>;
-  using weight = physgen::format::Snorm16<0.0, 1.0>;
+  using weight = physgen::format::Snorm16<physgen::format::Interval{0.0, 1.0}>;
 };
 
 /// Where each field begins in the record of one Frame [bytes].
@@ -1720,6 +1775,11 @@ class FrameRef {
   using Value = Frame<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit FrameRef(const Cursor& cursor) : at_(cursor) {}
+  FrameRef(const FrameRef&) = default;
+  FrameRef& operator=(const FrameRef&) & = delete;
+  PHYSGEN_FUNCTION const FrameRef& operator=(const FrameRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const FrameRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
@@ -1735,7 +1795,7 @@ class FrameRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::weight, Real>(Record::weight);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.turn = turn().get();
     value.origin = origin().get();
@@ -1764,9 +1824,9 @@ struct FrameObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 3> fields = {{
     physgen::field_info<physgen::shape::Rotation, typename Formats::turn, Real>(
-        "turn", "", FrameRecord<Real, Formats>::turn, 1, 0),
+        "turn", "", FrameRecord<Real, Formats>::turn, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::origin, Real>(
-        "origin", "m", FrameRecord<Real, Formats>::origin, 1, 0),
+        "origin", "m", FrameRecord<Real, Formats>::origin, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::weight, Real>(
         "weight", "", FrameRecord<Real, Formats>::weight, 1, 0.25),
   }};
@@ -1774,8 +1834,8 @@ struct FrameObject {
   using Formats = FrameFormats<Space>;
 };
 
-template <class Real, class Layout, class Formats = FrameFormats<physgen::Host>>
-using FrameView = physgen::View<FrameObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FrameObject, Space>>
+using FrameView = physgen::View<FrameObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<FrameObject, Space>>
@@ -1805,13 +1865,13 @@ struct Stored {
   Real plain_half;
   /// External force. [N] Range [0, 1e+06]; initially 1000. Stored as half, relative error up to 4.9e-4 for sizes from
   /// 0.002 to 2.1e+06.
-  Real load = physgen::all_lanes<Real>(1000);
+  Real load = physgen::all_lanes<Real>(1000.0);
   /// Stored as bfloat16, relative error up to 3.9e-3.
   Real wide;
   /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 5e-05.
   Real angle = physgen::all_lanes<Real>(0.5);
   /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00081.
-  Real temperature = physgen::all_lanes<Real>(310);
+  Real temperature = physgen::all_lanes<Real>(310.0);
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
   /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
   Eigen::Matrix<Real, 3, 3> stress;
@@ -1858,22 +1918,24 @@ struct StoredFormats {
   using plain_half = physgen::format::Half<>;
   using load = physgen::format::Half<5>;
   using wide = physgen::format::Bfloat16;
-  using angle = physgen::format::Snorm16<-3.25, 3.25>;
-  using temperature = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Snorm16<273.0, 373.0>>;
+  using angle = physgen::format::Snorm16<physgen::format::Interval{-3.25, 3.25}>;
+  using temperature = physgen::PerSpace<Space, physgen::format::Native,
+                                               physgen::format::Snorm16<physgen::format::Interval{273.0, 373.0}>>;
   using stress = physgen::PerSpace<Space, physgen::format::Half<9>, physgen::format::Bfloat16>;
   using F = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Half<>>;
   using stretch = physgen::format::Half<>;
-  using spin = physgen::format::Snorm16<-8.0, 8.0>;
+  using spin = physgen::format::Snorm16<physgen::format::Interval{-8.0, 8.0}>;
   using R = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Quaternion<>>;
   using R32 = physgen::format::Quaternion<physgen::format::Float32>;
   using R64 = physgen::format::Quaternion<physgen::format::Float64>;
   using Rhalf = physgen::format::Quaternion<physgen::format::Half<>>;
   using Rbfloat = physgen::format::Quaternion<physgen::format::Bfloat16>;
-  using R16 = physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>;
-  using entries = physgen::PerSpace<Space, physgen::format::Half<>, physgen::format::Snorm16<-1.0, 1.0>>;
+  using R16 = physgen::format::Quaternion16;
+  using entries = physgen::PerSpace<Space, physgen::format::Half<>,
+                                           physgen::format::Snorm16<physgen::format::Interval{-1.0, 1.0}>>;
   using halves = physgen::format::Half<>;
   using turns = physgen::format::Quaternion<physgen::format::Half<>>;
-  using many = physgen::format::Quaternion<physgen::format::Snorm16<-1.0, 1.0>>;
+  using many = physgen::format::Quaternion16;
   using frame = FrameFormats<Space>;
   using frames = FrameFormats<Space>;
 };
@@ -1946,6 +2008,11 @@ class StoredRef {
   using Value = Stored<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit StoredRef(const Cursor& cursor) : at_(cursor) {}
+  StoredRef(const StoredRef&) = default;
+  StoredRef& operator=(const StoredRef&) & = delete;
+  PHYSGEN_FUNCTION const StoredRef& operator=(const StoredRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const StoredRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Stored as float, relative error up to 6e-8.
   PHYSGEN_FUNCTION decltype(auto) single() const {
@@ -2029,18 +2096,21 @@ class StoredRef {
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) halves(int entry) const {
+    physgen::check_inner(entry, 5, "an entry of tissue::model::Stored::halves");
     return at_.template field<physgen::shape::Scalar, typename Formats::halves, Real>(
         Record::halves + entry * Record::plan_.stride[19]);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) turns(int entry) const {
+    physgen::check_inner(entry, 3, "an entry of tissue::model::Stored::turns");
     return at_.template field<physgen::shape::Rotation, typename Formats::turns, Real>(
         Record::turns + entry * Record::plan_.stride[20]);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
   /// @pre 0 <= entry < 33
   PHYSGEN_FUNCTION decltype(auto) many(int entry) const {
+    physgen::check_inner(entry, 33, "an entry of tissue::model::Stored::many");
     return at_.template field<physgen::shape::Rotation, typename Formats::many, Real>(
         Record::many + entry * Record::plan_.stride[21]);
   }
@@ -2053,11 +2123,12 @@ class StoredRef {
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION FrameRef<Real, typename Formats::frames, Cursor> frames(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Stored::frames");
     return FrameRef<Real, typename Formats::frames, Cursor>(
         at_.nested(Record::frames + entry * Record::plan_.stride[24]));
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.single = single();
     value.twice = twice();
@@ -2136,65 +2207,66 @@ struct StoredObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 32> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::single, Real>(
-        "single", "", StoredRecord<Real, Formats>::single, 1, 0),
+        "single", "", StoredRecord<Real, Formats>::single, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::twice, Real>(
-        "twice", "", StoredRecord<Real, Formats>::twice, 1, 0),
+        "twice", "", StoredRecord<Real, Formats>::twice, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::narrowed, double>(
-        "narrowed", "", StoredRecord<Real, Formats>::narrowed, 1, 0),
+        "narrowed", "", StoredRecord<Real, Formats>::narrowed, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::plain_half, Real>(
-        "plain_half", "", StoredRecord<Real, Formats>::plain_half, 1, 0),
+        "plain_half", "", StoredRecord<Real, Formats>::plain_half, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::load, Real>(
-        "load", "N", StoredRecord<Real, Formats>::load, 1, 1000),
+        "load", "N", StoredRecord<Real, Formats>::load, 1, 1000.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::wide, Real>(
-        "wide", "", StoredRecord<Real, Formats>::wide, 1, 0),
+        "wide", "", StoredRecord<Real, Formats>::wide, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::angle, Real>(
         "angle", "rad", StoredRecord<Real, Formats>::angle, 1, 0.5),
     physgen::field_info<physgen::shape::Scalar, typename Formats::temperature, Real>(
-        "temperature", "K", StoredRecord<Real, Formats>::temperature, 1, 310),
+        "temperature", "K", StoredRecord<Real, Formats>::temperature, 1, 310.0),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(
-        "stress", "Pa", StoredRecord<Real, Formats>::stress, 1, 0),
+        "stress", "Pa", StoredRecord<Real, Formats>::stress, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
-        "F", "", StoredRecord<Real, Formats>::F, 1, 0),
+        "F", "", StoredRecord<Real, Formats>::F, 1, 0.0),
     physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(
-        "stretch", "", StoredRecord<Real, Formats>::stretch, 1, 0),
+        "stretch", "", StoredRecord<Real, Formats>::stretch, 1, 0.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::spin, Real>(
-        "spin", "", StoredRecord<Real, Formats>::spin, 1, 0),
+        "spin", "", StoredRecord<Real, Formats>::spin, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::R, Real>(
-        "R", "", StoredRecord<Real, Formats>::R, 1, 0),
+        "R", "", StoredRecord<Real, Formats>::R, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::R32, Real>(
-        "R32", "", StoredRecord<Real, Formats>::R32, 1, 0),
+        "R32", "", StoredRecord<Real, Formats>::R32, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::R64, Real>(
-        "R64", "", StoredRecord<Real, Formats>::R64, 1, 0),
+        "R64", "", StoredRecord<Real, Formats>::R64, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::Rhalf, Real>(
-        "Rhalf", "", StoredRecord<Real, Formats>::Rhalf, 1, 0),
+        "Rhalf", "", StoredRecord<Real, Formats>::Rhalf, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::Rbfloat, Real>(
-        "Rbfloat", "", StoredRecord<Real, Formats>::Rbfloat, 1, 0),
+        "Rbfloat", "", StoredRecord<Real, Formats>::Rbfloat, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::R16, Real>(
-        "R16", "", StoredRecord<Real, Formats>::R16, 1, 0),
+        "R16", "", StoredRecord<Real, Formats>::R16, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::entries, Real>(
-        "entries", "", StoredRecord<Real, Formats>::entries, 1, 0),
+        "entries", "", StoredRecord<Real, Formats>::entries, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::halves, Real>(
-        "halves", "", StoredRecord<Real, Formats>::halves, 5, 0),
+        "halves", "", StoredRecord<Real, Formats>::halves, 5, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::turns, Real>(
-        "turns", "", StoredRecord<Real, Formats>::turns, 3, 0),
+        "turns", "", StoredRecord<Real, Formats>::turns, 3, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::many, Real>(
-        "many", "", StoredRecord<Real, Formats>::many, 33, 0),
+        "many", "", StoredRecord<Real, Formats>::many, 33, 0.0),
     physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
-        "count", "", StoredRecord<Real, Formats>::count, 1, 7),
+        "count", "", StoredRecord<Real, Formats>::count, 1, 7.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::frame::turn, Real>(
-        "frame.turn", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::turn, 1, 0),
+        "frame.turn", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::turn, 1,
+        0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::frame::origin, Real>(
         "frame.origin", "m", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::origin, 1,
-        0),
+        0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::frame::weight, Real>(
         "frame.weight", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::weight, 1,
         0.25),
     physgen::field_info<physgen::shape::Rotation, typename Formats::frames::turn, Real>(
         "frames[0].turn", "", StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::turn,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::frames::origin, Real>(
         "frames[0].origin", "m",
-        StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::origin, 1, 0),
+        StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::origin, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::frames::weight, Real>(
         "frames[0].weight", "",
         StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::weight, 1, 0.25),
@@ -2202,12 +2274,12 @@ struct StoredObject {
         "frames[1].turn", "",
         StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
             FrameRecord<Real, typename Formats::frames>::turn,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::frames::origin, Real>(
         "frames[1].origin", "m",
         StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
             FrameRecord<Real, typename Formats::frames>::origin,
-        1, 0),
+        1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::frames::weight, Real>(
         "frames[1].weight", "",
         StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
@@ -2218,8 +2290,9 @@ struct StoredObject {
   using Formats = StoredFormats<Space>;
 };
 
-template <class Real, class Layout, class Formats = StoredFormats<physgen::Host>>
-using StoredView = physgen::View<StoredObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<StoredObject, Space>>
+using StoredView = physgen::View<StoredObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<8>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StoredObject, Space>>
@@ -2242,3 +2315,5 @@ static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physg
     492, 500, 506, 508, 516, 522, 524, 532, 538}));
 
 }  // namespace tissue::model
+
+#endif  // PHYSGEN_EVERYTHING_H_FE98BE8044D2540E

@@ -1,10 +1,11 @@
 // Accessor classes of the object types in materials.h. Written by physgen: change the schema, not this file.
-#pragma once
+#ifndef PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
+#define PHYSGEN_MATERIALS_H_FBB8C434DE3E3022
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 2
-#error "materials.physgen.h is for version 2 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 3
+#error "materials.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace material {
@@ -51,6 +52,11 @@ class LameRef {
   using Value = Lame<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit LameRef(const Cursor& cursor) : at_(cursor) {}
+  LameRef(const LameRef&) = default;
+  LameRef& operator=(const LameRef&) & = delete;
+  PHYSGEN_FUNCTION const LameRef& operator=(const LameRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const LameRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Shear modulus. [Pa]
   PHYSGEN_FUNCTION decltype(auto) mu() const {
@@ -61,7 +67,7 @@ class LameRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::lambda, Real>(Record::lambda);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.mu = mu();
     value.lambda = lambda();
@@ -88,16 +94,16 @@ struct LameObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::mu, Real>(
-        "mu", "Pa", LameRecord<Real, Formats>::mu, 1, 0),
+        "mu", "Pa", LameRecord<Real, Formats>::mu, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::lambda, Real>(
-        "lambda", "Pa", LameRecord<Real, Formats>::lambda, 1, 0),
+        "lambda", "Pa", LameRecord<Real, Formats>::lambda, 1, 0.0),
   }};
   template <class Space>
   using Formats = LameFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = LameFormats<physgen::Host>>
-using LameView = physgen::View<LameObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<LameObject, Space>>
+using LameView = physgen::View<LameObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<LameObject, Space>>
@@ -151,6 +157,11 @@ class FibreRef {
   using Value = Fibre<typename Cursor::template Lanes<Real>>;
 
   PHYSGEN_FUNCTION explicit FibreRef(const Cursor& cursor) : at_(cursor) {}
+  FibreRef(const FibreRef&) = default;
+  FibreRef& operator=(const FibreRef&) & = delete;
+  PHYSGEN_FUNCTION const FibreRef& operator=(const FibreRef& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION const FibreRef& operator=(const Other& other) const& { return physgen::assign(*this, other); }
 
   /// Unit vector along the fibre.
   PHYSGEN_FUNCTION decltype(auto) direction() const {
@@ -161,7 +172,7 @@ class FibreRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::strength, double>(Record::strength);
   }
 
-  PHYSGEN_FUNCTION Value get() const {
+  PHYSGEN_FUNCTION const Value get() const {
     Value value;
     value.direction = direction().get();
     value.strength = strength();
@@ -188,16 +199,16 @@ struct FibreObject {
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::direction, float>(
-        "direction", "", FibreRecord<Real, Formats>::direction, 1, 0),
+        "direction", "", FibreRecord<Real, Formats>::direction, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::strength, double>(
-        "strength", "Pa", FibreRecord<Real, Formats>::strength, 1, 0),
+        "strength", "Pa", FibreRecord<Real, Formats>::strength, 1, 0.0),
   }};
   template <class Space>
   using Formats = FibreFormats<physgen::Host>;
 };
 
-template <class Real, class Layout, class Formats = FibreFormats<physgen::Host>>
-using FibreView = physgen::View<FibreObject, Real, Layout, Formats>;
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FibreObject, Space>>
+using FibreView = physgen::View<FibreObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<FibreObject, Space>>
@@ -210,3 +221,5 @@ static_assert(physgen::is_sound_record<FibreObject, float, FibreFormats<physgen:
 static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen::Host>>(20, 8, {8, 0}));
 
 }  // namespace material
+
+#endif  // PHYSGEN_MATERIALS_H_FBB8C434DE3E3022

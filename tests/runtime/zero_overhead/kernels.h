@@ -7,10 +7,16 @@ namespace zero_overhead {
 
 using physgen::index_t;
 
+#ifdef __CUDACC__
+using Space = physgen::Cuda;
+#else
+using Space = physgen::Host;
+#endif
+
 template <class Layout>
 struct Views {
-  elasticity::DeformationSvdView<const float, Layout> svd;
-  elasticity::StressDerivativeView<float, Layout> h;
+  elasticity::DeformationSvdView<const float, Layout, Space> svd;
+  elasticity::StressDerivativeView<float, Layout, Space> h;
 };
 
 // Reads s and writes four of the twelve scalars by name.

@@ -156,7 +156,7 @@ class ScatteredCase final : public Case {
   double copy() override {
     const Stopwatch watch;
     const auto view = packed_.view();
-    parallel_for(Host{}, view.size(),
+    parallel_for<1>(Host{}, view.size(),
                  [&](index_t i) { view.put(i, value_of(*pointers_[static_cast<std::size_t>(i)])); });
     return watch.seconds();
   }

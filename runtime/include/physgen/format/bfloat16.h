@@ -23,6 +23,7 @@ namespace detail {
 
 /// bfloat16: relative error <= 2^-8 (0.4 %) for magnitudes from 1.2e-38 to 3.4e38.
 struct Bfloat16 {
+  using Library = Bfloat16;
   static constexpr const char* name = "bfloat16";
   template <class Real>
   using Stored = std::uint16_t;

@@ -52,6 +52,7 @@ namespace detail {
 template <int kExponent = 0>
 struct Half {
   static_assert(kExponent >= -100 && kExponent <= 100, "a half is scaled by 2^-100 to 2^100");
+  using Library = Half;
   static constexpr const char* name = "half";
   template <class Real>
   using Stored = std::uint16_t;

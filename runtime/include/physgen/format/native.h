@@ -8,6 +8,7 @@ namespace physgen::format {
 
 /// Stored as it is computed: in the precision of the scene.
 struct Native {
+  using Library = Native;
   static constexpr const char* name = "native";
   template <class Real>
   using Stored = Real;
@@ -50,11 +51,13 @@ struct Floating {
 
 /// IEEE single precision: relative error <= 2^-24 for magnitudes from 1.2e-38 to 3.4e38.
 struct Float32 : detail::Floating<float> {
+  using Library = Float32;
   static constexpr const char* name = "float32";
 };
 
 /// IEEE double precision.
 struct Float64 : detail::Floating<double> {
+  using Library = Float64;
   static constexpr const char* name = "float64";
 };
 

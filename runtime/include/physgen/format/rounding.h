@@ -1,9 +1,10 @@
-// What the 16-bit floating point formats share: from double to float so that a second rounding does no harm.
+// What formats share: from double to float so that a second rounding does no harm, and numbers scaled.
 #pragma once
 
 #include <physgen/config.h>
 
 #include <bit>
+#include <cmath>
 
 namespace physgen::format::detail {
 
@@ -19,6 +20,16 @@ namespace physgen::format::detail {
   return std::bit_cast<float>(bits | 1U);
 }
 [[nodiscard]] PHYSGEN_FUNCTION inline float to_odd(float x) { return x; }
+
+/// centre + scale * value, and back with inverse = 1 / scale: the same bits in accessors, packs and copies.
+template <class S>
+[[nodiscard]] PHYSGEN_FUNCTION inline S to_scale(S value, S scale, S centre) {
+  return centre == 0 ? value * scale : std::fma(value, scale, centre);
+}
+template <class S>
+[[nodiscard]] PHYSGEN_FUNCTION inline S from_scale(S value, S inverse, S centre) {
+  return (value - centre) * inverse;
+}
 
 /// 2^exponent, for exponents of normal floats.
 [[nodiscard]] PHYSGEN_FUNCTION constexpr double power_of_two(int exponent) {

@@ -1,0 +1,202 @@
+// See field_rules.h. One small function per rule; FieldChecker carries what they share.
+#include "model/field_rules.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <charconv>
+#include <climits>
+#include <cmath>
+
+namespace physgen::model {
+namespace {
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string sized(const Field& field) {  // the field's type as a schema says it: Symmetric<3>
+  const std::string n = std::to_string(field.rows);
+  switch (field.shape) {
+    case Shape::scalar:
+      return "Scalar";
+    case Shape::vector:
+      return "Vector<" + n + ">";
+    case Shape::matrix:
+      return "Matrix<" + n + ", " + std::to_string(field.cols) + ">";
+    case Shape::symmetric:
+      return "Symmetric<" + n + ">";
+    case Shape::diagonal:
+      return "Diagonal<" + n + ">";
+    case Shape::skew:
+      return "Skew<" + n + ">";
+    case Shape::rotation:
+      return "Rotation";
+    case Shape::object:
+      return field.object;
+  }
+  return {};
+}
+
+class FieldChecker {
+ public:
+  explicit FieldChecker(const FieldReport& to) : report_(to) {}
+
+  bool sizes(const Field& field) {
+    const auto wrong = [&](const std::string& instead) {
+      report_(Aspect::type, "field " + quoted(field.name) + " has the type " + sized(field) + ", " + instead);
+      return false;
+    };
+    const std::string limits = "whose sizes must be from 1 to " + std::to_string(max_side);
+    const int rows = field.rows, cols = field.cols;
+    if (rows < 1 || cols < 1) return wrong("which stores nothing; " + std::string("sizes must be at least 1"));
+    if (rows > max_side || cols > max_side) return wrong(limits + "; keep larger matrices in objects of blocks");
+    switch (field.shape) {
+      case Shape::scalar:
+        return (rows == 1 && cols == 1) || wrong("but rows and cols are not 1");
+      case Shape::vector:
+        return cols == 1 || wrong("but cols is not 1");
+      case Shape::skew:
+        if (rows == 1) return wrong("which stores nothing; a skew-symmetric matrix has at least size 2");
+        [[fallthrough]];
+      case Shape::symmetric:
+      case Shape::diagonal:
+        return rows == cols || wrong("but rows and cols differ");
+      case Shape::rotation:
+        if (field.element == Element::index || field.element == Element::int32)
+          return wrong("whose elements must be real");
+        return (rows == 3 && cols == 3) || wrong("but rows and cols are not 3");
+      case Shape::matrix:
+      case Shape::object:
+        return true;
+    }
+    return true;
+  }
+
+  // Symmetric and skew-symmetric matrices are full ones as values.
+  void value_size(const Field& field) {
+    const bool wide = field.element == Element::real || field.element == Element::float64;
+    const bool column = field.shape == Shape::vector || field.shape == Shape::diagonal;
+    const int bytes = field.rows * (column ? 1 : field.cols) * (wide ? 8 : 4);
+    if (bytes > max_value_bytes)
+      report_(Aspect::type, "field " + quoted(field.name) + " has the type " + sized(field) + ", whose value takes " +
+                                std::to_string(bytes) + (wide ? " bytes in double" : " bytes") +
+                                ", and Eigen keeps no more than " + std::to_string(max_value_bytes) +
+                                " on the stack; write blocks, such as 'Matrix<64, 64> " + field.name + "[...]'");
+  }
+
+  void options(const Field& field) {
+    if (field.shape == Shape::object) {
+      const std::string advice = " has no meaning for nested object " + quoted(field.name) +
+                                 "; write it at the fields of " + quoted(field.object);
+      if (!field.unit.empty()) report_(Aspect::unit, "unit()" + advice);
+      if (field.range) report_(Aspect::range, "range()" + advice);
+      if (field.initial) report_(Aspect::initial, "initial()" + advice);
+      if (field.host_format != Format{}) report_(Aspect::host_format, "format()" + advice);
+      if (field.cuda_format != Format{}) report_(Aspect::cuda_format, "format()" + advice);
+      return;
+    }
+    unit(field.unit);
+    if (field.range) range(*field.range);
+    if (field.initial) initial(field);
+    format(Aspect::host_format, field, field.host_format);
+    format(Aspect::cuda_format, field, field.cuda_format);
+  }
+
+  void format(Aspect aspect, const Field& field, const Format& format) {
+    if (format == Format{}) return;
+    if (field.element == Element::index || field.element == Element::int32)
+      report_(aspect,
+              "the elements of " + quoted(field.name) + " are integers, which have no other format; leave it out");
+    else if (format.quaternion && field.shape != Shape::rotation)
+      report_(aspect, "only a Rotation can be stored as a quaternion; " + quoted(field.name) + " is a " + sized(field));
+    else if (format.encoding == Encoding::snorm16 && field.shape != Shape::rotation && !field.range)
+      report_(aspect, "snorm16 has equal steps over a range, and " + quoted(field.name) +
+                          " states none; add one, such as range(-1, 1)");
+    else if (format.encoding == Encoding::snorm16 && field.shape != Shape::rotation &&
+             !(field.range->low < field.range->high))
+      report_(aspect,
+              "snorm16 has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
+    else if (format.encoding == Encoding::half && field.initial && std::abs(*field.initial) > 65504 && !field.range)
+      report_(aspect, "initial(" + number(*field.initial) + ") is no half, which ends at 65504; state the range of " +
+                          quoted(field.name) + ", and it is scaled");
+    else
+      magnitudes(aspect, field, format.encoding);
+  }
+
+  // Stated values that the format would lose: halves are scaled by 2^-100 to 2^100, the others end where float does.
+  void magnitudes(Aspect aspect, const Field& field, Encoding encoding) {
+    if (encoding == Encoding::native || encoding == Encoding::float64 || field.shape == Shape::rotation) return;
+    if (encoding == Encoding::snorm16 && field.element == Element::float64) return;
+    const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
+    const double largest = std::max(end, std::abs(field.initial.value_or(0)));
+    const double limit = encoding == Encoding::half ? 0x1p115 : encoding == Encoding::bfloat16 ? 0x1.FEp127 : FLT_MAX;
+    const bool too_small = encoding == Encoding::half && end > 0 && end < 0x1p-86;
+    if (largest <= limit && !too_small) return;
+    const char* held = too_small                        ? "ranges that end above 1.3e-26"
+                       : encoding == Encoding::half     ? "sizes up to 4.1e+34"
+                       : encoding == Encoding::bfloat16 ? "sizes up to 3.38e+38"
+                                                        : "sizes up to 3.4e+38";
+    report_(aspect, std::string(end > limit || too_small ? "the range" : "the initial value") + " of " +
+                        quoted(field.name) + " is beyond what this format holds, " + held + "; choose float64");
+  }
+
+  void unit(const std::string& unit) {
+    const auto unprintable = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '"' || c == '\\'; };
+    if (unit.size() > 64 || std::any_of(unit.begin(), unit.end(), unprintable))
+      report_(Aspect::unit,
+              "a unit is at most 64 printable characters without quotes and backslashes; write one such as "
+              "unit(\"N/m^2\")");
+  }
+
+  void range(const Range& range) {
+    if (!std::isfinite(range.low) || !std::isfinite(range.high))
+      report_(Aspect::range, "both ends of a range must be finite; write the largest meaningful value instead");
+    else if (range.low > range.high)
+      report_(Aspect::range, "range(" + number(range.low) + ", " + number(range.high) +
+                                 ") is empty; write the lower end first, range(" + number(range.high) + ", " +
+                                 number(range.low) + ")");
+  }
+
+  void initial(const Field& field) {
+    const double value = *field.initial;
+    const bool whole = field.element == Element::index || field.element == Element::int32;
+    const bool is_float = field.element == Element::real || field.element == Element::float32;  // or can be
+    if (!std::isfinite(value))
+      report_(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
+    else if (field.shape == Shape::rotation)
+      report_(Aspect::initial, "a matrix of equal elements is not a rotation; leave initial() out");
+    else if (whole && (value != std::floor(value) || value < INT_MIN || value > INT_MAX))
+      report_(Aspect::initial, "initial(" + number(value) + ") is not a 32-bit integer, as the elements of " +
+                                   quoted(field.name) + " are; write one");
+    else if (is_float && std::abs(value) > FLT_MAX)
+      report_(Aspect::initial, "initial(" + number(value) + ") is no float, as the elements of " + quoted(field.name) +
+                                   " are or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
+                                   ", or declare it double");
+    else if (is_float && value != 0 && static_cast<float>(value) == 0)
+      report_(Aspect::initial, "initial(" + number(value) + ") is 0 as a float, as the elements of " +
+                                   quoted(field.name) +
+                                   " are or can be; write 0 or a size from 1.5e-45 on, or declare it "
+                                   "double");
+    else if (field.range && (value < field.range->low || value > field.range->high))
+      report_(Aspect::initial, "initial(" + number(value) + ") is outside range(" + number(field.range->low) + ", " +
+                                   number(field.range->high) + "); change one of them");
+  }
+
+ private:
+  const FieldReport& report_;
+};
+
+}  // namespace
+
+bool check_field(const Field& field, const FieldReport& report) {
+  FieldChecker checker(report);
+  checker.options(field);
+  if (field.shape == Shape::object || !checker.sizes(field)) return false;
+  checker.value_size(field);
+  return true;
+}
+
+}  // namespace physgen::model

@@ -1,0 +1,20 @@
+// All words that a kernel is written in, for single objects, packs and CUDA threads at once:
+//
+//   any(i, mask), all(i, mask)               questions to the objects at the kernel's index i
+//   largest(i, x), smallest(i, x)            over them: `for (int k = 0; k < largest(i, count); ++k)`
+//   wanted<Scalar>(i), numbers(i)            which lanes are objects, and their numbers
+//   add(i, view[j].f(), value)               sums at objects that several lanes or threads may name
+//   store_where(mask, view[i].f(), value)    a store where a condition holds
+//   select(mask, a, b)                       in place of `?:`; masks join by &&, || and !
+//   cast<double>(x), to_real<Scalar>(n)      float, double and integers in one kernel
+//   exp, log, pow, max, ... of math.h        with plain numbers second: `max(m, 0.0)`
+//
+// Write `using namespace physgen; using namespace physgen::math;` where the kernel stands, and call them unqualified.
+// No SIMD is included here, so that CUDA translation units can; parallel_for.h adds what packs need.
+#pragma once
+
+#include <physgen/add.h>
+#include <physgen/lanes.h>
+#include <physgen/lanewise.h>
+#include <physgen/math.h>
+#include <physgen/pack.h>

@@ -1,0 +1,268 @@
+// Folds of what a kernel returns for each object into one value: sums, extrema, conditions and counts, and the order in
+// which they are formed, which is the same everywhere. parallel_reduce.h runs them on the CPU, cuda/parallel_reduce.h
+// on a device.
+#pragma once
+
+#include <physgen/lanes.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <type_traits>
+
+namespace physgen {
+
+// The order. Objects 2048 b .. 2048 b + 2047 of the array are block b, wherever the range begins. In a block, each
+// object of the range joins lane i % 32, in ascending i, from the fold's identity on; then lane l joins lane l + 16 for
+// l < 16, lane l + 8 for l < 8, and so on to lane 0. The range's blocks, numbered from 0 at its first, join strands
+// b % 1024, in ascending b; then strand s joins strand s + 512 for s < 512, where there are so many, s + 256 for
+// s < 256, and so on to strand 0. So the value has the same bits for any number of threads, lanes of packs, and on host
+// and device, where the kernel's terms have.
+namespace detail {
+inline constexpr int reduce_block = 2048, reduce_lanes = 32, reduce_strands = 1024;
+}
+
+// A fold is a type with these members, of which a fold of one's own has all, too; Number is the type of one object's
+// term: float, double, std::int32_t or bool. Folds of several terms (std::array, Eigen vectors and matrices) fold each.
+//   template <class Number> using Value         of what type the result is: trivially copyable, up to 64 bytes
+//   template <class Number> identity()          the Value of no objects
+//   template <class Number> value(term, i)      the Value of object i alone
+//   join(a, b)                                  of two Values; the order above is all that is known of a and b
+
+/// The sum: of floats and doubles formed in double, of integers in 64 bits. Of none: 0. NaN where a term is one.
+struct Sum {
+  template <class Number>
+  using Value = std::conditional_t<std::is_floating_point_v<Number>, double, index_t>;
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Value<Number> identity() {
+    return 0;
+  }
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Value<Number> value(Number term, index_t /*i*/) {
+    return static_cast<Value<Number>>(term);
+  }
+  template <class V>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr V join(const V& a, const V& b) {
+    return a + b;
+  }
+};
+
+/// The largest term. Of none: -infinity, of integers the lowest. NaN where a term is one.
+struct Max {
+  template <class Number>
+  using Value = Number;
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number identity() {
+    using Limits = std::numeric_limits<Number>;
+    return Limits::has_infinity ? -Limits::infinity() : Limits::lowest();
+  }
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number value(Number term, index_t /*i*/) {
+    return term;
+  }
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number join(Number a, Number b) {
+    return (static_cast<int>(a > b) | static_cast<int>(a != a)) != 0 ? a : b;  // a NaN b is not below any a
+  }
+};
+
+/// The smallest term. Of none: infinity, of integers the largest. NaN where a term is one.
+struct Min {
+  template <class Number>
+  using Value = Number;
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number identity() {
+    using Limits = std::numeric_limits<Number>;
+    return Limits::has_infinity ? Limits::infinity() : Limits::max();
+  }
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number value(Number term, index_t /*i*/) {
+    return term;
+  }
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number join(Number a, Number b) {
+    return (static_cast<int>(a < b) | static_cast<int>(a != a)) != 0 ? a : b;
+  }
+};
+
+/// An object's number and its term.
+template <class Number>
+struct Place {
+  index_t index;
+  Number value;
+};
+
+/// The first of the objects with the largest term; a NaN counts as larger than all numbers. Of none: index -1, and the
+/// value of Max.
+struct Argmax {
+  template <class Number>
+  using Value = Place<Number>;
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Place<Number> identity() {
+    return {-1, Max::identity<Number>()};
+  }
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Place<Number> value(Number term, index_t i) {
+    return {i, term};
+  }
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Place<Number> join(const Place<Number>& a, const Place<Number>& b) {
+    if (a.index < 0 || b.index < 0) return a.index < 0 ? b : a;
+    if (above(a.value, b.value)) return a;
+    if (above(b.value, a.value)) return b;
+    return a.index < b.index ? a : b;
+  }
+
+ private:
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool above(Number a, Number b) {
+    return a > b || (a != a && b == b);
+  }
+};
+
+/// Whether a condition holds for all objects. Of none: true.
+struct All {
+  template <class Number>
+  using Value = bool;
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool identity() {
+    return true;
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool join(bool a, bool b) { return a && b; }
+  template <std::same_as<bool> Condition>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool value(Condition condition, index_t /*i*/) {
+    return condition;
+  }
+};
+
+/// Whether a condition holds for any object. Of none: false.
+struct Any {
+  template <class Number>
+  using Value = bool;
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool identity() {
+    return false;
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool join(bool a, bool b) { return a || b; }
+  template <std::same_as<bool> Condition>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool value(Condition condition, index_t /*i*/) {
+    return condition;
+  }
+};
+
+/// For how many objects a condition holds. Of none: 0.
+struct Count {
+  template <class Number>
+  using Value = index_t;
+  template <class Number>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr index_t identity() {
+    return 0;
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr index_t join(index_t a, index_t b) { return a + b; }
+  template <std::same_as<bool> Condition>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr index_t value(Condition condition, index_t /*i*/) {
+    return condition ? 1 : 0;
+  }
+};
+
+// Short forms: `sum(Host{}, view.size(), kernel)` is parallel_reduce(Host{}, view.size(), kernel, Sum{}). Arguments
+// behind the kernel are those that parallel_reduce() has behind the fold. PHYSGEN_SHORT_FORM is undefined below.
+#define PHYSGEN_SHORT_FORM(name, Fold)                                                       \
+  template <class Space, class Kernel, class... Rest>                                        \
+    requires(!std::is_integral_v<Kernel> && requires { Space::kind; })                       \
+  auto name(Space space, index_t size, const Kernel& kernel, Rest&&... rest) {               \
+    return parallel_reduce(space, 0, size, kernel, Fold{}, std::forward<Rest>(rest)...);     \
+  }                                                                                          \
+  template <class Space, class Kernel, class... Rest>                                        \
+    requires(!std::is_integral_v<Kernel> && requires { Space::kind; })                       \
+  auto name(Space space, index_t begin, index_t end, const Kernel& kernel, Rest&&... rest) { \
+    return parallel_reduce(space, begin, end, kernel, Fold{}, std::forward<Rest>(rest)...);  \
+  }
+PHYSGEN_SHORT_FORM(sum, Sum)
+PHYSGEN_SHORT_FORM(max, Max)
+PHYSGEN_SHORT_FORM(min, Min)
+PHYSGEN_SHORT_FORM(argmax, Argmax)
+PHYSGEN_SHORT_FORM(all, All)
+PHYSGEN_SHORT_FORM(any, Any)
+PHYSGEN_SHORT_FORM(count, Count)
+#undef PHYSGEN_SHORT_FORM
+
+namespace detail {
+
+/// One object's number of what a kernel returned: of a batch its lanes' type. parallel_reduce.h has those of packs.
+template <class Entry>
+struct NumberOf {
+  static_assert(std::is_arithmetic_v<Entry>,
+                "a kernel of parallel_reduce() returns its term by value: a number or condition (in packs a batch or a "
+                "mask), a std::array of them, or an Eigen vector or matrix of them. For a field's element write "
+                "`-> Scalar`, for an expression of Eigen its Matrix type, as the type that the kernel returns");
+  using type = Entry;
+};
+
+/// What a kernel returned, entry by entry, and its result, given each entry's.
+template <class Term>
+struct Terms {
+  static constexpr int count = 1;
+  using Entry = Term;
+  template <class Value>
+  using Result = Value;
+  [[nodiscard]] PHYSGEN_FUNCTION static const Term& entry(const Term& term, int /*k*/) { return term; }
+  template <class Value>
+  [[nodiscard]] PHYSGEN_FUNCTION static Value result(const Value* values) {
+    return values[0];
+  }
+};
+template <class T, std::size_t kCount>
+struct Terms<std::array<T, kCount>> {
+  static constexpr int count = static_cast<int>(kCount);
+  using Entry = T;
+  template <class Value>
+  using Result = std::array<Value, kCount>;
+  [[nodiscard]] PHYSGEN_FUNCTION static const T& entry(const std::array<T, kCount>& term, int k) {
+    return term[static_cast<std::size_t>(k)];
+  }
+  template <class Value>
+  [[nodiscard]] PHYSGEN_FUNCTION static Result<Value> result(const Value* values) {
+    Result<Value> result{};
+    for (std::size_t k = 0; k < kCount; ++k) result[k] = values[k];
+    return result;
+  }
+};
+template <class T, int kRows, int kCols, int kOptions, int kMaxRows, int kMaxCols>
+struct Terms<Eigen::Matrix<T, kRows, kCols, kOptions, kMaxRows, kMaxCols>> {
+  static_assert(kRows > 0 && kCols > 0, "a kernel of parallel_reduce() returns matrices of fixed size");
+  static constexpr int count = kRows * kCols;
+  using Entry = T;
+  template <class Value>
+  using Result = Eigen::Matrix<Value, kRows, kCols, kOptions, kMaxRows, kMaxCols>;
+  template <class Matrix>
+  [[nodiscard]] PHYSGEN_FUNCTION static const T& entry(const Matrix& term, int k) {
+    return term.data()[k];
+  }
+  template <class Value>
+  [[nodiscard]] PHYSGEN_FUNCTION static Result<Value> result(const Value* values) {
+    Result<Value> result;
+    for (int k = 0; k < count; ++k) result.data()[k] = values[k];
+    return result;
+  }
+};
+
+/// All types of a reduction. @tparam I an index that the kernel is called with
+template <class Kernel, class Fold, class I>
+struct Reduction {
+  using Term = std::remove_cvref_t<std::invoke_result_t<const Kernel&, const I&>>;
+  using Entries = Terms<Term>;
+  using Number = typename NumberOf<typename Entries::Entry>::type;
+  using Value = typename Fold::template Value<Number>;
+  using Result = typename Entries::template Result<Value>;
+  static constexpr int count = Entries::count;
+  static_assert(std::is_trivially_copyable_v<Value> && sizeof(Value) <= 64);
+};
+
+/// How many blocks the objects begin .. end-1 lie in.
+[[nodiscard]] constexpr index_t blocks_of(index_t begin, index_t end) {
+  return begin < end ? (end - 1) / reduce_block - begin / reduce_block + 1 : 0;
+}
+
+}  // namespace detail
+}  // namespace physgen

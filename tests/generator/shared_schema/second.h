@@ -1,0 +1,9 @@
+// Nests an object of an included schema.
+#pragma once
+#include "base.h"
+
+namespace shared {
+struct PHYSGEN_OBJECT() Second {
+  Base base[2];
+};
+}  // namespace shared

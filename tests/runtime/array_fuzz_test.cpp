@@ -1,0 +1,306 @@
+// Arrays of many types, layouts and sizes under random copies and changes, held against the bytes of their objects.
+#include <unistd.h>
+
+#include <array>
+#include <thread>
+
+#include "topology_checks.h"
+
+namespace physgen::test {
+namespace {
+
+/// Records of 2 and of 6 bytes.
+template <int kElements>
+struct HalvesObject : WithoutAccessors {
+  static constexpr std::string_view name = "test::Halves";
+  template <class Real, class Formats>
+  struct Record {
+    static constexpr int bytes = 2 * kElements;
+    static constexpr int alignment = 2;
+  };
+  template <class Real, class Formats>
+  static constexpr std::array<FieldInfo, 1> fields = {
+      {field_info<shape::Vector<kElements>, format::Half<>, Real>("h", "", 0, 1, kElements == 1 ? 0 : 0.5)}};
+};
+
+/// 2 bytes in a record of 256.
+struct AlignedObject : HalvesObject<1> {
+  template <class Real, class Formats>
+  struct Record {
+    static constexpr int bytes = 2;
+    static constexpr int alignment = 256;
+  };
+};
+
+struct CompactTurns : elasticity::DeformationSvdFormats<Host> {
+  using U = format::Quaternion<format::Half<>>;
+  using V = format::Quaternion16;
+  using s = format::Bfloat16;
+};
+
+/// The stored bytes of one object, element by element, without padding.
+using Record = std::vector<std::byte>;
+
+template <class Array>
+Record record_at(const Array& array, index_t i) {
+  const Storage storage = array.storage();
+  Record record;
+  for (const FieldInfo& field : storage.fields) {
+    const int size = element_bytes(field.type);
+    for (int k = 0; k < field.count; ++k) {
+      const std::byte* element =
+          storage.base + address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+      record.insert(record.end(), element, element + size);
+    }
+  }
+  return record;
+}
+
+/// An array and what each of its objects must hold.
+template <class Array_>
+struct Held {
+  using Array = Array_;
+  Array array;
+  std::vector<Record> model;
+
+  void note() {
+    model.clear();
+    for (index_t i = 0; i < array.size(); ++i) model.push_back(record_at(array, i));
+  }
+  [[nodiscard]] index_t wrong() const {
+    if (array.size() != static_cast<index_t>(model.size())) return array.size() + 1;
+    index_t count = 0;
+    for (index_t i = 0; i < array.size(); ++i) count += record_at(array, i) != model[static_cast<std::size_t>(i)];
+    return count;
+  }
+};
+
+/// Random objects: rotations, and numbers of which indices and halves hold some exactly.
+template <class Object>
+Array<Object, double, Host, Aos> random_objects(index_t n, std::mt19937& random) {
+  Array<Object, double, Host, Aos> objects(n);
+  const Storage storage = objects.storage();
+  std::uniform_real_distribution<double> value(-0.99, 0.99);
+  for (index_t i = 0; i < n; ++i) {
+    int k = 0;
+    for (const FieldInfo& field : storage.fields) {
+      Eigen::Matrix3d R;
+      for (int e = 0; e < field.visible_count(); ++e, ++k) {
+        if (field.rotation && e % 9 == 0) R = random_rotation(random);
+        if (field.quaternion) continue;
+        const double drawn = field.type == ElementType::int32 ? static_cast<double>(random() % 1000)
+                             : field.rotation                 ? R(e % 9 % 3, e % 9 / 3)
+                                                              : value(random);
+        objects.putdata(i, k, drawn);
+      }
+    }
+  }
+  return objects;
+}
+
+/// One array in the form of another, each object by a copy of its own: what a copy of all must give.
+template <class To, class From>
+std::vector<Record> converted_one_by_one(const From& from, index_t begin, index_t end) {
+  using ToOne = Array<typename To::Object, typename To::View::Precision, Host, Aos, typename To::Formats>;
+  using FromOne = Array<typename From::Object, typename From::View::Precision, Host, Aos, typename From::Formats>;
+  std::vector<Record> records;
+  FromOne one(1);
+  ToOne converted(1);
+  const Storage storage = one.storage();
+  for (index_t i = begin; i < end; ++i) {
+    const Record record = record_at(from, i);
+    std::size_t read = 0;
+    for (const FieldInfo& field : storage.fields) {
+      const auto bytes = static_cast<std::size_t>(field.count * element_bytes(field.type));
+      std::memcpy(storage.base + field.offset, record.data() + read, bytes);
+      read += bytes;
+    }
+    copy(converted, one);
+    records.push_back(record_at(converted, 0));
+  }
+  return records;
+}
+
+template <class A, class B>
+void fuzz_pair_of_size(index_t n, std::mt19937& random) {
+  using Object = typename A::Object;
+  Held<A> a{A(n), {}};
+  Held<B> b{B(n), {}};
+  copy(a.array, random_objects<Object>(n, random));
+  a.note();
+  copy(b.array, a.array);
+  b.model = converted_one_by_one<B>(a.array, 0, n);
+  ASSERT_EQ(b.wrong(), 0) << "copy";
+  copy(a.array, b.array);
+  a.model = converted_one_by_one<A>(b.array, 0, n);
+  ASSERT_EQ(a.wrong(), 0) << "copy back";
+
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const auto begin = static_cast<index_t>(random() % static_cast<unsigned>(n + 1));
+    const auto end = begin + static_cast<index_t>(random() % static_cast<unsigned>(n - begin + 1));
+    copy(a.array, random_objects<Object>(n, random));
+    a.note();
+    copy_range(b.array.storage(), a.array.storage(), begin, end);
+    const auto part = converted_one_by_one<B>(a.array, begin, end);
+    std::copy(part.begin(), part.end(), b.model.begin() + begin);
+    ASSERT_EQ(b.wrong(), 0) << "copy of " << begin << " to " << end;
+  }
+
+  const std::vector<index_t> erased = random_part(n, random);
+  std::vector<Record> kept;
+  for (const index_t i : remaining(n, erased)) kept.push_back(b.model[static_cast<std::size_t>(i)]);
+  erase(b.array, erased);
+  b.model = kept;
+  ASSERT_EQ(b.wrong(), 0) << "erase";
+
+  append(b.array, a.array);
+  const auto added = converted_one_by_one<B>(a.array, 0, n);
+  b.model.insert(b.model.end(), added.begin(), added.end());
+  ASSERT_EQ(b.wrong(), 0) << "append of another form";
+
+  append(b.array, 37);
+  b.model.insert(b.model.end(), 37, record_at(B(1), 0));
+  ASSERT_EQ(b.wrong(), 0) << "append of new ones";
+
+  const index_t less = b.array.size() / 3;
+  b.array.resize(less);
+  b.array.resize(less + 70);
+  b.model.resize(static_cast<std::size_t>(less));
+  b.model.resize(static_cast<std::size_t>(less + 70), record_at(B(1), 0));
+  ASSERT_EQ(b.wrong(), 0) << "shrink and grow";
+
+  for (const FieldInfo& field : b.array.storage().fields) {
+    if (field.type != ElementType::int32) continue;
+    const std::vector<index_t> numbers = random_order(1000, random);
+    int k = 0;
+    for (const FieldInfo& other : b.array.storage().fields) {  // initial values may name no object
+      for (int e = 0; e < other.visible_count(); ++e, ++k) {
+        if (other.offset != field.offset) continue;
+        for (index_t i = 0; i < b.array.size(); ++i) {
+          if (b.array.getdata(i, k) < 0) b.array.putdata(i, k, 0);
+        }
+      }
+    }
+    const B before = b.array;
+    renumber(b.array, field.name, numbers);
+    k = 0;
+    for (const FieldInfo& other : b.array.storage().fields) {
+      for (int e = 0; e < other.visible_count(); ++e, ++k) {
+        for (index_t i = 0; i < b.array.size(); i += 7) {
+          const double old = before.getdata(i, k);
+          const bool changed = other.offset == field.offset;
+          ASSERT_EQ(b.array.getdata(i, k), changed ? static_cast<double>(numbers[static_cast<std::size_t>(old)]) : old)
+              << "renumber " << field.name;
+        }
+      }
+    }
+  }
+}
+
+template <class A, class B>
+struct Pair {
+  static void fuzz() {
+    std::mt19937 random(seed());
+    for (const index_t n : {0, 1, 2, 3, 31, 32, 33, 63, 64, 65, 127, 1023, 1025, 2049}) {
+      // Few objects in most runs: one conversion for each is the slow part.
+      fuzz_pair_of_size<A, B>(n, random);
+      if (::testing::Test::HasFatalFailure()) FAIL() << A::Object::name << " of " << n << " objects";
+    }
+  }
+};
+
+using namespace elasticity;
+using Shapes = tissue::model::ShapesObject;
+using Patch = tissue::other::PatchObject;
+
+TEST(ArrayFuzz, of_vectors) {
+  Pair<Array<NodePositionObject, float, Host, Aos>, Array<NodePositionObject, float, Host, Soa>>::fuzz();
+  Pair<Array<NodePositionObject, float, Host, Aosoa<2>>, Array<NodePositionObject, double, Host, Aosoa<64>>>::fuzz();
+  Pair<Array<NodePositionObject, double, Host, AosPadded>, Array<NodePositionObject, float, Host, Aosoa<1024>>>::fuzz();
+}
+TEST(ArrayFuzz, of_indices) {
+  Pair<Array<TetObject, float, Host, Soa>, Array<TetObject, float, Host, Aosoa<4>>>::fuzz();
+  Pair<Array<TetObject, float, Host, AosPadded>, Array<TetObject, double, Host, Aosoa<64>>>::fuzz();
+}
+TEST(ArrayFuzz, of_rotations_and_quaternions) {
+  using Svd = DeformationSvdObject;
+  Pair<Array<Svd, float, Host, Aos>, Array<Svd, float, Host, Soa, CompactTurns>>::fuzz();
+  Pair<Array<Svd, float, Host, Aosoa<64>, CompactTurns>, Array<Svd, double, Host, AosPadded>>::fuzz();
+  Pair<Array<Svd, float, Host, Aos, CompactTurns>, Array<Svd, double, Host, Aosoa<4>, CompactTurns>>::fuzz();
+  Pair<Array<IndexedFrameObject, float, Host, Aosoa<8>>, Array<IndexedFrameObject, float, Host, Soa>>::fuzz();
+}
+TEST(ArrayFuzz, of_elements_of_mixed_sizes) {
+  using Derivative = StressDerivativeObject;
+  Pair<Array<Derivative, float, Host, Aosoa<16>, MixedDerivative>, Array<Derivative, float, Host, Soa>>::fuzz();
+  Pair<Array<Derivative, double, Host, Aos>, Array<Derivative, float, Host, Aosoa<2>, MixedDerivative>>::fuzz();
+  Pair<Array<Derivative, float, Host, AosPadded, MixedDerivative>,
+       Array<Derivative, double, Host, Aosoa<1024>, MixedDerivative>>::fuzz();
+}
+TEST(ArrayFuzz, of_nested_objects_and_every_shape) {
+  Pair<Array<Shapes, float, Host, Aos>, Array<Shapes, float, Host, Soa>>::fuzz();
+  Pair<Array<Shapes, double, Host, Aosoa<64>>, Array<Shapes, float, Host, Aosoa<4>>>::fuzz();
+  Pair<Array<Patch, float, Host, AosPadded>, Array<Patch, float, Host, Aosoa<32>>>::fuzz();
+  Pair<Array<Patch, float, Host, Soa>, Array<Patch, double, Host, Aos>>::fuzz();
+}
+TEST(ArrayFuzz, of_records_of_two_and_six_bytes) {
+  Pair<Array<HalvesObject<1>, float, Host, Aos>, Array<HalvesObject<1>, float, Host, Aosoa<64>>>::fuzz();
+  Pair<Array<HalvesObject<1>, float, Host, AosPadded>, Array<HalvesObject<1>, double, Host, Soa>>::fuzz();
+  Pair<Array<HalvesObject<3>, float, Host, Aosoa<2>>, Array<HalvesObject<3>, float, Host, AosPadded>>::fuzz();
+  Pair<Array<HalvesObject<3>, double, Host, Soa>, Array<HalvesObject<3>, float, Host, Aos>>::fuzz();
+}
+
+TEST(Arrays, of_more_than_two_to_the_31_objects_are_ordinary) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "left out: a sanitizer makes minutes of it";
+#endif
+  using Two = HalvesObject<1>;
+  constexpr index_t n = (index_t{1} << 31) + 100;
+  constexpr index_t needed = 2 * 2 * n + (index_t{1} << 30);  // both arrays, and something to spare
+  const index_t free = static_cast<index_t>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<index_t>(sysconf(_SC_PAGESIZE));
+  if (free < needed) GTEST_SKIP() << "left out: " << free << " bytes of memory are free, and it takes " << needed;
+  Array<Two, float, Host, Soa> channels(n);
+  for (const index_t i : {index_t{0}, index_t{1} << 31, n - 1}) channels.putdata(i, 0, static_cast<double>(i % 1021));
+  Array<Two, float, Host, Aosoa<64>> tiles(n);
+  copy(tiles, channels);
+  for (const index_t i : {index_t{0}, index_t{1} << 31, n - 1}) {
+    EXPECT_EQ(tiles.getdata(i, 0), static_cast<double>(i % 1021)) << i;
+  }
+  EXPECT_EQ(tiles.getdata((index_t{1} << 31) - 1, 0), 0) << "the initial value";
+}
+
+TEST(Arrays, whose_padded_records_no_memory_can_count_are_refused) {
+  using Aligned = Array<AlignedObject, float, Host, Aos>;
+  static_assert(Aligned::record_bytes == 256);
+  const std::string message = message_of([] { const Aligned array(50'000'000'000'000'000); });
+  EXPECT_NE(message.find("an array of 50000000000000000 objects of 256 bytes cannot exist"), std::string::npos)
+      << message;
+  const std::string possible = message_of([] { const Aligned array(9'000'000'000'000'000); });
+  EXPECT_NE(possible.find("cannot allocate 2304000000000000"), std::string::npos) << possible;
+}
+
+TEST(Arrays, are_copied_by_eight_threads_at_once) {
+  std::mt19937 random(seed());
+  const index_t n = 5000;
+  const auto objects = random_objects<Shapes>(n, random);
+  Array<Shapes, float, Host, Soa> source(n);
+  copy(source, objects);
+  Held<Array<Shapes, float, Host, Aosoa<64>>> expected{Array<Shapes, float, Host, Aosoa<64>>(n), {}};
+  copy(expected.array, source);
+  expected.note();
+  std::array<index_t, 8> wrong{};
+  std::vector<std::thread> threads;
+  for (std::size_t t = 0; t < wrong.size(); ++t) {
+    threads.emplace_back([&, t] {
+      for (int repeat = 0; repeat < 5; ++repeat) {
+        Held<Array<Shapes, float, Host, Aosoa<64>>> own{Array<Shapes, float, Host, Aosoa<64>>(n), expected.model};
+        copy(own.array, source);
+        wrong[t] += own.wrong();
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const index_t count : wrong) EXPECT_EQ(count, 0);
+}
+
+}  // namespace
+}  // namespace physgen::test

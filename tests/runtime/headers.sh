@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# headers.sh alone|together COMPILER ROOT FLAGS...: whether COMPILER accepts the public headers of the source tree ROOT
+# without a warning: those of the runtime each by itself, or all of them, generated ones and those of fem in one source. Of
+# CUDA, only what ordinary C++ can include, and that where CUDA_INCLUDE names the folder of the toolkit's headers.
+set -euo pipefail
+how=$1 compiler=$2 root=$3 flags=("${@:4}")
+headers() { # headers FOLDER PATTERN: as they are included
+  (cd "$1" && find . -name '*.h' -path "$2" -not -path '*cuda*' -not -path '*/reference/*' -printf '%P\n' | sort)
+}
+accepts() { # accepts HEADER...: twice, since a header must bear that
+  printf '#include <%s>\n' "$@" "$@" |
+    "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wno-unknown-pragmas -Werror \
+      "-I$root/runtime/include" "-I$root/generated" "-I$root/tools" "${flags[@]}" -x c++ -
+}
+
+mapfile -t runtime < <(headers "$root/runtime/include" '*')
+mapfile -t others < <(headers "$root/generated" '*'; headers "$root/tools" './fem/*')
+if [[ ${CUDA_INCLUDE-} ]]; then
+  runtime+=(physgen/cuda/check.h)
+  flags+=(-isystem "$CUDA_INCLUDE")
+fi
+((${#runtime[@]} > 30 && ${#others[@]} > 20)) || { echo "FAILED: hardly any header in $root" >&2; exit 1; }
+case $how in
+  alone)
+    failed=
+    for header in "${runtime[@]}"; do accepts "$header" || failed+=" $header"; done
+    [[ ! $failed ]] || { echo "FAILED: these do not compile alone:$failed" >&2; exit 1; }
+    ;;
+  together) accepts "${runtime[@]}" "${others[@]}" ;;
+esac

@@ -1,0 +1,54 @@
+// Programs that a compiler must refuse, with words that say what to do: one per CASE_..., which CMakeLists.txt defines.
+#include <elasticity.physgen.h>
+#include <physgen/parallel_for.h>
+
+using namespace physgen;
+
+namespace {
+
+using Derivatives = elasticity::StressDerivativeArray<float>;
+using S = batch_t<float, native_lanes<float>>;
+using Indices = batch_t<std::int32_t, native_lanes<float>>;
+
+struct Halves : elasticity::StressDerivativeFormats<Host> {
+  using x1111 = format::Half<>;
+};
+
+}  // namespace
+
+void refused(const Derivatives::View& view, Pack<native_lanes<float>> i, const Indices& j,
+             const elasticity::NodeForceArray<float>::View& nodes) {
+  const S m = view[i].x1111();
+#if defined(CASE_if_on_a_mask)
+  if (m > S(4.0F)) view[i].x1111() = S(1.0F);
+#elif defined(CASE_question_mark_on_a_mask)
+  view[i].x1111() = m > S(4.0F) ? S(1.0F) : m;
+#elif defined(CASE_reading_a_named_reference)
+  const auto old = view[i].x1111();
+  view[i].x1111() = m * S(2.0F);
+  view[i].x2211() = old;
+#elif defined(CASE_assigning_a_named_reference)
+  auto x = nodes[0].f();
+  x = Eigen::Vector3f(1, 2, 3);
+#elif defined(CASE_swapping_named_references)
+  auto x = nodes[0].f(), y = nodes[1].f();
+  std::swap(x, y);
+#elif defined(CASE_calculating_with_a_field)
+  const Eigen::Vector3f sum = nodes[0].f() + nodes[1].f();
+  (void)sum;
+#elif defined(CASE_changing_what_get_returns)
+  nodes[0].f().get() += Eigen::Vector3f(1, 2, 3);
+#elif defined(CASE_adding_through_gathered_indices)
+  view[j].x1111() += m;
+#elif defined(CASE_adding_to_a_half)
+  Array<elasticity::StressDerivativeObject, float, Host, Soa, Halves> halves(3);
+  add(i, halves.view()[j].x1111(), m);
+#elif defined(CASE_adding_a_pack_to_one_object)
+  add(i, nodes[0].f(), Eigen::Vector3f(1, 2, 3));
+#elif defined(CASE_a_lambda_without_a_width)
+  parallel_for(Host{}, 5, [](auto) {});
+#else
+  (void)m, (void)j, (void)nodes;
+  view[i].x1111() = m;
+#endif
+}

@@ -1,0 +1,181 @@
+// Packs: the first and the last of a range see the objects of the range only, whatever lies in the padding and beside
+// it; sums through gathered indices lose nothing; packs of double beside integers work on every processor.
+#include <physgen/parallel_for.h>
+
+#include "test_objects.h"
+
+namespace physgen::test {
+namespace {
+
+using elasticity::EdgeArray;
+using elasticity::NodeForceArray;
+using elasticity::StressDerivativeArray;
+using elasticity::TetArray;
+
+template <class TetView, class ForceView>
+struct AddToCorners {
+  using Scalar = typename ForceView::Precision;
+  TetView tets;
+  ForceView forces;
+
+  template <class I>
+  void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    using Node = lanes_t<std::int32_t, I>;
+    const auto nodes = tets[i].nodes();
+    for (int c = 0; c < 4; ++c) {
+      const Node node = nodes[c];
+      add(i, forces[node].f(), Eigen::Matrix<S, 3, 1>(S(Scalar(1)), S(Scalar(c + 1)), S(Scalar(8))));
+      add(i, forces[node].f()[2], S(Scalar(-7)));
+    }
+  }
+};
+
+template <class Real, class Layout>
+void check_sums(index_t tets_count, index_t begin, index_t end, int nodes_count) {
+  TetArray<Real> tets(tets_count);
+  NodeForceArray<Real, Host, Layout> forces(nodes_count);
+  std::mt19937 random(seed());
+  std::vector<std::array<int, 3>> expected(static_cast<std::size_t>(nodes_count));
+  for (index_t t = 0; t < tets_count; ++t) {
+    for (int c = 0; c < 4; ++c) {
+      const auto node = static_cast<std::int32_t>(random() % static_cast<unsigned>(nodes_count));
+      tets.view()[t].nodes()[c] = node;
+      if (t < begin || t >= end) continue;
+      auto& sum = expected[static_cast<std::size_t>(node)];
+      sum[0] += 1;
+      sum[1] += c + 1;
+      sum[2] += 1;
+    }
+  }
+  parallel_for(Host{}, begin, end,
+               AddToCorners<typename TetArray<Real>::View, typename NodeForceArray<Real, Host, Layout>::View>{
+                   tets.view(), forces.view()});
+  for (index_t n = 0; n < nodes_count; ++n) {
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_EQ(forces.view()[n].f()[k], static_cast<Real>(expected[static_cast<std::size_t>(n)][std::size_t(k)]))
+          << "node " << n << ", tets " << begin << " to " << end << " of " << tets_count;
+    }
+  }
+}
+
+TEST(Add, sums_lanes_that_name_one_object_and_leaves_out_what_is_no_object) {
+  for (const index_t n : {1, 3, 15, 16, 17, 70}) {
+    check_sums<float, AosPadded>(n, 0, n, 1);
+    check_sums<double, Soa>(n, n / 3, n, 3);
+    check_sums<float, Aosoa<8>>(n, n / 2, n / 2 + 1, 5);
+  }
+}
+
+TEST(Add, sums_what_several_threads_add) { check_sums<float, AosPadded>(200'000, 5, 199'990, 7); }
+
+/// A link to "no neighbour" in every object that is none: the initial value of an index field.
+TEST(PartialPacks, never_gather_by_indices_that_lie_in_padding) {
+  EdgeArray<float> edges(5);
+  const Storage storage = edges.storage();
+  const std::int32_t beyond = std::numeric_limits<std::int32_t>::max();
+  for (index_t at = 0; at < storage.bytes(); at += 4) std::memcpy(storage.base + at, &beyond, 4);
+  for (index_t e = 0; e < 5; ++e) {
+    for (int k = 0; k < 2; ++k) edges.view()[e].nodes()[k] = static_cast<std::int32_t>(e) + k;
+  }
+  NodeForceArray<float> nodes(6);
+  StressDerivativeArray<float> out(5);
+  for (index_t n = 0; n < 6; ++n) nodes.view()[n].f() = Eigen::Vector3f::Constant(static_cast<float>(n));
+  const auto read = edges.const_view();
+  const auto from = nodes.const_view();
+  const auto to = out.view();
+  parallel_for(Host{}, 5, over<float>([=](auto i) {
+                 using Node = lanes_t<std::int32_t, decltype(i)>;
+                 const auto ends = read[i].nodes();
+                 const Node m = ends[0], n = ends[1];
+                 to[i].x1111() = from[m].f()[0] + from[n].f()[1];
+               }));
+  for (index_t e = 0; e < 5; ++e) EXPECT_EQ(out.view()[e].x1111(), static_cast<float>(2 * e + 1));
+}
+
+template <class Layout>
+class PartialPacksOver : public ::testing::Test {};
+TYPED_TEST_SUITE(PartialPacksOver, AllLayouts, LayoutName);
+
+TYPED_TEST(PartialPacksOver, change_objects_of_the_range_only_and_give_the_bits_of_whole_packs) {
+  std::mt19937 random(seed());
+  using Array = StressDerivativeArray<float, Host, TypeParam>;
+  const auto kernel = [](const auto& from, const auto& to) {
+    return over<float>([=](auto i) {
+      using S = lanes_t<float, decltype(i)>;
+      const S x = from[i].x1111();
+      to[i].x2211() = sqrt(x) / S(3.0F);
+      store_where(x > S(1.0F), to[i].x3311(), x);
+    });
+  };
+  for (index_t n = 1; n <= 70; ++n) {
+    Array from(n), whole(n), part(n);
+    poison(from), poison(part);
+    for (index_t i = 0; i < n; ++i) from.view()[i].x1111() = 0.5F + static_cast<float>(random() % 1000) / 300.0F;
+    // Whole packs over a larger array whose first objects are the same.
+    Array larger(128), larger_out(128);
+    for (index_t i = 0; i < n; ++i) larger.view()[i].x1111() = from.view()[i].x1111();
+    parallel_for(Host{}, 128, kernel(larger.const_view(), larger_out.view()));
+    const index_t begin = static_cast<index_t>(random()) % n;
+    const index_t end = begin + 1 + static_cast<index_t>(random()) % (n - begin);
+    std::vector<std::byte> before(static_cast<std::size_t>(part.bytes()));
+    std::memcpy(before.data(), part.storage().base, before.size());
+    parallel_for(Host{}, begin, end, kernel(from.const_view(), part.view()));
+    std::vector<std::byte> after(before.size());
+    std::memcpy(after.data(), part.storage().base, after.size());
+    for (index_t i = begin; i < end; ++i) {
+      const float expected = larger_out.view()[i].x2211();
+      ASSERT_EQ(part.view()[i].x2211(), expected) << "object " << i << " of " << begin << " to " << end;
+      if (from.view()[i].x1111() > 1.0F) {
+        ASSERT_EQ(part.view()[i].x3311(), from.view()[i].x1111());
+      }
+    }
+    // With the written elements put back, every other byte is as it was.
+    std::memcpy(part.storage().base, before.data(), before.size());
+    index_t changed = 0;
+    for (std::size_t b = 0; b < before.size(); ++b) changed += before[b] != after[b] ? 1 : 0;
+    ASSERT_LE(changed, (end - begin) * 2 * index_t{sizeof(float)});
+  }
+}
+
+TEST(Numbers, are_those_of_the_objects_and_refuse_what_is_no_32_bit_number) {
+  std::vector<std::int32_t> seen(50, -1);
+  parallel_for(Host{}, 3, 43, over<float>([&](auto i) {
+                 const auto number = numbers(i);
+                 const auto own = wanted<std::int32_t>(i);
+                 if constexpr (std::is_same_v<decltype(i), index_t>) {
+                   seen[static_cast<std::size_t>(number)] = own ? number : -1;
+                 } else {
+                   for (std::size_t l = 0; l < decltype(number)::size; ++l) {
+                     ASSERT_TRUE(number.get(l) >= 3 && number.get(l) < 43);
+                     if (own.get(l)) seen[static_cast<std::size_t>(number.get(l))] = number.get(l);
+                   }
+                 }
+               }));
+  for (int n = 0; n < 50; ++n) EXPECT_EQ(seen[static_cast<std::size_t>(n)], n >= 3 && n < 43 ? n : -1);
+  const index_t beyond = index_t{1} << 31;
+  constexpr int W = native_lanes<float>;
+  EXPECT_NO_THROW((void)numbers(Pack<W>{beyond - W}));
+  EXPECT_NE(message_of([&] { (void)numbers(Pack<W>{beyond}); }).find("32-bit"), std::string::npos);
+  EXPECT_NE(message_of([&] { (void)numbers(beyond); }).find("2147483648"), std::string::npos);
+  EXPECT_NO_THROW((void)numbers(PartialPack<W>{beyond - W, 0, W - 1}));
+}
+
+/// Before, a kernel of doubles over objects with indices did not compile for processors without AVX2.
+TEST(ParallelFor, takes_kernels_of_double_over_objects_with_indices) {
+  EdgeArray<double> edges(21);
+  StressDerivativeArray<double> out(21);
+  for (index_t e = 0; e < 21; ++e) edges.view()[e].nodes()[1] = static_cast<std::int32_t>(e);
+  const auto from = edges.const_view();
+  const auto to = out.view();
+  parallel_for(Host{}, 21, over<double>([=](auto i) {
+                 using Node = lanes_t<std::int32_t, decltype(i)>;
+                 const auto nodes = from[i].nodes();
+                 const Node node = nodes[1];
+                 to[i].x1111() = to[node].x1111() + 2.0;
+               }));
+  for (index_t e = 0; e < 21; ++e) ASSERT_EQ(out.view()[e].x1111(), 2.0);
+}
+
+}  // namespace
+}  // namespace physgen::test

@@ -1,0 +1,257 @@
+// References: what is written over them means the same for one object, a pack and any storage format, or it does not
+// compile. What a compiler must refuse stands here as static_asserts; messages are checked in must_not_compile.cpp.
+#include <physgen/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "test_objects.h"
+
+namespace physgen::test {
+namespace {
+
+using elasticity::NodePositionArray;
+using elasticity::StressDerivativeArray;
+
+using Position = NodePositionArray<float>::View;
+using OnePosition = Position::Ref<index_t>;
+using PackPosition = Position::Ref<Pack<native_lanes<float>>>;
+using GatheredPosition = Position::Ref<batch_t<std::int32_t, native_lanes<float>>>;
+using Derivative = StressDerivativeArray<float>::View;
+using PackDerivative = Derivative::Ref<Pack<native_lanes<float>>>;
+using GatheredDerivative = Derivative::Ref<batch_t<std::int32_t, native_lanes<float>>>;
+using Rotations = elasticity::DeformationSvdArray<float>::View::Ref<index_t>;
+using S = batch_t<float, native_lanes<float>>;
+
+template <class Object>
+using FieldX = decltype(std::declval<const Object&>().x());
+template <class Object>
+using Element = decltype(std::declval<const Object&>().x1111());
+template <class Object>
+using FieldU = decltype(std::declval<const Object&>().U());
+
+template <class T>
+concept IsACondition = requires(T mask) { mask ? 1 : 2; };
+template <class Ref>
+concept ReadByName = std::is_convertible_v<const Ref&, typename Ref::Value> || requires(const Ref ref) { ref.get(); };
+template <class Ref>
+concept ReadAsTemporary = requires(Ref (*make)()) {
+  requires std::is_convertible_v<Ref, typename Ref::Value>;
+  make().get();
+};
+template <class Ref>
+concept AssignedByName = requires(Ref ref, typename Ref::Value value) { ref = value; } ||
+                         requires(Ref ref, Ref other) { ref = other; } ||
+                         requires(Ref ref, typename Ref::Value value) { ref += value; };
+template <class Ref>
+concept CompoundAssigned = requires(const Ref ref, typename Ref::Value value) { ref += value; };
+
+static_assert(!IsACondition<decltype(S() > S())>);
+static_assert(!IsACondition<typename batch_t<double, native_lanes<double>>::batch_bool_type>);
+static_assert(!IsACondition<typename batch_t<std::int32_t, native_lanes<float>>::batch_bool_type>);
+static_assert(!std::is_constructible_v<bool, S::batch_bool_type>);
+
+static_assert(!ReadByName<FieldX<OnePosition>> && ReadAsTemporary<FieldX<OnePosition>>);
+static_assert(!ReadByName<FieldX<PackPosition>> && ReadAsTemporary<FieldX<PackPosition>>);
+static_assert(!ReadByName<Element<PackDerivative>> && ReadAsTemporary<Element<PackDerivative>>);
+static_assert(!AssignedByName<FieldX<OnePosition>> && !AssignedByName<FieldX<PackPosition>>);
+static_assert(!AssignedByName<Element<PackDerivative>>);
+static_assert(!std::is_move_assignable_v<FieldX<OnePosition>> && !std::is_move_assignable_v<OnePosition> &&
+                  !std::is_move_assignable_v<Element<PackDerivative>>,
+              "std::swap, std::sort and std::rotate need it");
+
+// What get() returns is const where it is a class.
+template <class Ref>
+concept WritesToATemporary = requires(Ref (*make)(), typename Ref::Value value) { make().get() += value; };
+static_assert(!WritesToATemporary<FieldX<OnePosition>> && !WritesToATemporary<FieldX<PackPosition>> &&
+              !WritesToATemporary<Element<PackDerivative>>);
+static_assert(std::is_const_v<decltype(std::declval<OnePosition>().get())>);
+
+// Sums through gathered indices need add().
+static_assert(CompoundAssigned<FieldX<OnePosition>> && CompoundAssigned<FieldX<PackPosition>> &&
+              CompoundAssigned<Element<PackDerivative>>);
+static_assert(!CompoundAssigned<FieldX<GatheredPosition>> && !CompoundAssigned<Element<GatheredDerivative>>);
+
+// A rotation is assigned and set to the identity, no more.
+template <class Ref>
+concept SetToZero = requires(const Ref ref) { ref.setZero(); };
+template <class Ref>
+concept SetToIdentity = requires(const Ref ref) { ref.setIdentity(); };
+static_assert(SetToZero<FieldX<OnePosition>> && !SetToIdentity<FieldX<OnePosition>>);
+static_assert(!SetToZero<FieldU<Rotations>> && SetToIdentity<FieldU<Rotations>> &&
+              !CompoundAssigned<FieldU<Rotations>>);
+template <class Ref>
+concept Scaled = requires(const Ref ref) { ref *= 2.0F; };
+static_assert(Scaled<FieldX<OnePosition>> && !Scaled<FieldU<Rotations>>);
+
+// A field of several elements is no value; an element is.
+template <class Ref>
+concept Calculates = requires(Ref (*make)(), typename Ref::Value value) { make() + value; } ||
+                     requires(Ref (*make)()) { make() * 2.0F; } || requires(Ref (*make)()) { -make(); };
+static_assert(!Calculates<FieldX<OnePosition>> && !Calculates<FieldX<PackPosition>>);
+static_assert(Calculates<Element<PackDerivative>>);
+
+// Views know their space.
+template <class Space>
+using ViewIn = NodePositionArray<float, Space, Soa>::View;
+static_assert(std::is_convertible_v<ViewIn<PinnedHost>, ViewIn<Cuda>> &&
+              std::is_convertible_v<ViewIn<PinnedHost>, ViewIn<Host>>);
+static_assert(!std::is_convertible_v<ViewIn<Host>, ViewIn<Cuda>> && !std::is_convertible_v<ViewIn<Cuda>, ViewIn<Host>> &&
+              !std::is_convertible_v<ViewIn<Host>, ViewIn<PinnedHost>>);
+
+/// A field stored in four times its own size.
+struct Halves : elasticity::StressDerivativeFormats<Host> {
+  using x1111 = format::Half<>;
+  using x2211 = format::Half<2>;
+  using x3311 = format::Float64;
+  using x2222 = format::Bfloat16;
+  using x2121 = format::Half<>;
+  using x2112 = format::Half<>;
+};
+
+/// Every operator of an element, on values that all formats here hold exactly.
+template <class View>
+struct ElementExpressions {
+  using Scalar = typename View::Precision;
+  View view;
+
+  template <class I>
+  void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    using std::swap;
+    const S m = view[i].x1111();
+    view[i].x2211() = view[i].x1111() * S(Scalar(2)) + Scalar(1);
+    view[i].x3311() = view[i].x1111() + view[i].x2211() - m / S(Scalar(4));
+    view[i].x2222() = -view[i].x1111();
+    view[i].x2222() += S(Scalar(3));
+    view[i].x2222() -= m;
+    view[i].x2222() *= S(Scalar(2));
+    view[i].x2222() /= S(Scalar(4));
+    swap(view[i].x2121(), view[i].x2112());
+    const auto large = view[i].x1111() > S(Scalar(2));
+    store_where(large && !(view[i].x1111() >= S(Scalar(4))), view[i].x3232(), S(Scalar(7)));
+    view[i].x3131() = view[i].x3311();
+  }
+};
+
+template <class Formats>
+void check_element_expressions(int lanes) {
+  for (const index_t n : {1, 5, 16, 33}) {
+    Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Formats> array(n);
+    const auto view = array.view();
+    for (index_t i = 0; i < n; ++i) {
+      view[i].x1111() = static_cast<float>(i % 8);
+      view[i].x2121() = 1.0F;
+      view[i].x2112() = 2.0F;
+    }
+    const ElementExpressions<decltype(array.view())> kernel{view};
+    if (lanes == 1) {
+      parallel_for<1>(Host{}, n, kernel);
+    } else {
+      parallel_for(Host{}, n, kernel);
+    }
+    for (index_t i = 0; i < n; ++i) {
+      const auto m = static_cast<float>(i % 8);
+      const auto found = array.view().get(i);
+      ASSERT_EQ(found.x2211, 2 * m + 1) << "object " << i << " of " << n;
+      ASSERT_EQ(found.x3311, m + (2 * m + 1) - m / 4);
+      ASSERT_EQ(found.x2222, (3 - 2 * m) / 2);
+      ASSERT_EQ(found.x2121, 2.0F);
+      ASSERT_EQ(found.x2112, 1.0F);
+      ASSERT_EQ(found.x3232, m > 2 && m < 4 ? 7.0F : 0.0F);
+      ASSERT_EQ(found.x3131, found.x3311);
+    }
+  }
+}
+
+TEST(ElementReferences, calculate_alike_in_all_formats_for_one_object_and_packs) {
+  for (const int lanes : {1, 0}) {
+    check_element_expressions<elasticity::StressDerivativeFormats<Host>>(lanes);
+    check_element_expressions<Halves>(lanes);
+  }
+}
+
+struct HalfPositions : elasticity::NodePositionFormats<Host> {
+  using x = format::Half<>;
+};
+
+template <class View>
+struct FieldExpressions {
+  using Scalar = typename View::Precision;
+  View to, from;
+
+  template <class I>
+  void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    using Vector = Eigen::Matrix<S, 3, 1>;
+    const Vector x = from[i].x();
+    to[i].x() = from[i].x();
+    to[i].x() += x;
+    to[i].x() *= S(Scalar(4));
+    to[i].x() -= Vector(x * Scalar(2));
+    to[i].x() /= S(Scalar(2));
+    to[i].x()[1] += from[i].x()[0];
+    swap(to[i].x(), from[i].x());
+  }
+};
+
+template <class Formats, int kLanes>
+void check_field_expressions() {
+  using Positions = Array<elasticity::NodePositionObject, float, Host, Aos, Formats>;
+  Positions to(21), from(21);
+  for (index_t i = 0; i < 21; ++i) {
+    const auto k = static_cast<float>(i % 4);
+    from.view()[i].x() = Eigen::Vector3f(k, k + 1, -k);
+  }
+  parallel_for<kLanes>(Host{}, 21, FieldExpressions<typename Positions::View>{to.view(), from.view()});
+  for (index_t i = 0; i < 21; ++i) {
+    const auto k = static_cast<float>(i % 4);
+    const Eigen::Vector3f start(k, k + 1, -k), kept = to.view()[i].x(), made = from.view()[i].x();
+    ASSERT_EQ(kept, start) << i;
+    ASSERT_EQ(made, Eigen::Vector3f(3 * k, 3 * (k + 1) + k, -3 * k)) << i;
+  }
+}
+
+TEST(FieldReferences, calculate_alike_in_all_formats_for_one_object_and_packs) {
+  check_field_expressions<elasticity::NodePositionFormats<Host>, 0>();
+  check_field_expressions<elasticity::NodePositionFormats<Host>, 1>();
+  check_field_expressions<HalfPositions, 0>();
+  check_field_expressions<HalfPositions, 1>();
+}
+
+TEST(FieldReferences, are_set_to_zero_and_to_the_identity) {
+  NodePositionArray<double> positions(2);
+  elasticity::DeformationSvdArray<double> svd(2);
+  positions.view()[1].x() = Eigen::Vector3d(1, 2, 3);
+  svd.view()[1].U() = Eigen::Matrix3d(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX()));
+  positions.view()[1].x().setZero();
+  svd.view()[1].U().setIdentity();
+  EXPECT_EQ(positions.view()[1].x().get(), Eigen::Vector3d::Zero());
+  EXPECT_EQ(svd.view()[1].U().get(), Eigen::Matrix3d::Identity());
+}
+
+TEST(ObjectReferences, assignment_copies_and_swap_exchanges_objects) {
+  elasticity::DeformationSvdArray<float> array(5);
+  elasticity::DeformationSvdArray<float, Host, Soa> other(5);
+  const auto view = array.view();
+  for (index_t i = 0; i < 5; ++i) {
+    view[i].s() = Eigen::Vector3f::Constant(static_cast<float>(i));
+    other.view()[i].s() = Eigen::Vector3f::Constant(static_cast<float>(10 + i));
+  }
+  view[3] = view[4];
+  EXPECT_EQ(view[3].s()[1], 4.0F);
+  const auto first = view[0];
+  first = view[2];
+  EXPECT_EQ(view[0].s()[2], 2.0F);
+  view[1] = other.const_view()[1];
+  EXPECT_EQ(view[1].s()[0], 11.0F);
+  swap(view[1], view[4]);
+  EXPECT_EQ(view[4].s()[0], 11.0F);
+  EXPECT_EQ(view[1].s()[0], 4.0F);
+  swap(view[1].s(), view[2].s());
+  EXPECT_EQ(view[2].s()[0], 4.0F);
+  EXPECT_EQ(view[1].s()[0], 2.0F);
+}
+
+}  // namespace
+}  // namespace physgen::test
