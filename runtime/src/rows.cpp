@@ -31,7 +31,7 @@ class EntryIndices {
   [[nodiscard]] std::int32_t get(index_t entry, int k) const {
     std::int32_t index = 0;
     const std::byte* at = entries_.base + entry * entries_.record_bytes + field_.offset;
-    std::memcpy(&index, at + k * static_cast<int>(sizeof index), sizeof index);
+    std::memcpy(&index, at + k * index_t{sizeof index}, sizeof index);
     return index;
   }
 
