@@ -115,6 +115,26 @@ TEST(RowArrays, of_one_set_follow_its_order_on_both_sides) {
   }
 }
 
+TEST(Rows, count_what_names_a_target_by_adding_in_active_lanes) {
+  std::mt19937 random(seed());
+  const auto model = random_rows<Entry>(1003, 8, 50, random);
+  const Rows rows = Rows::from_lists({"element", 50}, model);
+  elasticity::RestShapeArray<float> targets(50);
+  parallel_for(Host{}, 3, 1002, over<float>([rows = rows.view(), targets = targets.view()](auto i) {
+                 using S = lanes_t<float, decltype(i)>;
+                 using math::select;
+                 rows.for_each(i, [&](const auto& entry, const auto& active) {
+                   const lanes_t<std::int32_t, decltype(i)> target = entry.element();
+                   add(i, targets[target].volume(), select(active, S(1), S(0)));
+                 });
+               }));
+  std::vector<float> expected(50, 0);
+  for (std::size_t i = 3; i < 1002; ++i) {
+    for (const Entry& entry : model[i]) ++expected[static_cast<std::size_t>(entry.element)];
+  }
+  for (index_t t = 0; t < 50; ++t) EXPECT_EQ(targets.view()[t].volume(), expected[static_cast<std::size_t>(t)]);
+}
+
 TEST(Rows, show_entries_that_are_not_written) {
   Rows rows = Rows::from_lists({"element", 5}, std::vector<std::vector<Entry>>{{{0, 0}, {4, 7}}});
   std::int32_t last = 0;
