@@ -338,16 +338,16 @@ TEST(GoldenFormatsOfArrays, have_elements_that_are_assigned_one_by_one) {
   const auto object = array.view()[8];
   object.load() = 640;
   object.load() += 64;
-  EXPECT_EQ(object.load(), 704);
+  EXPECT_EQ(double(object.load()), 704);
   object.halves(3) = 0.5;
   object.halves(3) *= object.halves(3);
-  EXPECT_EQ(object.halves(3), 0.25);
-  EXPECT_EQ(object.halves(2), 0);
+  EXPECT_EQ(double(object.halves(3)), 0.25);
+  EXPECT_EQ(double(object.halves(2)), 0);
   object.stress()(0, 2) = 1024;  // of the lower triangle
-  EXPECT_EQ(object.stress()(2, 0), 1024);
+  EXPECT_EQ(double(object.stress()(2, 0)), 1024);
   object.frames(1).weight() = 1;
-  EXPECT_EQ(object.frames(1).weight(), 1);
-  EXPECT_NEAR(object.frames(0).weight(), 0.25, 1.0 / 131068);
+  EXPECT_EQ(double(object.frames(1).weight()), 1);
+  EXPECT_NEAR(double(object.frames(0).weight()), 0.25, 1.0 / 131068);
   double* const plain = &object.F()(1, 2);  // as it is computed: a real reference
   *plain = 1.0 / 3;
   EXPECT_EQ(object.F().get()(1, 2), 1.0 / 3);

@@ -65,10 +65,10 @@ class Walk {
   template <class Accessor, class T>
   void one(Accessor&& accessor, T& member) {
     const T number = numbers<T>(1);
-    if constexpr (action == Action::write_accessors) accessor = number;
+    if constexpr (action == Action::write_accessors) std::forward<Accessor>(accessor) = number;
     if constexpr (action == Action::fill_value) member = number;
     if constexpr (action == Action::check) {
-      expect_equal(static_cast<T>(accessor), number);
+      expect_equal(static_cast<T>(std::forward<Accessor>(accessor)), number);
       expect_equal(member, number);
     }
     next_ += 1;
@@ -87,7 +87,7 @@ class Walk {
     if constexpr (action == Action::write_accessors) accessor = expected;
     if constexpr (action == Action::fill_value) member = expected;
     if constexpr (action == Action::check) {
-      const Matrix read = accessor;
+      const Matrix read = Accessor(accessor);
       for (int c = 0; c < expected.cols(); ++c) {
         for (int r = 0; r < expected.rows(); ++r) {
           expect_equal(read(r, c), expected(r, c));

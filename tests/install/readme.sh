@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
-# readme.sh README FOLDER GENERATOR: writes the example of README (each block of code after a line that begins with a
-# file's name in backticks) below FOLDER, and builds and runs it with the CMake generator GENERATOR against the package
-# in FOLDER/package.
+# readme.sh PAGE FOLDER GENERATOR PROGRAM FILE...: writes the example of a page of documentation (each block of code after
+# a paragraph whose last line names a file in backticks; blocks of one file follow each other in it) below FOLDER, builds
+# it with the CMake generator GENERATOR against the package in FOLDER/package, and runs PROGRAM. FILE...: what must be
+# among the files.
 set -euo pipefail
-readme=$1 folder=$2 generator=$3
-work="$folder/readme example"
+readme=$1 folder=$2 generator=$3 program=$4 files=("${@:5}")
+work="$folder/example of $(basename "$readme")"
 rm -rf "$work"
 mkdir -p "$work"
 awk -v folder="$work" '
-  /^`[A-Za-z_.]+`/ { split($0, parts, "`"); name = parts[2]; next }
+  !open && match($0, /`[A-Za-z_]+\.[a-z]+`/) { name = substr($0, RSTART + 1, RLENGTH - 2); next }
   /^```/ { open = !open && name != ""; if (!open) name = ""; next }
   open { print >(folder "/" name) }
   !NF { if (!open) name = "" }' "$readme"
-for file in stress.h CMakeLists.txt pressure.cpp; do
+for file in "${files[@]}"; do
   [[ -s $work/$file ]] || { echo "FAILED: there is no $file in $readme" >&2; exit 1; }
 done
 # The two lines that every project begins with are left out of the README.
@@ -21,5 +22,5 @@ grep -q '^project(' "$work/CMakeLists.txt" ||
 cmake -S "$work" -B "$work/build" -G "$generator" -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON \
   -Dphysgen_DIR="$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")"
 cmake --build "$work/build"
-"$work/build/pressure"
+"$work/build/$program"
 rm -rf "$work"

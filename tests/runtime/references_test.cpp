@@ -40,9 +40,9 @@ concept ReadAsTemporary = requires(Ref (*make)()) {
   make().get();
 };
 template <class Ref>
-concept AssignedByName = requires(Ref ref, typename Ref::Value value) { ref = value; } ||
-                         requires(Ref ref, Ref other) { ref = other; } ||
-                         requires(Ref ref, typename Ref::Value value) { ref += value; };
+concept AssignedByName = requires(Ref ref, typename Ref::Value value) { ref = value; } || requires(Ref ref, Ref other) {
+  ref = other;
+} || requires(Ref ref, typename Ref::Value value) { ref += value; };
 template <class Ref>
 concept CompoundAssigned = requires(const Ref ref, typename Ref::Value value) { ref += value; };
 
@@ -96,7 +96,8 @@ template <class Space>
 using ViewIn = NodePositionArray<float, Space, Soa>::View;
 static_assert(std::is_convertible_v<ViewIn<PinnedHost>, ViewIn<Cuda>> &&
               std::is_convertible_v<ViewIn<PinnedHost>, ViewIn<Host>>);
-static_assert(!std::is_convertible_v<ViewIn<Host>, ViewIn<Cuda>> && !std::is_convertible_v<ViewIn<Cuda>, ViewIn<Host>> &&
+static_assert(!std::is_convertible_v<ViewIn<Host>, ViewIn<Cuda>> &&
+              !std::is_convertible_v<ViewIn<Cuda>, ViewIn<Host>> &&
               !std::is_convertible_v<ViewIn<Host>, ViewIn<PinnedHost>>);
 
 /// A field stored in four times its own size.

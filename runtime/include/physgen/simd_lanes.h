@@ -20,9 +20,10 @@ template <class T, int W>
 }
 template <class T, int W>
 [[nodiscard]] auto wanted(const PartialPack<W>& i) {
-  const auto lane = detail::counting<T, W>();
-  using Lanes = batch_t<T, W>;
-  return lane >= Lanes(static_cast<T>(i.first)) && lane < Lanes(static_cast<T>(i.last));
+  // By memory: without optimization, xsimd 8.1 has no comparison of integers for AVX-512.
+  alignas(64) std::array<bool, W> lanes;
+  for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = l >= i.first && l < i.last;
+  return batch_t<T, W>::batch_bool_type::load_unaligned(lanes.data());
 }
 
 template <int W>

@@ -3,6 +3,7 @@
 #include <cuda_runtime_api.h>
 #include <physgen/cuda/check.h>
 #include <physgen/gather.h>
+#include <physgen/parallel_for.h>
 
 #include <algorithm>
 #include <memory>
@@ -157,7 +158,7 @@ class ScatteredCase final : public Case {
     const Stopwatch watch;
     const auto view = packed_.view();
     parallel_for<1>(Host{}, view.size(),
-                 [&](index_t i) { view.put(i, value_of(*pointers_[static_cast<std::size_t>(i)])); });
+                    [&](index_t i) { view.put(i, value_of(*pointers_[static_cast<std::size_t>(i)])); });
     return watch.seconds();
   }
   Accuracy check() override {
