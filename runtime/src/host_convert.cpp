@@ -2,6 +2,8 @@
 // the inner loop runs along the objects with both types known.
 #include "host_convert.h"
 
+#include <physgen/host_loop.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -93,8 +95,8 @@ void convert_on_host(const Storage& to, index_t to_first, const Storage& from, i
   const bool whole_records = to_array.records() && from_array.records() && same_records(to, from);
   constexpr index_t block = 1024;
   const index_t blocks = (end - begin + block - 1) / block;
-#pragma omp parallel for schedule(static) if (blocks > 8)
-  for (index_t b = 0; b < blocks; ++b) {
+  RegionFailure failure;  // of formats of a program's own
+  const auto convert_block = [&](index_t b) {
     const index_t last = std::min(begin + (b + 1) * block, end);
     for (index_t i = begin + b * block; i < last;) {
       const index_t count = std::min({last - i, evenly_spaced(to_array, i), evenly_spaced(from_array, i)});
@@ -113,19 +115,26 @@ void convert_on_host(const Storage& to, index_t to_first, const Storage& from, i
       }
       i += count;
     }
-  }
+  };
+#pragma omp parallel for schedule(static) if (blocks > 8)
+  for (index_t b = 0; b < blocks; ++b) failure.guard([&] { convert_block(b); });
+  failure.rethrow();
 }
 
 Losses count_on_host(const Storage& to, const Storage& from, index_t begin, index_t end) {
   const Addressing array(from);
   const Conversion conversion(to, from);
   Losses losses;
+  RegionFailure failure;
 #pragma omp parallel for schedule(static) if (end - begin > 8192)
   for (index_t i = begin; i < end; ++i) {
-    for (const ElementMove& move : conversion.elements) count_element(losses, move, array, i);
-    for (const RotationMove& move : conversion.rotations) count_rotation(losses, move, array, i);
-    for (const RotationMove& move : conversion.kept_quaternions) count_rotation(losses, move, array, i);
+    failure.guard([&] {
+      for (const ElementMove& move : conversion.elements) count_element(losses, move, array, i);
+      for (const RotationMove& move : conversion.rotations) count_rotation(losses, move, array, i);
+      for (const RotationMove& move : conversion.kept_quaternions) count_rotation(losses, move, array, i);
+    });
   }
+  failure.rethrow();
   return losses;
 }
 

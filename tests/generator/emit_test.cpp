@@ -227,7 +227,7 @@ TEST(Emitter, lets_no_comment_swallow_the_next_line) {
   expect_contains(text, "  /// first\n  /// second\n  Real x;\n");
 }
 
-TEST(Emitter, takes_time_in_proportion_to_the_objects) {
+TEST(Emitter, prints_the_times_of_few_and_of_many_objects) {
   std::vector<model::Object> objects;
   for (int o = 0; o < 1000; ++o) {
     std::vector<model::Field> fields;

@@ -16,10 +16,8 @@ awk -v folder="$work" '
 for file in "${files[@]}"; do
   [[ -s $work/$file ]] || { echo "FAILED: there is no $file in $readme" >&2; exit 1; }
 done
-# The two lines that every project begins with are left out of the README.
-grep -q '^project(' "$work/CMakeLists.txt" ||
-  sed -i '1i cmake_minimum_required(VERSION 3.20)\nproject(example LANGUAGES CXX)' "$work/CMakeLists.txt"
-cmake -S "$work" -B "$work/build" -G "$generator" -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON \
+cmake -S "$work" -B "$work/build" -G "$generator" -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_CXX_FLAGS=-march=native \
   -Dphysgen_DIR="$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")"
 cmake --build "$work/build"
 "$work/build/$program"

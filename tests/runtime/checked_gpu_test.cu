@@ -1,6 +1,9 @@
 // What a checked build counts and refuses on the device. This program is compiled with PHYSGEN_CHECKED.
 #include <physgen/cuda/parallel_for.h>
 
+#include <cstdio>
+#include <cstdlib>
+
 #include "checked_formats.h"
 #include "gpu_fixture.h"
 
@@ -92,6 +95,34 @@ TEST_F(CheckedOnDevice, copies_refuse_what_formats_cannot_hold_and_change_nothin
   }
   EXPECT_EQ(array.getdata(3, 0), 5);
   EXPECT_EQ(array.getdata(250000, 0), 0);
+}
+
+struct ReadAnEntry {
+  elasticity::TetStiffnessArray<float, Cuda>::ConstView blocks;
+  elasticity::NodeForceArray<float, Cuda>::View out;
+  int entry, element;
+  PHYSGEN_FUNCTION void operator()(index_t i) const { out[i].f()[0] = blocks[i].k(entry)[element]; }
+};
+
+// In a process of its own, which the trap leaves without a device.
+[[noreturn]] void read_an_entry(int entry, int element) {
+  try {
+    elasticity::TetStiffnessArray<float, Cuda> blocks(3);
+    elasticity::NodeForceArray<float, Cuda> out(3);
+    parallel_for(Cuda{}, 3, ReadAnEntry{blocks.const_view(), out.view(), entry, element});
+    synchronize();
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    std::_Exit(3);
+  }
+  std::_Exit(0);
+}
+
+TEST_F(CheckedOnDevice, entries_and_elements_that_do_not_exist_stop_the_kernel) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(read_an_entry(3, 5), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(read_an_entry(4, 0), testing::ExitedWithCode(3), "cudaError");
+  EXPECT_EXIT(read_an_entry(0, 6), testing::ExitedWithCode(3), "cudaError");
 }
 
 }  // namespace

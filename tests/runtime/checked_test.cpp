@@ -79,6 +79,12 @@ TEST(CheckedView, reports_a_gathered_store_of_two_lanes_to_one_object) {
     view[numbers(i)].x() = Eigen::Matrix<S, 3, 1>(S(1), S(2), S(3));
   });
   EXPECT_NO_THROW(parallel_for(Host{}, 3, 38, store_to_own));
+  const auto store_after_another = over<float>([=](auto i) {
+    parallel_for(Host{}, 1, over<float>([](auto) {}));
+    using S = lanes_t<float, decltype(i)>;
+    view[numbers(i)].x() = Eigen::Matrix<S, 3, 1>(S(1), S(2), S(3));
+  });
+  EXPECT_NO_THROW(parallel_for(Host{}, 3, 38, store_after_another));
 }
 
 TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) {
@@ -193,6 +199,9 @@ TEST(CheckedFormats, count_matrices_that_are_no_rotations) {
   using S = batch_t<float, native_lanes<float>>;
   array.view()[PartialPack<native_lanes<float>>{0, 0, 3}].U() = Eigen::Matrix<S, 3, 3>::Constant(S(2));
   EXPECT_EQ(array.take_losses().not_a_rotation, 3U) << "lanes outside the range are no objects";
+  const PartialPack<native_lanes<float>> pack{0, 0, 3};
+  store_where(numbers(pack) == 1, array.view()[pack].U(), Eigen::Matrix<S, 3, 3>::Constant(S(2)));
+  EXPECT_EQ(array.take_losses().not_a_rotation, 1U);
 }
 
 TEST(CheckedFormats, keep_their_counts_when_an_array_changes_its_size) {

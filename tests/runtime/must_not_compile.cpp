@@ -1,6 +1,7 @@
 // Programs that a compiler must refuse, with words that say what to do: one per CASE_..., which CMakeLists.txt defines.
 #include <elasticity.physgen.h>
 #include <physgen/parallel_for.h>
+#include <physgen/parallel_reduce.h>
 
 using namespace physgen;
 
@@ -45,6 +46,8 @@ void refused(const Derivatives::View& view, Pack<native_lanes<float>> i, const I
   add(i, halves.view()[j].x1111(), m);
 #elif defined(CASE_adding_a_pack_to_one_object)
   add(i, nodes[0].f(), Eigen::Vector3f(1, 2, 3));
+#elif defined(CASE_a_sum_of_one_number_for_a_pack)
+  (void)sum(Host{}, 5, over<float>([](auto) { return 1.0F; }));
 #elif defined(CASE_a_lambda_without_a_width)
   parallel_for(Host{}, 5, [](auto) {});
 #else

@@ -1,5 +1,6 @@
 // References: what is written over them means the same for one object, a pack and any storage format, or it does not
 // compile. What a compiler must refuse stands here as static_asserts; messages are checked in must_not_compile.cpp.
+#include <physgen/kernel.h>
 #include <physgen/parallel_for.h>
 
 #include <Eigen/Geometry>
@@ -66,6 +67,28 @@ concept WritesToATemporary = requires(Ref (*make)(), typename Ref::Value value) 
 static_assert(!WritesToATemporary<FieldX<OnePosition>> && !WritesToATemporary<FieldX<PackPosition>> &&
               !WritesToATemporary<Element<PackDerivative>>);
 static_assert(std::is_const_v<decltype(std::declval<OnePosition>().get())>);
+
+// The three steps of a swap by hand would read the saved object after it was overwritten.
+template <class Ref>
+concept AssignedFromAName = requires(const Ref to, const Ref from) { to = from; };
+static_assert(!AssignedFromAName<OnePosition> && !AssignedFromAName<PackPosition> &&
+              !AssignedFromAName<FieldX<OnePosition>> && !AssignedFromAName<Element<PackDerivative>>);
+template <class Ref>
+concept AssignedBraces = requires(const Ref to) { to = {}; };
+static_assert(!AssignedBraces<FieldX<OnePosition>>, "Eigen's values are not initialised by {}");
+static_assert(std::is_const_v<decltype(std::declval<Position>().get(index_t{0}))>);
+
+// Integers of a pack beside numbers that they cannot hold: one object calculates in the number's type.
+using Integers = batch_t<std::int32_t, native_lanes<float>>;
+template <class Number>
+concept BesideIntegers = requires(Integers n, Number x) { n * x; } || requires(Integers n, Number x) { x + n; } ||
+                         requires(Integers n, Number x) { n < x; } || requires(Integers n, Number x) { x == n; } ||
+                         requires(Integers n, Number x) { math::max(n, x); };
+static_assert(BesideIntegers<int> && !BesideIntegers<float> && !BesideIntegers<double> && !BesideIntegers<index_t>);
+using PackEnds = elasticity::EdgeArray<float>::View::Ref<Pack<native_lanes<float>>>;
+template <class Number>
+concept AddedToIntegers = requires(PackEnds ends, Number x) { ends.nodes()[0] += x; };
+static_assert(AddedToIntegers<int> && !AddedToIntegers<double>);
 
 // Sums through gathered indices need add().
 static_assert(CompoundAssigned<FieldX<OnePosition>> && CompoundAssigned<FieldX<PackPosition>> &&
@@ -165,15 +188,45 @@ void check_element_expressions(int lanes) {
   }
 }
 
+/// A format of a program's own, exact for the numbers here.
+struct Shifted {
+  static constexpr const char* name = "shifted";
+  template <class Real>
+  using Stored = double;
+  template <class Real>
+  static constexpr ElementType type = ElementType::float64;
+  static constexpr double scale = 1, centre = 0;
+  template <class Real>
+  PHYSGEN_FUNCTION static Real decode(double stored) {
+    return static_cast<Real>(stored - 64);
+  }
+  template <class Real>
+  PHYSGEN_FUNCTION static double encode(Real value) {
+    return static_cast<double>(value) + 64;
+  }
+};
+struct Own : Halves {
+  using x1111 = Shifted;
+  using x2222 = Shifted;
+  using x3232 = Shifted;
+  using x2112 = Shifted;
+  using x2121 = Shifted;
+};
+
 TEST(ElementReferences, calculate_alike_in_all_formats_for_one_object_and_packs) {
   for (const int lanes : {1, 0}) {
     check_element_expressions<elasticity::StressDerivativeFormats<Host>>(lanes);
     check_element_expressions<Halves>(lanes);
+    check_element_expressions<Own>(lanes);
   }
 }
 
 struct HalfPositions : elasticity::NodePositionFormats<Host> {
   using x = format::Half<>;
+};
+
+struct OwnPositions : elasticity::NodePositionFormats<Host> {
+  using x = Shifted;
 };
 
 template <class View>
@@ -218,6 +271,8 @@ TEST(FieldReferences, calculate_alike_in_all_formats_for_one_object_and_packs) {
   check_field_expressions<elasticity::NodePositionFormats<Host>, 1>();
   check_field_expressions<HalfPositions, 0>();
   check_field_expressions<HalfPositions, 1>();
+  check_field_expressions<OwnPositions, 0>();
+  check_field_expressions<OwnPositions, 1>();
 }
 
 TEST(FieldReferences, are_set_to_zero_and_to_the_identity) {

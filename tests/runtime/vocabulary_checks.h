@@ -90,16 +90,19 @@ struct AskLanes {
     const N count = indices[i].nodes()[0], other = indices[i].nodes()[1];
     const N own = numbers(i);
     S total = S(0);
+    bool missed = false;
     for (int k = 0; k < largest(i, count); ++k) {
       const auto active = k < count;
-      if (!any(i, active)) out[i].f()[0] = S(-1);  // never: there is one that has as many
+      missed = missed || !any(i, active);  // never: there is one that has as many
       total = select(active, total + to_real<S>(own + k), total);
     }
-    const bool few = smallest(i, count) < 3;
+    const bool right = !missed && any(i, count == smallest(i, count)) && all(i, count >= smallest(i, count)) &&
+                       any(i, count == largest(i, count)) && all(i, count <= largest(i, count)) &&
+                       !any(i, x > S(100));  // no x is so large
     const S chosen = select((x > y && !(count == 3)) || own < 20, x, y);
     const S gathered = in[other].f()[2];
     const S integer = to_real<S>(select(x < 0 || !all(i, wanted<Scalar>(i)), own, count));
-    out[i].f()[0] = total + select(few && any(i, x > S(100)), S(0.5), S(0));  // no x is so large
+    out[i].f()[0] = right ? total : S(-1);
     out[i].f()[1] = chosen;
     store_where(count > 4 && x < y, out[i].f()[2], gathered + integer);
     add(i, sums[other].f()[1], S(1));

@@ -7,6 +7,10 @@
 #error "physgen needs C++20 (g++: -std=c++20, nvcc: -std=c++20); in CMake, link physgen::runtime, which gives it"
 #endif
 
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "physgen needs NaN and infinity: leave -ffast-math and -Ofast, or add -fno-finite-math-only"
+#endif
+
 #include <cstddef>
 #include <cstdint>
 

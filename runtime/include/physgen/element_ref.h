@@ -44,6 +44,8 @@ using ReadValue = std::conditional_t<std::is_class_v<Value>, const Value, Value>
 
 /// Returned by deleted functions: their names are what compilers print.
 struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself;
+struct integers_calculate_with_integers_so_convert_first {};
+struct an_empty_value_so_use_setZero {};
 struct a_named_reference_is_not_assigned_so_write_to_the_view_itself;
 struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
 
@@ -56,6 +58,7 @@ template <class Format, class T, class Cursor>
 class ElementRef {
  public:
   using Value = typename Cursor::template Lanes<T>;
+  using Lanes = Value;  ///< one element's
 
   /// @param offset of the first element of its run in the record [bytes]
   /// @param k which element of the run
@@ -97,6 +100,20 @@ class ElementRef {
     a.write(b.read());
     b.write(old);
   }
+
+  // A pack of integers would cut a floating number down before it calculates.
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator+=(Number) const& = delete;
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator-=(Number) const& = delete;
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator*=(Number) const& = delete;
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator/=(Number) const& = delete;
 
   using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
   ElementRef& operator=(const ElementRef&) & = delete;

@@ -8,6 +8,8 @@
 #include <physgen/format.h>
 #include <physgen/shape.h>
 
+#include <initializer_list>
+
 namespace physgen {
 
 /// A field of one object, or of those of a pack: converts to its Eigen value and takes one by assignment. It refers to
@@ -20,6 +22,7 @@ class FieldRef {
  public:
   using Scalar = typename Cursor::template Lanes<T>;
   using Value = typename Shape::template Value<Scalar>;
+  using Lanes = Scalar;  ///< one element's
 
   /// @param at the object's cursor, moved to the field's first byte by nested()
   PHYSGEN_FUNCTION explicit FieldRef(const Cursor& at) : at_(at) {}
@@ -74,6 +77,22 @@ class FieldRef {
     b.write(old);
   }
 
+  // A pack of integers would cut a floating number down before it calculates.
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator+=(Number) const& = delete;
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator-=(Number) const& = delete;
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator*=(Number) const& = delete;
+  template <class Number>
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
+  detail::integers_calculate_with_integers_so_convert_first operator/=(Number) const& = delete;
+  /// `= {}` would store an Eigen value that nothing has initialised.
+  void operator=(std::initializer_list<detail::an_empty_value_so_use_setZero>) const& = delete;
+
   using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
   FieldRef& operator=(const FieldRef&) & = delete;
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(const FieldRef&) const& =
@@ -110,12 +129,15 @@ class FieldRef {
   PHYSGEN_FUNCTION decltype(auto) operator()(int r, int c = 0) const {
     check_inner(r, Value::RowsAtCompileTime, "a row of a field");
     check_inner(c, Value::ColsAtCompileTime, "a column of a field");
+    if constexpr (Shape::is_skew)
+      check_inner(r > c ? 0 : -1, 1, "a skew-symmetric matrix's elements with row > column");
     return (*this)[Shape::index(r, c)];
   }
 
   /// Stores those lanes of `value` whose bits are set in `lanes`; see store_where(). For packs.
   void write_where(std::uint64_t lanes, const Value& value) const {
     if constexpr (format::is_quaternion<Format>) {
+      at_.check_rotation(value, lanes);
       const Quaternion<Scalar> q = unit_quaternion<Scalar>(value);
       for (int k = 0; k < 4; ++k) at_.template store_where<Element, T>(0, k, q[k], lanes);
     } else {

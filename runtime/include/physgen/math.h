@@ -57,9 +57,18 @@ concept Number = std::is_arithmetic_v<T>;
 /// One number or a pack.
 template <class S>
 concept Lanewise = Number<S> || requires { typename S::batch_bool_type; };
+namespace detail {
+template <class S>
+inline constexpr bool holds_integers = std::is_integral_v<S>;
+template <class S>
+  requires requires { typename S::value_type; }
+inline constexpr bool holds_integers<S> = std::is_integral_v<typename S::value_type>;
+}  // namespace detail
+
 /// A plain number beside numbers of another type, or beside packs: `max(m, 0)`, `max(m, 0.0)`.
 template <class T, class S>
-concept PlainBeside = Number<T> && !std::is_same_v<T, S> && (std::is_integral_v<T> || !std::is_integral_v<S>);
+concept PlainBeside = Number<T> && !std::is_same_v<T, S> &&
+                      ((std::is_integral_v<T> && sizeof(T) <= sizeof(int)) || !detail::holds_integers<S>);
 
 // Templates, so that code which opens these namespaces in a CUDA file still means CUDA's own min and max by theirs.
 

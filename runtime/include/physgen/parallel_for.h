@@ -41,20 +41,23 @@ constexpr int default_lanes() {
   return 1;
 }
 
-}  // namespace detail
+/// In place of RunLanes where all lanes run.
+struct AllLanes {
+  explicit AllLanes(const RunningLanes& /*lanes*/) {}
+};
 
-namespace detail {
+/// @throw Error when a range begins before the first object
+inline void check_range_of_launch(index_t begin) {
+  if (begin < 0) throw Error("a kernel over objects from " + std::to_string(begin) + " on: the first object is 0");
+}
 
-/// Calls work(), which calls a kernel with i; keeps what it throws, and tells checked builds which lanes it is for.
+/// Calls work(), which calls a kernel with i; keeps what it throws, and says which lanes run.
 template <class I, class Work>
 void call_guarded([[maybe_unused]] const I& i, RegionFailure& failure, const Work& work) {
   failure.guard([&] {
-#ifdef PHYSGEN_CHECKED
-    struct Running {
-      explicit Running(const I& index) { running_lanes = {lane_range(index), index_width(index)}; }
-      ~Running() { running_lanes = {}; }
-    } running(i);
-#endif
+    constexpr bool partial = requires { i.first; };
+    using Set = std::conditional_t<checked_build || partial, RunLanes, AllLanes>;
+    [[maybe_unused]] const Set set(RunningLanes{lane_range(i), index_width(i)});
     work();
   });
 }
@@ -86,8 +89,9 @@ template <class Real, class Body>
 ///
 /// A kernel with a member type Scalar and a templated call operator is called with Pack<W> for W objects at once, W
 /// being as many as fit the widest register; where the range does not fill the first or the last pack, with
-/// PartialPack<W>, which sees and changes objects of the range only. A kernel that takes index_t alone is called with
-/// one object at a time. kLanes chooses another W; parallel_for<1> calls any kernel with index_t.
+/// PartialPack<W>, which sees and changes objects of the range only. A kernel that takes index_t alone, and one of
+/// doubles where the CPU has no register of as few integers (x86-64 without AVX), is called with one object at a time.
+/// kLanes chooses another W; parallel_for<1> calls any kernel with index_t.
 /// @pre the range lies in the arrays whose objects the kernel writes; no two calls write the same object, unless by
 /// add()
 /// @throw what a call throws (the first to be caught), after all other calls have been made
@@ -101,7 +105,9 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
     }
   }();
   static_assert(padding_objects % width == 0);
+  detail::check_range_of_launch(begin);
   if (begin >= end) return;
+  const detail::RunLanes outer({});  // where a kernel calls this
   detail::RegionFailure failure;
   if constexpr (width == 1) {
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)

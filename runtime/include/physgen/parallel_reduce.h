@@ -70,6 +70,9 @@ template <class Fold, int kWidth, class Kernel, class Value>
 void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, RegionFailure& failure, Value* values) {
   using Index = std::conditional_t<kWidth == 1, index_t, Pack<kWidth>>;
   using Types = Reduction<Kernel, Fold, Index>;
+  static_assert(kWidth == 1 || !std::is_arithmetic_v<typename Types::Entries::Entry>,
+                "a kernel over packs returned one plain number for W objects: return a batch, `S(1)` with "
+                "S = lanes_t<Scalar, I>, or a mask, `m > S(0)`");
   using Number = typename Types::Number;
   constexpr auto count = static_cast<std::size_t>(Types::count);
   alignas(64) std::array<std::array<Value, reduce_lanes>, count> lanes;
@@ -136,6 +139,8 @@ auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& k
   using Value = typename Types::Value;
   constexpr auto count = static_cast<std::size_t>(Types::count);
 
+  detail::check_range_of_launch(begin);
+  const detail::RunLanes outer({});  // where a kernel calls this
   const index_t blocks = detail::blocks_of(begin, end), first = begin / detail::reduce_block;
   const auto size = static_cast<std::size_t>(blocks);
   const auto values = std::make_unique_for_overwrite<Value[]>(size * count);  // an entry's blocks follow each other

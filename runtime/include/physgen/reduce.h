@@ -22,7 +22,7 @@ namespace detail {
 inline constexpr int reduce_block = 2048, reduce_lanes = 32, reduce_strands = 1024;
 }
 
-// A fold is a type with these members, of which a fold of one's own has all, too; Number is the type of one object's
+// A fold is a type with these members, of which a fold of your own has all, too; Number is the type of one object's
 // term: float, double, std::int32_t or bool. Folds of several terms (std::array, Eigen vectors and matrices) fold each.
 //   template <class Number> using Value         of what type the result is: trivially copyable, up to 64 bytes
 //   template <class Number> identity()          the Value of no objects
@@ -195,7 +195,8 @@ struct NumberOf {
   static_assert(std::is_arithmetic_v<Entry>,
                 "a kernel of parallel_reduce() returns its term by value: a number or condition (in packs a batch or a "
                 "mask), a std::array of them, or an Eigen vector or matrix of them. For a field's element write "
-                "`-> Scalar`, for an expression of Eigen its Matrix type, as the type that the kernel returns");
+                "`-> lanes_t<Scalar, I>` as the type that the kernel returns, in a lambda `return view[i].m().get()`; "
+                "for an expression of Eigen its Matrix type");
   using type = Entry;
 };
 

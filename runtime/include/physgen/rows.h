@@ -105,9 +105,9 @@ class Rows {
   /// Calls body(entry, active) for each entry of row(s) i: for one object as often as its row has entries; for a pack
   /// as often as the longest row of its objects has. `entry` is the reference that a read-only view[k] gives, and
   /// `active` says which lanes it belongs to: `true`, or a mask of lanes_t<T, I>. A lane that is not active, since its
-  /// row has ended or since it is no object of the kernel's range, is shown an entry of an active one. So everything
-  /// that is read exists, and what a body adds depends on `active`: `add(i, view[j].m(), select(active, m, S(0)))`.
-  /// (Entries are written by kernels over entries, where no two lanes are one.)
+  /// row has ended, is shown an entry of an active one; one outside the kernel's range, that of the lane it repeats. So
+  /// everything that is read exists, and what a body adds depends on `active`: `add(i, view[j].m(), select(active, m,
+  /// S(0)))`. (Entries are written by kernels over entries, where no two lanes are one.)
   template <class T = Precision, class I, class Body>
   PHYSGEN_FUNCTION void for_each(const I& i, const Body& body) const {
     detail::RowVisit<I>::template each<T>(ranges_, detail::read_only(entries_), i, body);
@@ -136,7 +136,12 @@ class Rows {
   template <class Value, class I, class Term>
   [[nodiscard]] PHYSGEN_FUNCTION auto sum(const I& i, const Value& total, const Term& term) const {
     using Sum = typename detail::Summand<Value>::type;
-    return fold(i, total, [&](const Sum& sum, const auto& entry) -> Sum { return sum + term(entry); });
+    return fold(i, total, [&](const Sum& sum, const auto& entry) -> Sum {
+      using Added = std::remove_cvref_t<decltype(term(entry))>;
+      static_assert(!std::is_arithmetic_v<Added> || std::is_same_v<Added, Sum>,
+                    "rows.sum(): `total` has another type than the terms, which would be cut down to it: S(0)");
+      return sum + term(entry);
+    });
   }
 
  private:

@@ -21,6 +21,7 @@ struct Scalar {
 template <int R, int C>
 struct Matrix {
   static constexpr bool is_scalar = false;
+  static constexpr bool is_skew = false;
   static constexpr int count = R * C;
   template <class S>
   using Value = Eigen::Matrix<S, R, C>;
@@ -53,6 +54,7 @@ struct Rotation : Matrix<3, 3> {};
 template <int N>
 struct Symmetric {
   static constexpr bool is_scalar = false;
+  static constexpr bool is_skew = false;
   static constexpr int count = N * (N + 1) / 2;
   template <class S>
   using Value = Eigen::Matrix<S, N, N>;
@@ -93,6 +95,7 @@ struct Diagonal : Matrix<N, 1> {};
 template <int N>
 struct Skew {
   static constexpr bool is_scalar = false;
+  static constexpr bool is_skew = true;
   static constexpr int count = N * (N - 1) / 2;
   template <class S>
   using Value = Eigen::Matrix<S, N, N>;

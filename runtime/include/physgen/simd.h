@@ -49,6 +49,11 @@ template <class A>
 
 namespace physgen {
 
+static_assert(!std::is_constructible_v<bool, xsimd::batch_bool<float>> &&
+                  !std::is_constructible_v<bool, xsimd::batch_bool<std::int32_t>>,
+              "masks convert to bool with this xsimd, so that `if (mask)` would mean any lane: see simd_masks.h, which "
+              "must be included before <xsimd/xsimd.hpp>");
+
 /// The widest batch of the target architecture.
 template <class Real>
 using Batch = xsimd::batch<Real>;

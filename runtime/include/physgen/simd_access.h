@@ -95,19 +95,28 @@ void encode_lanes(const T* values, typename Format::template Stored<T>* stored) 
   for (int l = 0; l < W; ++l) stored[l] = Format::template encode<T>(values[l]);
 }
 
-/// The lanes, of an index as wide as W, that the kernel which runs on this thread was called for. Known in checked
-/// builds, where parallel_for() says so; elsewhere, and outside of kernels, all.
+/// The lanes, of an index as wide as W, that the kernel which runs on this thread was called for: gathered indices do
+/// not know them, and stores through these leave the others alone. All, outside of kernels and in whole packs of builds
+/// that are not checked.
 struct RunningLanes {
   LaneRange range;
   int width;
 
   [[nodiscard]] LaneRange of(int W) const { return W == width ? range : LaneRange{0, W}; }
 };
-#ifdef PHYSGEN_CHECKED
 inline thread_local RunningLanes running_lanes{{0, 0}, 0};
-#else
-inline constexpr RunningLanes running_lanes{{0, 0}, 0};
-#endif
+
+/// Sets them until it goes out of scope.
+class RunLanes {
+ public:
+  explicit RunLanes(const RunningLanes& lanes) : before_(running_lanes) { running_lanes = lanes; }
+  RunLanes(const RunLanes&) = delete;
+  RunLanes& operator=(const RunLanes&) = delete;
+  ~RunLanes() { running_lanes = before_; }
+
+ private:
+  RunningLanes before_;
+};
 
 /// What the SIMD cursors share: references to fields and elements, and formats, from read and write of the derived
 /// cursor.
@@ -118,6 +127,8 @@ class SimdCursor : protected LossSink {
   using Lanes = batch_t<T, W>;
   template <class T, int kCount>
   static constexpr bool joins_words = false;
+  /// Bits of all W lanes.
+  static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
 
   using LossSink::LossSink;
 
@@ -185,10 +196,11 @@ class SimdCursor : protected LossSink {
     }
   }
   template <class S>
-  void check_rotation([[maybe_unused]] const Eigen::Matrix<S, 3, 3>& R) const {
+  void check_rotation([[maybe_unused]] const Eigen::Matrix<S, 3, 3>& R,
+                      [[maybe_unused]] std::uint64_t lanes = all_lanes) const {
 #ifdef PHYSGEN_CHECKED
     for (int l = 0; l < W; ++l) {
-      if ((self().written() >> l & 1) == 0) continue;
+      if (((self().written() & lanes) >> l & 1) == 0) continue;
       Eigen::Matrix3d one;
       for (int k = 0; k < 9; ++k) {
         one(k % 3, k / 3) = static_cast<double>(R(k % 3, k / 3).get(static_cast<std::size_t>(l)));
@@ -197,10 +209,6 @@ class SimdCursor : protected LossSink {
     }
 #endif
   }
-
- protected:
-  /// Bits of all W lanes.
-  static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
 
  private:
   template <class Format, class T, bool kWhole>
@@ -410,6 +418,7 @@ template <class Byte, class Layout, RecordSize kRecord, class U, class A>
 class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
     : public detail::SimdCursor<Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>,
                                 static_cast<int>(xsimd::batch<U, A>::size)> {
+  static_assert(std::is_integral_v<U>, "objects are named by integers: convert the batch first");
   static constexpr int W = static_cast<int>(xsimd::batch<U, A>::size);
   using Base = detail::SimdCursor<Cursor, W>;
   using Pitch = typename Layout::Pitch;

@@ -9,6 +9,12 @@
 
 namespace physgen::detail {
 
+/// Plain numbers that integer lanes of type T cannot hold: floating ones and wider integers.
+template <class T, class Number>
+concept CutDown = std::is_integral_v<T> && std::is_arithmetic_v<Number> &&
+                  (std::is_floating_point_v<Number> || sizeof(Number) > sizeof(T));
+struct integer_lanes_beside_a_number_they_cannot_hold_so_use_to_real_of_S {};
+
 /// Bit l is lane l of a mask.
 template <class T, class A>
 [[nodiscard]] std::uint64_t bits_of(const xsimd::batch_bool<T, A>& mask) {
@@ -86,6 +92,15 @@ struct Cast<To, xsimd::batch<T, A>> {
 
 namespace xsimd {
 
+#ifdef __AVX512BW__
+/// xsimd 8.1 has none that compiles without optimization.
+inline batch<std::int32_t, avx512bw> select(const batch_bool<std::int32_t, avx512bw>& condition,
+                                            const batch<std::int32_t, avx512bw>& a,
+                                            const batch<std::int32_t, avx512bw>& b) {
+  return _mm512_mask_blend_epi32(condition.data, b.data, a.data);
+}
+#endif
+
 /// As xsimd's own, for a condition on lanes of another type.
 template <class U, class B, class T, class A>
   requires(!std::is_same_v<batch_bool<U, B>, batch_bool<T, A>> && batch_bool<U, B>::size == batch<T, A>::size)
@@ -104,13 +119,37 @@ template <class T, class A, class U, class B>
 inline batch_bool<T, A> operator||(const batch_bool<T, A>& a, const batch_bool<U, B>& b) {
   return a || physgen::detail::mask_of<T, A>(physgen::detail::bits_of(b));
 }
+// An integer of a pack beside a floating or a wider plain number: xsimd would cut the number down to the lanes' type.
+// One object calculates in the number's type. So it is refused, by a type whose name compilers print.
+// PHYSGEN_REFUSED is undefined below.
+#define PHYSGEN_REFUSED(op)                                                                                           \
+  template <class T, class A, class Number>                                                                           \
+    requires physgen::detail::CutDown<T, Number>                                                                      \
+  physgen::detail::integer_lanes_beside_a_number_they_cannot_hold_so_use_to_real_of_S operator op(const batch<T, A>&, \
+                                                                                                  Number) = delete;   \
+  template <class T, class A, class Number>                                                                           \
+    requires physgen::detail::CutDown<T, Number>                                                                      \
+  physgen::detail::integer_lanes_beside_a_number_they_cannot_hold_so_use_to_real_of_S operator op(                    \
+      Number, const batch<T, A>&) = delete;
+PHYSGEN_REFUSED(+)
+PHYSGEN_REFUSED(-)
+PHYSGEN_REFUSED(*)
+PHYSGEN_REFUSED(/)
+PHYSGEN_REFUSED(<)
+PHYSGEN_REFUSED(>)
+PHYSGEN_REFUSED(<=)
+PHYSGEN_REFUSED(>=)
+PHYSGEN_REFUSED(==)
+PHYSGEN_REFUSED(!=)
+#undef PHYSGEN_REFUSED
+
 // Comparisons that begin with a plain number, `k < count`. With `==` and `!=` both orders are needed: of one, C++20
 // would make the other, and insist on a bool. PHYSGEN_COMPARISON is undefined below.
-#define PHYSGEN_COMPARISON(op, reversed)                                \
-  template <class Number, class T, class A>                             \
-    requires std::is_arithmetic_v<Number>                               \
-  inline batch_bool<T, A> operator op(Number a, const batch<T, A>& b) { \
-    return b reversed batch<T, A>(static_cast<T>(a));                   \
+#define PHYSGEN_COMPARISON(op, reversed)                                           \
+  template <class Number, class T, class A>                                        \
+    requires(std::is_arithmetic_v<Number> && !physgen::detail::CutDown<T, Number>) \
+  inline batch_bool<T, A> operator op(Number a, const batch<T, A>& b) {            \
+    return b reversed batch<T, A>(static_cast<T>(a));                              \
   }
 PHYSGEN_COMPARISON(<, >)
 PHYSGEN_COMPARISON(>, <)
@@ -120,12 +159,12 @@ PHYSGEN_COMPARISON(==, ==)
 PHYSGEN_COMPARISON(!=, !=)
 #undef PHYSGEN_COMPARISON
 template <class T, class A, class Number>
-  requires std::is_arithmetic_v<Number>
+  requires(std::is_arithmetic_v<Number> && !physgen::detail::CutDown<T, Number>)
 inline batch_bool<T, A> operator==(const batch<T, A>& a, Number b) {
   return a == batch<T, A>(static_cast<T>(b));
 }
 template <class T, class A, class Number>
-  requires std::is_arithmetic_v<Number>
+  requires(std::is_arithmetic_v<Number> && !physgen::detail::CutDown<T, Number>)
 inline batch_bool<T, A> operator!=(const batch<T, A>& a, Number b) {
   return a != batch<T, A>(static_cast<T>(b));
 }

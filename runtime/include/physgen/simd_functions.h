@@ -40,7 +40,14 @@ template <class T, class A, class Function, class... X>
 template <class T, class A>
 xsimd::batch<T, A> mended_exp(const xsimd::batch<T, A>& x) {
   constexpr T least_normal = sizeof(T) == 4 ? T(-87.3) : T(-708.3);  // results below it are subnormal
-  return mend(x < xsimd::batch<T, A>(least_normal), xsimd::kernel::exp<A>(x, A{}), [](T a) { return std::exp(a); }, x);
+  constexpr T largest = sizeof(T) == 4 ? T(88.3) : T(709.3);         // above it xsimd gives infinity, too early
+  using S = xsimd::batch<T, A>;
+  return mend(x < S(least_normal) || x > S(largest), xsimd::kernel::exp<A>(x, A{}), [](T a) { return std::exp(a); }, x);
+}
+template <class T, class A>
+xsimd::batch<T, A> mended_expm1(const xsimd::batch<T, A>& x) {
+  constexpr T largest = sizeof(T) == 4 ? T(88.3) : T(709.3);
+  return mend(x > xsimd::batch<T, A>(largest), xsimd::kernel::expm1<A>(x, A{}), [](T a) { return std::expm1(a); }, x);
 }
 template <class T, class A>
 xsimd::batch<T, A> mended_log(const xsimd::batch<T, A>& x) {
@@ -97,6 +104,8 @@ namespace xsimd {
   }
 PHYSGEN_MENDED_ONE(float, exp)
 PHYSGEN_MENDED_ONE(double, exp)
+PHYSGEN_MENDED_ONE(float, expm1)
+PHYSGEN_MENDED_ONE(double, expm1)
 PHYSGEN_MENDED_ONE(float, log)
 PHYSGEN_MENDED_ONE(double, log)
 PHYSGEN_MENDED_ONE(float, cbrt)

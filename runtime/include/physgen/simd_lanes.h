@@ -80,6 +80,8 @@ template <detail::AnyPack I, class T, class A>
 
 template <class T, class A, class To>
 void store_where(const xsimd::batch_bool<T, A>& condition, const To& to, const typename To::Value& value) {
+  using Lanes = typename To::Lanes;
+  static_assert(xsimd::batch_bool<T, A>::size == Lanes::size, "store_where(): condition and field have as many lanes");
   to.write_where(detail::bits_of(condition), value);
 }
 

@@ -26,8 +26,8 @@ struct RowVisit<I> {
     // The longest row has an entry at every step: lanes without one read that one.
     const LaneRange lanes = lane_range(i);
     int longest = lanes.first;
+    // Lanes outside the range repeat one inside, also here: so they hold what that one holds, and agree with it.
     for (int l = 0; l < W; ++l) {
-      if (l < lanes.first || l >= lanes.last) at(lengths, l) = 0;
       if (at(lengths, l) > at(lengths, longest)) longest = l;
     }
     const std::int32_t steps = at(lengths, longest), spare = at(begins, longest);

@@ -108,7 +108,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   }
   /// All fields of object(s) i, by value.
   template <class I>
-  [[nodiscard]] PHYSGEN_FUNCTION Value<I> get(I i) const {
+  [[nodiscard]] PHYSGEN_FUNCTION const Value<I> get(I i) const {
     return (*this)[i].get();
   }
   /// Stores all fields of object(s) i.

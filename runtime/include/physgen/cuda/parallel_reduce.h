@@ -21,7 +21,8 @@ inline constexpr int reduce_warps = reduce_threads / detail::reduce_lanes;
 template <class Types>
 constexpr int terms_at_once() {
   constexpr auto bytes = static_cast<int>(sizeof(typename Types::Number)) * Types::count;
-  static_assert(bytes <= 96, "the term of a reduction on a device has 96 bytes at most: fold parts of it one by one");
+  static_assert(2 * bytes * reduce_threads + reduce_threads * int{sizeof(typename Types::Value)} + 64 <= 48 * 1024,
+                "the term of a reduction on a device has about 88 bytes at most: fold parts of it one by one");
   return bytes <= 8 ? 4 : bytes <= 16 ? 2 : 1;
 }
 
