@@ -6,7 +6,7 @@
 //   add(i, view[j].f(), value)               sums at objects that several lanes or threads may name
 //   store_where(mask, view[i].f(), value)    a store where a condition holds
 //   select(mask, a, b)                       in place of `?:`; masks join by &&, || and !
-//   cast<double>(x), to_real<Scalar>(n)      float, double and integers in one kernel
+//   cast<double>(x), to_real<S>(n)           float, double and integers in one kernel
 //   exp, log, pow, max, ... of math.h        with plain numbers second: `max(m, 0.0)`
 //
 // Write `using namespace physgen; using namespace physgen::math;` where the kernel stands, and call them unqualified.
