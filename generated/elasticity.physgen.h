@@ -1,6 +1,6 @@
 // Accessor classes of the object types in elasticity.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_ELASTICITY_H_E7168893C549F376
-#define PHYSGEN_ELASTICITY_H_E7168893C549F376
+#ifndef PHYSGEN_ELASTICITY_H_4ACA8492901E170C
+#define PHYSGEN_ELASTICITY_H_4ACA8492901E170C
 
 #include <physgen/runtime.h>
 
@@ -49,13 +49,11 @@ class DeformationGradientRef {
   PHYSGEN_FUNCTION explicit DeformationGradientRef(const Cursor& cursor) : at_(cursor) {}
   DeformationGradientRef(const DeformationGradientRef&) = default;
   DeformationGradientRef& operator=(const DeformationGradientRef&) & = delete;
-  PHYSGEN_FUNCTION const DeformationGradientRef& operator=(const DeformationGradientRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const DeformationGradientRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const DeformationGradientRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// current over rest shape; the identity at rest [1]
   PHYSGEN_FUNCTION decltype(auto) F() const {
@@ -148,13 +146,11 @@ class DeformationGradientDifferentialRef {
   PHYSGEN_FUNCTION explicit DeformationGradientDifferentialRef(const Cursor& cursor) : at_(cursor) {}
   DeformationGradientDifferentialRef(const DeformationGradientDifferentialRef&) = default;
   DeformationGradientDifferentialRef& operator=(const DeformationGradientDifferentialRef&) & = delete;
-  PHYSGEN_FUNCTION const DeformationGradientDifferentialRef& operator=(const DeformationGradientDifferentialRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const DeformationGradientDifferentialRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const DeformationGradientDifferentialRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// change of F along a displacement differential [1]
   PHYSGEN_FUNCTION decltype(auto) dF() const {
@@ -259,13 +255,11 @@ class DeformationSvdRef {
   PHYSGEN_FUNCTION explicit DeformationSvdRef(const Cursor& cursor) : at_(cursor) {}
   DeformationSvdRef(const DeformationSvdRef&) = default;
   DeformationSvdRef& operator=(const DeformationSvdRef&) & = delete;
-  PHYSGEN_FUNCTION const DeformationSvdRef& operator=(const DeformationSvdRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const DeformationSvdRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const DeformationSvdRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
   PHYSGEN_FUNCTION decltype(auto) U() const {
@@ -384,13 +378,11 @@ class QuaternionSvdRef {
   PHYSGEN_FUNCTION explicit QuaternionSvdRef(const Cursor& cursor) : at_(cursor) {}
   QuaternionSvdRef(const QuaternionSvdRef&) = default;
   QuaternionSvdRef& operator=(const QuaternionSvdRef&) & = delete;
-  PHYSGEN_FUNCTION const QuaternionSvdRef& operator=(const QuaternionSvdRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const QuaternionSvdRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const QuaternionSvdRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// unit quaternions w, x, y, z of U and V, w >= 0
   PHYSGEN_FUNCTION decltype(auto) u() const {
@@ -499,13 +491,11 @@ class PrincipalStretchesRef {
   PHYSGEN_FUNCTION explicit PrincipalStretchesRef(const Cursor& cursor) : at_(cursor) {}
   PrincipalStretchesRef(const PrincipalStretchesRef&) = default;
   PrincipalStretchesRef& operator=(const PrincipalStretchesRef&) & = delete;
-  PHYSGEN_FUNCTION const PrincipalStretchesRef& operator=(const PrincipalStretchesRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PrincipalStretchesRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const PrincipalStretchesRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
   PHYSGEN_FUNCTION decltype(auto) s() const {
@@ -596,13 +586,11 @@ class ElementRotationRef {
   PHYSGEN_FUNCTION explicit ElementRotationRef(const Cursor& cursor) : at_(cursor) {}
   ElementRotationRef(const ElementRotationRef&) = default;
   ElementRotationRef& operator=(const ElementRotationRef&) & = delete;
-  PHYSGEN_FUNCTION const ElementRotationRef& operator=(const ElementRotationRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const ElementRotationRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const ElementRotationRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// det R = 1. Rotation, 9 stored.
   PHYSGEN_FUNCTION decltype(auto) R() const {
@@ -749,13 +737,11 @@ class StressDerivativeRef {
   PHYSGEN_FUNCTION explicit StressDerivativeRef(const Cursor& cursor) : at_(cursor) {}
   StressDerivativeRef(const StressDerivativeRef&) = default;
   StressDerivativeRef& operator=(const StressDerivativeRef&) & = delete;
-  PHYSGEN_FUNCTION const StressDerivativeRef& operator=(const StressDerivativeRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const StressDerivativeRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const StressDerivativeRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// stretch: the symmetric 3x3 block [Pa]
   PHYSGEN_FUNCTION decltype(auto) x1111() const {
@@ -936,9 +922,9 @@ class StressRef {
   PHYSGEN_FUNCTION explicit StressRef(const Cursor& cursor) : at_(cursor) {}
   StressRef(const StressRef&) = default;
   StressRef& operator=(const StressRef&) & = delete;
-  PHYSGEN_FUNCTION const StressRef& operator=(const StressRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const StressRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const StressRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// dpsi/dF: force in the current shape per area of the rest shape [Pa]
   PHYSGEN_FUNCTION decltype(auto) P() const {
@@ -1027,13 +1013,11 @@ class StressDifferentialRef {
   PHYSGEN_FUNCTION explicit StressDifferentialRef(const Cursor& cursor) : at_(cursor) {}
   StressDifferentialRef(const StressDifferentialRef&) = default;
   StressDifferentialRef& operator=(const StressDifferentialRef&) & = delete;
-  PHYSGEN_FUNCTION const StressDifferentialRef& operator=(const StressDifferentialRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const StressDifferentialRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const StressDifferentialRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// change of P along dF [Pa]
   PHYSGEN_FUNCTION decltype(auto) dP() const {
@@ -1129,11 +1113,9 @@ class RestShapeRef {
   PHYSGEN_FUNCTION explicit RestShapeRef(const Cursor& cursor) : at_(cursor) {}
   RestShapeRef(const RestShapeRef&) = default;
   RestShapeRef& operator=(const RestShapeRef&) & = delete;
-  PHYSGEN_FUNCTION const RestShapeRef& operator=(const RestShapeRef&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const RestShapeRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const RestShapeRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns [1/m]
   PHYSGEN_FUNCTION decltype(auto) dm_inverse() const {
@@ -1232,13 +1214,11 @@ class CornerForcesRef {
   PHYSGEN_FUNCTION explicit CornerForcesRef(const Cursor& cursor) : at_(cursor) {}
   CornerForcesRef(const CornerForcesRef&) = default;
   CornerForcesRef& operator=(const CornerForcesRef&) & = delete;
-  PHYSGEN_FUNCTION const CornerForcesRef& operator=(const CornerForcesRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const CornerForcesRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const CornerForcesRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// G = -volume P Dm^-T [N]
   PHYSGEN_FUNCTION decltype(auto) G() const {
@@ -1403,13 +1383,11 @@ class ElementRecordRef {
   PHYSGEN_FUNCTION explicit ElementRecordRef(const Cursor& cursor) : at_(cursor) {}
   ElementRecordRef(const ElementRecordRef&) = default;
   ElementRecordRef& operator=(const ElementRecordRef&) & = delete;
-  PHYSGEN_FUNCTION const ElementRecordRef& operator=(const ElementRecordRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const ElementRecordRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const ElementRecordRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// principal directions. Rotation, 9 stored.
   PHYSGEN_FUNCTION decltype(auto) U() const {
@@ -1621,13 +1599,11 @@ class NodePositionRef {
   PHYSGEN_FUNCTION explicit NodePositionRef(const Cursor& cursor) : at_(cursor) {}
   NodePositionRef(const NodePositionRef&) = default;
   NodePositionRef& operator=(const NodePositionRef&) & = delete;
-  PHYSGEN_FUNCTION const NodePositionRef& operator=(const NodePositionRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodePositionRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const NodePositionRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// position [m]
   PHYSGEN_FUNCTION decltype(auto) x() const {
@@ -1716,11 +1692,9 @@ class NodeForceRef {
   PHYSGEN_FUNCTION explicit NodeForceRef(const Cursor& cursor) : at_(cursor) {}
   NodeForceRef(const NodeForceRef&) = default;
   NodeForceRef& operator=(const NodeForceRef&) & = delete;
-  PHYSGEN_FUNCTION const NodeForceRef& operator=(const NodeForceRef&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeForceRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const NodeForceRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// sum of the elements' forces on the node [N]
   PHYSGEN_FUNCTION decltype(auto) f() const {
@@ -1809,13 +1783,11 @@ class NodeDisplacementRef {
   PHYSGEN_FUNCTION explicit NodeDisplacementRef(const Cursor& cursor) : at_(cursor) {}
   NodeDisplacementRef(const NodeDisplacementRef&) = default;
   NodeDisplacementRef& operator=(const NodeDisplacementRef&) & = delete;
-  PHYSGEN_FUNCTION const NodeDisplacementRef& operator=(const NodeDisplacementRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeDisplacementRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const NodeDisplacementRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// direction in which forces are differentiated [m]
   PHYSGEN_FUNCTION decltype(auto) dx() const {
@@ -1906,13 +1878,11 @@ class NodeForceDifferentialRef {
   PHYSGEN_FUNCTION explicit NodeForceDifferentialRef(const Cursor& cursor) : at_(cursor) {}
   NodeForceDifferentialRef(const NodeForceDifferentialRef&) = default;
   NodeForceDifferentialRef& operator=(const NodeForceDifferentialRef&) & = delete;
-  PHYSGEN_FUNCTION const NodeForceDifferentialRef& operator=(const NodeForceDifferentialRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeForceDifferentialRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const NodeForceDifferentialRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// change of the node's force along the displacement differential [N]
   PHYSGEN_FUNCTION decltype(auto) df() const {
@@ -2004,13 +1974,11 @@ class NodeStiffnessRef {
   PHYSGEN_FUNCTION explicit NodeStiffnessRef(const Cursor& cursor) : at_(cursor) {}
   NodeStiffnessRef(const NodeStiffnessRef&) = default;
   NodeStiffnessRef& operator=(const NodeStiffnessRef&) & = delete;
-  PHYSGEN_FUNCTION const NodeStiffnessRef& operator=(const NodeStiffnessRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeStiffnessRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const NodeStiffnessRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// df(v)/dx(v) [N/m]. Symmetric, 6 stored.
   PHYSGEN_FUNCTION decltype(auto) K() const {
@@ -2099,13 +2067,11 @@ class EdgeStiffnessRef {
   PHYSGEN_FUNCTION explicit EdgeStiffnessRef(const Cursor& cursor) : at_(cursor) {}
   EdgeStiffnessRef(const EdgeStiffnessRef&) = default;
   EdgeStiffnessRef& operator=(const EdgeStiffnessRef&) & = delete;
-  PHYSGEN_FUNCTION const EdgeStiffnessRef& operator=(const EdgeStiffnessRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const EdgeStiffnessRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const EdgeStiffnessRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// df(m)/dx(n) [N/m]
   PHYSGEN_FUNCTION decltype(auto) E() const {
@@ -2199,13 +2165,11 @@ class TetStiffnessRef {
   PHYSGEN_FUNCTION explicit TetStiffnessRef(const Cursor& cursor) : at_(cursor) {}
   TetStiffnessRef(const TetStiffnessRef&) = default;
   TetStiffnessRef& operator=(const TetStiffnessRef&) & = delete;
-  PHYSGEN_FUNCTION const TetStiffnessRef& operator=(const TetStiffnessRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const TetStiffnessRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const TetStiffnessRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// corners i, j, k, l [N/m]. Symmetric, 6 stored.
   /// @pre 0 <= entry < 4
@@ -2314,9 +2278,9 @@ class TetRef {
   PHYSGEN_FUNCTION explicit TetRef(const Cursor& cursor) : at_(cursor) {}
   TetRef(const TetRef&) = default;
   TetRef& operator=(const TetRef&) & = delete;
-  PHYSGEN_FUNCTION const TetRef& operator=(const TetRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const TetRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const TetRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// corners i, j, k, l; det(Dm) > 0
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
@@ -2403,9 +2367,9 @@ class EdgeRef {
   PHYSGEN_FUNCTION explicit EdgeRef(const Cursor& cursor) : at_(cursor) {}
   EdgeRef(const EdgeRef&) = default;
   EdgeRef& operator=(const EdgeRef&) & = delete;
-  PHYSGEN_FUNCTION const EdgeRef& operator=(const EdgeRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const EdgeRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const EdgeRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// m and n: the block of the edge is df(m)/dx(n)
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
@@ -2496,13 +2460,11 @@ class IncidenceRangeRef {
   PHYSGEN_FUNCTION explicit IncidenceRangeRef(const Cursor& cursor) : at_(cursor) {}
   IncidenceRangeRef(const IncidenceRangeRef&) = default;
   IncidenceRangeRef& operator=(const IncidenceRangeRef&) & = delete;
-  PHYSGEN_FUNCTION const IncidenceRangeRef& operator=(const IncidenceRangeRef&& other) const& {
+  PHYSGEN_FUNCTION decltype(auto) operator=(const IncidenceRangeRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const IncidenceRangeRef& operator=(const Other&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// half-open range
   PHYSGEN_FUNCTION decltype(auto) begin() const {
@@ -2605,11 +2567,9 @@ class IncidenceRef {
   PHYSGEN_FUNCTION explicit IncidenceRef(const Cursor& cursor) : at_(cursor) {}
   IncidenceRef(const IncidenceRef&) = default;
   IncidenceRef& operator=(const IncidenceRef&) & = delete;
-  PHYSGEN_FUNCTION const IncidenceRef& operator=(const IncidenceRef&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const IncidenceRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const IncidenceRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// which tet, or which edge
   PHYSGEN_FUNCTION decltype(auto) element() const {
@@ -2670,4 +2630,4 @@ static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_E7168893C549F376
+#endif  // PHYSGEN_ELASTICITY_H_4ACA8492901E170C

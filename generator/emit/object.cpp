@@ -45,6 +45,13 @@ std::string format(const plan::Run& run) {
   return text;
 }
 
+// "??/" in a string is a backslash to compilers that know trigraphs, and a warning to others.
+std::string without_trigraphs(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '?' ? std::string("\\?") : std::string(1, c);
+  return escaped;
+}
+
 void fields(Printer& out, const plan::Record& record) {
   const std::vector<plan::Run> runs = plan::runs(record);
   out.line("template <class Real, class Formats>");
@@ -53,7 +60,7 @@ void fields(Printer& out, const plan::Record& record) {
     const model::Field& field = run.field();
     out.filled(
         "physgen::field_info<" + shape_type(field) + ", " + format(run) + ", " + stored_type(field.element) + ">(",
-        {"\"" + run.name() + "\"", "\"" + field.unit + "\"", offset(run, *record.object),
+        {"\"" + run.name() + "\"", "\"" + without_trigraphs(field.unit) + "\"", offset(run, *record.object),
          std::to_string(field.array_extent == 0 ? 1 : field.array_extent), real(field.initial.value_or(0))},
         "),");
   }

@@ -86,9 +86,9 @@ void assignment(Printer& out, const model::Object& object) {
   out.line(name + "(const " + name + "&) = default;");
   out.line(name + "& operator=(const " + name + "&) & = delete;");
   const std::vector<std::string> copy{"return physgen::assign(*this, " + other + ");"};
-  out.function("PHYSGEN_FUNCTION const " + name + "& operator=(const " + name + "&& " + other + ") const&", copy);
+  out.function("PHYSGEN_FUNCTION decltype(auto) operator=(const " + name + "&& " + other + ") const&", copy);
   out.line("template <physgen::ReadsAs<Value> Other>");
-  out.function("PHYSGEN_FUNCTION const " + name + "& operator=(const Other&& " + other + ") const&", copy);
+  out.function("PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& " + other + ") const&", copy);
 }
 
 }  // namespace

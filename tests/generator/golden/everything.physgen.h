@@ -1,6 +1,6 @@
 // Accessor classes of the object types in everything.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_EVERYTHING_H_853FEF6DA1D69C80
-#define PHYSGEN_EVERYTHING_H_853FEF6DA1D69C80
+#ifndef PHYSGEN_EVERYTHING_H_3C2256D3605F5B68
+#define PHYSGEN_EVERYTHING_H_3C2256D3605F5B68
 
 #include <physgen/runtime.h>
 
@@ -54,9 +54,9 @@ class StampRef {
   PHYSGEN_FUNCTION explicit StampRef(const Cursor& cursor) : at_(cursor) {}
   StampRef(const StampRef&) = default;
   StampRef& operator=(const StampRef&) & = delete;
-  PHYSGEN_FUNCTION const StampRef& operator=(const StampRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const StampRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const StampRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// [s]
   PHYSGEN_FUNCTION decltype(auto) time() const {
@@ -215,9 +215,9 @@ class ShapesRef {
   PHYSGEN_FUNCTION explicit ShapesRef(const Cursor& cursor) : at_(cursor) {}
   ShapesRef(const ShapesRef&) = default;
   ShapesRef& operator=(const ShapesRef&) & = delete;
-  PHYSGEN_FUNCTION const ShapesRef& operator=(const ShapesRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const ShapesRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const ShapesRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Scalar.
   PHYSGEN_FUNCTION decltype(auto) a() const {
@@ -492,9 +492,9 @@ class NamesRef {
   PHYSGEN_FUNCTION explicit NamesRef(const Cursor& cursor) : at_(cursor) {}
   NamesRef(const NamesRef&) = default;
   NamesRef& operator=(const NamesRef&) & = delete;
-  PHYSGEN_FUNCTION const NamesRef& operator=(const NamesRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NamesRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const NamesRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   PHYSGEN_FUNCTION decltype(auto) value() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::value, Real>(Record::value);
@@ -758,11 +758,9 @@ class EntriesRef {
   PHYSGEN_FUNCTION explicit EntriesRef(const Cursor& cursor) : at_(cursor) {}
   EntriesRef(const EntriesRef&) = default;
   EntriesRef& operator=(const EntriesRef&) & = delete;
-  PHYSGEN_FUNCTION const EntriesRef& operator=(const EntriesRef&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const EntriesRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const EntriesRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Weights of the five points.
   /// They sum to one. [1] Range [0, 1].
@@ -958,11 +956,9 @@ class OptionsRef {
   PHYSGEN_FUNCTION explicit OptionsRef(const Cursor& cursor) : at_(cursor) {}
   OptionsRef(const OptionsRef&) = default;
   OptionsRef& operator=(const OptionsRef&) & = delete;
-  PHYSGEN_FUNCTION const OptionsRef& operator=(const OptionsRef&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const OptionsRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const OptionsRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
   PHYSGEN_FUNCTION decltype(auto) density() const {
@@ -1132,11 +1128,9 @@ class ElementRef {
   PHYSGEN_FUNCTION explicit ElementRef(const Cursor& cursor) : at_(cursor) {}
   ElementRef(const ElementRef&) = default;
   ElementRef& operator=(const ElementRef&) & = delete;
-  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef&& other) const& {
-    return physgen::assign(*this, other);
-  }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const ElementRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const ElementRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Before the nested objects by name, behind them in the record.
   PHYSGEN_FUNCTION decltype(auto) flag() const {
@@ -1341,9 +1335,9 @@ class PatchRef {
   PHYSGEN_FUNCTION explicit PatchRef(const Cursor& cursor) : at_(cursor) {}
   PatchRef(const PatchRef&) = default;
   PatchRef& operator=(const PatchRef&) & = delete;
-  PHYSGEN_FUNCTION const PatchRef& operator=(const PatchRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PatchRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const PatchRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor> elements(int entry) const {
@@ -1783,9 +1777,9 @@ class FrameRef {
   PHYSGEN_FUNCTION explicit FrameRef(const Cursor& cursor) : at_(cursor) {}
   FrameRef(const FrameRef&) = default;
   FrameRef& operator=(const FrameRef&) & = delete;
-  PHYSGEN_FUNCTION const FrameRef& operator=(const FrameRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const FrameRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const FrameRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
@@ -2016,9 +2010,9 @@ class StoredRef {
   PHYSGEN_FUNCTION explicit StoredRef(const Cursor& cursor) : at_(cursor) {}
   StoredRef(const StoredRef&) = default;
   StoredRef& operator=(const StoredRef&) & = delete;
-  PHYSGEN_FUNCTION const StoredRef& operator=(const StoredRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const StoredRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const StoredRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Stored as float, relative error up to 6e-8.
   PHYSGEN_FUNCTION decltype(auto) single() const {
@@ -2322,4 +2316,4 @@ static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physg
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_853FEF6DA1D69C80
+#endif  // PHYSGEN_EVERYTHING_H_3C2256D3605F5B68

@@ -1,6 +1,6 @@
 // Accessor classes of the object types in materials.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_MATERIALS_H_11548ADA54608FCC
-#define PHYSGEN_MATERIALS_H_11548ADA54608FCC
+#ifndef PHYSGEN_MATERIALS_H_1E79CE9D6ADCE904
+#define PHYSGEN_MATERIALS_H_1E79CE9D6ADCE904
 
 #include <physgen/runtime.h>
 
@@ -54,9 +54,9 @@ class LameRef {
   PHYSGEN_FUNCTION explicit LameRef(const Cursor& cursor) : at_(cursor) {}
   LameRef(const LameRef&) = default;
   LameRef& operator=(const LameRef&) & = delete;
-  PHYSGEN_FUNCTION const LameRef& operator=(const LameRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const LameRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const LameRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Shear modulus. [Pa]
   PHYSGEN_FUNCTION decltype(auto) mu() const {
@@ -159,9 +159,9 @@ class FibreRef {
   PHYSGEN_FUNCTION explicit FibreRef(const Cursor& cursor) : at_(cursor) {}
   FibreRef(const FibreRef&) = default;
   FibreRef& operator=(const FibreRef&) & = delete;
-  PHYSGEN_FUNCTION const FibreRef& operator=(const FibreRef&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const FibreRef&& other) const& { return physgen::assign(*this, other); }
   template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION const FibreRef& operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Unit vector along the fibre.
   PHYSGEN_FUNCTION decltype(auto) direction() const {
@@ -222,4 +222,4 @@ static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_11548ADA54608FCC
+#endif  // PHYSGEN_MATERIALS_H_1E79CE9D6ADCE904
