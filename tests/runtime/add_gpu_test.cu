@@ -66,6 +66,14 @@ void check_sums_on_device(int nodes) {
   }
 }
 
+struct Nothing {
+  PHYSGEN_FUNCTION void operator()(index_t /*i*/) const {}
+};
+
+TEST(ParallelForOnDevice, refuses_ranges_that_begin_before_the_first_object) {
+  EXPECT_THROW(parallel_for(Cuda{}, -3, 10, Nothing{}), Error);
+}
+
 TYPED_TEST(AddOnDevice, sums_what_threads_add_to_one_object) {
   check_sums_on_device<float, TypeParam>(1);
   check_sums_on_device<float, TypeParam>(1001);

@@ -139,5 +139,34 @@ TEST(OwnFormats, are_components_of_quaternions) {
   EXPECT_LE((svds.const_view().get(index_t{7}).U - R).cwiseAbs().maxCoeff(), 2e-6F);
 }
 
+struct Refuses {
+  static constexpr const char* name = "refuses";
+  template <class Real>
+  using Stored = float;
+  template <class Real>
+  static constexpr ElementType type = ElementType::float32;
+  static constexpr double scale = 1, centre = 0;
+  template <class Real>
+  static Real decode(float stored) {
+    return Real(stored);
+  }
+  template <class Real>
+  static float encode(Real value) {
+    if (value > 5) throw Error("it holds no more than 5");
+    return static_cast<float>(value);
+  }
+};
+struct RefusingPositions : elasticity::NodePositionFormats<Host> {
+  using x = Refuses;
+};
+
+TEST(OwnFormats, that_throw_do_so_out_of_copies) {
+  elasticity::NodePositionArray<float> from(20000);
+  Array<elasticity::NodePositionObject, float, Host, Aos, RefusingPositions> to(20000);
+  EXPECT_NO_THROW(copy(to, from));
+  from.view()[12345].x()[1] = 6;
+  EXPECT_THROW(copy(to, from), Error);
+}
+
 }  // namespace
 }  // namespace physgen::test

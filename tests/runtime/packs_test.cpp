@@ -209,5 +209,19 @@ TEST(ParallelFor, takes_kernels_of_double_over_objects_with_indices) {
   for (index_t e = 0; e < 21; ++e) ASSERT_EQ(out.view()[e].x1111(), 2.0);
 }
 
+template <class Real>
+void check_exponentials_near_their_end(std::initializer_list<Real> arguments) {
+  using S = batch_t<Real, native_lanes<Real>>;
+  for (const Real x : arguments) {
+    EXPECT_NEAR(exp(S(x)).get(0) / std::exp(x), 1, 4 * std::numeric_limits<Real>::epsilon()) << x;
+    EXPECT_NEAR(expm1(S(x)).get(0) / std::expm1(x), 1, 4 * std::numeric_limits<Real>::epsilon()) << x;
+  }
+}
+
+TEST(Functions, of_packs_have_exponentials_as_long_as_they_are_finite) {
+  check_exponentials_near_their_end<float>({88.0F, 88.35F, 88.5F, 88.72F});
+  check_exponentials_near_their_end<double>({709.0, 709.5, 709.78});
+}
+
 }  // namespace
 }  // namespace physgen::test

@@ -2,11 +2,18 @@
 // CUDA translation units can include it. Kernels are run by <physgen/parallel_for.h>.
 #pragma once
 
-#include <physgen/config.h>
+#include <physgen/error.h>
+#include <physgen/space.h>
 
 #include <exception>
+#include <string>
 
 namespace physgen::detail {
+
+/// @throw Error when a range begins before the first object
+inline void check_range_of_launch(index_t begin) {
+  if (begin < 0) throw Error("a kernel over objects from " + std::to_string(begin) + " on: the first object is 0");
+}
 
 /// Fewer objects than this are done before other threads have woken up.
 inline constexpr index_t worth_threads = 8192;

@@ -46,11 +46,6 @@ struct AllLanes {
   explicit AllLanes(const RunningLanes& /*lanes*/) {}
 };
 
-/// @throw Error when a range begins before the first object
-inline void check_range_of_launch(index_t begin) {
-  if (begin < 0) throw Error("a kernel over objects from " + std::to_string(begin) + " on: the first object is 0");
-}
-
 /// Calls work(), which calls a kernel with i; keeps what it throws, and says which lanes run.
 template <class I, class Work>
 void call_guarded([[maybe_unused]] const I& i, RegionFailure& failure, const Work& work) {
