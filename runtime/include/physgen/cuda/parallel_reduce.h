@@ -3,6 +3,7 @@
 #pragma once
 
 #include <physgen/cuda/parallel_for.h>
+#include <physgen/host_loop.h>
 #include <physgen/reduce.h>
 #include <physgen/reduce_workspace.h>
 
@@ -216,6 +217,7 @@ void parallel_reduce(Cuda /*space*/, index_t begin, index_t end, const Kernel& k
   int device = 0, processors = 0;
   cuda::check(cudaGetDevice(&device), "asking for the current device");
   cuda::check(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device), "asking for its size");
+  detail::check_range_of_launch(begin);
   const cuda::Blocks blocks{begin, end, detail::blocks_of(begin, end)};
   // As many thread blocks as run at once.
   const auto grid = static_cast<unsigned>(std::clamp(blocks.count, index_t{1}, index_t{processors} * 8));
