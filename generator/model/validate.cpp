@@ -90,7 +90,7 @@ class Checker {
       place_.field = size.largest_nested;
       report(nested ? Aspect::type : Aspect::name,
              "object " + quoted(object.name) + " would become about " + mebibytes(size.bytes) +
-                 " of generated code, and compilers bear " + mebibytes(max_object_bytes) + "; " +
+                 " of generated code, and the limit is " + mebibytes(max_object_bytes) + "; " +
                  (nested ? "the fields of nested objects are written out one by one: keep what is repeated in an array "
                            "of objects of its own, and its number here as an Index"
                          : "split it into several objects"));

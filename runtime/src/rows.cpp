@@ -134,11 +134,11 @@ void check_new_targets(const Storage& entries, const RowTargets& targets, std::s
 
 ChosenRows choose_rows(std::span<const RowRange> rows, const Storage& entries, const std::string& field,
                        std::span<const index_t> order, std::optional<std::span<const index_t>> new_number) {
+  std::optional<EntryIndices> indices;
+  if (new_number) indices.emplace(entries, field);
   const auto stays = [&](index_t k) {
-    if (!new_number) return true;
-    const EntryIndices indices(entries, field);
-    for (int e = 0; e < indices.count(); ++e) {
-      if ((*new_number)[static_cast<std::size_t>(indices.get(k, e))] < 0) return false;
+    for (int e = 0; indices && e < indices->count(); ++e) {
+      if ((*new_number)[static_cast<std::size_t>(indices->get(k, e))] < 0) return false;
     }
     return true;
   };

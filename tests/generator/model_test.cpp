@@ -433,7 +433,7 @@ TEST(Rules, refuse_objects_of_too_many_fields_of_their_own) {
   for (int f = 0; f < 10000; ++f) schema.objects[0].fields.push_back(scalar("x" + std::to_string(f)));
   ASSERT_EQ(validate(schema).size(), 1U);
   EXPECT_EQ(validate(schema)[0].place, (Place{false, 0, -1}));
-  EXPECT_NE(issues(schema).find("of generated code, and compilers bear 2 MiB; split it into several objects"),
+  EXPECT_NE(issues(schema).find("of generated code, and the limit is 2 MiB; split it into several objects"),
             std::string::npos);
   schema.imported.swap(schema.objects);  // somebody else's header
   schema.objects = {with({nested("a", "m::A")}).objects[0]};

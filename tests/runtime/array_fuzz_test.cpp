@@ -1,4 +1,5 @@
 // Arrays of many types, layouts and sizes under random copies and changes, held against the bytes of their objects.
+#include <physgen/simd_access.h>
 
 #include <array>
 #include <fstream>
@@ -281,6 +282,27 @@ TEST(Arrays, of_more_than_two_to_the_31_objects_are_ordinary) {
     EXPECT_EQ(tiles.getdata(i, 0), static_cast<double>(i % 1021)) << i;
   }
   EXPECT_EQ(tiles.getdata((index_t{1} << 31) - 1, 0), 0) << "the initial value";
+
+  // In packs, too: the whole one at 2^31, and the last of the array.
+  constexpr int W = native_lanes<float>;
+  const auto lanes_of = [](const auto& array, const auto& pack) {
+    const auto view = array.const_view();
+    using At = typename std::remove_cvref_t<decltype(view)>::template CursorAt<std::remove_cvref_t<decltype(pack)>>;
+    using Pitch = typename std::remove_cvref_t<decltype(view)>::Layout::Pitch;
+    const At cursor(view.data(), Pitch(view.pitch()), pack, nullptr);
+    std::array<float, W> lanes;
+    const batch_t<float, W> batch = cursor.template element<format::Half<>, float>(0);
+    batch.store_unaligned(lanes.data());
+    return lanes;
+  };
+  const index_t at = (n - 1) / W * W;
+  const auto expect_lanes = [&](const auto& array) {
+    EXPECT_EQ(lanes_of(array, Pack<W>{index_t{1} << 31})[0], static_cast<float>((index_t{1} << 31) % 1021));
+    const auto last = lanes_of(array, PartialPack<W>{at, 0, static_cast<int>(n - at)});
+    EXPECT_EQ(last[static_cast<std::size_t>(n - 1 - at)], static_cast<float>((n - 1) % 1021));
+  };
+  expect_lanes(channels);
+  expect_lanes(tiles);
 }
 
 TEST(Arrays, whose_padded_records_no_memory_can_count_are_refused) {

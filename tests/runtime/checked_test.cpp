@@ -1,6 +1,7 @@
 // What a checked build reports. This program is compiled with PHYSGEN_CHECKED.
 #include <physgen/gather.h>
 #include <physgen/parallel_for.h>
+#include <physgen/parallel_reduce.h>
 #include <physgen/topology.h>
 
 #include "checked_formats.h"
@@ -47,6 +48,24 @@ TEST(CheckedView, reports_a_gathered_index_out_of_range) {
   const auto view = array.view();
   const batch_t<std::int32_t, native_lanes<float>> index(10);
   EXPECT_THROW((void)view[index], Error);
+}
+
+/// What padding holds, such as an initial value of -1, is nothing that a pack follows.
+TEST(CheckedView, sees_no_indices_in_padding) {
+  elasticity::TetArray<float> tets(1);
+  NodePositionArray<float> array(2);
+  const Storage storage = tets.storage();
+  std::fill(storage.base, storage.base + storage.bytes(), std::byte{0xff});  // -1 everywhere
+  for (int k = 0; k < 4; ++k) tets.view()[0].nodes()[k] = k % 2;
+  array.view()[1].x() = Eigen::Vector3f(1, 2, 3);
+  const auto view = array.view();
+  const auto from = tets.const_view();
+  EXPECT_EQ(sum(Host{}, 1, over<float>([=](auto i) {
+                  const auto nodes = from[i].nodes();
+                  const lanes_t<std::int32_t, decltype(i)> node = nodes[1];
+                  return view[node].x().get().squaredNorm();
+                })),
+            14.0);
 }
 
 TEST(CheckedView, reports_entries_and_elements_that_do_not_exist) {

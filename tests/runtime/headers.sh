@@ -7,7 +7,7 @@ how=$1 compiler=$2 root=$3 flags=("${@:4}")
 headers() { # headers FOLDER PATTERN: as they are included
   (cd "$1" && find . -name '*.h' -path "$2" -not -path '*cuda*' -not -path '*/reference/*' -printf '%P\n' | sort)
 }
-accepts() { # accepts HEADER...: twice, since a header must bear that
+accepts() { # accepts HEADER...: twice, since a header may be included twice
   printf '#include <%s>\n' "$@" "$@" |
     "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wno-unknown-pragmas -Werror \
       "-I$root/runtime/include" "-I$root/generated" "-I$root/tools" "${flags[@]}" -x c++ -

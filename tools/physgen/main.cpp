@@ -8,7 +8,7 @@
 #include "command.h"
 
 int main(int argc, char** argv) {
-  // Clang's destructors do not bear an exception from within Clang; nothing has been written by then.
+  // No exception may leave Clang half-way, as its destructors do not expect that. Nothing has been written by then.
   std::set_new_handler([] {
     std::fputs("physgen: error: this schema needs more memory than there is\n", stderr);
     std::_Exit(2);

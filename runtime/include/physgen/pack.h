@@ -5,6 +5,7 @@
 
 #include <physgen/config.h>
 
+#include <concepts>
 #include <type_traits>
 
 namespace physgen {
@@ -28,6 +29,21 @@ struct PartialPack {
   /// The lane whose object lane l reads.
   [[nodiscard]] constexpr int lane(int l) const { return l < first ? first : l < last ? l : last - 1; }
 };
+
+namespace detail {
+
+template <class I>
+concept AnyPack = std::same_as<I, Pack<I::width>> || std::same_as<I, PartialPack<I::width>>;
+
+struct a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one {};
+
+}  // namespace detail
+
+// The pack at i + 1 would not begin at a multiple of its width: `view[numbers(i) + 1]` gathers the neighbours.
+template <detail::AnyPack I, std::integral Number>
+detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator+(const I&, Number) = delete;
+template <detail::AnyPack I, std::integral Number>
+detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator-(const I&, Number) = delete;
 
 /// Lanes first .. last-1 of a pack.
 struct LaneRange {
@@ -66,7 +82,7 @@ template <int W>
   return {at, static_cast<int>(begin > at ? begin - at : 0), static_cast<int>(end < at + W ? end - at : W)};
 }
 
-/// What an element of type T becomes under an index of type I: T itself, or a SIMD batch. Specialised in simd_access.h.
+/// What an element of type T becomes under an index of type I: T itself, or a SIMD batch. Specialised in simd_cursor.h.
 template <class T, class I>
 struct Lanes {
   static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd_access.h>");
@@ -75,7 +91,7 @@ struct Lanes {
 template <class T, class I>
 using lanes_t = typename Lanes<T, I>::type;
 
-/// The type with as many lanes as S has, but lanes of type T: float, int32_t -> int32_t. Specialised in simd_access.h.
+/// The type with as many lanes as S has, but lanes of type T: float, int32_t -> int32_t. Specialised in simd_cursor.h.
 template <class S, class T>
 struct SameLanes {
   using type = T;

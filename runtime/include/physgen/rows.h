@@ -56,6 +56,14 @@ struct LaneOf<S> {
   using type = typename S::value_type;
 };
 
+/// What a fold over a row forms next is of the type of its total.
+template <class Sum, class Next>
+[[nodiscard]] PHYSGEN_FUNCTION Sum next_total(const Next& next) {
+  static_assert(!std::is_arithmetic_v<Next> || std::is_same_v<Next, Sum>,
+                "rows.fold(): `step` returns another type than that of `total`, to which it would be cut down");
+  return next;
+}
+
 /// @throw Error when rows that `of` names are not `size` rows of entries that name `targets` objects
 void require_rows(const char* of, index_t rows, index_t row_targets, index_t size, index_t targets);
 
@@ -122,10 +130,10 @@ class Rows {
     using T = typename detail::LaneOf<typename detail::Summand<Value>::Scalar>::type;
     Sum sum = total;
     if constexpr (std::is_integral_v<I>) {
-      for_each<T>(i, [&](const auto& entry, bool /*active*/) { sum = step(std::as_const(sum), entry); });
+      for_each<T>(i, [&](const auto& entry, bool /*active*/) { sum = detail::next_total<Sum>(step(std::as_const(sum), entry)); });
     } else {
       for_each<T>(i, [&](const auto& entry, const auto& active) {
-        detail::RowVisit<I>::replace_where(active, sum, Sum(step(std::as_const(sum), entry)));
+        detail::RowVisit<I>::replace_where(active, sum, detail::next_total<Sum>(step(std::as_const(sum), entry)));
       });
     }
     return sum;

@@ -7,13 +7,6 @@
 
 namespace physgen {
 
-namespace detail {
-
-template <class I>
-concept AnyPack = std::same_as<I, Pack<I::width>> || std::same_as<I, PartialPack<I::width>>;
-
-}  // namespace detail
-
 template <class T, int W>
 [[nodiscard]] auto wanted(const Pack<W>& /*i*/) {
   return typename batch_t<T, W>::batch_bool_type(true);

@@ -191,6 +191,8 @@ __global__ void __launch_bounds__(reduce_threads)
   if (threadIdx.x == 0) then(Types::Entries::result(static_cast<const typename Types::Value*>(result)));
 }
 
+struct a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument {};
+
 /// For reductions that return their value.
 template <class Result>
 struct StoreResult {
@@ -233,6 +235,16 @@ void parallel_reduce(Cuda space, index_t size, const Kernel& kernel, Fold fold, 
                      ReduceWorkspace& workspace, Stream stream = nullptr) {
   parallel_reduce(space, 0, size, kernel, fold, then, workspace, stream);
 }
+
+/// A reduction on a device allocates nothing, so it is handed its memory.
+template <class Kernel, class Fold>
+  requires(!std::is_integral_v<Kernel>)
+cuda::a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument parallel_reduce(
+    Cuda space, index_t begin, index_t end, const Kernel& kernel, Fold fold) = delete;
+template <class Kernel, class Fold>
+  requires(!std::is_integral_v<Kernel>)
+cuda::a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument parallel_reduce(
+    Cuda space, index_t size, const Kernel& kernel, Fold fold) = delete;
 
 /// The same, but waits for the value and returns it.
 /// @throw Error also when `stream` is being captured, as nothing can be waited for there: hand over `then`
