@@ -209,25 +209,31 @@ TEST(ParallelFor, takes_kernels_of_double_over_objects_with_indices) {
   for (index_t e = 0; e < 21; ++e) ASSERT_EQ(out.view()[e].x1111(), 2.0);
 }
 
-TEST(Packs, name_neighbours_by_numbers_and_cells_by_the_floor_of_a_position) {
+template <class Real>
+void check_neighbours_and_cells() {
   for (const index_t n : {1, 15, 16, 37}) {
-    StressDerivativeArray<float> in(n), out(n);
-    for (index_t k = 0; k < n; ++k) in.view()[k].x1111() = 0.75F * static_cast<float>(n - 1 - k);
+    StressDerivativeArray<Real> in(n), out(n);
+    for (index_t k = 0; k < n; ++k) in.view()[k].x1111() = Real(0.75) * static_cast<Real>(n - 1 - k);
     const auto from = in.const_view();
     const auto to = out.view();
     const auto last = static_cast<std::int32_t>(n - 1);
-    parallel_for(Host{}, n, over<float>([=](auto i) {
+    parallel_for(Host{}, n, over<Real>([=](auto i) {
                    using namespace math;
-                   const lanes_t<float, decltype(i)> x = from[i].x1111();
+                   const lanes_t<Real, decltype(i)> x = from[i].x1111();
                    to[i].x1111() = from[min(numbers(i) + 1, last)].x1111();
-                   to[i].x2211() = from[cast<std::int32_t>(floor(x))].x1111();
+                   to[i].x2211() = from[to_index(floor(x))].x1111();
                  }));
     for (index_t k = 0; k < n; ++k) {
-      const float x = from[k].x1111();
-      EXPECT_EQ(float(to[k].x1111()), float(from[std::min(k + 1, n - 1)].x1111())) << k << " of " << n;
-      EXPECT_EQ(float(to[k].x2211()), float(from[static_cast<index_t>(std::floor(x))].x1111())) << k << " of " << n;
+      const Real x = from[k].x1111();
+      EXPECT_EQ(Real(to[k].x1111()), Real(from[std::min(k + 1, n - 1)].x1111())) << k << " of " << n;
+      EXPECT_EQ(Real(to[k].x2211()), Real(from[static_cast<index_t>(std::floor(x))].x1111())) << k << " of " << n;
     }
   }
+}
+
+TEST(Packs, name_neighbours_by_numbers_and_cells_by_the_floor_of_a_position) {
+  check_neighbours_and_cells<float>();
+  check_neighbours_and_cells<double>();
 }
 
 template <class Real>

@@ -7,6 +7,7 @@
 //   store_where(mask, view[i].f(), value)    a store where a condition holds
 //   select(mask, a, b)                       in place of `?:`; masks join by &&, || and !
 //   cast<double>(x), to_real<S>(n)           float, double and integers in one kernel
+//   to_index(floor(x / h))                   the number of a cell, or of another object
 //   exp, log, pow, max, ... of math.h        with plain numbers second: `max(m, 0.0)`
 //
 // Write `using namespace physgen; using namespace physgen::math;` where the kernel stands, and call them unqualified.

@@ -55,6 +55,14 @@ PHYSGEN_FUNCTION inline S to_real(const Integers& n) {
   return detail::Cast<typename ScalarTraits<S>::Real, Integers>::of(n);
 }
 
+/// `to_index(floor(x / h))`: floating numbers as 32-bit indices of as many lanes; what stands behind the point is cut.
+/// @pre -2^31 <= x < 2^31, not NaN
+template <Lanewise S>
+PHYSGEN_FUNCTION inline auto to_index(const S& x) {
+  static_assert(!detail::holds_integers<S>, "to_index() takes floating numbers; integers are indices already");
+  return detail::Cast<std::int32_t, S>::of(x);
+}
+
 /// `condition ? a : b` for vectors and matrices, whose entries all have the condition of their lane.
 template <class Condition, class A, class B>
 PHYSGEN_FUNCTION inline auto select(const Condition& condition, const Eigen::MatrixBase<A>& a,
