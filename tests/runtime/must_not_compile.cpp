@@ -52,10 +52,12 @@ void refused(const Derivatives::View& view, Pack<native_lanes<float>> i, const I
 #elif defined(CASE_a_neighbour_of_a_pack)
   view[i].x1111() = view[i + 1].x1111();
 #elif defined(CASE_a_sum_over_rows_of_another_type)
-  const Rows rows(elasticity::IncidenceRangeArray<float>::ConstView(), elasticity::IncidenceArray<float>::ConstView(), 0);
+  const Rows rows(elasticity::IncidenceRangeArray<float>::ConstView(), elasticity::IncidenceArray<float>::ConstView(),
+                  0);
   (void)rows.sum(index_t{0}, 0, [&](const auto&) { return 0.5F; });
 #elif defined(CASE_a_fold_over_rows_of_another_type)
-  const Rows rows(elasticity::IncidenceRangeArray<float>::ConstView(), elasticity::IncidenceArray<float>::ConstView(), 0);
+  const Rows rows(elasticity::IncidenceRangeArray<float>::ConstView(), elasticity::IncidenceArray<float>::ConstView(),
+                  0);
   (void)rows.fold(index_t{0}, 0.0F, [&](float total, const auto&) { return total + 0.5; });
 #elif defined(CASE_a_lambda_without_a_width)
   parallel_for(Host{}, 5, [](auto) {});

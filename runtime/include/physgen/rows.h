@@ -130,7 +130,9 @@ class Rows {
     using T = typename detail::LaneOf<typename detail::Summand<Value>::Scalar>::type;
     Sum sum = total;
     if constexpr (std::is_integral_v<I>) {
-      for_each<T>(i, [&](const auto& entry, bool /*active*/) { sum = detail::next_total<Sum>(step(std::as_const(sum), entry)); });
+      for_each<T>(i, [&](const auto& entry, bool /*active*/) {
+        sum = detail::next_total<Sum>(step(std::as_const(sum), entry));
+      });
     } else {
       for_each<T>(i, [&](const auto& entry, const auto& active) {
         detail::RowVisit<I>::replace_where(active, sum, detail::next_total<Sum>(step(std::as_const(sum), entry)));

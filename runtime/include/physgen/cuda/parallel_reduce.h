@@ -18,13 +18,14 @@ inline constexpr int reduce_threads = 256;
 inline constexpr int reduce_warps = reduce_threads / detail::reduce_lanes;
 
 /// How many terms a thread forms at once, before they are joined: so that enough loads are on their way, and no more,
-/// as the kernel's code is repeated as often.
+/// as the kernel's code is repeated as often. Of dot products of two fields of vectors, 1, 4 and 8 are slower on an
+/// H200, and so are 128 and 512 threads.
 template <class Types>
 constexpr int terms_at_once() {
   constexpr auto bytes = static_cast<int>(sizeof(typename Types::Number)) * Types::count;
   static_assert(2 * bytes * reduce_threads + reduce_threads * int{sizeof(typename Types::Value)} + 64 <= 48 * 1024,
                 "the term of a reduction on a device has about 88 bytes at most: fold parts of it one by one");
-  return bytes <= 8 ? 4 : bytes <= 16 ? 2 : 1;
+  return bytes <= 16 ? 2 : 1;
 }
 
 /// The value of the lane `step` further on in the warp.
@@ -191,6 +192,16 @@ __global__ void __launch_bounds__(reduce_threads)
   if (threadIdx.x == 0) then(Types::Entries::result(static_cast<const typename Types::Value*>(result)));
 }
 
+/// How many thread blocks of a kernel run at once on the current device.
+template <class Global>
+[[nodiscard]] index_t blocks_at_once(Global* kernel) {
+  int device = 0, processors = 0, blocks = 0;
+  check(cudaGetDevice(&device), "asking for the current device");
+  check(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device), "asking for its size");
+  check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, reduce_threads, 0), "asking what runs at once");
+  return std::max(index_t{processors} * blocks, index_t{1});
+}
+
 struct a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument {};
 
 /// For reductions that return their value.
@@ -216,13 +227,10 @@ void parallel_reduce(Cuda /*space*/, index_t begin, index_t end, const Kernel& k
   using Types = detail::Reduction<Kernel, Fold, index_t>;
   using Value = typename Types::Value;
   workspace.require(std::max(end - begin, index_t{0}), index_t{sizeof(Value)} * Types::count);
-  int device = 0, processors = 0;
-  cuda::check(cudaGetDevice(&device), "asking for the current device");
-  cuda::check(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device), "asking for its size");
   detail::check_range_of_launch(begin);
   const cuda::Blocks blocks{begin, end, detail::blocks_of(begin, end)};
-  // As many thread blocks as run at once.
-  const auto grid = static_cast<unsigned>(std::clamp(blocks.count, index_t{1}, index_t{processors} * 8));
+  static const index_t at_once = cuda::blocks_at_once(cuda::reduce_objects<Types, Fold, Kernel, Then>);
+  const auto grid = static_cast<unsigned>(std::clamp(blocks.count, index_t{1}, at_once));
   cuda::reduce_objects<Types, Fold><<<grid, cuda::reduce_threads, 0, stream>>>(
       blocks, kernel, then, reinterpret_cast<Value*>(workspace.values()), workspace.finished());
   cuda::check(cudaGetLastError(), "launching a reduction");
@@ -239,12 +247,15 @@ void parallel_reduce(Cuda space, index_t size, const Kernel& kernel, Fold fold, 
 /// A reduction on a device allocates nothing, so it is handed its memory.
 template <class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
-cuda::a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument parallel_reduce(
-    Cuda space, index_t begin, index_t end, const Kernel& kernel, Fold fold) = delete;
+cuda::a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument parallel_reduce(Cuda space, index_t begin,
+                                                                                           index_t end,
+                                                                                           const Kernel& kernel,
+                                                                                           Fold fold) = delete;
 template <class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
-cuda::a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument parallel_reduce(
-    Cuda space, index_t size, const Kernel& kernel, Fold fold) = delete;
+cuda::a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument parallel_reduce(Cuda space, index_t size,
+                                                                                           const Kernel& kernel,
+                                                                                           Fold fold) = delete;
 
 /// The same, but waits for the value and returns it.
 /// @throw Error also when `stream` is being captured, as nothing can be waited for there: hand over `then`
