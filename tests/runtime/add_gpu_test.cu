@@ -29,7 +29,7 @@ template <class Layout>
 class AddOnDevice : public GpuTest {};
 TYPED_TEST_SUITE(AddOnDevice, AllLayouts, LayoutName);
 
-template <class Real, class Layout>
+template <class Real, class Layout, class Space = Cuda>
 void check_sums_on_device(int nodes) {
   const index_t n = 100'003, begin = 17, end = 100'001;
   std::mt19937 random(seed());
@@ -49,8 +49,8 @@ void check_sums_on_device(int nodes) {
   }
   elasticity::TetArray<Real, Cuda> tets_there(n);
   copy(tets_there, tets);
-  elasticity::NodeForceArray<Real, Cuda, Layout> forces(nodes);
-  elasticity::EdgeArray<Real, Cuda, Layout> counts(nodes);
+  elasticity::NodeForceArray<Real, Space, Layout> forces(nodes);
+  elasticity::EdgeArray<Real, Space, Layout> counts(nodes);
   using Kernel = AddToCornersOnDevice<decltype(tets_there.view()), decltype(forces.view()), decltype(counts.view())>;
   parallel_for(Cuda{}, begin, end, Kernel{tets_there.view(), forces.view(), counts.view()});
   elasticity::NodeForceArray<Real, Host> found(nodes);
@@ -78,6 +78,11 @@ TYPED_TEST(AddOnDevice, sums_what_threads_add_to_one_object) {
   check_sums_on_device<float, TypeParam>(1);
   check_sums_on_device<float, TypeParam>(1001);
   check_sums_on_device<double, TypeParam>(37);
+}
+
+TYPED_TEST(AddOnDevice, sums_what_threads_add_in_pinned_memory) {
+  check_sums_on_device<float, TypeParam, PinnedHost>(37);
+  check_sums_on_device<double, TypeParam, PinnedHost>(5);
 }
 
 }  // namespace
