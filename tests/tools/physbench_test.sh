@@ -75,6 +75,10 @@ case $rule in
       err_max '"cpu"' '"threads"' '"compiler"' '"command"' '"date"'; do
       expect "$json" "$word"
     done ;;
+  json_names_the_sources_of_the_checkout)
+    expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000$'
+    expect "$json" '"results_version": "1"'
+    expect "$json" "\"sources\": \"$(/usr/bin/python3 "${BASH_SOURCE%/*}/../../tools/report/sources.py")\"" ;;
   without_a_command_there_are_no_rows_of_sets)
     expect_exit 0 "${small[@]}"
     expect "$out" '^CPU, float$'

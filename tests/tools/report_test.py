@@ -31,6 +31,7 @@ sys.path.insert(0, str(TOOL))
 import drawing  # noqa: E402
 import names  # noqa: E402
 import rows  # noqa: E402
+import sources  # noqa: E402
 
 
 def report(*arguments):
@@ -187,6 +188,49 @@ class ReportTest(unittest.TestCase):
         same = rows.where(results.rows, kernel="stress_derivative", layout="aosoa32", objects=8388608, set="")
         self.assertEqual([row.ms for row in same], [7.0])
 
+    # ---- What is older than the code -----------------------------------------------------------------------------
+    def page_of_gathers_with(self, **context):
+        """The page of all kinds of rows, with those of gather_nodes from a file whose context says something else."""
+        content = json.loads(self.gathers.read_text())
+        content["context"].update(context)
+        content["context"] = {name: value for name, value in content["context"].items() if value is not None}
+        (self.folder / "other.json").write_text(json.dumps(content))
+        done = report(self.all_kinds, self.folder / "other.json", "-o", self.folder / "marked")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return Page(self.folder / "marked" / "index.html")
+
+    def check_only_gathers_are_marked(self, page, why, listed):
+        marked = [section for section in SECTIONS if "May be older than the code" in page.text[section]]
+        self.assertEqual(marked, ["gathered-against-streamed"])
+        self.assertIn(why, page.text["gathered-against-streamed"])
+        self.assertIn("other.json (2026-01-02)", page.text["gathered-against-streamed"])
+        self.assertIn("1 of the files may be older than the code", page.source)
+        self.assertRegex(page.source, rf"<td[^>]*>{listed}</td>")
+
+    def test_results_of_the_present_sources_are_not_marked(self):
+        self.assertNotIn("older than the code", self.all.source)
+        self.assertIn("as here", self.all.text[SECTIONS[9]])
+
+    def test_section_with_results_of_other_sources_says_which_differ(self):
+        found = sources.hashes()
+        found["runtime"] = "0123456789abcdef"
+        page = self.page_of_gathers_with(sources=sources.text(found))
+        why = "other sources than this checkout's (those of runtime differ)"
+        self.check_only_gathers_are_marked(page, why, "other: runtime")
+
+    def test_section_with_results_that_name_no_sources_says_so(self):
+        page = self.page_of_gathers_with(sources=None, results_version=None)
+        self.check_only_gathers_are_marked(page, "do not say which sources they measured", "not stated")
+
+    def test_every_section_knows_the_rows_that_it_shows(self):
+        content = json.loads(self.all_kinds.read_text())
+        del content["context"]["sources"]
+        (self.folder / "unstated.json").write_text(json.dumps(content))
+        self.assertEqual(report(self.folder / "unstated.json", "-o", self.folder / "unstated").returncode, 0)
+        page = Page(self.folder / "unstated" / "index.html")
+        for section in SECTIONS[:-1]:
+            self.assertIn("May be older than the code", page.text[section])
+
     # ---- Wrong input ---------------------------------------------------------------------------------------------
     def check_refused(self, content, message):
         wrong, out = self.folder / "wrong.json", self.folder / "refused"
@@ -222,6 +266,21 @@ class ReportTest(unittest.TestCase):
         self.check_refused(file({"name": "svd/aos/float/cuda/8"}), "median_ms")
         self.check_refused(file({"name": "svd/aos/float/cuda/8", "median_ms": float("nan")}), "median_ms")
         self.check_refused(file({"median_ms": 1.0}), "no name")
+
+    def test_results_of_another_version_are_refused(self):
+        content = json.loads(self.gathers.read_text())
+        for version in ("2", 0, "", None, [1]):
+            content["context"]["results_version"] = version
+            self.check_refused(
+                json.dumps(content),
+                rf"context.results_version is '{re.escape(str(version))}'.* version 1; measure again with this",
+            )
+
+    def test_sources_that_physbench_does_not_write_are_refused(self):
+        content = json.loads(self.gathers.read_text())
+        for wrong in ("", "runtime", "runtime 0123", "runtime 0123456789abcdeF", 3, None, ["runtime 0123456789abcdef"]):
+            content["context"]["sources"] = wrong
+            self.check_refused(json.dumps(content), "context.sources is .* measure again")
 
     def test_wrong_use_exits_with_2(self):
         self.assertEqual(report().returncode, 2)

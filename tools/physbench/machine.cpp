@@ -11,6 +11,7 @@
 
 #include "accuracy/cusolver.h"
 #endif
+#include "sources.h"
 
 namespace physgen::bench {
 
@@ -62,6 +63,8 @@ Machine describe_machine(const Options& options, const std::string& command) {
                   {"gpu", gpu.missing.empty() ? gpu.name : gpu.missing},
                   {"compiler", compiler()},
                   {"physgen", PHYSGEN_BENCH_VERSION},
+                  {"results_version", "1"},  // tools/report/rows.py reads this version: names and meanings of counters
+                  {"sources", source_hashes()},
                   {"command", command}};
 #ifdef PHYSGEN_BENCH_CUDA
   if (gpu.missing.empty() && !cusolver_missing().empty()) machine.emplace_back("cusolver", cusolver_missing());

@@ -1,5 +1,5 @@
 """What a section of the page is made of: paragraphs, tables and figures."""
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass
@@ -28,9 +28,11 @@ class Figure:
 
 @dataclass
 class Section:
-    """`blocks` is empty when no row fills the section; then the page shows `rows` and `command` instead."""
+    """`blocks` is empty when no row fills the section; then the page shows `rows` and `command` instead. `used`: the
+    measured rows that the blocks are made of; the page says which of them may be older than the code."""
 
     title: str
     blocks: list
     rows: str = ""
     command: str = ""
+    used: list = field(default_factory=list)

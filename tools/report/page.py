@@ -37,6 +37,7 @@ details { margin: .6rem 0 1.4rem; font-size: .94rem; }
 summary { cursor: pointer; color: var(--link); font-size: .84rem; }
 code, pre { font: .84rem/1.5 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 pre { background: var(--shade); padding: .7rem .9rem; border-radius: 4px; overflow-x: auto; }
+.older { border-left: 3px solid #d55e00; padding-left: .8rem; font-size: .94rem; }
 .missing { color: var(--muted); break-after: avoid; }
 @media print {
   :root { color-scheme: light; --ink: #000; --muted: #555; --rule: #ccc; --paper: #fff; --shade: #f5f6f8;
@@ -57,6 +58,7 @@ def build(sections, files):
     outputs, parts, used = {}, [], set()
     for section in sections:
         parts.append(f'<section id="{names.slug(section.title)}">\n<h2>{html.escape(section.title)}</h2>')
+        parts += _older(section)
         parts += [_block(block, outputs, used) for block in section.blocks] or [_missing(section)]
         parts.append("</section>")
     page = f"""<!DOCTYPE html>
@@ -84,10 +86,12 @@ def build(sections, files):
 def _summary(files):
     machines = sorted({row.machine for file in files for row in file.rows})
     rows = sum(len(file.rows) for file in files)
+    older = sum(file.sources != "as here" for file in files)
     listed = html.escape("; ".join(machines)) or "none"
     return (
         f"{rows} rows of {len(files)} file{'s' * (len(files) != 1)}. Machines: {listed}. "
         "Times are medians; a copy is one of the same bytes in the same run."
+        + (f" {older} of the files may be older than the code; their sections say so." if older else "")
     )
 
 
@@ -97,6 +101,21 @@ def _contents(sections):
         f'{html.escape(section.title)}</a>{"" if section.blocks else " (no rows)"}</li>'
         for section in sections
     )
+
+
+def _older(section):
+    """What stands above figures that the present code may not give."""
+    reasons = {}
+    for why, file in sorted({row.older for row in section.used if row.older}):
+        reasons.setdefault(why, []).append(file)
+    if not reasons:
+        return []
+    listed = html.escape("; ".join(f"{why}: {', '.join(same)}" for why, same in reasons.items()))
+    return [
+        '<p class="older"><strong>May be older than the code:</strong> these figures are of '
+        f"{listed}. The present code may be faster or slower, and its errors may differ. "
+        'To measure again, see <a href="#machines-versions-commands">the commands</a>.</p>'
+    ]
 
 
 def _missing(section):

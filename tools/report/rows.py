@@ -5,6 +5,9 @@ import os
 import re
 from dataclasses import dataclass, replace
 
+import sources
+
+VERSION = "1"  # of results: names and meanings of rows and counters. Files that state none are of this one, too
 EPS = {"float": 2.0**-23, "double": 2.0**-52}  # what err_eps_* are in
 
 
@@ -24,6 +27,7 @@ class Row:
     set: str
     machine: str
     counters: dict
+    older: tuple = ()  # (why its file may be older than the code, the file and its date); empty: it is not
     peers: int = 0  # rows of the same kernel, set and object count on the machine
 
     @property
@@ -66,6 +70,7 @@ class ResultFile:
     context: dict
     rows: list
     failures: list  # (name, message)
+    sources: str  # what it measured: "as here", "other: runtime", "not stated"
 
 
 @dataclass(frozen=True)
@@ -75,18 +80,20 @@ class Results:
     replaced: int  # rows that a later file has again
 
 
-def load(paths):
+def load(paths, here=None):
     """Reads files. Of rows that several files have from one machine, the last file's count.
 
+    @param here hashes of the sources that count as the present ones; without it, of the checkout that this file is in
     @throws ResultsError that names the file and what is wrong with it"""
-    files = [_read(path) for path in paths]
+    here = here or sources.hashes()
+    files = [_read(path, here) for path in paths]
     unique = {(row.machine, row.name): row for file in files for row in file.rows}
     peers = {key: len(same) for key, same in grouped(unique.values(), "machine", "kernel", "set", "objects")}
     rows = [replace(row, peers=peers[row.machine, row.kernel, row.set, row.objects]) for row in unique.values()]
     return Results(files, rows, sum(len(file.rows) for file in files) - len(rows))
 
 
-def _read(path):
+def _read(path, here):
     try:
         with open(path, encoding="utf-8") as stream:
             content = json.load(stream)
@@ -97,13 +104,17 @@ def _read(path):
     context = content.get("context") if isinstance(content, dict) else None
     if not isinstance(context, dict) or "physgen" not in context or not isinstance(content.get("benchmarks"), list):
         raise ResultsError(f"{path}: JSON, but not of physbench --json (no context with 'physgen', or no benchmarks)")
+    _check_version(path, context)
+    name = os.path.basename(path)
+    measured, older = _sources(path, context, here)
+    older = (older, f"{name} ({str(context.get('date', 'no date'))[:10]})") if older else ()
     rows, failures = {}, []
     for entry in content["benchmarks"]:
         if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
             raise ResultsError(f"{path}: a benchmark has no name")
         if entry.get("run_type") == "aggregate":
             continue  # means and deviations of repetitions: the repetitions themselves are there, too
-        row = _row(path, entry, context)
+        row = _row(path, entry, context, older)
         if entry.get("error_occurred"):
             failures.append((row.name, str(entry.get("error_message", "no message"))))
         elif row.ms is None or row.ms <= 0:
@@ -113,16 +124,43 @@ def _read(path):
     if not rows and not failures:
         raise ResultsError(f"{path}: no rows")
     middle = [sorted(same, key=lambda row: row.ms)[(len(same) - 1) // 2] for same in rows.values()]
-    return ResultFile(os.path.basename(path), context, middle, failures)
+    return ResultFile(name, context, middle, failures, measured)
 
 
-def _row(path, entry, context):
+def _check_version(path, context):
+    version = str(context.get("results_version", VERSION))
+    if version != VERSION:
+        raise ResultsError(
+            f"{path}: context.results_version is '{version}', but this checkout reads results of version {VERSION}; "
+            "measure again with this checkout's physbench (--json=FILE), or take the report of the checkout that wrote it"
+        )
+
+
+def _sources(path, context, here):
+    """What the file says of its sources, in short; and in words where they are not those of `here`."""
+    if "sources" not in context:
+        return "not stated", "files that do not say which sources they measured"
+    stated = sources.parse(context["sources"])
+    if stated is None:
+        raise ResultsError(
+            f"{path}: context.sources is '{context['sources']}', not names and hashes as physbench writes them "
+            "(tools/report/sources.py prints this checkout's); measure again instead of editing the file"
+        )
+    other = [group for group in {**here, **stated} if here.get(group) != stated.get(group)]
+    if not other:
+        return "as here", ""
+    listed = ", ".join(other)
+    return f"other: {listed}", f"files that measured other sources than this checkout's (those of {listed} differ)"
+
+
+def _row(path, entry, context, older):
     name = re.sub(r"/(manual_time|real_time|repeats:\d+)", "", entry["name"])
     parts = name.split("/")
     if len(parts) < 5 or not parts[4].isdigit() or int(parts[4]) == 0:
         raise ResultsError(f"{path}: '{name}' is not kernel/layout/storage/space/objects[/set]")
     kernel, layout, storage, space, objects = parts[:5]
-    return Row(kernel, layout, storage, space, int(objects), "/".join(parts[5:]), _machine(space, context), entry)
+    machine = _machine(space, context)
+    return Row(kernel, layout, storage, space, int(objects), "/".join(parts[5:]), machine, entry, older)
 
 
 def _machine(space, context):

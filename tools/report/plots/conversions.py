@@ -21,6 +21,7 @@ def section(results):
     for machine, of_machine in by_machine(rows):
         for (kernel, storage), same in grouped(of_machine, "kernel", "storage"):
             result.blocks.append(_figure(machine, kernel, storage, usual_size(same)))
+            result.used += usual_size(same)
     return result
 
 

@@ -19,6 +19,7 @@ def section(results):
     for machine, of_machine in by_machine(rows):
         for storage, same in grouped(of_machine, "storage"):
             result.blocks += _blocks(machine, storage, same)
+            result.used += same
     if result.blocks:
         result.blocks.insert(
             0,

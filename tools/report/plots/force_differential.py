@@ -25,6 +25,7 @@ def section(results):
             library = [row for row in rows if row.layout.startswith(LIBRARY)]
             if library and len(rows) > len(library):
                 groups.append((storage, rows, library[0]))
+                result.used += rows
                 sizes.add(rows[0].objects)
         if groups:
             result.blocks.append(_figure(machine, groups, sizes))

@@ -20,6 +20,7 @@ def section(results):
             rows = [row for row in usual_size(rows) if row.layout != "copy"]
             if rows:
                 result.blocks += _blocks(machine, storage, rows)
+                result.used += rows
     return result
 
 

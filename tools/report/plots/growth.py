@@ -31,6 +31,7 @@ def section(results):
                     kernels.append((kernel, sorted(curves, key=lambda curve: names.layout_order(curve[0]))))
             if kernels:
                 result.blocks.append(_figure(machine, storage, kernels))
+                result.used += [row for _, curves in kernels for _, curve in curves for row in curve]
     return result
 
 

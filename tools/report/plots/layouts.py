@@ -28,6 +28,7 @@ def section(results):
             kernels = [(kernel, same) for kernel, same in kernels if len(same) > 1]
             if kernels:
                 result.blocks += [_figure(machine, storage, kernels), _table(machine, storage, kernels)]
+                result.used += [row for _, same in kernels for row in same]
     return result
 
 

@@ -29,6 +29,7 @@ def section(results):
             points = [row for row in rows if row.error("p99") is not None and row.layout != "copy"]
             if origin and {row.storage for row in points} - {"float", "double"}:
                 result.blocks += _blocks(machine, kernel, origin, points)
+                result.used += [origin, *points]
     if result.blocks:
         result.blocks.insert(
             0,

@@ -17,9 +17,10 @@ FIELDS = {
 def section(results):
     blocks = [
         Table(
-            ["file", "rows", *FIELDS.values()],
-            [[file.name, str(len(file.rows)), *_context(file)] for file in results.files],
-            "What measured each file, and when.",
+            ["file", "rows", *FIELDS.values(), "sources"],
+            [[file.name, str(len(file.rows)), *_context(file), file.sources] for file in results.files],
+            "What measured each file, when, and whether with the sources of this checkout: where they are others or "
+            "are not stated, the code may have changed since.",
         )
     ]
     commands = "\n".join(f"{_command(file)}" for file in results.files)

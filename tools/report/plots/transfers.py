@@ -20,6 +20,7 @@ def section(results):
     for machine, of_machine in by_machine(rows):
         for storage, same in grouped(of_machine, "storage"):
             result.blocks.append(_figure(machine, storage, same))
+            result.used += same
     return result
 
 
