@@ -1,0 +1,214 @@
+"""Tests that READMEs print what the checked-in results say, and of the command that writes it: readme_test.py"""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TOOL = ROOT / "tools" / "report" / "readme_numbers.py"
+sys.path.insert(0, str(TOOL.parent))
+import readme_figures  # noqa: E402
+import readme_numbers  # noqa: E402
+import rows  # noqa: E402
+
+DIGITS = re.compile(r"\d+")
+
+
+def command(*arguments):
+    return subprocess.run([sys.executable, TOOL, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+def measured_again(content):
+    """The same rows with other times, errors, sizes and counts, as if all had been measured on another machine."""
+    for number, row in enumerate(content["benchmarks"]):
+        factor = 1.7 + 0.3 * (number % 5)
+        parts = row["name"].split("/")
+        row["name"] = "/".join([*parts[:4], str(int(parts[4]) * 4), *parts[5:]])
+        for name, value in row.items():
+            if isinstance(value, (int, float)):
+                row[name] = value * factor + 3 if name in ("failures", "iterations", "samples") else value * factor
+    content["context"]["threads"] = "6, packs of 8 float or 4 double"
+    for cache in content["context"]["caches"]:
+        cache["size"] *= 3
+    return content
+
+
+class ReadmeTest(unittest.TestCase):
+    def setUp(self):
+        """A copy of what the command reads and writes."""
+        self.temporary = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.temporary.name)
+        for readme in readme_figures.READMES:
+            (self.root / readme).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / readme, self.root / readme)
+        shutil.copytree(ROOT / readme_numbers.RESULTS, self.root / readme_numbers.RESULTS)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def result_files(self):
+        return sorted((self.root / readme_numbers.RESULTS).glob("*.json"))
+
+    def change(self, name, old, new):
+        path = self.root / name
+        text = path.read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+    def refused(self, *words):
+        for option in ("--check", "--write"):
+            done = command(option, self.root)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+            for word in words:
+                self.assertIn(word, done.stderr)
+
+    # ---- The checkout --------------------------------------------------------------------------------------------
+    def test_figures_of_readmes_are_those_of_the_results(self):
+        done = command("--check")
+        self.assertEqual((done.stderr, done.returncode), ("", 0))
+
+    def test_every_result_file_has_figures_in_a_readme(self):
+        used = {sentence.file for sentence in readme_figures.SENTENCES}
+        self.assertEqual(used, {path.name for path in self.result_files()})
+
+    # ---- What is found -------------------------------------------------------------------------------------------
+    def test_a_changed_digit_of_a_readme_is_found_in_its_line(self):
+        checkout, tried = readme_numbers.Checkout(self.root), 0
+        for readme in readme_figures.READMES:
+            text = checkout.text(readme)
+            for edit in checkout.edits(readme, text):
+                for number in DIGITS.finditer(text, edit.begin, edit.end):
+                    place = number.end() - 1
+                    digit = str((int(text[place]) + 1) % 10)
+                    (self.root / readme).write_text(text[:place] + digit + text[place + 1 :], encoding="utf-8")
+                    try:
+                        found = checkout.differences()
+                    except readme_numbers.FiguresError as error:  # of a digit in words that belong to a sentence
+                        self.fail(f"{readme}: {number[0]}: {error}")
+                    self.assertEqual(len(found), 1, number[0])
+                    self.assertIn(f"{readme}:{readme_numbers.line(text, place)}: ", found[0])
+                    tried += 1
+            (self.root / readme).write_text(text, encoding="utf-8")
+        self.assertGreater(tried, 300)
+
+    def test_every_figure_changes_when_the_results_do(self):
+        for path in self.result_files():
+            path.write_text(json.dumps(measured_again(json.loads(path.read_text()))))
+        checkout = readme_numbers.Checkout(self.root)
+        for readme in readme_figures.READMES:
+            text = checkout.text(readme)
+            for edit in checkout.edits(readme, text):
+                present = text[edit.begin : edit.end]
+                if re.search(r"(?<![\w-])\d", present):  # else it is the head of a table
+                    self.assertNotEqual(present, edit.wanted, f"{readme}:{readme_numbers.line(text, edit.begin)}")
+        stale = " ".join(checkout.differences())
+        for picture in readme_figures.PICTURES:
+            self.assertIn(f"{picture.path}: not drawn from the present", stale)
+
+    def test_a_changed_digit_of_a_result_is_found(self):
+        path = self.root / readme_numbers.RESULTS / "h200_gathers.json"
+        content = json.loads(path.read_text())
+        row = next(row for row in content["benchmarks"] if re.fullmatch("gather_nodes/soa/.*/random", row["name"]))
+        row["median_ms"] += 0.001
+        path.write_text(json.dumps(content))
+        done = command("--check", self.root)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"README.md:\d+: '0\.\d+' is '0\.\d+' in h200_gathers.json")
+        self.assertIn("readme_numbers.py --write", done.stderr)
+
+    def test_a_figure_that_nothing_holds_is_found(self):
+        for figure in ("0.75 of a copy", "12 ms", "1,234 nodes", "7 µs", "3 million matrices"):
+            before = (self.root / "README.md").read_text(encoding="utf-8")
+            self.change("README.md", "The CPU's table:", f"It has {figure}. The CPU's table:")
+            done = command("--check", self.root)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"'{figure.split()[0]}' is held by no results", done.stderr)
+            (self.root / "README.md").write_text(before, encoding="utf-8")
+
+    # ---- What is written -----------------------------------------------------------------------------------------
+    def test_write_changes_nothing_where_all_agrees(self):
+        done = command("--write", self.root)
+        self.assertEqual((done.stdout, done.stderr, done.returncode), ("", "", 0))
+
+    def test_write_puts_new_figures_and_leaves_all_other_words(self):
+        def words(readme):
+            text = (self.root / readme).read_text(encoding="utf-8")
+            for begin, end, *_ in reversed(readme_numbers.tables(readme, text)):
+                text = text[:begin] + text[end:]
+            return re.sub(readme_numbers.NUMBER, "0", text)
+
+        before = [words(readme) for readme in readme_figures.READMES]
+        for path in self.result_files():
+            path.write_text(json.dumps(measured_again(json.loads(path.read_text()))))
+        done = command("--write", self.root)
+        self.assertEqual((done.stderr, done.returncode), ("", 0))
+        changed = [*readme_figures.READMES, *(picture.path for picture in readme_figures.PICTURES)]
+        self.assertEqual(done.stdout.split(), changed)
+        self.assertEqual([words(readme) for readme in readme_figures.READMES], before)
+        self.assertEqual(command("--check", self.root).returncode, 0)
+        soa = next(
+            row
+            for row in rows.load([str(self.root / readme_numbers.RESULTS / "h200_gathers.json")]).rows
+            if (row.layout, row.set) == ("soa", "random")
+        )
+        self.assertIn(f"ms padded and {soa.ms:.3f} ms as Soa", (self.root / "README.md").read_text(encoding="utf-8"))
+
+    def test_a_new_kernel_gets_a_line_of_its_own(self):
+        path = self.root / readme_numbers.RESULTS / "h200.json"
+        content = json.loads(path.read_text())
+        for row in [row for row in content["benchmarks"] if row["name"].startswith("stress/")]:
+            content["benchmarks"].append(dict(row, name="new_" + row["name"]))
+        path.write_text(json.dumps(content))
+        done = command("--check", self.root)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"a table that has other lines\n\+ \| new_stress \|.*\nas in h200.json")
+
+    # ---- What is refused -----------------------------------------------------------------------------------------
+    def test_a_sentence_that_was_reworded_is_refused_with_the_remedy(self):
+        self.change("README.md", "ms padded and", "ms when padded and")
+        self.refused("README.md has no sentences", "{} ms padded and {} ms as Soa", readme_numbers.LIST)
+
+    def test_a_sentence_that_stands_twice_is_refused(self):
+        twice = "3 sweeps up to 9 eps in float and 9 |A| in double over the sets of\n`physbench errors`\n## SVD"
+        self.change("tools/fem/README.md", "## SVD", twice)
+        self.refused("tools/fem/README.md has 2 sentences")
+
+    def test_a_table_that_is_not_listed_is_refused(self):
+        self.change("README.md", "<!-- figures: storage,", "<!-- figures: stores,")
+        self.refused("README.md:", "no table 'stores'", "kernels, errors, storage")
+
+    def test_a_table_without_an_end_is_refused(self):
+        self.change("README.md", "<!-- end of figures -->\n", "")
+        self.refused("README.md:", "no '<!-- end of figures -->' behind the table 'kernels'")
+
+    def test_results_without_a_row_are_refused(self):
+        path = self.root / readme_numbers.RESULTS / "h200_gathers.json"
+        content = json.loads(path.read_text())
+        content["benchmarks"] = [row for row in content["benchmarks"] if "/soa/" not in row["name"]]
+        path.write_text(json.dumps(content))
+        self.refused("h200_gathers.json has no row gather_nodes/soa/float/cuda/*/random", readme_numbers.LIST)
+
+    def test_missing_and_foreign_results_are_refused(self):
+        path = self.root / readme_numbers.RESULTS / "h200_gathers.json"
+        content = json.loads(path.read_text())
+        content["context"]["results_version"] = "2"
+        path.write_text(json.dumps(content))
+        self.refused("h200_gathers.json: context.results_version is '2'")
+        path.unlink()
+        self.refused("h200_gathers.json: No such file")
+        (self.root / "README.md").unlink()
+        self.refused("README.md: No such file")
+
+    def test_wrong_use_exits_with_2(self):
+        for arguments in ([], ["--check", "--write"], ["--check", self.root, "more"]):
+            self.assertEqual(command(*arguments).returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

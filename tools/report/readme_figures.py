@@ -1,0 +1,413 @@
+"""Which figures of READMEs come from which results. readme_numbers.py compares them and writes them.
+
+- A table stands in a README between `<!-- figures: NAME, from FILE.json -->` and `<!-- end of figures -->`; NAME is in
+  TABLES, which makes all its lines.
+- A figure in a sentence is a `{}` in SENTENCES; around it stand the words as the README has them.
+- What looks measured in the parts of READMEs in COMPLETE, but comes from no result file, is in ELSEWHERE.
+
+A figure is found by the names of rows, `kernel/layout/storage/space/objects[/set]`, where `*` stands for anything
+within a part (`File` in readme_numbers.py)."""
+from dataclasses import dataclass
+
+READMES = ["README.md", "tools/fem/README.md", "tools/physbench/README.md", "tools/examples/kernels.md"]
+
+
+# ---- Numbers as READMEs print them -----------------------------------------------------------------------------------
+def _ms(row, digits=3):
+    return f"{row.ms:.{digits}f}"
+
+
+def _count(number):
+    return f"{number:,.0f}"
+
+
+def _range(values, form=".2f"):
+    """The smallest and the largest, for `{} to {}`."""
+    values = list(values)
+    return [format(min(values), form), format(max(values), form)]
+
+
+def _eps(value):
+    return f"{value:.1f} eps" if value < 1e4 else f"{value:.0e} eps"
+
+
+def _error(row, which):
+    return f"{row.error(which):.1e}"
+
+
+def _mebibytes(row):
+    return row.counter("bytes_per_object") * row.objects / 2**20
+
+
+def _copy_fractions(file, *patterns):
+    return _range(row.copy_fraction for row in file.all(*patterns))
+
+
+# ---- Tables ----------------------------------------------------------------------------------------------------------
+def _lines(header, body):
+    head, *lines = ("| " + " | ".join(cells) + " |\n" for cells in (header, *body))
+    return head + "|---" * len(header) + "|\n" + "".join(lines)
+
+
+PAPER = ["dp_from_df", "stress_derivative", "add_force_differential", "element_force_differential"]  # these come first
+
+
+def _kernels(file):
+    """Every kernel in float on the GPU, in its three layouts; all but the first times are of tiles."""
+    kernels = list(dict.fromkeys(row.kernel for row in file.all("*/aosoa32/float/cuda/*")))
+    body = []
+    for kernel in sorted(kernels, key=lambda name: PAPER.index(name) if name in PAPER else len(PAPER)):
+        aos, soa, tiles = (file.one(f"{kernel}/{layout}/float/cuda/*") for layout in ("aos", "soa", "aosoa32"))
+        body.append(
+            [kernel, f"{tiles.counter('bytes_per_object'):.0f}", _ms(aos), _ms(soa), _ms(tiles)]
+            + [f"{tiles.copy_fraction:.2f}", f"{aos.ms / tiles.ms:.2f}x", _error(tiles, "p50"), _error(tiles, "max")]
+        )
+    header = "kernel,bytes,AoS [ms],SoA [ms],AoSoA-32 [ms],/copy,over AoS,err p50,max"
+    return _lines(header.split(","), body)
+
+
+def _errors(file):
+    """Every variant in float on the GPU, cuSOLVER first: time of the first set, the largest errors of all sets."""
+    body = []
+    variants = dict.fromkeys((row.kernel, row.layout) for row in file.all("*/aosoa32/float/cuda/*/*"))
+    for kernel, layout in [("svd", "cusolver"), *variants]:
+        sets = file.all(f"{kernel}/{layout}/float/cuda/*/*")
+        first = file.one(f"{kernel}/{layout}/float/cuda/*/random")
+        rotations = [row.counter("orth_eps_max") for row in sets if row.counter("orth_eps_max") is not None]
+        body.append(
+            [
+                "cuSOLVER `gesvdjBatched`" if layout == "cusolver" else f"`{kernel}`",
+                f"{first.ms:.0f}" if first.ms >= 100 else _ms(first),
+                f"{first.copy_fraction:.2f}" if first.copy_fraction >= 0.005 else "",
+                _eps(max(row.counter("err_eps_max") for row in sets)),
+                _eps(max(rotations)) if rotations else "",
+                f"{sum(row.counter('failures') for row in sets):.0f}",
+            ]
+        )
+    return _lines(["", "ms", "/copy", "max error", "U, V orthogonal to", "failures"], body)
+
+
+STORAGE = {
+    "float": "float",
+    "quaternion": "rotations as float quaternions",
+    "quaternion_half": "and the stress derivative in half",
+    "quaternion16_half": "16-bit quaternions, the derivative in half",
+    "quaternion16_all_half": "and dF, dP in half",
+}
+
+
+def _storage(file):
+    """dP from dF in AoSoA-32 on the GPU, in ever fewer bytes."""
+    aos = file.one("dp_from_df/aos/float/cuda/*")
+    body = []
+    for storage, words in STORAGE.items():
+        row = file.one(f"dp_from_df/aosoa32/{storage}/cuda/*")
+        body.append(
+            [words, f"{row.counter('bytes_per_object'):.0f}", _ms(row), f"{aos.ms / row.ms:.2f}x"]
+            + [_error(row, which) for which in ("p50", "p99", "max")]
+        )
+    return _lines(["storage", "bytes", "ms", "over AoS", "err p50", "p99", "max"], body)
+
+
+TABLES = {"kernels": _kernels, "errors": _errors, "storage": _storage}
+
+
+# ---- Sentences -------------------------------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class Sentence:
+    readme: str
+    file: str  # of results
+    words: str  # as the README has them, with `{}` for each figure; line breaks count as spaces
+    figures: object  # File -> texts, one for each `{}`
+
+
+def _schemes(file):
+    rows = {row.storage: row for row in file.all("dp_from_df/aosoa16/*/host/*")}
+    return [_ms(rows[name], 2) for name in ("quaternion16", "bfloat16_derivative")]
+
+
+def _xeon(file):
+    rows = [file.one(f"dp_from_df/{name}/host/*") for name in ("aos/float", "aosoa16/float")]
+    rows += [file.one(f"dp_from_df/aosoa16/{name}/host/*") for name in ("quaternion", "quaternion_half")]
+    return [_ms(row, 2) for row in rows]
+
+
+def _xeon_cache(file):
+    floats = file.one("dp_from_df/aosoa16/float/host/*")
+    return [f"{_mebibytes(floats):.0f}", f"{max(cache['size'] for cache in file.context['caches']) / 2**20:.0f}"]
+
+
+def _small_launches(file):
+    rows = [row for row in file.all("dp_from_df/aosoa32/float/cuda/*") if row.objects < 2**16]
+    return _range((row.ms * 1e3 for row in rows), ".1f")
+
+
+def _gathers(file):
+    wanted = ["aos_padded/random", "soa/random", "aos_padded/renumbered"]
+    return [_ms(file.one("gather_nodes/{}/float/cuda/*/{}".format(*name.split("/")))) for name in wanted]
+
+
+def _forces(file):
+    ours = [_ms(file.one(f"*/symmetric_{mode}/float/cuda/*")) for mode in ("fast", "deterministic")]
+    library = min(file.all("*/cusparse_*/float/cuda/*"), key=lambda row: row.ms)
+    return [*ours, _ms(library), _count(library.objects)]
+
+
+def _whole_records(file):
+    last = file.one("dp_from_df/aosoa32/quaternion16_all_half/cuda/*")
+    record = file.one("dp_from_df/record/float/cuda/*")
+    return [
+        _count(last.objects),
+        _ms(file.one("dp_from_df/aos/float/cuda/*")),
+        _ms(record, 2),
+        f"{record.ms / last.ms:.1f}",
+    ]
+
+
+def _sectors(file):
+    kernels, layouts = ("dp_from_df", "stress_derivative", "deformation_gradient"), ("aos", "soa", "aosoa32")
+    rows = [file.one(f"{kernel}/{layout}/float/cuda/*") for kernel in kernels for layout in layouts]
+    return [f"{row.counter('sectors_per_request'):.1f}" for row in rows]
+
+
+def _element_speed_ups(file):
+    elements = file.one("dp_from_df/aosoa32/float/cuda/*").objects
+    rows = file.all(f"*/aosoa32/float/cuda/{elements}")
+    return _range((file.one(f"{row.kernel}/aos/float/cuda/{elements}").ms / row.ms for row in rows), ".1f")
+
+
+def _sweeps(file):
+    in_float, in_double = (file.all(f"svd_3_sweeps/aosoa32/{real}/cuda/*/*") for real in ("float", "double"))
+    largest = max(row.counter("err_eps_max") for row in in_float)
+    return [f"{largest:.1f}", f"{max(row.error('max') for row in in_double):.1e}"]
+
+
+SENTENCES = [
+    Sentence(
+        "README.md",
+        "h200.json",
+        "H200, float, {} objects, median; `/copy`",
+        lambda file: [_count(file.one("dp_from_df/aosoa32/float/cuda/*").objects)],
+    ),
+    Sentence(
+        "README.md",
+        "h200.json",
+        "run over the mesh's {} nodes, `edge_stiffness` over its {} edges",
+        lambda file: [_count(file.one(f"{name}_stiffness/aosoa32/float/cuda/*").objects) for name in ("node", "edge")],
+    ),
+    Sentence(
+        "README.md",
+        "h200_errors.json",
+        "H200, float, {} objects, the largest errors of all three sets",
+        lambda file: [_count(file.one("svd/aosoa32/float/cuda/*/random").objects)],
+    ),
+    Sentence(
+        "README.md",
+        "h200_errors.json",
+        "cuSOLVER's time is of `iterations: {}`",
+        lambda file: [_count(file.one("svd/cusolver/float/cuda/*/random").counter("iterations"))],
+    ),
+    Sentence(
+        "README.md",
+        "h200_errors.json",
+        "{} eps means not orthogonal at all",
+        lambda file: [f"{max(row.counter('orth_eps_max') for row in file.all('svd/cusolver/float/cuda/*/*')):.0e}"],
+    ),
+    Sentence(
+        "README.md",
+        "h200_storage.json",
+        "dP from dF on the H200, {} objects, AoSoA-32; times against an array of structs of floats ({} ms) in the same "
+        "run; whole records of 48 scalars take {} ms, {} times the last row.",
+        _whole_records,
+    ),
+    Sentence(
+        "README.md",
+        "xeon_storage.json",
+        "({} threads of a Xeon, AVX2, {} objects, AoSoA-16;",
+        lambda file: [
+            file.context["threads"].split(",")[0],
+            _count(file.one("dp_from_df/aosoa16/float/host/*").objects),
+        ],
+    ),
+    Sentence("README.md", "xeon_storage.json", "the {} MiB of floats fit into its L3 cache of {} MiB", _xeon_cache),
+    Sentence(
+        "README.md",
+        "xeon_storage.json",
+        "AoS takes {} ms, AoSoA of floats {} ms, float quaternions {} ms, and with the derivative in half {} ms.",
+        _xeon,
+    ),
+    Sentence(
+        "README.md",
+        "xeon_storage.json",
+        "16-bit quaternions ({} ms) and bfloat16 ({} ms) are slower than floats",
+        _schemes,
+    ),
+    Sentence(
+        "README.md",
+        "h200_conversions.json",
+        "Copies between Aos, Soa and Aosoa<32> run at {} to {} of the device's own copy",
+        lambda file: _range(
+            row.copy_fraction for row in file.all("convert_*/*_to_*/float/cuda/*") if "padded" not in row.layout
+        ),
+    ),
+    Sentence(
+        "README.md",
+        "h200_conversions.json",
+        "those that also make halves at {} to {};",
+        lambda file: _copy_fractions(file, "convert_*/*_to_*/half/cuda/*"),
+    ),
+    Sentence(
+        "README.md",
+        "h200_conversions.json",
+        "transfers with conversion at {} to {} of a plain one from and to pinned memory",
+        lambda file: _copy_fractions(file, "transfer_pinned_*/*/*/cuda/*"),
+    ),
+    Sentence(
+        "README.md",
+        "h200_conversions.json",
+        "{} to {} from and to pageable memory in float",
+        lambda file: _copy_fractions(file, "transfer_pageable_*/*/float/cuda/*"),
+    ),
+    Sentence(
+        "README.md",
+        "h200_conversions.json",
+        "in float and {} to {} where halves are made",
+        lambda file: _copy_fractions(file, "transfer_pageable_*/*/half/cuda/*"),
+    ),
+    Sentence(
+        "README.md",
+        "h200_conversions.json",
+        "at {} to {} of the rate of packing from objects",
+        lambda file: _copy_fractions(file, "transfer_scattered_*/*/*/cuda/*"),
+    ),
+    Sentence("README.md", "h200_growth.json", "launch, {} to {} µs however few they are", _small_launches),
+    Sentence(
+        "README.md",
+        "h200_reduce.json",
+        "runs at {} to {} of a pass that only reads as many bytes for 2^24 vectors",
+        lambda file: _copy_fractions(file, f"dot_product/*/*/cuda/{2**24}"),
+    ),
+    Sentence(
+        "README.md",
+        "h200_reduce.json",
+        "and at {} to {} for 2^22",
+        lambda file: _copy_fractions(file, f"dot_product/*/*/cuda/{2**22}"),
+    ),
+    Sentence(
+        "README.md",
+        "h200_forces.json",
+        "takes {} ms from its symmetric half with atomics and {} ms in a fixed order, cuSPARSE's best {} ms over full "
+        "blocks ({} nodes,",
+        _forces,
+    ),
+    Sentence(
+        "README.md",
+        "h200_gathers.json",
+        "random numbering cost {} ms padded and {} ms as Soa; renumbered, {}, as on the ordered mesh",
+        _gathers,
+    ),
+    Sentence(
+        "tools/fem/README.md",
+        "h200_errors.json",
+        "3 sweeps up to {} eps in float and {} |A| in double over the sets of `physbench errors`",
+        _sweeps,
+    ),
+    Sentence(
+        "tools/physbench/README.md",
+        "h200_storage.json",
+        "dF and dP in half, too ({} bytes); `all_half`: matrices, all in half ({}); `all_bfloat16`: quaternions and "
+        "all else in bfloat16 ({})",
+        lambda file: [
+            f"{file.one(f'dp_from_df/aosoa32/{name}/cuda/*').counter('bytes_per_object'):.0f}"
+            for name in ("quaternion16_all_half", "all_half", "all_bfloat16")
+        ],
+    ),
+    Sentence(
+        "tools/physbench/README.md",
+        "h200_forces.json",
+        "`add_force_differential` on a mesh of {} nodes (GPU)",
+        lambda file: [_count(file.one("*/symmetric_fast/float/cuda/*").objects)],
+    ),
+    Sentence(
+        "tools/physbench/README.md",
+        "h200_conversions.json",
+        "{} objects of 48 bytes, floats on the host, to halves on an H200: {} ms from pinned memory, {} ms from "
+        "pageable memory",
+        lambda file: [
+            _count(file.one("transfer_pinned_48/aos_to_aosoa32/half/cuda/*").objects),
+            *(_ms(file.one(f"transfer_{of}_48/aos_to_aosoa32/half/cuda/*"), 1) for of in ("pinned", "pageable")),
+        ],
+    ),
+    Sentence(
+        "tools/physbench/README.md",
+        "h200.json",
+        "has {}, {} and {} sectors over AoS, SoA and tiles for the first, {}, {} and {} for the second, {}, {} and {} "
+        "for the third",
+        _sectors,
+    ),
+    Sentence(
+        "tools/physbench/README.md",
+        "h200_errors.json",
+        "over three sets of deformation gradients, {} on the CPU as on the GPU",
+        lambda file: [_count(file.one("svd/aosoa32/float/cuda/*/random").objects)],
+    ),
+    Sentence(
+        "tools/physbench/README.md",
+        "h200_errors.json",
+        "The first {} objects differ",
+        lambda file: [_count(file.one("svd/aosoa32/float/cuda/*/random").counter("samples"))],
+    ),
+    Sentence("tools/examples/kernels.md", "h200.json", "H200: {} to {} times as fast as `aos`", _element_speed_ups),
+    Sentence(
+        "tools/examples/kernels.md",
+        "h200_gathers.json",
+        "H200, random numbers: {} ms against {} ms as `soa`",
+        lambda file: [_ms(file.one(f"gather_nodes/{name}/float/cuda/*/random"), 2) for name in ("aos_padded", "soa")],
+    ),
+    Sentence(
+        "tools/examples/kernels.md",
+        "h200.json",
+        "H200: `add_force_differential` {} ms against {} ms in tiles",
+        lambda file: [_ms(file.one(f"add_force_differential/{name}/float/cuda/*"), 2) for name in ("aos", "aosoa32")],
+    ),
+]
+
+
+# ---- Pictures --------------------------------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class Picture:
+    """The first plot of a section of the report, plots/`plot`.py, made from some files of results."""
+
+    path: str
+    files: tuple
+    plot: str
+
+
+PICTURES = [
+    Picture("tools/report/results/h200_pareto.svg", ("h200.json", "h200_storage.json"), "pareto"),
+    Picture("tools/report/results/h200_gathered.svg", ("h200_gathers.json",), "gathered"),
+]
+
+# ---- What is from elsewhere ------------------------------------------------------------------------------------------
+# Parts of READMEs, from one text to another ("" is the end), in which all that looks measured must be held by results
+# or stand in ELSEWHERE: words as in SENTENCES, and where they are from.
+COMPLETE = {"README.md": ("## Measured", "What accessors cost:"), "tools/physbench/README.md": ("# physbench", "")}
+ELSEWHERE = {
+    "README.md": [
+        ("The paper's table 1 (GTX 285, 2010) had {}, {} and {} for the first three.", "the paper"),
+        (
+            "runs at the rate of a copy ({} to {}), {} to {} times as fast as the better of the two ways over AoS",
+            "`tools/dev run --threads=1` on such a machine; no results of it are checked in",
+        ),
+        ("One CPU core with AVX-512 (AMD EPYC, {} objects,", "as above"),
+        ("the stress derivative at {} to {} of a copy, {} to {} times AoS.", "as above"),
+        ("The SVD does {} million matrices a second ({} million in packs of 8,", "as above"),
+        ("Eigen's JacobiSVD {} million.", "as above"),
+    ],
+    "tools/physbench/README.md": [
+        ("compressed by {} % with a bulge", "fem/truth_cube.cpp"),
+        ("Default sizes ({} tets on the CPU, {} on the GPU)", "options.h"),
+        ("the same row took {} ms; that way is gone", "a way to copy that is gone; no command measures it any more"),
+        ("| `random` | I + {} N(0,1) |", "how the set is made"),
+    ],
+}
