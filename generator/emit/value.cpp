@@ -1,6 +1,4 @@
 // The value struct: an aggregate of all fields of one object, or of the objects of a SIMD batch.
-#include <cstdint>
-
 #include "emit/pieces.h"
 #include "emit/text.h"
 
@@ -19,7 +17,7 @@ std::string member_type(const model::Field& field, const plan::Slot& slot, const
 
 std::string literal(model::Element element, double value) {
   const model::ElementFacts& row = model::facts(element);
-  if (row.integer) return std::to_string(static_cast<std::int32_t>(value));
+  if (row.integer) return std::to_string(static_cast<long long>(value));
   if (element == model::Element::real) return "physgen::all_lanes<Real>(" + real(value) + ")";
   return real(value) + (row.bytes_with_double == 4 ? "f" : "");
 }

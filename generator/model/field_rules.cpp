@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <charconv>
-#include <climits>
 #include <cmath>
 #include <cstdio>
 
@@ -160,14 +159,16 @@ class FieldChecker {
   void initial(const Field& field) {
     const double value = *field.initial;
     const bool whole = facts(field.element).integer;
+    const int bits = 8 * facts(field.element).bytes_with_double;
+    const double end = std::ldexp(1, bits - 1);                                  // of integers
     const bool is_float = !whole && facts(field.element).bytes_with_float == 4;  // or can be
     if (!std::isfinite(value))
       report_(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
     else if (field.shape == Shape::rotation)
       report_(Aspect::initial, "a matrix of equal elements is not a rotation; leave initial() out");
-    else if (whole && (value != std::floor(value) || value < INT_MIN || value > INT_MAX))
-      report_(Aspect::initial, "initial(" + number(value) + ") is not a 32-bit integer, as the elements of " +
-                                   quoted(field.name) + " are; write one");
+    else if (whole && (value != std::floor(value) || value < -end || value >= end))
+      report_(Aspect::initial, "initial(" + number(value) + ") is not a " + std::to_string(bits) +
+                                   "-bit integer, as the elements of " + quoted(field.name) + " are; write one");
     else if (is_float && std::abs(value) > FLT_MAX)
       report_(Aspect::initial, "initial(" + number(value) + ") is no float, as the elements of " + quoted(field.name) +
                                    " are or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
