@@ -58,7 +58,8 @@ model::Range steps_range(const model::Field& field) {
 }
 
 std::string encoded_type(const model::Field& field, const model::EncodingFacts& encoding) {
-  const std::string prefix = "physgen::format::", type = prefix + std::string(encoding.type);
+  const std::string prefix = "physgen::format::";
+  std::string type = prefix + std::string(encoding.type);
   switch (encoding.scaling) {
     case model::Scaling::none:
       break;
@@ -76,7 +77,7 @@ std::string encoded_type(const model::Field& field, const model::EncodingFacts& 
 
 // "relative error up to 4.9e-4 for sizes from 6.1e-5 to 65504", "error up to 7.7e-6"
 std::string describe_error(const model::Field& field, const model::EncodingFacts& encoding) {
-  const std::string relative = "relative error up to " + std::string(encoding.relative_error);
+  std::string relative = "relative error up to " + std::string(encoding.relative_error);
   switch (encoding.scaling) {
     case model::Scaling::none:
       break;
@@ -149,7 +150,7 @@ std::string value_type(model::Element element) {
 
 std::string shape_type(const model::Field& field) {
   const model::ShapeFacts& shape = model::facts(field.shape);
-  const std::string type = "physgen::shape::" + std::string(shape.type);
+  std::string type = "physgen::shape::" + std::string(shape.type);
   if (shape.sides == model::Sides::fixed) return type;
   const std::string columns = shape.sides == model::Sides::any ? ", " + std::to_string(field.cols) : "";
   return type + "<" + std::to_string(field.rows) + columns + ">";
@@ -162,7 +163,7 @@ bool has_format(const model::Field& field) {
 std::string format_type(const model::Field& field, model::Space space) {
   const auto& [kind, quaternion] = field.format(space);
   const model::EncodingFacts& encoding = model::facts(kind);
-  const std::string name = encoded_type(field, encoding);
+  std::string name = encoded_type(field, encoding);
   if (!quaternion) return name;
   if (!encoding.quaternion.empty()) return "physgen::format::" + std::string(encoding.quaternion);
   return "physgen::format::Quaternion<" + (kind == model::Encoding::native ? "" : name) + ">";

@@ -6,7 +6,7 @@ namespace physgen::emit {
 namespace {
 
 std::string member_type(const model::Field& field, const plan::Slot& slot, const model::Object& user) {
-  const std::string element = value_type(field.element);
+  std::string element = value_type(field.element);
   const auto matrix = [&](int rows, int cols) {
     return "Eigen::Matrix<" + element + ", " + std::to_string(rows) + ", " + std::to_string(cols) + ">";
   };

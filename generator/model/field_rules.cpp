@@ -123,7 +123,7 @@ class FieldChecker {
   // Stated values that the format would lose, be it scaled.
   void magnitudes(Aspect aspect, const Field& field, const EncodingFacts& encoding) {
     if (field.shape == Shape::rotation) return;
-    if (encoding.scaling == Scaling::interval && field.element == Element::float64) return;  // computed in double
+    if (encoding.scaling == Scaling::interval && facts(field.element).bytes_with_float == 8) return;  // in double
     const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
     const double largest = std::max(end, std::abs(field.initial.value_or(0)));
     const bool scales = encoding.scaling == Scaling::exponent;

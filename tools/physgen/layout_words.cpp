@@ -30,7 +30,7 @@ std::string counted(long long count, const char* what) {
 model::Layout read_layout(const std::string& word) {
   for (const model::LayoutFacts& row : model::layouts()) {
     if (!row.tiled && word == row.word) return {row.key, 0};
-    const std::string begin = std::string(row.word) + "(";
+    const std::string name(row.word), begin = name + "(";
     if (!row.tiled || !word.starts_with(begin) || !word.ends_with(')')) continue;
     const std::string tile = word.substr(begin.size(), word.size() - begin.size() - 1);
     const bool digits = !tile.empty() && tile.size() <= 4 &&
@@ -38,7 +38,8 @@ model::Layout read_layout(const std::string& word) {
     if (digits && std::stoi(tile) >= 2 && model::is_power_of_two_up_to(std::stoi(tile), model::max_tile))
       return {row.key, std::stoi(tile)};
     throw LayoutError("the tile of '" + word + "' is no power of two from 2 to " + std::to_string(model::max_tile) +
-                      "; write '" + begin + "16)' or '" + begin + "32)'");
+                      "; write '" + model::layout_word({row.key, 16}) + "' or '" + model::layout_word({row.key, 32}) +
+                      "'");
   }
   throw LayoutError("there is no layout '" + word + "'; write " + layout_choices());
 }
@@ -46,7 +47,7 @@ model::Layout read_layout(const std::string& word) {
 std::string layout_choices() {
   std::vector<std::string> words = model::layout_words("32");
   for (std::string& word : words)
-    if (word.ends_with(')')) word = "'" + word + "'";
+    if (word.ends_with(')')) word.insert(0, 1, '\'').push_back('\'');
   words.emplace_back("all");
   return model::joined(words, " or ");
 }
