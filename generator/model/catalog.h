@@ -4,7 +4,6 @@
 // takes.
 #pragma once
 
-#include <array>
 #include <cfloat>
 #include <limits>
 #include <span>
@@ -14,8 +13,7 @@
 
 namespace physgen::model {
 
-// ---- Layouts
-// ---------------------------------------------------------------------------------------------------------
+// ---- Layouts ----
 
 enum class LayoutKind { aos, aos_padded, soa, aosoa };
 
@@ -65,8 +63,7 @@ inline constexpr LayoutFacts layout_rows[] = {
     {LayoutKind::aosoa, "aosoa", "Aosoa", true, detail::pitch_of_tiles, detail::tiled_record},
 };
 
-// ---- Memory spaces
-// ---------------------------------------------------------------------------------------------------
+// ---- Memory spaces ----
 
 /// The memory spaces that layouts and formats are stated for.
 enum class Space { host, cuda };
@@ -84,8 +81,7 @@ inline constexpr SpaceFacts space_rows[] = {
     {Space::cuda, "cuda", "Cuda", "on CUDA", {LayoutKind::aosoa, 32}},
 };
 
-// ---- Encodings
-// -------------------------------------------------------------------------------------------------------
+// ---- Encodings ----
 
 enum class Encoding { native, float32, float64, half, bfloat16, snorm16 };
 
@@ -99,38 +95,77 @@ enum class Scaling {
 /// Formats of Scaling::exponent are scaled by 2^-max_exponent to 2^max_exponent.
 inline constexpr int max_exponent = 100;
 
-struct EncodingFacts {
-  Encoding key;
-  std::string_view word;        ///< of the schema and of JSON: "half"
-  std::string_view type;        ///< in namespace physgen::format: "Half"
-  std::string_view quaternion;  ///< there, a name for quaternions of such components; empty: Quaternion<type>
-  int bytes;                    ///< of an element; 0: as many as are computed with
-  Scaling scaling;
-  double largest;                   ///< finite size that is kept, before scaling; of steps: that is computed with
-  double least;                     ///< size that is kept with all bits, for Scaling::exponent
-  int steps;                        ///< over the range, for Scaling::interval
-  std::string_view name;            ///< in comments and drawings: "half"; empty: the element's own
-  std::string_view components;      ///< of a quaternion, in comments: "halves"
-  std::string_view relative_error;  ///< largest, in comments; empty: absolute, half a step
-  std::string_view rotation_error;  ///< largest of an entry of a rotation that is stored as a quaternion, in comments
-};
-
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 
-inline constexpr EncodingFacts encoding_rows[] = {
-    {Encoding::native, "native", "Native", "", 0, Scaling::none, no_limit, 0, 0, "", "", "", "10 eps"},
-    {Encoding::float32, "float32", "Float32", "", 4, Scaling::none, FLT_MAX, 0, 0, "float", "floats", "6e-8", "1.2e-6"},
-    {Encoding::float64, "float64", "Float64", "", 8, Scaling::none, no_limit, 0, 0, "double", "doubles", "1.2e-16",
-     "10 eps"},
-    {Encoding::half, "half", "Half", "", 2, Scaling::exponent, 65504, 6.104e-5, 0, "half", "halves", "4.9e-4", "2e-3"},
-    {Encoding::bfloat16, "bfloat16", "Bfloat16", "", 2, Scaling::none, 0x1.FEp127, 0, 0, "bfloat16", "bfloat16",
-     "3.9e-3", "1.6e-2"},
-    {Encoding::snorm16, "snorm16", "Snorm16", "Quaternion16", 2, Scaling::interval, FLT_MAX, 0, 65534, "16-bit steps",
-     "16-bit steps", "", "9e-5"},
+struct EncodingFacts {
+  Encoding key;
+  std::string_view word;             ///< of the schema and of JSON: "half"
+  std::string_view type;             ///< in namespace physgen::format: "Half"
+  std::string_view quaternion = {};  ///< there, a name for quaternions of such components; empty: Quaternion<type>
+  int bytes = 0;                     ///< of an element; 0: those of the type computed with
+  Scaling scaling = Scaling::none;
+  double largest = no_limit;             ///< size that is kept, before scaling; of steps: that is computed with
+  double least = 0;                      ///< size that is kept with all bits, for Scaling::exponent
+  int steps = 0;                         ///< over the range, for Scaling::interval
+  std::string_view name = {};            ///< in comments and drawings: "half"; empty: the element's own
+  std::string_view components = {};      ///< of a quaternion, in comments: "halves"
+  std::string_view relative_error = {};  ///< largest, in comments; empty: absolute, half a step
+  std::string_view rotation_error;       ///< largest of an entry of a quaternion's matrix, in comments
 };
 
-// ---- Shapes
-// ----------------------------------------------------------------------------------------------------------
+inline constexpr EncodingFacts encoding_rows[] = {
+    {.key = Encoding::native, .word = "native", .type = "Native", .rotation_error = "10 eps"},
+    {.key = Encoding::float32,
+     .word = "float32",
+     .type = "Float32",
+     .bytes = 4,
+     .largest = FLT_MAX,
+     .name = "float",
+     .components = "floats",
+     .relative_error = "6e-8",
+     .rotation_error = "1.2e-6"},
+    {.key = Encoding::float64,
+     .word = "float64",
+     .type = "Float64",
+     .bytes = 8,
+     .name = "double",
+     .components = "doubles",
+     .relative_error = "1.2e-16",
+     .rotation_error = "10 eps"},
+    {.key = Encoding::half,
+     .word = "half",
+     .type = "Half",
+     .bytes = 2,
+     .scaling = Scaling::exponent,
+     .largest = 65504,
+     .least = 6.104e-5,
+     .name = "half",
+     .components = "halves",
+     .relative_error = "4.9e-4",
+     .rotation_error = "2e-3"},
+    {.key = Encoding::bfloat16,
+     .word = "bfloat16",
+     .type = "Bfloat16",
+     .bytes = 2,
+     .largest = 0x1.FEp127,
+     .name = "bfloat16",
+     .components = "bfloat16",
+     .relative_error = "3.9e-3",
+     .rotation_error = "1.6e-2"},
+    {.key = Encoding::snorm16,
+     .word = "snorm16",
+     .type = "Snorm16",
+     .quaternion = "Quaternion16",
+     .bytes = 2,
+     .scaling = Scaling::interval,
+     .largest = FLT_MAX,
+     .steps = 65534,
+     .name = "16-bit steps",
+     .components = "16-bit steps",
+     .rotation_error = "9e-5"},
+};
+
+// ---- Shapes ----
 
 /// The structure of a field; it decides how many elements are stored.
 enum class Shape { scalar, vector, matrix, symmetric, diagonal, skew, rotation, object };
@@ -169,36 +204,75 @@ constexpr Entry in_strictly_lower_triangle(int k, int rows) { return in_triangle
 
 struct ShapeFacts {
   Shape key;
-  std::string_view word;    ///< of JSON: "symmetric"
-  std::string_view type;    ///< in physgen::schema, and in physgen::shape: "Symmetric"; empty: it has none
-  std::string_view phrase;  ///< "symmetric": what a comment adds to what the type of the value says; empty: nothing
+  std::string_view word;         ///< of JSON: "symmetric"
+  std::string_view type = {};    ///< in physgen::schema, and in physgen::shape: "Symmetric"; empty: it has none
+  std::string_view phrase = {};  ///< "symmetric": what comments add to what the type of the value says
   Sides sides;
-  int side;                          ///< both sides of Sides::fixed, else the least that stores anything
-  int (*count)(int rows, int cols);  ///< of stored elements
-  Entry (*entry)(int k, int rows);   ///< where element k stands
-  bool column;                       ///< the value is a column of `rows` entries, else a matrix of rows x cols
-  bool integers;                     ///< its elements may be integers
-  bool uniform;                      ///< equal elements make a value of equal entries
+  int side = 1;                                ///< both sides of Sides::fixed, else the least that stores any
+  int (*count)(int rows, int cols) = nullptr;  ///< of stored elements
+  Entry (*entry)(int k, int rows) = nullptr;   ///< where element k stands
+  bool column = false;                         ///< the value is a column, else a matrix of rows x cols
+  bool integers = true;                        ///< its elements may be integers
+  bool uniform = true;                         ///< equal elements make a value of equal entries
 };
 
 inline constexpr ShapeFacts shape_rows[] = {
-    {Shape::scalar, "scalar", "Scalar", "", Sides::fixed, 1, detail::all_entries, detail::by_columns, false, true,
-     true},
-    {Shape::vector, "vector", "Vector", "", Sides::column, 1, detail::one_column, detail::by_columns, true, true, true},
-    {Shape::matrix, "matrix", "Matrix", "", Sides::any, 1, detail::all_entries, detail::by_columns, false, true, true},
-    {Shape::symmetric, "symmetric", "Symmetric", "symmetric", Sides::square, 1, detail::lower_triangle,
-     detail::in_lower_triangle, false, true, true},
-    {Shape::diagonal, "diagonal", "Diagonal", "diagonal", Sides::square, 1, detail::one_column, detail::by_columns,
-     true, true, true},
-    {Shape::skew, "skew", "Skew", "skew-symmetric", Sides::square, 2, detail::strictly_lower_triangle,
-     detail::in_strictly_lower_triangle, false, true, false},
-    {Shape::rotation, "rotation", "Rotation", "rotation", Sides::fixed, 3, detail::all_entries, detail::by_columns,
-     false, false, true},
-    {Shape::object, "object", "", "", Sides::any, 1, nullptr, nullptr, false, true, true},
+    {.key = Shape::scalar,
+     .word = "scalar",
+     .type = "Scalar",
+     .sides = Sides::fixed,
+     .count = detail::all_entries,
+     .entry = detail::by_columns},
+    {.key = Shape::vector,
+     .word = "vector",
+     .type = "Vector",
+     .sides = Sides::column,
+     .count = detail::one_column,
+     .entry = detail::by_columns,
+     .column = true},
+    {.key = Shape::matrix,
+     .word = "matrix",
+     .type = "Matrix",
+     .sides = Sides::any,
+     .count = detail::all_entries,
+     .entry = detail::by_columns},
+    {.key = Shape::symmetric,
+     .word = "symmetric",
+     .type = "Symmetric",
+     .phrase = "symmetric",
+     .sides = Sides::square,
+     .count = detail::lower_triangle,
+     .entry = detail::in_lower_triangle},
+    {.key = Shape::diagonal,
+     .word = "diagonal",
+     .type = "Diagonal",
+     .phrase = "diagonal",
+     .sides = Sides::square,
+     .count = detail::one_column,
+     .entry = detail::by_columns,
+     .column = true},
+    {.key = Shape::skew,
+     .word = "skew",
+     .type = "Skew",
+     .phrase = "skew-symmetric",
+     .sides = Sides::square,
+     .side = 2,
+     .count = detail::strictly_lower_triangle,
+     .entry = detail::in_strictly_lower_triangle,
+     .uniform = false},
+    {.key = Shape::rotation,
+     .word = "rotation",
+     .type = "Rotation",
+     .phrase = "rotation",
+     .sides = Sides::fixed,
+     .side = 3,
+     .count = detail::all_entries,
+     .entry = detail::by_columns,
+     .integers = false},
+    {.key = Shape::object, .word = "object", .sides = Sides::any},
 };
 
-// ---- Element types
-// ---------------------------------------------------------------------------------------------------
+// ---- Element types ----
 
 /// The type of one stored element. `real` is the precision that the scene chooses (float or double).
 enum class Element { real, index, float32, float64, int32 };
@@ -222,8 +296,7 @@ inline constexpr ElementFacts element_rows[] = {
     {Element::int32, "int32", "int", "std::int32_t", "int", 4, 4, true},
 };
 
-// ---- Reading the catalogue
-// -------------------------------------------------------------------------------------------
+// ---- Reading the catalogue ----
 
 /// All rows, in the order of the enumerators.
 [[nodiscard]] std::span<const SpaceFacts> spaces();
@@ -247,8 +320,7 @@ template <class Facts>
   return nullptr;
 }
 
-// ---- Lists for messages and help
-// -------------------------------------------------------------------------------------
+// ---- Lists for messages and help ----
 
 /// "a, b or c" where `last` is " or ".
 [[nodiscard]] std::string joined(const std::vector<std::string>& words, std::string_view last = ", ");
