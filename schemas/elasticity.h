@@ -11,62 +11,62 @@ using namespace physgen::schema;
 // ---- Per element: deformation and stress ----
 
 /// Deformation gradient of one element, F = Ds Dm^-1.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) DeformationGradient {
+struct PHYSGEN_OBJECT() DeformationGradient {
   PHYSGEN(unit("1")) Matrix<3, 3> F;  ///< current over rest shape; the identity at rest
 };
 
 /// Differential of the deformation gradient.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) DeformationGradientDifferential {
+struct PHYSGEN_OBJECT() DeformationGradientDifferential {
   PHYSGEN(unit("1")) Matrix<3, 3> dF;  ///< change of F along a displacement differential
 };
 
 /// Rotation-variant SVD of the deformation gradient, F = U diag(s) V^T.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) DeformationSvd {
+struct PHYSGEN_OBJECT() DeformationSvd {
   Rotation U, V;                     ///< principal directions: U in the current, V in the rest shape
   PHYSGEN(unit("1")) Diagonal<3> s;  ///< principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted
 };
 
 /// The same with the rotations as unit quaternions: 11 scalars instead of 21.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) QuaternionSvd {
+struct PHYSGEN_OBJECT() QuaternionSvd {
   Vector<4> u, v;                    ///< unit quaternions w, x, y, z of U and V, w >= 0
   PHYSGEN(unit("1")) Diagonal<3> s;  ///< principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted
 };
 
 /// Principal stretches of the deformation gradient alone.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) PrincipalStretches {
+struct PHYSGEN_OBJECT() PrincipalStretches {
   PHYSGEN(unit("1")) Diagonal<3> s;  ///< s1 >= s2 >= |s3|; s3 < 0 where inverted
 };
 
 /// A rotation: the polar factor R = U V^T of the deformation gradient, or principal directions by themselves.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) ElementRotation {
+struct PHYSGEN_OBJECT() ElementRotation {
   Rotation R;  ///< det R = 1
 };
 
 /// Isotropic stress derivative in principal axes (12 scalars): x_iikk = d2psi/(ds_i ds_k), and for the pairs (a,b) =
 /// (2,1), (3,1), (3,2) the entries x_abab and x_abba.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) StressDerivative {
+struct PHYSGEN_OBJECT() StressDerivative {
   PHYSGEN(unit("Pa")) Scalar x1111, x2211, x3311, x2222, x3322, x3333;  ///< stretch: the symmetric 3x3 block
   PHYSGEN(unit("Pa")) Scalar x2121, x2112, x3131, x3113, x3232, x3223;  ///< shear: one 2x2 block per pair
 };
 
 /// First Piola-Kirchhoff stress of one element.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) Stress {
+struct PHYSGEN_OBJECT() Stress {
   PHYSGEN(unit("Pa")) Matrix<3, 3> P;  ///< dpsi/dF: force in the current shape per area of the rest shape
 };
 
 /// Differential of the first Piola-Kirchhoff stress.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) StressDifferential {
+struct PHYSGEN_OBJECT() StressDifferential {
   PHYSGEN(unit("Pa")) Matrix<3, 3> dP;  ///< change of P along dF
 };
 
 /// Rest shape of one tet.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) RestShape {
+struct PHYSGEN_OBJECT() RestShape {
   PHYSGEN(unit("1/m")) Matrix<3, 3> dm_inverse;  ///< Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns
   PHYSGEN(unit("m^3")) Scalar volume;            ///< det(Dm) / 6, positive
 };
 
 /// Forces of one tet on its corners j, k, l, by columns; the force on i is minus their sum.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) CornerForces {
+struct PHYSGEN_OBJECT() CornerForces {
   PHYSGEN(unit("N")) Matrix<3, 3> G;  ///< G = -volume P Dm^-T
 };
 
@@ -105,17 +105,17 @@ struct PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos_padded)) NodeFo
 // ---- Stiffness: df(v) += K_v dx(v) per node, df(m) += E dx(n) and df(n) += E^T dx(m) per edge (m,n) ----
 
 /// Diagonal block of a node.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) NodeStiffness {
+struct PHYSGEN_OBJECT() NodeStiffness {
   PHYSGEN(unit("N/m")) Symmetric<3> K;  ///< df(v)/dx(v)
 };
 
 /// Off-diagonal block of an edge (m,n). The symmetric product streams it, edge after edge.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) EdgeStiffness {
+struct PHYSGEN_OBJECT() EdgeStiffness {
   PHYSGEN(unit("N/m")) Matrix<3, 3> E;  ///< df(m)/dx(n)
 };
 
 /// Blocks of one tet, before the sums over the tets of a node and of an edge.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) TetStiffness {
+struct PHYSGEN_OBJECT() TetStiffness {
   PHYSGEN(unit("N/m")) Symmetric<3> k[4];  ///< corners i, j, k, l
   PHYSGEN(unit("N/m")) Matrix<3, 3> e[6];  ///< edges ij, ik, il, jk, jl, kl: df(first)/dx(second)
 };
@@ -123,12 +123,12 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) TetStiff
 // ---- Connectivity ----
 
 /// Nodes of a tet.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) Tet {
+struct PHYSGEN_OBJECT() Tet {
   Vector<4, Index> nodes;  ///< corners i, j, k, l; det(Dm) > 0
 };
 
 /// Nodes of an edge.
-struct PHYSGEN_OBJECT(layout(host, aosoa(16)), layout(cuda, aosoa(32))) Edge {
+struct PHYSGEN_OBJECT() Edge {
   Vector<2, Index> nodes;  ///< m and n: the block of the edge is df(m)/dx(n)
 };
 

@@ -5,22 +5,12 @@
 namespace physgen::emit {
 namespace {
 
-constexpr model::Layout default_host{model::LayoutKind::aosoa, 16};
-constexpr model::Layout default_cuda{model::LayoutKind::aosoa, 32};
-
 std::string layout_type(const model::Layout& layout) {
-  switch (layout.kind) {
-    case model::LayoutKind::aos:
-      return "physgen::Aos";
-    case model::LayoutKind::aos_padded:
-      return "physgen::AosPadded";
-    case model::LayoutKind::soa:
-      return "physgen::Soa";
-    case model::LayoutKind::aosoa:
-      break;
-  }
-  return "physgen::Aosoa<" + std::to_string(layout.tile) + ">";
+  const model::LayoutFacts& row = model::facts(layout.kind);
+  return "physgen::" + std::string(row.type) + (row.tiled ? "<" + std::to_string(layout.tile) + ">" : "");
 }
+
+std::string space_type(model::Space space) { return "physgen::" + std::string(model::facts(space).type); }
 
 // In terms of the records that accessors use, so that the proofs below are about the accessors' addresses.
 std::string offset(const plan::Run& run, const model::Object& user) {
@@ -72,8 +62,8 @@ void aliases(Printer& out, const model::Object& object) {
   const std::string formats = "class Formats = physgen::FormatsOf<" + tag + ", Space>";
   out.list("template <", {"class Real", "class Layout", "class Space = physgen::Host", formats}, ">");
   out.wrapped("using " + object.name + "View = physgen::View<" + tag + ", Real, Layout, Formats, Space>;");
-  const std::string host = layout_type(object.host_layout.value_or(default_host));
-  const std::string cuda = layout_type(object.cuda_layout.value_or(default_cuda));
+  const std::string host = layout_type(object.layout(model::Space::host));
+  const std::string cuda = layout_type(object.layout(model::Space::cuda));
   out.list("template <",
            {"class Real", "class Space = physgen::Host",
             "class Layout = physgen::PerSpace<Space, " + host + ", " + cuda + ">", formats},
@@ -90,10 +80,9 @@ void proof(Printer& out, const plan::Record& record, const char* real, int plan:
   }
   numbers.back() += "}";
   const std::string& name = record.object->name;
-  const char* space = record.space == model::Space::host ? "physgen::Host" : "physgen::Cuda";
-  out.filled(
-      "static_assert(physgen::is_sound_record<" + name + "Object, " + real + ", " + name + "Formats<" + space + ">>(",
-      numbers, "));");
+  out.filled("static_assert(physgen::is_sound_record<" + name + "Object, " + real + ", " + name + "Formats<" +
+                 space_type(record.space) + ">>(",
+             numbers, "));");
 }
 
 bool same(const plan::Record& a, const plan::Record& b) {

@@ -2,6 +2,7 @@
 #include "emit/text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -23,22 +24,12 @@ std::string rounded_up(double value) {
   return rounded(std::ceil(value / digit) * digit);
 }
 
+// "Symmetric, 6 stored."
 std::string structure(const model::Field& field) {
-  const auto stored = [&](const char* what) {
-    return std::string(what) + ", " + std::to_string(model::element_count(field)) + " stored.";
-  };
-  switch (field.shape) {
-    case model::Shape::symmetric:
-      return stored("Symmetric");
-    case model::Shape::diagonal:
-      return stored("Diagonal");
-    case model::Shape::skew:
-      return stored("Skew-symmetric");
-    case model::Shape::rotation:
-      return stored("Rotation");
-    default:
-      return {};
-  }
+  std::string text(model::facts(field.shape).phrase);
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text + ", " + std::to_string(model::element_count(field)) + " stored.";
 }
 
 std::string values(const model::Field& field) {
@@ -49,15 +40,16 @@ std::string values(const model::Field& field) {
   return text.empty() ? text : text + ".";
 }
 
-// k of the power of two 2^k that brings the larger end of the range into (16384, 32768]; 0 without a range, and for
-// rotations, whose entries end at 1.
-int half_exponent(const model::Field& field) {
+// k of the power of two 2^k that brings the larger end of the range just below the largest number (of halves, into
+// (16384, 32768]); 0 without a range, and for rotations, whose entries end at 1.
+int scale_exponent(const model::Field& field, const model::EncodingFacts& encoding) {
   if (!field.range || field.shape == model::Shape::rotation) return 0;
   const double size = std::max(std::abs(field.range->low), std::abs(field.range->high));
   if (size == 0) return 0;
   int exponent = 0;
   const double mantissa = std::frexp(size, &exponent);  // size = mantissa * 2^exponent, mantissa in [0.5, 1)
-  return std::clamp(exponent - (mantissa == 0.5 ? 16 : 15), -100, 100);
+  const int top = std::ilogb(encoding.largest);
+  return std::clamp(exponent - (mantissa == 0.5 ? top + 1 : top), -model::max_exponent, model::max_exponent);
 }
 
 // Components of quaternions and entries of rotations lie between -1 and 1.
@@ -65,60 +57,60 @@ model::Range steps_range(const model::Field& field) {
   return field.shape == model::Shape::rotation || !field.range ? model::Range{-1, 1} : *field.range;
 }
 
-std::string encoded_type(const model::Field& field, model::Encoding encoding) {
+std::string encoded_type(const model::Field& field, const model::EncodingFacts& encoding) {
   const std::string prefix = "physgen::format::";
-  switch (encoding) {
-    case model::Encoding::native:
-      return prefix + "Native";
-    case model::Encoding::float32:
-      return prefix + "Float32";
-    case model::Encoding::float64:
-      return prefix + "Float64";
-    case model::Encoding::bfloat16:
-      return prefix + "Bfloat16";
-    case model::Encoding::half: {
-      const int exponent = half_exponent(field);
-      return prefix + "Half<" + (exponent == 0 ? "" : std::to_string(exponent)) + ">";
-    }
-    case model::Encoding::snorm16:
+  std::string type = prefix + std::string(encoding.type);
+  switch (encoding.scaling) {
+    case model::Scaling::none:
       break;
+    case model::Scaling::exponent: {
+      const int exponent = scale_exponent(field, encoding);
+      return type + "<" + (exponent == 0 ? "" : std::to_string(exponent)) + ">";
+    }
+    case model::Scaling::interval: {
+      const model::Range range = steps_range(field);
+      return type + "<" + prefix + "Interval{" + real(range.low) + ", " + real(range.high) + "}>";
+    }
   }
-  const model::Range range = steps_range(field);
-  return prefix + "Snorm16<" + prefix + "Interval{" + real(range.low) + ", " + real(range.high) + "}>";
+  return type;
 }
 
-// "half, relative error up to 4.9e-4 (up to 32768 and from 6.1e-5 on)"
-std::string describe_format(const model::Field& field, const model::Format& format) {
-  std::string text = format.quaternion ? "unit quaternion" : "";
-  const auto say = [&](const std::string& plain, const char* component, const char* matrix_error) {
-    if (format.quaternion) return text + component + ", error of an entry up to " + matrix_error;
-    return plain;
-  };
-  switch (format.encoding) {
-    case model::Encoding::native:
-      return say("", "", "10 eps");
-    case model::Encoding::float32:
-      return say("float, relative error up to 6e-8", " of floats", "1.2e-6");
-    case model::Encoding::float64:
-      return say("double, relative error up to 1.2e-16", " of doubles", "10 eps");
-    case model::Encoding::bfloat16:
-      return say("bfloat16, relative error up to 3.9e-3", " of bfloat16", "1.6e-2");
-    case model::Encoding::half: {
-      const double scale = std::ldexp(1.0, half_exponent(field));
-      return say("half, relative error up to 4.9e-4 for sizes from " + rounded(6.104e-5 * scale) + " to " +
-                     rounded(65504 * scale),
-                 " of halves", "2e-3");
-    }
-    case model::Encoding::snorm16:
+// "relative error up to 4.9e-4 for sizes from 6.1e-5 to 65504", "error up to 7.7e-6"
+std::string describe_error(const model::Field& field, const model::EncodingFacts& encoding) {
+  std::string relative = "relative error up to " + std::string(encoding.relative_error);
+  switch (encoding.scaling) {
+    case model::Scaling::none:
       break;
+    case model::Scaling::exponent: {
+      const double scale = std::ldexp(1.0, scale_exponent(field, encoding));
+      return relative + " for sizes from " + rounded(encoding.least * scale) + " to " +
+             rounded(encoding.largest * scale);
+    }
+    case model::Scaling::interval: {
+      // Half a step, and the rounding of a float at the larger end, where it shows.
+      const model::Range range = steps_range(field);
+      const double half_step = range.high / (2.0 * encoding.steps) - range.low / (2.0 * encoding.steps);
+      const double rounding = std::ldexp(std::max(std::abs(range.low), std::abs(range.high)), -23);
+      return "error up to " + rounded_up(rounding < 0.02 * half_step ? half_step : half_step + rounding);
+    }
   }
-  const model::Range range = steps_range(field);
-  // Half a step, and the rounding of a float at the larger end, where it shows.
-  const double half_step = range.high / 131068 - range.low / 131068;
-  const double rounding = std::ldexp(std::max(std::abs(range.low), std::abs(range.high)), -23);
-  return say("16-bit steps over [" + number(range.low) + ", " + number(range.high) + "], error up to " +
-                 rounded_up(rounding < 0.02 * half_step ? half_step : half_step + rounding),
-             " of 16-bit steps", "9e-5");
+  return relative;
+}
+
+// "half, relative error up to ...", "16-bit steps over [-1, 1], error up to ...", "unit quaternion of halves, ..."
+std::string describe_format(const model::Field& field, const model::Format& format) {
+  const model::EncodingFacts& encoding = model::facts(format.encoding);
+  if (format.quaternion) {
+    const std::string of = encoding.components.empty() ? "" : " of " + std::string(encoding.components);
+    return "unit quaternion" + of + ", error of an entry up to " + std::string(encoding.rotation_error);
+  }
+  if (encoding.name.empty()) return {};
+  std::string text(encoding.name);
+  if (encoding.scaling == model::Scaling::interval) {
+    const model::Range range = steps_range(field);
+    text += " over [" + number(range.low) + ", " + number(range.high) + "]";
+  }
+  return text + ", " + describe_error(field, encoding);
 }
 
 // "Stored as half, ...", where the schema says how.
@@ -136,7 +128,7 @@ std::string storage(const model::Field& field) {
 }  // namespace
 
 bool initial_in_value(const model::Field& field) {
-  return field.initial && field.array_extent == 0 && field.shape != model::Shape::skew;
+  return field.initial && field.array_extent == 0 && model::facts(field.shape).uniform;
 }
 
 std::string number(double value) {
@@ -149,20 +141,7 @@ std::string real(double value) {
   return text + (text.find_first_of(".e") == std::string::npos ? ".0" : "");
 }
 
-std::string stored_type(model::Element element) {
-  switch (element) {
-    case model::Element::real:
-      return "Real";
-    case model::Element::float32:
-      return "float";
-    case model::Element::float64:
-      return "double";
-    case model::Element::index:
-    case model::Element::int32:
-      break;
-  }
-  return "std::int32_t";
-}
+std::string stored_type(model::Element element) { return std::string(model::facts(element).type); }
 
 std::string value_type(model::Element element) {
   const std::string stored = stored_type(element);
@@ -170,39 +149,24 @@ std::string value_type(model::Element element) {
 }
 
 std::string shape_type(const model::Field& field) {
-  const std::string n = std::to_string(field.rows);
-  const std::string shape = "physgen::shape::";
-  switch (field.shape) {
-    case model::Shape::vector:
-      return shape + "Vector<" + n + ">";
-    case model::Shape::matrix:
-      return shape + "Matrix<" + n + ", " + std::to_string(field.cols) + ">";
-    case model::Shape::symmetric:
-      return shape + "Symmetric<" + n + ">";
-    case model::Shape::diagonal:
-      return shape + "Diagonal<" + n + ">";
-    case model::Shape::skew:
-      return shape + "Skew<" + n + ">";
-    case model::Shape::rotation:
-      return shape + "Rotation";
-    case model::Shape::scalar:
-    case model::Shape::object:
-      break;
-  }
-  return shape + "Scalar";
+  const model::ShapeFacts& shape = model::facts(field.shape);
+  std::string type = "physgen::shape::" + std::string(shape.type);
+  if (shape.sides == model::Sides::fixed) return type;
+  const std::string columns = shape.sides == model::Sides::any ? ", " + std::to_string(field.cols) : "";
+  return type + "<" + std::to_string(field.rows) + columns + ">";
 }
 
 bool has_format(const model::Field& field) {
-  return field.shape == model::Shape::object ||
-         (field.element != model::Element::index && field.element != model::Element::int32);
+  return field.shape == model::Shape::object || !model::facts(field.element).integer;
 }
 
 std::string format_type(const model::Field& field, model::Space space) {
-  const auto& [encoding, quaternion] = field.format(space);
-  const std::string name = encoded_type(field, encoding);
+  const auto& [kind, quaternion] = field.format(space);
+  const model::EncodingFacts& encoding = model::facts(kind);
+  std::string name = encoded_type(field, encoding);
   if (!quaternion) return name;
-  if (encoding == model::Encoding::snorm16) return "physgen::format::Quaternion16";
-  return "physgen::format::Quaternion<" + (encoding == model::Encoding::native ? "" : name) + ">";
+  if (!encoding.quaternion.empty()) return "physgen::format::" + std::string(encoding.quaternion);
+  return "physgen::format::Quaternion<" + (kind == model::Encoding::native ? "" : name) + ">";
 }
 
 std::string stored_as(const model::Field& field) {

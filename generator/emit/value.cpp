@@ -1,6 +1,4 @@
 // The value struct: an aggregate of all fields of one object, or of the objects of a SIMD batch.
-#include <cstdint>
-
 #include "emit/pieces.h"
 #include "emit/text.h"
 
@@ -8,40 +6,20 @@ namespace physgen::emit {
 namespace {
 
 std::string member_type(const model::Field& field, const plan::Slot& slot, const model::Object& user) {
-  const std::string element = value_type(field.element);
+  std::string element = value_type(field.element);
   const auto matrix = [&](int rows, int cols) {
     return "Eigen::Matrix<" + element + ", " + std::to_string(rows) + ", " + std::to_string(cols) + ">";
   };
-  switch (field.shape) {
-    case model::Shape::scalar:
-      return element;
-    case model::Shape::object:
-      return type_name(*slot.nested->object, "", user) + "<Real>";
-    case model::Shape::vector:
-    case model::Shape::diagonal:
-      return matrix(field.rows, 1);
-    case model::Shape::matrix:
-    case model::Shape::symmetric:
-    case model::Shape::skew:
-    case model::Shape::rotation:
-      break;
-  }
-  return matrix(field.rows, field.cols);
+  if (field.shape == model::Shape::object) return type_name(*slot.nested->object, "", user) + "<Real>";
+  if (field.shape == model::Shape::scalar) return element;
+  return matrix(field.rows, model::facts(field.shape).column ? 1 : field.cols);
 }
 
 std::string literal(model::Element element, double value) {
-  switch (element) {
-    case model::Element::real:
-      return "physgen::all_lanes<Real>(" + real(value) + ")";
-    case model::Element::float32:
-      return real(value) + "f";
-    case model::Element::float64:
-      return real(value);
-    case model::Element::index:
-    case model::Element::int32:
-      break;
-  }
-  return std::to_string(static_cast<std::int32_t>(value));
+  const model::ElementFacts& row = model::facts(element);
+  if (row.integer) return std::to_string(static_cast<long long>(value));
+  if (element == model::Element::real) return "physgen::all_lanes<Real>(" + real(value) + ")";
+  return real(value) + (row.bytes_with_double == 4 ? "f" : "");
 }
 
 // Only where the schema states a value: an object that a kernel is about to fill costs nothing.

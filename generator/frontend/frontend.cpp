@@ -117,10 +117,8 @@ std::string notes(llvm::StringRef diagnostics) {
                        diagnostics.contains("no member named 'vector' in namespace 'std'");
   if (library || diagnostics.contains("unknown type name"))
     text +=
-        "note: types of fields are Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, "
-        "Index, "
-        "float, double, int, objects, and fixed arrays of these, 'Scalar x[8];'; write Vector<3> for Eigen::Vector3d "
-        "or "
+        "note: types of fields are " + model::joined(model::field_types()) +
+        ", objects, and fixed arrays of these, 'Scalar x[8];'; write Vector<3> for Eigen::Vector3d or "
         "std::array<double, 3>, Matrix<3, 3> for Eigen::Matrix3d, and for a std::vector an array of objects of its own "
         "whose numbers are kept here as an Index\n";
   if (!library && (diagnostics.contains("use of undeclared identifier") || diagnostics.contains("call to 'format'") ||
@@ -128,8 +126,9 @@ std::string notes(llvm::StringRef diagnostics) {
     text +=
         "note: options of fields are unit(\"Pa\"), range(low, high), initial(value) and format(space, storage), "
         "of objects layout(space, pattern) and align(bytes); spaces are host and cuda, one layout and one format for "
-        "each; patterns aos, aos_padded, soa, aosoa(W); storages float32, float64, half, bfloat16, snorm16, "
-        "quaternion(), quaternion(half)\n";
+        "each; patterns " +
+        model::joined(model::layout_words("W")) + "; storages " + model::joined(model::encoding_words()) +
+        ", quaternion(), quaternion(half)\n";
   return text;
 }
 

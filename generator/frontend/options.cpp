@@ -16,6 +16,24 @@ using model::Aspect;
 constexpr const char* object_options = "layout(...) and align(...)";
 constexpr const char* field_options = "unit(...), range(...), initial(...) and format(...)";
 
+/// A part of an evaluated option, with its type, which has the names of enumerators.
+struct Member {
+  const clang::APValue& value;
+  clang::QualType type;
+
+  [[nodiscard]] Member member(unsigned number) const {
+    return {value.getStructField(number), std::next(type->getAsCXXRecordDecl()->field_begin(), number)->getType()};
+  }
+  /// The name of the enumerator; none: it is another number, by a cast.
+  [[nodiscard]] std::optional<std::string> enumerator() const {
+    const auto* enumeration = llvm::dyn_cast_or_null<clang::EnumDecl>(type->getAsTagDecl());
+    if (enumeration == nullptr || !value.isInt()) return std::nullopt;
+    for (const auto* candidate : enumeration->enumerators())
+      if (llvm::APSInt::isSameValue(candidate->getInitVal(), value.getInt())) return candidate->getName().str();
+    return std::nullopt;
+  }
+};
+
 /// One argument of a macro: which option it is, and its evaluated members.
 struct Option {
   const clang::Expr* expression;
@@ -25,12 +43,7 @@ struct Option {
   [[nodiscard]] int integer(unsigned member) const {
     return static_cast<int>(value.getStructField(member).getInt().getExtValue());
   }
-  /// @return none: not one of the enumerators 0 to `last`, but a cast
-  [[nodiscard]] static std::optional<int> enumerator(const clang::APValue& value, int last) {
-    const auto number = value.getInt().getExtValue();
-    if (number < 0 || number > last) return std::nullopt;
-    return static_cast<int>(number);
-  }
+  [[nodiscard]] Member member(unsigned number) const { return Member{value, expression->getType()}.member(number); }
   [[nodiscard]] double real(unsigned member) const { return value.getStructField(member).getFloat().convertToDouble(); }
   [[nodiscard]] clang::SourceRange range() const { return expression->getSourceRange(); }
 };
@@ -85,6 +98,22 @@ class Places {
   Report& report_;
 };
 
+/// The row of the catalogue for an enumerator, found by its name, so that the schema's lists may stand in any order.
+/// Null, with a report: this physgen has none, because the vocabulary is that of another one, found by -I.
+template <class Facts>
+const Facts* known(std::span<const Facts> rows, const std::string& name, const char* what, const Option& option,
+                   Report& report) {
+  const Facts* row = model::find_word(rows, name);
+  if (row == nullptr) {
+    std::vector<std::string> words;
+    for (const Facts& candidate : rows) words.emplace_back(candidate.word);
+    report.error(option.range(), "this physgen does not know the " + std::string(what) + " " + quoted(name) +
+                                     " of <physgen/schema.h>, which is for another version; it knows " +
+                                     model::joined(words, " and "));
+  }
+  return row;
+}
+
 void reject(const Option& option, const char* macro, const char* options, Report& report) {
   report.error(option.range(), std::string(option.type.empty() ? "this is not an option"
                                                                : "this is not an option of " + std::string(macro)) +
@@ -97,19 +126,22 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Object& object,
   Places places(report);
   for_each_option(declaration, object_annotation, report.context(), [&](const Option& option) {
     if (option.type == "Layout") {
-      const auto& pattern = option.value.getStructField(1);
-      const auto space = Option::enumerator(option.value.getStructField(0), 1);
-      const auto kind = Option::enumerator(pattern.getStructField(0), static_cast<int>(model::LayoutKind::aosoa));
-      if (!space || !kind)
+      const Member pattern = option.member(1);
+      const auto space_name = option.member(0).enumerator(), kind_name = pattern.member(0).enumerator();
+      if (!space_name || !kind_name)
         return report.error(option.range(),
                             "this names no space or no pattern of the vocabulary; write layout(host, ...) or "
-                            "layout(cuda, ...) with aos, aos_padded, soa or aosoa(tile)");
-      const bool host = *space == 0;
+                            "layout(cuda, ...) with " +
+                                model::joined(model::layout_words("tile"), " or "));
+      const auto* space = known(model::spaces(), *space_name, "memory space", option, report);
+      const auto* kind = known(model::layouts(), *kind_name, "layout", option, report);
+      if (space == nullptr || kind == nullptr) return;
+      const bool host = space->key == model::Space::host;
       if (!places.add(host ? Aspect::host_layout : Aspect::cuda_layout, option,
-                      host ? "layout(host, ...)" : "layout(cuda, ...)"))
+                      "layout(" + std::string(space->word) + ", ...)"))
         return;
-      const int tile = static_cast<int>(pattern.getStructField(1).getInt().getExtValue());
-      (host ? object.host_layout : object.cuda_layout) = model::Layout{static_cast<model::LayoutKind>(*kind), tile};
+      const int tile = static_cast<int>(pattern.member(1).value.getInt().getExtValue());
+      (host ? object.host_layout : object.cuda_layout) = model::Layout{kind->key, tile};
     } else if (option.type == "Alignment") {
       if (!places.add(Aspect::alignment, option, "align(...)")) return;
       object.alignment = option.integer(0);
@@ -139,24 +171,26 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, R
     } else if (option.type == "Initial") {
       if (places.add(Aspect::initial, option, "initial(...)")) field.initial = option.real(0);
     } else if (option.type == "Format") {
-      const auto& storage = option.value.getStructField(1);
-      const auto space = Option::enumerator(option.value.getStructField(0), 1);
-      const auto encoding = Option::enumerator(storage.getStructField(0), static_cast<int>(model::Encoding::snorm16));
-      const auto quaternions = Option::enumerator(storage.getStructField(1), 1);
-      if (!space || !encoding)
+      const Member storage = option.member(1);
+      const auto space_name = option.member(0).enumerator(), encoding_name = storage.member(0).enumerator();
+      const auto quaternions = storage.member(1).value.getInt().getExtValue();
+      if (!space_name || !encoding_name)
         return report.error(option.range(),
                             "this names no space or no storage of the vocabulary; write format(host, ...) or "
-                            "format(cuda, ...) with float32, float64, half, bfloat16, snorm16 or quaternion(...)");
-      if (!quaternions)
+                            "format(cuda, ...) with " +
+                                model::joined(model::encoding_words()) + " or quaternion(...)");
+      const auto* space = known(model::spaces(), *space_name, "memory space", option, report);
+      const auto* encoding = known(model::encodings(), *encoding_name, "storage", option, report);
+      if (space == nullptr || encoding == nullptr) return;
+      if (quaternions != 0 && quaternions != 1)
         return report.error(option.range(),
                             "the components of a quaternion are numbers, not quaternions; write quaternion(), or one "
                             "with their storage, such as quaternion(half)");
-      const bool host = *space == 0;
+      const bool host = space->key == model::Space::host;
       if (!places.add(host ? Aspect::host_format : Aspect::cuda_format, option,
-                      host ? "format(host, ...)" : "format(cuda, ...)"))
+                      "format(" + std::string(space->word) + ", ...)"))
         return;
-      (host ? field.host_format : field.cuda_format) =
-          model::Format{static_cast<model::Encoding>(*encoding), *quaternions == 1};
+      (host ? field.host_format : field.cuda_format) = model::Format{encoding->key, quaternions == 1};
     } else {
       reject(option, "PHYSGEN", field_options, report);
     }

@@ -13,9 +13,8 @@
 namespace physgen::frontend {
 namespace {
 
-constexpr const char* allowed =
-    "write Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int or "
-    "an object";
+/// What to write instead.
+std::string allowed() { return "write " + model::joined(model::field_types()) + " or an object"; }
 
 clang::SourceRange type_range(const clang::FieldDecl& declaration) {
   if (const auto* info = declaration.getTypeSourceInfo()) return info->getTypeLoc().getSourceRange();
@@ -28,33 +27,15 @@ std::string spelled(clang::QualType type, const clang::ASTContext& context) {
   return type.getUnqualifiedType().getAsString(policy);
 }
 
-/// The element type `type` stands for: Scalar, Index, float, double or int; none: another type.
-std::optional<model::Element> element_of(clang::QualType type) {
-  if (const auto* builtin = type->getAs<clang::BuiltinType>()) {
-    switch (builtin->getKind()) {
-      case clang::BuiltinType::Float:
-        return model::Element::float32;
-      case clang::BuiltinType::Double:
-        return model::Element::float64;
-      case clang::BuiltinType::Int:
-        return model::Element::int32;
-      default:
-        return std::nullopt;
-    }
-  }
-  const llvm::StringRef name = vocabulary_name(type->getAsCXXRecordDecl());
-  if (name == "Scalar") return model::Element::real;
-  if (name == "Index") return model::Element::index;
+/// The element type that the catalogue has under the name of `type`; none: another type.
+std::optional<model::Element> element_of(clang::QualType type, const clang::ASTContext& context) {
+  const auto* builtin = type->getAs<clang::BuiltinType>();
+  const llvm::StringRef name =
+      builtin != nullptr ? builtin->getName(context.getPrintingPolicy()) : vocabulary_name(type->getAsCXXRecordDecl());
+  for (const model::ElementFacts& row : model::elements())
+    if (row.schema == std::string_view(name)) return row.key;
   return std::nullopt;
 }
-
-struct Marker {
-  llvm::StringRef name;
-  model::Shape shape;
-};
-constexpr Marker markers[] = {{"Vector", model::Shape::vector},       {"Matrix", model::Shape::matrix},
-                              {"Symmetric", model::Shape::symmetric}, {"Diagonal", model::Shape::diagonal},
-                              {"Skew", model::Shape::skew},           {"Rotation", model::Shape::rotation}};
 
 class TypeReader {
  public:
@@ -112,7 +93,7 @@ class TypeReader {
   }
 
   bool read_entry(clang::QualType type) {
-    if (const auto element = element_of(type)) {
+    if (const auto element = element_of(type, context_)) {
       field_.shape = model::Shape::scalar;
       field_.element = *element;
       return true;
@@ -123,17 +104,22 @@ class TypeReader {
         "has the type " + quoted(spelled(declaration_.getType(), context_)) + ", which a schema does not have; ";
     if (type->isEnumeralType()) return fail(what + "write Index and keep the enumeration for the values");
     if (type->isBooleanType()) return fail(what + "write Index and store 0 or 1");
-    if (builtin != nullptr && builtin->isInteger()) return fail(what + "write Index or int, both of 32 bits");
-    if (builtin != nullptr && builtin->isFloatingPoint()) return fail(what + "write Scalar, float or double");
-    return fail(what + allowed);
+    if (builtin != nullptr && builtin->isInteger())
+      return fail(what + "write " + model::joined(model::element_types(true), " or ") + ", both of 32 bits");
+    if (builtin != nullptr && builtin->isFloatingPoint())
+      return fail(what + "write " + model::joined(model::element_types(false), " or "));
+    return fail(what + allowed());
   }
 
   bool read_record(const clang::CXXRecordDecl& record) {
     const llvm::StringRef vocabulary = vocabulary_name(&record);
-    for (const Marker& marker : markers)
-      if (vocabulary == marker.name) return read_marker(record, marker);
+    for (const model::ShapeFacts& shape : model::shapes())
+      if (!vocabulary.empty() && shape.type == std::string_view(vocabulary)) return read_shape(record, shape);
+    if (!vocabulary.empty())
+      return fail("has the type " + quoted(vocabulary) +
+                  " of a <physgen/schema.h> for another version, which this physgen does not know; " + allowed());
     if (const auto option = option_name(&record); !option.empty())
-      return fail("has the type " + quoted(option) + ", which is an option and not a field type; " + allowed);
+      return fail("has the type " + quoted(option) + ", which is an option and not a field type; " + allowed());
     if (record.isUnion()) return fail("is a union, whose members share memory; write one field per member");
     if (llvm::isa<clang::ClassTemplateSpecializationDecl>(record))
       return fail("has a template as its type, which a schema does not have; write a struct with PHYSGEN_OBJECT()");
@@ -151,22 +137,26 @@ class TypeReader {
     return true;
   }
 
-  bool read_marker(const clang::CXXRecordDecl& record, const Marker& marker) {
-    field_.shape = marker.shape;
-    field_.rows = field_.cols = 3;  // Rotation has no arguments
+  bool read_shape(const clang::CXXRecordDecl& record, const model::ShapeFacts& shape) {
+    field_.shape = shape.key;
+    field_.rows = field_.cols = shape.side;
     const auto* specialization = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&record);
-    if (specialization == nullptr) return true;
+    if (specialization == nullptr || shape.sides == model::Sides::fixed) return true;
     const auto& arguments = specialization->getTemplateArgs();
-    field_.rows = static_cast<int>(arguments[0].getAsIntegral().getSExtValue());
-    const bool matrix = marker.shape == model::Shape::matrix;
-    field_.cols = matrix                                 ? static_cast<int>(arguments[1].getAsIntegral().getSExtValue())
-                  : marker.shape == model::Shape::vector ? 1
-                                                         : field_.rows;
-    const clang::QualType type = arguments[matrix ? 2 : 1].getAsType();
-    const auto element = element_of(type);
-    if (!element || type.hasQualifiers())
-      return fail("has elements of type " + quoted(type.getAsString(context_.getPrintingPolicy())) +
-                  "; write one of Scalar, Index, float, double and int");
+    const auto size = [&](unsigned number) {
+      return static_cast<int>(arguments[number].getAsIntegral().getSExtValue());
+    };
+    const bool two_sizes = shape.sides == model::Sides::any;
+    field_.rows = size(0);
+    field_.cols = two_sizes ? size(1) : shape.sides == model::Sides::column ? 1 : field_.rows;
+    const clang::QualType type = arguments[two_sizes ? 2 : 1].getAsType();
+    const auto element = element_of(type, context_);
+    if (!element || type.hasQualifiers()) {
+      std::vector<std::string> words;
+      for (const model::ElementFacts& row : model::elements()) words.emplace_back(row.schema);
+      return fail("has elements of type " + quoted(type.getAsString(context_.getPrintingPolicy())) + "; write one of " +
+                  model::joined(words, " and "));
+    }
     field_.element = *element;
     return true;
   }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cfloat>
 #include <charconv>
-#include <climits>
 #include <cmath>
+#include <cstdio>
 
 namespace physgen::model {
 namespace {
@@ -17,27 +17,22 @@ std::string number(double value) {
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
+// At most the number, or at least it, with three digits.
+std::string rounded(double value, double (*to)(double)) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", to(value / digit) * digit);
+  return text;
+}
+
 std::string sized(const Field& field) {  // the field's type as a schema says it: Symmetric<3>
-  const std::string n = std::to_string(field.rows);
-  switch (field.shape) {
-    case Shape::scalar:
-      return "Scalar";
-    case Shape::vector:
-      return "Vector<" + n + ">";
-    case Shape::matrix:
-      return "Matrix<" + n + ", " + std::to_string(field.cols) + ">";
-    case Shape::symmetric:
-      return "Symmetric<" + n + ">";
-    case Shape::diagonal:
-      return "Diagonal<" + n + ">";
-    case Shape::skew:
-      return "Skew<" + n + ">";
-    case Shape::rotation:
-      return "Rotation";
-    case Shape::object:
-      return field.object;
-  }
-  return {};
+  const ShapeFacts& shape = facts(field.shape);
+  if (field.shape == Shape::object) return field.object;
+  std::string type(shape.type);
+  if (shape.sides == Sides::fixed) return type;
+  type += "<" + std::to_string(field.rows);
+  if (shape.sides == Sides::any) type += ", " + std::to_string(field.cols);
+  return type + ">";
 }
 
 class FieldChecker {
@@ -53,23 +48,19 @@ class FieldChecker {
     const int rows = field.rows, cols = field.cols;
     if (rows < 1 || cols < 1) return wrong("which stores nothing; " + std::string("sizes must be at least 1"));
     if (rows > max_side || cols > max_side) return wrong(limits + "; keep larger matrices in objects of blocks");
-    switch (field.shape) {
-      case Shape::scalar:
-        return (rows == 1 && cols == 1) || wrong("but rows and cols are not 1");
-      case Shape::vector:
+    const ShapeFacts& shape = facts(field.shape);
+    const std::string side = std::to_string(shape.side);
+    if (!shape.integers && facts(field.element).integer) return wrong("whose elements must be real");
+    switch (shape.sides) {
+      case Sides::fixed:
+        return (rows == shape.side && cols == shape.side) || wrong("but rows and cols are not " + side);
+      case Sides::column:
         return cols == 1 || wrong("but cols is not 1");
-      case Shape::skew:
-        if (rows == 1) return wrong("which stores nothing; a skew-symmetric matrix has at least size 2");
-        [[fallthrough]];
-      case Shape::symmetric:
-      case Shape::diagonal:
+      case Sides::square:
+        if (rows < shape.side)
+          return wrong("which stores nothing; a " + std::string(shape.phrase) + " matrix has at least size " + side);
         return rows == cols || wrong("but rows and cols differ");
-      case Shape::rotation:
-        if (field.element == Element::index || field.element == Element::int32)
-          return wrong("whose elements must be real");
-        return (rows == 3 && cols == 3) || wrong("but rows and cols are not 3");
-      case Shape::matrix:
-      case Shape::object:
+      case Sides::any:
         return true;
     }
     return true;
@@ -77,12 +68,11 @@ class FieldChecker {
 
   // Symmetric and skew-symmetric matrices are full ones as values.
   void value_size(const Field& field) {
-    const bool wide = field.element == Element::real || field.element == Element::float64;
-    const bool column = field.shape == Shape::vector || field.shape == Shape::diagonal;
-    const int bytes = field.rows * (column ? 1 : field.cols) * (wide ? 8 : 4);
+    const int element = facts(field.element).bytes_with_double;
+    const int bytes = field.rows * (facts(field.shape).column ? 1 : field.cols) * element;
     if (bytes > max_value_bytes)
       report_(Aspect::type, "field " + quoted(field.name) + " has the type " + sized(field) + ", whose value takes " +
-                                std::to_string(bytes) + (wide ? " bytes in double" : " bytes") +
+                                std::to_string(bytes) + (element == 8 ? " bytes in double" : " bytes") +
                                 ", and Eigen keeps no more than " + std::to_string(max_value_bytes) +
                                 " on the stack; write blocks, such as 'Matrix<64, 64> " + field.name + "[...]'");
   }
@@ -107,40 +97,46 @@ class FieldChecker {
 
   void format(Aspect aspect, const Field& field, const Format& format) {
     if (format == Format{}) return;
-    if (field.element == Element::index || field.element == Element::int32)
+    const EncodingFacts& encoding = facts(format.encoding);
+    const std::string word(encoding.word);
+    const bool in_steps = encoding.scaling == Scaling::interval && field.shape != Shape::rotation;
+    if (facts(field.element).integer)
       report_(aspect,
               "the elements of " + quoted(field.name) + " are integers, which have no other format; leave it out");
     else if (format.quaternion && field.shape != Shape::rotation)
       report_(aspect, "only a Rotation can be stored as a quaternion; " + quoted(field.name) + " is a " + sized(field));
-    else if (format.encoding == Encoding::snorm16 && field.shape != Shape::rotation && !field.range)
-      report_(aspect, "snorm16 has equal steps over a range, and " + quoted(field.name) +
+    else if (in_steps && !field.range)
+      report_(aspect, word + " has equal steps over a range, and " + quoted(field.name) +
                           " states none; add one, such as range(-1, 1)");
-    else if (format.encoding == Encoding::snorm16 && field.shape != Shape::rotation &&
-             !(field.range->low < field.range->high))
+    else if (in_steps && !(field.range->low < field.range->high))
       report_(aspect,
-              "snorm16 has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
-    else if (format.encoding == Encoding::half && field.initial && std::abs(*field.initial) > 65504 && !field.range)
-      report_(aspect, "initial(" + number(*field.initial) + ") is no half, which ends at 65504; state the range of " +
-                          quoted(field.name) + ", and it is scaled");
+              word + " has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
+    else if (encoding.scaling == Scaling::exponent && field.initial && std::abs(*field.initial) > encoding.largest &&
+             !field.range)
+      report_(aspect, "initial(" + number(*field.initial) + ") is no " + word + ", which ends at " +
+                          number(encoding.largest) + "; state the range of " + quoted(field.name) +
+                          ", and it is scaled");
     else
-      magnitudes(aspect, field, format.encoding);
+      magnitudes(aspect, field, encoding);
   }
 
-  // Stated values that the format would lose: halves are scaled by 2^-100 to 2^100, the others end where float does.
-  void magnitudes(Aspect aspect, const Field& field, Encoding encoding) {
-    if (encoding == Encoding::native || encoding == Encoding::float64 || field.shape == Shape::rotation) return;
-    if (encoding == Encoding::snorm16 && field.element == Element::float64) return;
+  // Stated values that the format would lose, be it scaled.
+  void magnitudes(Aspect aspect, const Field& field, const EncodingFacts& encoding) {
+    if (field.shape == Shape::rotation) return;
+    if (encoding.scaling == Scaling::interval && facts(field.element).bytes_with_float == 8) return;  // in double
     const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
     const double largest = std::max(end, std::abs(field.initial.value_or(0)));
-    const double limit = encoding == Encoding::half ? 0x1p115 : encoding == Encoding::bfloat16 ? 0x1.FEp127 : FLT_MAX;
-    const bool too_small = encoding == Encoding::half && end > 0 && end < 0x1p-86;
+    const bool scales = encoding.scaling == Scaling::exponent;
+    const int top = scales ? std::ilogb(encoding.largest) : 0;  // of the largest power of two
+    const double limit = scales ? std::ldexp(1, max_exponent + top) : encoding.largest;
+    const double least = scales ? std::ldexp(1, top - 1 - max_exponent) : 0;
+    const bool too_small = end > 0 && end < least;
     if (largest <= limit && !too_small) return;
-    const char* held = too_small                        ? "ranges that end above 1.3e-26"
-                       : encoding == Encoding::half     ? "sizes up to 4.1e+34"
-                       : encoding == Encoding::bfloat16 ? "sizes up to 3.38e+38"
-                                                        : "sizes up to 3.4e+38";
     report_(aspect, std::string(end > limit || too_small ? "the range" : "the initial value") + " of " +
-                        quoted(field.name) + " is beyond what this format holds, " + held + "; choose float64");
+                        quoted(field.name) + " is beyond what this format holds, " +
+                        (too_small ? "ranges that end above " + rounded(least, std::ceil)
+                                   : "sizes up to " + rounded(limit, std::floor)) +
+                        "; choose float64");
   }
 
   void unit(const std::string& unit) {
@@ -162,15 +158,17 @@ class FieldChecker {
 
   void initial(const Field& field) {
     const double value = *field.initial;
-    const bool whole = field.element == Element::index || field.element == Element::int32;
-    const bool is_float = field.element == Element::real || field.element == Element::float32;  // or can be
+    const bool whole = facts(field.element).integer;
+    const int bits = 8 * facts(field.element).bytes_with_double;
+    const double end = std::ldexp(1, bits - 1);                                  // of integers
+    const bool is_float = !whole && facts(field.element).bytes_with_float == 4;  // or can be
     if (!std::isfinite(value))
       report_(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
     else if (field.shape == Shape::rotation)
       report_(Aspect::initial, "a matrix of equal elements is not a rotation; leave initial() out");
-    else if (whole && (value != std::floor(value) || value < INT_MIN || value > INT_MAX))
-      report_(Aspect::initial, "initial(" + number(value) + ") is not a 32-bit integer, as the elements of " +
-                                   quoted(field.name) + " are; write one");
+    else if (whole && (value != std::floor(value) || value < -end || value >= end))
+      report_(Aspect::initial, "initial(" + number(value) + ") is not a " + std::to_string(bits) +
+                                   "-bit integer, as the elements of " + quoted(field.name) + " are; write one");
     else if (is_float && std::abs(value) > FLT_MAX)
       report_(Aspect::initial, "initial(" + number(value) + ") is no float, as the elements of " + quoted(field.name) +
                                    " are or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +

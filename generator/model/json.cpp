@@ -2,7 +2,6 @@
 #include "model/json.h"
 
 #include <algorithm>
-#include <array>
 #include <climits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -18,41 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int format = 1;  // of the JSON; counts up when an old reader would misread a new file
 
-template <class Enum, std::size_t N>
-using Words = std::array<std::pair<Enum, std::string_view>, N>;
-
-constexpr Words<Shape, 8> shapes = {{{Shape::scalar, "scalar"},
-                                     {Shape::vector, "vector"},
-                                     {Shape::matrix, "matrix"},
-                                     {Shape::symmetric, "symmetric"},
-                                     {Shape::diagonal, "diagonal"},
-                                     {Shape::skew, "skew"},
-                                     {Shape::rotation, "rotation"},
-                                     {Shape::object, "object"}}};
-constexpr Words<Element, 5> elements = {{{Element::real, "real"},
-                                         {Element::index, "index"},
-                                         {Element::float32, "float32"},
-                                         {Element::float64, "float64"},
-                                         {Element::int32, "int32"}}};
-constexpr Words<LayoutKind, 4> layouts = {{{LayoutKind::aos, "aos"},
-                                           {LayoutKind::aos_padded, "aos_padded"},
-                                           {LayoutKind::soa, "soa"},
-                                           {LayoutKind::aosoa, "aosoa"}}};
-
-constexpr Words<Encoding, 6> encodings = {{{Encoding::native, "native"},
-                                           {Encoding::float32, "float32"},
-                                           {Encoding::float64, "float64"},
-                                           {Encoding::half, "half"},
-                                           {Encoding::bfloat16, "bfloat16"},
-                                           {Encoding::snorm16, "snorm16"}}};
-
-template <class Enum, std::size_t N>
-std::string_view word(const Words<Enum, N>& words, Enum value) {
-  for (const auto& [candidate, text] : words)
-    if (candidate == value) return text;
-  throw std::invalid_argument("to_json: an enumeration has a value outside its list");
-}
-
 void write(Json& json, const char* key, const std::string& value) {
   if (!value.empty()) json[key] = value;
 }
@@ -62,13 +26,13 @@ Json write(const Location& location) {
 }
 
 Json write(const Layout& layout) {
-  Json json = {{"kind", word(layouts, layout.kind)}};
+  Json json = {{"kind", facts(layout.kind).word}};
   if (layout.tile != 0) json["tile"] = layout.tile;
   return json;
 }
 
 Json write(const Format& format) {
-  Json json = {{"encoding", word(encodings, format.encoding)}};
+  Json json = {{"encoding", facts(format.encoding).word}};
   if (format.quaternion) json["quaternion"] = true;
   return json;
 }
@@ -77,11 +41,11 @@ Json write(const Field& field) {
   Json json;
   json["name"] = field.name;
   write(json, "doc", field.doc);
-  json["shape"] = word(shapes, field.shape);
+  json["shape"] = facts(field.shape).word;
   if (field.shape == Shape::object) {
     json["object"] = field.object;
   } else {
-    json["element"] = word(elements, field.element);
+    json["element"] = facts(field.element).word;
   }
   if (field.rows != 1) json["rows"] = field.rows;
   if (field.cols != 1) json["cols"] = field.cols;
@@ -165,15 +129,13 @@ class Reader {
     return json_.get<bool>();
   }
 
-  template <class Enum, std::size_t N>
-  [[nodiscard]] Enum one_of(const Words<Enum, N>& words) const {
+  template <class Facts>
+  [[nodiscard]] auto one_of(std::span<const Facts> rows) const {
     const std::string value = text();
-    std::string choices;
-    for (const auto& [candidate, spelling] : words) {
-      if (spelling == value) return candidate;
-      choices += (choices.empty() ? "" : ", ") + std::string(spelling);
-    }
-    fail("must be one of " + choices + ", not '" + value + "'");
+    if (const Facts* row = find_word(rows, value)) return row->key;
+    std::vector<std::string> choices;
+    for (const Facts& row : rows) choices.emplace_back(row.word);
+    fail("must be one of " + joined(choices) + ", not '" + value + "'");
   }
 
   [[nodiscard]] std::string text_or_empty(const char* key) const { return has(key) ? at(key).text() : std::string(); }
@@ -195,13 +157,13 @@ Location read_location(const Reader& reader) {
 std::optional<Layout> read_layout(const Reader& reader, const char* key) {
   if (!reader.has(key)) return std::nullopt;
   const Reader json = reader.at(key).members({"kind", "tile"});
-  return Layout{json.at("kind").one_of(layouts), json.integer_or("tile", 0)};
+  return Layout{json.at("kind").one_of(layouts()), json.integer_or("tile", 0)};
 }
 
 Format read_format(const Reader& reader, const char* key) {
   if (!reader.has(key)) return {};
   const Reader json = reader.at(key).members({"encoding", "quaternion"});
-  return {json.at("encoding").one_of(encodings), json.has("quaternion") && json.at("quaternion").boolean()};
+  return {json.at("encoding").one_of(encodings()), json.has("quaternion") && json.at("quaternion").boolean()};
 }
 
 Field read_field(const Reader& json) {
@@ -210,11 +172,11 @@ Field read_field(const Reader& json) {
   Field field;
   field.name = json.at("name").text();
   field.doc = json.text_or_empty("doc");
-  field.shape = json.at("shape").one_of(shapes);
+  field.shape = json.at("shape").one_of(shapes());
   if (field.shape == Shape::object) {
     field.object = json.at("object").text();
   } else {
-    field.element = json.at("element").one_of(elements);
+    field.element = json.at("element").one_of(elements());
   }
   field.rows = json.integer_or("rows", 1);
   field.cols = json.integer_or("cols", 1);

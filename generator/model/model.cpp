@@ -6,24 +6,10 @@
 namespace physgen::model {
 
 int element_count(const Field& field) {
-  const int n = field.rows;
-  switch (field.shape) {
-    case Shape::scalar:
-      return 1;
-    case Shape::vector:
-    case Shape::diagonal:
-      return n;
-    case Shape::matrix:
-    case Shape::rotation:
-      return n * field.cols;
-    case Shape::symmetric:
-      return n * (n + 1) / 2;
-    case Shape::skew:
-      return n * (n - 1) / 2;
-    case Shape::object:
-      break;
-  }
-  throw std::invalid_argument("element_count: field '" + field.name + "' is a nested object");
+  const ShapeFacts& shape = facts(field.shape);
+  if (shape.count == nullptr)
+    throw std::invalid_argument("element_count: field '" + field.name + "' is a nested object");
+  return shape.count(field.rows, field.cols);
 }
 
 std::string generated_header(const std::string& schema_file) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "model/catalog.h"
+
 namespace physgen::model {
 
 /// Where something was declared; line and column count from 1.
@@ -16,29 +18,12 @@ struct Location {
   bool operator==(const Location&) const = default;
 };
 
-/// The structure of a field; it decides how many elements are stored.
-enum class Shape { scalar, vector, matrix, symmetric, diagonal, skew, rotation, object };
-
-/// The type of one stored element. `real` is the precision that the scene chooses (float or double).
-enum class Element { real, index, float32, float64, int32 };
-
 /// Closed interval of meaningful values, in the field's unit.
 struct Range {
   double low = 0;
   double high = 0;
   bool operator==(const Range&) const = default;
 };
-
-enum class LayoutKind { aos, aos_padded, soa, aosoa };
-
-/// How an array of objects lies in memory; `tile` is the objects per tile of an aosoa (a power of two), else 0.
-struct Layout {
-  LayoutKind kind = LayoutKind::aos;
-  int tile = 0;
-  bool operator==(const Layout&) const = default;
-};
-
-enum class Encoding { native, float32, float64, half, bfloat16, snorm16 };
 
 /// How a field is stored in a memory space: the encoding of its elements, or, of a rotation stored as a quaternion, of
 /// that one's four components.
@@ -47,9 +32,6 @@ struct Format {
   bool quaternion = false;
   bool operator==(const Format&) const = default;
 };
-
-/// The memory spaces that layouts and formats are stated for.
-enum class Space { host, cuda };
 
 /// One data member of an object.
 struct Field {
@@ -79,12 +61,16 @@ struct Object {
   std::string doc;
   std::string header;  ///< for an imported object: the generated header that defines it; empty: this schema's own
   std::vector<Field> fields;
-  std::optional<Layout> host_layout;  ///< none: the runtime's default
+  std::optional<Layout> host_layout;  ///< none: the standard one of the space
   std::optional<Layout> cuda_layout;
   int alignment = 0;  ///< alignment of one AoS record in bytes (a power of two); 0: natural
   Location location;
   bool operator==(const Object&) const = default;
 
+  /// The schema's layout in a space, else the standard one.
+  [[nodiscard]] Layout layout(Space space) const {
+    return (space == Space::host ? host_layout : cuda_layout).value_or(facts(space).standard);
+  }
   [[nodiscard]] std::string qualified_name() const { return scope.empty() ? name : scope + "::" + name; }
 };
 

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <span>
 
+#include "model/catalog.h"
 #include "model/taken_names.h"
 
 namespace physgen::model {
@@ -29,15 +30,19 @@ constexpr std::string_view keywords[] = {
 
 constexpr std::string_view reserved_fields[] = {"get",       "put",     "Real", "Cursor", "Value",   "Record", "bytes",
                                                 "alignment", "physgen", "std",  "Eigen",  "Formats", "Space"};
-// Objects must not hide what generated code says beside them: its template parameters, and the words of the schema.
-constexpr std::string_view reserved_objects[] = {
-    "Real",   "Cursor",    "Value",  "Record", "Layout",    "Space",    "View",  "Array",    "Ref",
-    "Object", "Scalar",    "Vector", "Matrix", "Symmetric", "Diagonal", "Skew",  "Rotation", "Index",
-    "bytes",  "alignment", "get",    "put",    "physgen",   "std",      "Eigen", "Formats"};
+// Objects must not hide what generated code says beside them, its template parameters, nor the words of the schema.
+constexpr std::string_view reserved_objects[] = {"Real", "Cursor", "Value",   "Record", "Layout", "Space",
+                                                 "View", "Array",  "Ref",     "Object", "bytes",  "alignment",
+                                                 "get",  "put",    "physgen", "std",    "Eigen",  "Formats"};
 constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen", "xsimd"};
 
 bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_type_of_the_vocabulary(std::string_view name) {
+  return std::ranges::any_of(shapes(), [&](const ShapeFacts& row) { return row.type == name; }) ||
+         std::ranges::any_of(elements(), [&](const ElementFacts& row) { return row.schema == name; });
 }
 
 bool is_identifier(std::string_view name) {
@@ -73,7 +78,7 @@ std::string name_problem(std::string_view name, NameOf of) {
   if (is_macro(name))
     return "is a macro of a header that programs include, and means something else there; choose another name";
   const bool reserved = of == NameOf::field    ? is_one_of(name, reserved_fields)
-                        : of == NameOf::object ? is_one_of(name, reserved_objects)
+                        : of == NameOf::object ? is_one_of(name, reserved_objects) || is_type_of_the_vocabulary(name)
                                                : is_one_of(name, reserved_scopes);
   if (reserved) return "is a name that generated code needs for itself; choose another name";
   return {};

@@ -230,11 +230,12 @@ class Checker {
 
   void layout(Aspect aspect, const std::optional<Layout>& layout) {
     if (!layout) return;
-    if (layout->kind == LayoutKind::aosoa && (layout->tile < 2 || !is_power_of_two_up_to(layout->tile, max_tile)))
-      report(aspect, "tile " + std::to_string(layout->tile) +
-                         " is not a power of two from 2 to 1024; write one, such as aosoa(32)");
-    if (layout->kind != LayoutKind::aosoa && layout->tile != 0)
-      report(aspect, "only an aosoa layout has a tile; leave it out");
+    const LayoutFacts& row = facts(layout->kind);
+    const std::string word(row.word);
+    if (row.tiled && (layout->tile < 2 || !is_power_of_two_up_to(layout->tile, max_tile)))
+      report(aspect, "tile " + std::to_string(layout->tile) + " is not a power of two from 2 to " +
+                         std::to_string(max_tile) + "; write one, such as " + layout_word({layout->kind, 32}));
+    if (!row.tiled && layout->tile != 0) report(aspect, "a layout " + word + " has no tile; leave it out");
   }
 
   const Object& at(const Place& place) const {

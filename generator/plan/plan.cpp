@@ -49,29 +49,10 @@ void place(Record& record, const std::vector<Bytes>& alignments, int Bytes::* pr
 }  // namespace
 
 Bytes element_bytes(const model::Field& field, model::Space space) {
-  switch (field.format(space).encoding) {
-    case model::Encoding::float32:
-      return {4, 4};
-    case model::Encoding::float64:
-      return {8, 8};
-    case model::Encoding::half:
-    case model::Encoding::bfloat16:
-    case model::Encoding::snorm16:
-      return {2, 2};
-    case model::Encoding::native:
-      break;
-  }
-  switch (field.element) {
-    case model::Element::real:
-      return {4, 8};
-    case model::Element::float64:
-      return {8, 8};
-    case model::Element::index:
-    case model::Element::int32:
-    case model::Element::float32:
-      break;
-  }
-  return {4, 4};
+  const int stored = model::facts(field.format(space).encoding).bytes;
+  if (stored != 0) return {stored, stored};
+  const model::ElementFacts& element = model::facts(field.element);
+  return {element.bytes_with_float, element.bytes_with_double};
 }
 
 int stored_count(const model::Field& field, model::Space space) {

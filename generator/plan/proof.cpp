@@ -15,8 +15,7 @@ struct Channel {
 };
 
 void check(const Record& record, const std::vector<Run>& all, int Bytes::* precision, std::vector<std::string>& found) {
-  const std::string in = record.object->qualified_name() +
-                         (record.space == model::Space::host ? " on the host" : " on CUDA") +
+  const std::string in = record.object->qualified_name() + " " + std::string(model::facts(record.space).place) +
                          (precision == &Bytes::with_float ? " with Real = float: " : " with Real = double: ");
   const Affine tile{record.bytes.*precision, 0};
   std::vector<Channel> channels;

@@ -1,5 +1,5 @@
 // Single elements between any two storage formats that are known at run time only, on host and device: what copies of
-// whole arrays are made of. A new 16-bit format is a case in decode() and encode(), and for speed one more codec.
+// whole arrays are made of. A new stored type is a case in decode() and encode(), and for speed, of 16 bits, a codec.
 #pragma once
 
 #include <physgen/object_info.h>

@@ -287,7 +287,7 @@ TEST(Rules, refuse_ranges_and_initial_values_beyond_what_a_format_holds) {
   };
   EXPECT_EQ(issues_of(Encoding::half, 0x1p115), "");
   EXPECT_EQ(issues_of(Encoding::half, 0x1p116),
-            "the range of 'E' is beyond what this format holds, sizes up to 4.1e+34; choose float64");
+            "the range of 'E' is beyond what this format holds, sizes up to 4.15e+34; choose float64");
   EXPECT_EQ(issues_of(Encoding::half, 0x1p-86), "");
   EXPECT_EQ(issues_of(Encoding::half, 0x1p-87),
             "the range of 'E' is beyond what this format holds, ranges that end above 1.3e-26; choose float64");

@@ -178,7 +178,7 @@ TEST(LayoutMap, knows_what_stands_at_every_byte) {
                  std::to_string(cell.element % accessor.run_elements) + " of " + std::to_string(cell.object);
           ASSERT_EQ(cell.begin, map.address(accessor.offset(cell.element), accessor.bytes, cell.object));
         }
-        ASSERT_EQ(name, bytes[b]) << layout_word(law.layout) << ", byte " << b;
+        ASSERT_EQ(name, bytes[b]) << model::layout_word(law.layout) << ", byte " << b;
       }
       const auto padding = std::count(bytes.begin(), bytes.end(), "--");
       ASSERT_EQ(padding, 2 * law.pitch * map.padding_bytes());

@@ -135,6 +135,14 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* what, Argumen
   return command;
 }
 
+/// "aosoa(16) on the host and aosoa(32) on CUDA"
+std::string standard_layouts() {
+  std::vector<std::string> words;
+  for (const model::SpaceFacts& row : model::spaces())
+    words.push_back(model::layout_word(row.standard) + " " + std::string(row.place));
+  return model::joined(words, " and ");
+}
+
 void describe_layout(CLI::App& app, Arguments& arguments) {
   auto* layout =
       add_command(app, "layout", "Draw where arrays place every element, and what a warp touches", arguments);
@@ -143,12 +151,11 @@ void describe_layout(CLI::App& app, Arguments& arguments) {
   layout->add_option("--object", request.objects, "Object to draw; may be repeated; without: all of the schema")
       ->allow_extra_args(false)
       ->type_name("NAME");
-  layout->add_option("--space", request.space, "host, cuda or both (default)")->type_name("SPACE");
+  layout->add_option("--space", request.space, space_choices() + " (default)")->type_name("SPACE");
   layout->add_option("--real", request.real, "float (default) or double")->type_name("TYPE");
   layout
       ->add_option("--layout", request.layout,
-                   "aos, aos_padded, soa, 'aosoa(32)' (in quotes) or all; without: what the schema says, "
-                   "else aosoa(16) on the host and aosoa(32) on CUDA")
+                   layout_choices() + "; without: what the schema says, else " + standard_layouts())
       ->type_name("LAYOUT");
   auto* svg = layout->add_flag("--svg", arguments.svg, "Draw an SVG instead of text");
   layout->add_option("-o,--output", arguments.picture, "File of the SVG; without: standard output")

@@ -7,31 +7,8 @@
 namespace physgen::command {
 namespace {
 
-constexpr long long align_up(long long value, long long step) { return (value + step - 1) / step * step; }
-
 int bytes_of(plan::Bytes bytes, Precision precision) {
   return precision == Precision::with_float ? bytes.with_float : bytes.with_double;
-}
-
-/// As record_bytes of the layouts: the tiled ones do not round, but for tiles of 2.
-int record_bytes(const plan::Record& record, model::Layout layout, Precision precision) {
-  const int bytes = bytes_of(record.bytes, precision);
-  const int alignment = bytes_of(record.alignment, precision);
-  if (layout.kind == model::LayoutKind::aos) return static_cast<int>(align_up(bytes, alignment));
-  if (layout.kind == model::LayoutKind::aos_padded) return static_cast<int>(align_up(bytes, std::max(alignment, 16)));
-  if (layout.kind == model::LayoutKind::aosoa && layout.tile == 2) return static_cast<int>(align_up(bytes, 4));
-  return bytes;
-}
-
-/// As Soa::padded: whole warps, and no multiple of a page.
-constexpr long long soa_pitch(long long objects) {
-  const long long whole = align_up(objects, 32);
-  return whole > 0 && whole % 512 == 0 ? whole + 32 : whole;
-}
-
-long long pitch_of(model::Layout layout) {
-  if (layout.kind == model::LayoutKind::soa) return soa_pitch(assumed_objects);
-  return layout.kind == model::LayoutKind::aosoa ? layout.tile : 1;
 }
 
 /// The name of a run with all entries of arrays instead of one: "points[0..9].x".
@@ -153,8 +130,10 @@ LayoutMap map_layout(const plan::Record& record, model::Layout layout, Precision
   map.spaces = {record.space};
   map.layout = layout;
   map.precision = precision;
-  map.pitch = pitch_of(layout);
-  map.record_bytes = record_bytes(record, layout, precision);
+  const model::LayoutFacts& facts = model::facts(layout.kind);
+  map.pitch = facts.pitch(assumed_objects, layout.tile);
+  map.record_bytes =
+      facts.record_bytes(bytes_of(record.bytes, precision), bytes_of(record.alignment, precision), layout.tile);
   map.accessors = accessors_of(record, precision);
   map.segments = segments_of(map);
   for (Accessor& accessor : map.accessors) accessor.sectors = sectors_of(map, accessor);

@@ -82,6 +82,8 @@ struct LayoutMap {
   [[nodiscard]] int padding_bytes() const;  ///< of one record
   /// Whether records lie there as a whole, one after the other.
   [[nodiscard]] bool is_aos() const { return pitch == 1; }
+  /// Whether tiles of several objects follow each other.
+  [[nodiscard]] bool has_tiles() const { return pitch > 1 && pitch < assumed_objects; }
   /// Byte of the array at which an element of `bytes` at `offset` of the record of `object` begins.
   [[nodiscard]] long long address(int offset, int bytes, long long object_number) const {
     return object_number / pitch * pitch * record_bytes + offset * pitch + object_number % pitch * bytes;

@@ -6,14 +6,16 @@
 namespace physgen::command {
 namespace {
 
-using model::LayoutKind;
 using model::Space;
 
 std::vector<Space> spaces_of(const std::string& word) {
-  if (word == "host") return {Space::host};
-  if (word == "cuda") return {Space::cuda};
-  if (word == "both") return {Space::host, Space::cuda};
-  throw LayoutError("there is no space '" + word + "'; write host, cuda or both");
+  std::vector<Space> all;
+  for (const model::SpaceFacts& row : model::spaces()) {
+    if (word == row.word) return {row.key};
+    all.push_back(row.key);
+  }
+  if (word == "both") return all;
+  throw LayoutError("there is no space '" + word + "'; write " + space_choices());
 }
 
 Precision precision_of(const std::string& word) {
@@ -46,18 +48,17 @@ std::vector<const model::Object*> objects_of(const model::Schema& schema, const 
   return chosen;
 }
 
-/// The schema's layout of the object in a space, else the runtime's default.
-model::Layout own_layout(const model::Object& object, Space space) {
-  return space == Space::host ? object.host_layout.value_or(model::Layout{LayoutKind::aosoa, 16})
-                              : object.cuda_layout.value_or(model::Layout{LayoutKind::aosoa, 32});
-}
-
 std::vector<model::Layout> layouts_of(const std::string& word, const model::Object& object, Space space) {
-  const model::Layout own = own_layout(object, space);
+  const model::Layout own = object.layout(space);
   if (word.empty()) return {own};
   if (word != "all") return {read_layout(word)};
-  const int tile = own.kind == LayoutKind::aosoa ? own.tile : space == Space::host ? 16 : 32;
-  return {{LayoutKind::aos, 0}, {LayoutKind::aos_padded, 0}, {LayoutKind::aosoa, tile}, {LayoutKind::soa, 0}};
+  std::vector<model::Layout> all;
+  const int tile = own.tile != 0 ? own.tile : model::facts(space).standard.tile;
+  for (const model::LayoutFacts& row : model::layouts()) all.push_back({row.key, row.tiled ? tile : 0});
+  // From whole records to whole arrays.
+  std::ranges::stable_sort(
+      all, {}, [](model::Layout layout) { return model::facts(layout.kind).pitch(assumed_objects, layout.tile); });
+  return all;
 }
 
 /// Whether two maps differ in nothing but their spaces.

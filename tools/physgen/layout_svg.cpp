@@ -87,7 +87,7 @@ std::vector<long long> shown_rows(const LayoutMap& map) {
   std::vector<long long> all(rows.begin(), rows.end());
   if (all.size() > most_rows) all.erase(all.begin() + most_rows - 3, all.end() - 3);
   const long long next_tile = map.pitch * map.record_bytes / row_bytes;
-  if (map.layout.kind == model::LayoutKind::aosoa && all.back() < next_tile) all.push_back(next_tile);
+  if (map.has_tiles() && all.back() < next_tile) all.push_back(next_tile);
   return all;
 }
 

@@ -182,7 +182,7 @@ void draw_channels(const LayoutMap& map, std::string& text) {
     else
       add_rows(map, map.segments[static_cast<std::size_t>(shown[s])], all, rows);
   }
-  if (map.layout.kind == model::LayoutKind::aosoa) {
+  if (map.has_tiles()) {
     const Cell cell = map.at(map.pitch * map.record_bytes);
     const Accessor& accessor = map.accessors[static_cast<std::size_t>(cell.accessor)];
     rows.push_back({element_name(accessor, cell.element), std::to_string(cell.begin),

@@ -10,38 +10,15 @@
 namespace physgen::command {
 namespace {
 
-using model::Shape;
-
-/// Row and column of element k where columns of a triangle follow each other, `first` rows below the diagonal.
-std::string triangle_index(int k, int n, int first) {
-  int column = 0;
-  while (k >= n - first - column) {
-    k -= n - first - column;
-    ++column;
-  }
-  return "(" + std::to_string(column + first + k) + "," + std::to_string(column) + ")";
-}
-
 /// Index of element k of one entry, as the shape's value takes it.
 std::string index_in_entry(const Accessor& accessor, int k) {
   const model::Field& field = accessor.field;
   if (accessor.format.quaternion) return {'.', "wxyz"[k]};
-  switch (field.shape) {
-    case Shape::scalar:
-    case Shape::object:
-      return "";
-    case Shape::vector:
-    case Shape::diagonal:
-      return "[" + std::to_string(k) + "]";
-    case Shape::matrix:
-    case Shape::rotation:
-      return "(" + std::to_string(k % field.rows) + "," + std::to_string(k / field.rows) + ")";
-    case Shape::symmetric:
-      return triangle_index(k, field.rows, 0);
-    case Shape::skew:
-      return triangle_index(k, field.rows, 1);
-  }
-  return "";
+  if (field.shape == model::Shape::scalar) return "";
+  const model::ShapeFacts& shape = model::facts(field.shape);
+  const auto [row, column] = shape.entry(k, field.rows);
+  return shape.column ? "[" + std::to_string(row) + "]"
+                      : "(" + std::to_string(row) + "," + std::to_string(column) + ")";
 }
 
 std::string counted(long long count, const char* what) {
@@ -50,40 +27,43 @@ std::string counted(long long count, const char* what) {
 
 }  // namespace
 
-std::string layout_word(model::Layout layout) {
-  switch (layout.kind) {
-    case model::LayoutKind::aos:
-      return "aos";
-    case model::LayoutKind::aos_padded:
-      return "aos_padded";
-    case model::LayoutKind::soa:
-      return "soa";
-    case model::LayoutKind::aosoa:
-      break;
-  }
-  return "aosoa(" + std::to_string(layout.tile) + ")";
-}
-
 model::Layout read_layout(const std::string& word) {
-  for (const auto kind : {model::LayoutKind::aos, model::LayoutKind::aos_padded, model::LayoutKind::soa})
-    if (word == layout_word({kind, 0})) return {kind, 0};
-  const std::string begin = "aosoa(";
-  if (word.starts_with(begin) && word.ends_with(')')) {
+  for (const model::LayoutFacts& row : model::layouts()) {
+    if (!row.tiled && word == row.word) return {row.key, 0};
+    const std::string name(row.word), begin = name + "(";
+    if (!row.tiled || !word.starts_with(begin) || !word.ends_with(')')) continue;
     const std::string tile = word.substr(begin.size(), word.size() - begin.size() - 1);
     const bool digits = !tile.empty() && tile.size() <= 4 &&
                         std::ranges::all_of(tile, [](unsigned char c) { return std::isdigit(c) != 0; });
     if (digits && std::stoi(tile) >= 2 && model::is_power_of_two_up_to(std::stoi(tile), model::max_tile))
-      return {model::LayoutKind::aosoa, std::stoi(tile)};
-    throw LayoutError("the tile of '" + word + "' is no power of two from 2 to 1024; write 'aosoa(16)' or 'aosoa(32)'");
+      return {row.key, std::stoi(tile)};
+    throw LayoutError("the tile of '" + word + "' is no power of two from 2 to " + std::to_string(model::max_tile) +
+                      "; write '" + model::layout_word({row.key, 16}) + "' or '" + model::layout_word({row.key, 32}) +
+                      "'");
   }
-  throw LayoutError("there is no layout '" + word + "'; write aos, aos_padded, soa, 'aosoa(32)' or all");
+  throw LayoutError("there is no layout '" + word + "'; write " + layout_choices());
+}
+
+std::string layout_choices() {
+  std::vector<std::string> words = model::layout_words("32");
+  for (std::string& word : words)
+    if (word.ends_with(')')) word.insert(0, 1, '\'').push_back('\'');
+  words.emplace_back("all");
+  return model::joined(words, " or ");
+}
+
+std::string space_choices() {
+  std::vector<std::string> words;
+  for (const model::SpaceFacts& row : model::spaces()) words.emplace_back(row.word);
+  words.emplace_back("both");
+  return model::joined(words, " or ");
 }
 
 std::string space_words(const LayoutMap& map) {
   std::string words;
   for (const model::Space space : map.spaces) {
     if (!words.empty()) words += " and ";
-    words += space == model::Space::host ? "host" : "cuda";
+    words += model::facts(space).word;
   }
   return words;
 }
@@ -91,29 +71,10 @@ std::string space_words(const LayoutMap& map) {
 const char* precision_word(Precision precision) { return precision == Precision::with_float ? "float" : "double"; }
 
 std::string format_word(const Accessor& accessor, Precision precision) {
-  std::string word = "int";
-  switch (accessor.format.encoding) {
-    case model::Encoding::float32:
-      word = "float";
-      break;
-    case model::Encoding::float64:
-      word = "double";
-      break;
-    case model::Encoding::half:
-      word = "half";
-      break;
-    case model::Encoding::bfloat16:
-      word = "bfloat16";
-      break;
-    case model::Encoding::snorm16:
-      word = "snorm16";
-      break;
-    case model::Encoding::native:
-      if (accessor.field.element == model::Element::real) word = precision_word(precision);
-      if (accessor.field.element == model::Element::float32) word = "float";
-      if (accessor.field.element == model::Element::float64) word = "double";
-      break;
-  }
+  const model::EncodingFacts& encoding = model::facts(accessor.format.encoding);
+  std::string word(encoding.scaling == model::Scaling::interval ? encoding.word : encoding.name);
+  if (accessor.format.encoding == model::Encoding::native) word = model::facts(accessor.field.element).name;
+  if (word.empty()) word = precision_word(precision);
   return accessor.format.quaternion ? "quaternion(" + word + ")" : word;
 }
 
@@ -158,10 +119,10 @@ std::string record_words(const LayoutMap& map) {
   std::string words = "records of " + counted(map.record_bytes, "byte");
   if (const int padding = map.padding_bytes(); padding > 0)
     words += ", " + std::to_string(padding) + " of them padding";
-  if (map.layout.kind == model::LayoutKind::aosoa)
+  if (map.has_tiles())
     words += "; tiles of " + std::to_string(map.pitch) + " objects, " + std::to_string(map.pitch * map.record_bytes) +
              " bytes";
-  if (map.layout.kind == model::LayoutKind::soa)
+  else if (!map.is_aos())
     words += "; pitch " + std::to_string(map.pitch) + " for " + std::to_string(assumed_objects) + " objects";
   return words;
 }

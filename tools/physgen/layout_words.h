@@ -13,11 +13,14 @@ struct LayoutError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// "aos", "aos_padded", "soa", "aosoa(32)".
-[[nodiscard]] std::string layout_word(model::Layout layout);
-
-/// @throws LayoutError
+/// The layout that model::layout_word() writes so. @throws LayoutError
 [[nodiscard]] model::Layout read_layout(const std::string& word);
+
+/// "host, cuda or both".
+[[nodiscard]] std::string space_choices();
+
+/// What read_layout() takes, and "all", for messages: "aos, aos_padded, soa, 'aosoa(32)' or all".
+[[nodiscard]] std::string layout_choices();
 
 /// "host", "cuda", "host and cuda".
 [[nodiscard]] std::string space_words(const LayoutMap& map);

@@ -10,40 +10,32 @@ namespace physgen {
 /// The stored type of an element. The 16-bit ones are bit patterns; their formats (format.h) say what they stand for.
 enum class ElementType : std::uint8_t { float32, float64, int32, half, bfloat16, snorm16 };
 
-/// Bytes of one element of this type; also its alignment.
-[[nodiscard]] PHYSGEN_FUNCTION constexpr int element_bytes(ElementType type) {
+/// What holds for all elements of a stored type.
+struct ElementTypeFacts {
+  int bytes;              ///< also its alignment
+  double relative_error;  ///< largest of an ordinary value; 0 for integers and for equal steps
+  int steps;              ///< to either side of the centre, where they are equal and errors absolute; else 0
+};
+[[nodiscard]] PHYSGEN_FUNCTION constexpr ElementTypeFacts facts(ElementType type) {
   switch (type) {
-    case ElementType::float64:
-      return 8;
     case ElementType::float32:
+      return {4, 0x1p-24, 0};
+    case ElementType::float64:
+      return {8, 0x1p-53, 0};
     case ElementType::int32:
-      return 4;
+      return {4, 0, 0};
     case ElementType::half:
+      return {2, 0x1p-11, 0};
     case ElementType::bfloat16:
+      return {2, 0x1p-8, 0};
     case ElementType::snorm16:
       break;
   }
-  return 2;
+  return {2, 0, 32767};
 }
 
-/// Largest relative error of an ordinary value in this type; 0 for integers and for equal steps, whose error is
-/// absolute.
-[[nodiscard]] PHYSGEN_FUNCTION constexpr double relative_error(ElementType type) {
-  switch (type) {
-    case ElementType::float64:
-      return 0x1p-53;
-    case ElementType::float32:
-      return 0x1p-24;
-    case ElementType::half:
-      return 0x1p-11;
-    case ElementType::bfloat16:
-      return 0x1p-8;
-    case ElementType::int32:
-    case ElementType::snorm16:
-      break;
-  }
-  return 0;
-}
+[[nodiscard]] PHYSGEN_FUNCTION constexpr int element_bytes(ElementType type) { return facts(type).bytes; }
+[[nodiscard]] PHYSGEN_FUNCTION constexpr double relative_error(ElementType type) { return facts(type).relative_error; }
 
 /// The ElementType of a C++ type.
 template <class T>

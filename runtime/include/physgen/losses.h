@@ -133,8 +133,8 @@ PHYSGEN_FUNCTION inline void count_loss(Losses& losses, ElementType type, double
     return;
   }
   const double error = std::abs(back - value);
-  if (type == ElementType::snorm16) {
-    if (error > scale / 32767) return remember(losses.out_of_range, losses.first, object, offset, value);
+  if (const int steps = facts(type).steps; steps != 0) {
+    if (error > scale / steps) return remember(losses.out_of_range, losses.first, object, offset, value);
     return;  // its error is absolute
   }
   if (!(std::abs(back) <= 1.7976931348623157e308))

@@ -10,7 +10,7 @@ namespace physgen::format {
 
 namespace detail {
 
-inline constexpr int snorm16_steps = 32767;          ///< to either side of the centre
+inline constexpr int snorm16_steps = facts(ElementType::snorm16).steps;
 inline constexpr std::int16_t snorm16_nan = -32768;  ///< stands for NaN
 
 /// Whether steps over centre - scale to centre + scale are computed in Real without its running out of range; if not,
