@@ -49,6 +49,14 @@ void refused(const Derivatives::View& view, Pack<native_lanes<float>> i, const I
   add(i, nodes[0].f(), Eigen::Vector3f(1, 2, 3));
 #elif defined(CASE_a_sum_of_one_number_for_a_pack)
   (void)sum(Host{}, 5, over<float>([](auto) { return 1.0F; }));
+#elif defined(CASE_adding_to_a_named_element)
+  auto element = view[j].x1111();
+  add(i, element, m);
+#elif defined(CASE_storing_to_a_named_element)
+  auto element = view[i].x1111();
+  store_where(m > S(0.0F), element, m);
+#elif defined(CASE_an_unsigned_number_beside_integer_lanes)
+  (void)(j < 3U);
 #elif defined(CASE_a_neighbour_of_a_pack)
   view[i].x1111() = view[i + 1].x1111();
 #elif defined(CASE_a_sum_over_rows_of_another_type)

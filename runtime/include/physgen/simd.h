@@ -10,6 +10,7 @@
 #include <physgen/math.h>
 #include <physgen/simd_functions.h>
 #include <physgen/simd_masks.h>
+#include <physgen/simd_repairs.h>
 
 #include <Eigen/Core>
 #include <type_traits>

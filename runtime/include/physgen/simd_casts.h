@@ -9,10 +9,11 @@
 
 namespace physgen::detail {
 
-/// Plain numbers that integer lanes of type T cannot hold: floating ones and wider integers.
+/// Plain numbers that integer lanes of type T cannot hold: floating ones, wider integers and unsigned ones.
 template <class T, class Number>
 concept CutDown = std::is_integral_v<T> && std::is_arithmetic_v<Number> &&
-                  (std::is_floating_point_v<Number> || sizeof(Number) > sizeof(T));
+                  (std::is_floating_point_v<Number> || sizeof(Number) > sizeof(T) ||
+                   (std::is_unsigned_v<Number> && sizeof(Number) == sizeof(T)));
 struct integer_lanes_beside_a_number_they_cannot_hold_so_use_to_real_of_S {};
 
 /// Bit l is lane l of a mask.
@@ -66,8 +67,8 @@ template <class T, class A>
     using Lane = typename Lanes::value_type;
     alignas(64) std::array<Lane, Mask::size> of_lane;
     for (std::size_t l = 0; l < Mask::size; ++l) of_lane[l] = Lane{1} << l;
-    const auto set = (Lanes(static_cast<Lane>(bits)) & Lanes::load_aligned(of_lane.data())) != Lanes(Lane{0});
-    return Mask(std::bit_cast<Register>(set.data));
+    const Lanes own = Lanes::load_aligned(of_lane.data());
+    return Mask(std::bit_cast<Register>(((Lanes(static_cast<Lane>(bits)) & own) == own).data));
   }
 }
 
@@ -91,15 +92,6 @@ struct Cast<To, xsimd::batch<T, A>> {
 }  // namespace physgen::math::detail
 
 namespace xsimd {
-
-#ifdef __AVX512BW__
-/// xsimd 8.1 has none that compiles without optimization.
-inline batch<std::int32_t, avx512bw> select(const batch_bool<std::int32_t, avx512bw>& condition,
-                                            const batch<std::int32_t, avx512bw>& a,
-                                            const batch<std::int32_t, avx512bw>& b) {
-  return _mm512_mask_blend_epi32(condition.data, b.data, a.data);
-}
-#endif
 
 /// As xsimd's own, for a condition on lanes of another type.
 template <class U, class B, class T, class A>

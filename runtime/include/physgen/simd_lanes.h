@@ -72,8 +72,12 @@ template <detail::AnyPack I, class T, class A>
 }
 
 template <class T, class A, class To>
-void store_where(const xsimd::batch_bool<T, A>& condition, const To& to, const typename To::Value& value) {
-  using Lanes = typename To::Lanes;
+void store_where(const xsimd::batch_bool<T, A>& condition, To&& to,
+                 const typename std::remove_cvref_t<To>::Value& value) {
+  using Lanes = typename std::remove_cvref_t<To>::Lanes;
+  static_assert(!std::is_lvalue_reference_v<To> || !detail::ElementReference<To>,
+                "store_where(): `auto m = view[i].m()` is a reference for packs and a number of its own for one "
+                "object; write to view[i].m() itself");
   static_assert(xsimd::batch_bool<T, A>::size == Lanes::size, "store_where(): condition and field have as many lanes");
   to.write_where(detail::bits_of(condition), value);
 }

@@ -40,6 +40,15 @@ PHYSGEN_FUNCTION void swap(const Ref& a, const Ref& b) {
   b.put(before);
 }
 
+/// Elements that are stored as they are computed, of single objects: `swap(view[i].m(), view[j].m())`.
+template <class T>
+  requires std::is_arithmetic_v<T>
+PHYSGEN_FUNCTION void swap(T& a, T& b) {
+  const T before = a;
+  a = b;
+  b = before;
+}
+
 /// @tparam Object a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double; const for a read-only view
 /// @tparam Layout_ Aos, AosPadded, Soa or Aosoa<W>

@@ -1,0 +1,76 @@
+// What packs get wrong with xsimd 8.1 or g++ 12, put right. Included by simd.h, behind xsimd.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <xsimd/xsimd.hpp>
+
+namespace xsimd {
+
+// With AVX, xsimd's `!=` of floating numbers is false where one is NaN; everywhere else it is true. These are
+// specialisations of its member functions. PHYSGEN_UNEQUAL is undefined below.
+#define PHYSGEN_UNEQUAL(T, A, unequal)                                                       \
+  template <>                                                                                \
+  inline batch_bool<T, A> batch<T, A>::operator!=(const batch<T, A>& other) const noexcept { \
+    return batch_bool<T, A>(unequal(data, other.data, _CMP_NEQ_UQ));                         \
+  }
+#define PHYSGEN_UNEQUAL_IN_256_BITS(A) \
+  PHYSGEN_UNEQUAL(float, A, _mm256_cmp_ps) PHYSGEN_UNEQUAL(double, A, _mm256_cmp_pd)
+#define PHYSGEN_UNEQUAL_IN_512_BITS(A) \
+  PHYSGEN_UNEQUAL(float, A, _mm512_cmp_ps_mask) PHYSGEN_UNEQUAL(double, A, _mm512_cmp_pd_mask)
+#if XSIMD_WITH_AVX
+PHYSGEN_UNEQUAL_IN_256_BITS(avx)
+#endif
+#if XSIMD_WITH_FMA3_AVX
+PHYSGEN_UNEQUAL_IN_256_BITS(fma3<avx>)
+#endif
+#if XSIMD_WITH_AVX2
+PHYSGEN_UNEQUAL_IN_256_BITS(avx2)
+#endif
+#if XSIMD_WITH_FMA3_AVX2
+PHYSGEN_UNEQUAL_IN_256_BITS(fma3<avx2>)
+#endif
+#if XSIMD_WITH_AVX512F
+PHYSGEN_UNEQUAL_IN_512_BITS(avx512f)
+#endif
+#if XSIMD_WITH_AVX512CD
+PHYSGEN_UNEQUAL_IN_512_BITS(avx512cd)
+#endif
+#if XSIMD_WITH_AVX512DQ
+PHYSGEN_UNEQUAL_IN_512_BITS(avx512dq)
+#endif
+#if XSIMD_WITH_AVX512BW
+PHYSGEN_UNEQUAL_IN_512_BITS(avx512bw)
+#endif
+#undef PHYSGEN_UNEQUAL_IN_512_BITS
+#undef PHYSGEN_UNEQUAL_IN_256_BITS
+#undef PHYSGEN_UNEQUAL
+
+#if defined(__AVX512VL__) && defined(__AVX512DQ__)
+/// With AVX512VL, g++ 12 drops the negation of a mask, `select(a != b, x, y)`, when it blends integers byte by byte, as
+/// xsimd does: the choice is inverted. Blends by a mask register are right.
+template <std::integral T, class A>
+  requires(sizeof(batch<T, A>) <= 32 && sizeof(T) >= 4)
+inline batch<T, A> select(const batch_bool<T, A>& condition, const batch<T, A>& a, const batch<T, A>& b) {
+  if constexpr (sizeof(a) == 32 && sizeof(T) == 4) {
+    return batch<T, A>(_mm256_mask_blend_epi32(_mm256_movepi32_mask(condition.data), b.data, a.data));
+  } else if constexpr (sizeof(a) == 32) {
+    return batch<T, A>(_mm256_mask_blend_epi64(_mm256_movepi64_mask(condition.data), b.data, a.data));
+  } else if constexpr (sizeof(T) == 4) {
+    return batch<T, A>(_mm_mask_blend_epi32(_mm_movepi32_mask(condition.data), b.data, a.data));
+  } else {
+    return batch<T, A>(_mm_mask_blend_epi64(_mm_movepi64_mask(condition.data), b.data, a.data));
+  }
+}
+#endif
+
+#ifdef __AVX512BW__
+/// xsimd's own does not compile without optimization.
+inline batch<std::int32_t, avx512bw> select(const batch_bool<std::int32_t, avx512bw>& condition,
+                                            const batch<std::int32_t, avx512bw>& a,
+                                            const batch<std::int32_t, avx512bw>& b) {
+  return _mm512_mask_blend_epi32(condition.data, b.data, a.data);
+}
+#endif
+
+}  // namespace xsimd
