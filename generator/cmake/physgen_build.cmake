@@ -31,9 +31,9 @@ if(PHYSGEN_CUDA)
   find_package(CUDAToolkit REQUIRED)
 endif()
 
+set(PHYSGEN_SANITIZERS "$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-omit-frame-pointer>"
+                       "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-fsanitize=address>")
 if(PHYSGEN_SANITIZE)  # exported as well: programs must be linked, and are better compiled, as their libraries are
-  set(PHYSGEN_SANITIZERS "$<$<COMPILE_LANGUAGE:CXX>:-fsanitize=address,undefined;-fno-omit-frame-pointer>"
-                         "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-fsanitize=address>")
   add_compile_options("${PHYSGEN_SANITIZERS}")
   add_link_options(-fsanitize=address,undefined)
 endif()

@@ -39,12 +39,13 @@ struct CompactTurns : elasticity::DeformationSvdFormats<Host> {
   using s = format::Bfloat16;
 };
 
+// What can do without the arrays' types does: it is compiled once, not for each of the many pairs.
+
 /// The stored bytes of one object, element by element, without padding.
 using Record = std::vector<std::byte>;
+using Records = std::vector<Record>;
 
-template <class Array>
-Record record_at(const Array& array, index_t i) {
-  const Storage storage = array.storage();
+Record record_at(const Storage& storage, index_t i) {
   Record record;
   for (const FieldInfo& field : storage.fields) {
     const int size = element_bytes(field.type);
@@ -57,32 +58,28 @@ Record record_at(const Array& array, index_t i) {
   return record;
 }
 
-/// An array and what each of its objects must hold.
-template <class Array_>
-struct Held {
-  using Array = Array_;
-  Array array;
-  std::vector<Record> model;
+Records records_of(const Storage& storage) {
+  Records records;
+  for (index_t i = 0; i < storage.size; ++i) records.push_back(record_at(storage, i));
+  return records;
+}
 
-  void note() {
-    model.clear();
-    for (index_t i = 0; i < array.size(); ++i) model.push_back(record_at(array, i));
-  }
-  [[nodiscard]] index_t wrong() const {
-    if (array.size() != static_cast<index_t>(model.size())) return array.size() + 1;
-    index_t count = 0;
-    for (index_t i = 0; i < array.size(); ++i) count += record_at(array, i) != model[static_cast<std::size_t>(i)];
-    return count;
-  }
-};
+/// How many objects differ from those that the array must hold.
+index_t count_wrong(const Storage& storage, const Records& model) {
+  if (storage.size != static_cast<index_t>(model.size())) return storage.size + 1;
+  index_t count = 0;
+  for (index_t i = 0; i < storage.size; ++i) count += record_at(storage, i) != model[static_cast<std::size_t>(i)];
+  return count;
+}
 
-/// Random objects: rotations, and numbers of which indices and halves hold some exactly.
-template <class Object>
-Array<Object, double, Host, Aos> random_objects(index_t n, std::mt19937& random) {
-  Array<Object, double, Host, Aos> objects(n);
-  const Storage storage = objects.storage();
+void expect_records(const Storage& storage, const Records& model, const std::string& after) {
+  ASSERT_EQ(count_wrong(storage, model), 0) << "after " << after;
+}
+
+/// Random numbers: rotations, and numbers of which indices and halves hold some exactly.
+void put_random_numbers(const Storage& storage, std::mt19937& random) {
   std::uniform_real_distribution<double> value(-0.99, 0.99);
-  for (index_t i = 0; i < n; ++i) {
+  for (index_t i = 0; i < storage.size; ++i) {
     int k = 0;
     for (const FieldInfo& field : storage.fields) {
       Eigen::Matrix3d R;
@@ -92,28 +89,30 @@ Array<Object, double, Host, Aos> random_objects(index_t n, std::mt19937& random)
         const double drawn = field.type == ElementType::int32 ? static_cast<double>(random() % 1000)
                              : field.rotation                 ? R(e % 9 % 3, e % 9 / 3)
                                                               : value(random);
-        objects.putdata(i, k, drawn);
+        putdata(storage, i, k, drawn);
       }
     }
   }
+}
+
+template <class Object>
+Array<Object, double, Host, Aos> random_objects(index_t n, std::mt19937& random) {
+  Array<Object, double, Host, Aos> objects(n);
+  put_random_numbers(objects.storage(), random);
   return objects;
 }
 
-/// One array in the form of another, each object by a copy of its own: what a copy of all must give.
-template <class To, class From>
-std::vector<Record> converted_one_by_one(const From& from, index_t begin, index_t end) {
-  using ToOne = Array<typename To::Object, typename To::View::Precision, Host, Aos, typename To::Formats>;
-  using FromOne = Array<typename From::Object, typename From::View::Precision, Host, Aos, typename From::Formats>;
-  std::vector<Record> records;
-  FromOne one(1);
-  ToOne converted(1);
-  const Storage storage = one.storage();
+/// Objects of one array in the form of another, each by a copy of its own: what a copy of all must give.
+/// @param one, converted an AoS record in the form of each
+Records converted_one_by_one(const Storage& from, index_t begin, index_t end, const Storage& one,
+                             const Storage& converted) {
+  Records records;
   for (index_t i = begin; i < end; ++i) {
     const Record record = record_at(from, i);
     std::size_t read = 0;
-    for (const FieldInfo& field : storage.fields) {
+    for (const FieldInfo& field : one.fields) {
       const auto bytes = static_cast<std::size_t>(field.count * element_bytes(field.type));
-      std::memcpy(storage.base + field.offset, record.data() + read, bytes);
+      std::memcpy(one.base + field.offset, record.data() + read, bytes);
       read += bytes;
     }
     copy(converted, one);
@@ -121,80 +120,88 @@ std::vector<Record> converted_one_by_one(const From& from, index_t begin, index_
   }
   return records;
 }
+template <class To, class From>
+Records converted_one_by_one(const From& from, index_t begin, index_t end) {
+  const Array<typename From::Object, typename From::View::Precision, Host, Aos, typename From::Formats> one(1);
+  const Array<typename To::Object, typename To::View::Precision, Host, Aos, typename To::Formats> converted(1);
+  return converted_one_by_one(from.storage(), begin, end, one.storage(), converted.storage());
+}
+
+/// Renumbers the field of indices to numbers in random order, and expects all other elements as before.
+void renumber_field(const Storage& storage, const FieldInfo& field, std::mt19937& random) {
+  const std::vector<index_t> numbers = random_order(1000, random);
+  int first = 0;  // the field's first element, as code counts them
+  for (const FieldInfo& other : storage.fields) {
+    if (other.offset == field.offset) break;
+    first += other.visible_count();
+  }
+  const int last = first + field.visible_count();
+  for (index_t i = 0; i < storage.size; ++i) {
+    for (int k = first; k < last; ++k) {  // initial values may name no object
+      if (getdata(storage, i, k) < 0) putdata(storage, i, k, 0);
+    }
+  }
+  const Model before = elements_of(storage);
+  renumber(storage, field.name, numbers);
+  const Model after = elements_of(storage);
+  for (std::size_t i = 0; i < before.size(); i += 7) {
+    Model::value_type expected = before[i];
+    for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
+      expected[k] = static_cast<double>(numbers[static_cast<std::size_t>(expected[k])]);
+    }
+    ASSERT_EQ(after[i], expected) << "renumber " << field.name;
+  }
+}
 
 template <class A, class B>
 void fuzz_pair_of_size(index_t n, std::mt19937& random) {
   using Object = typename A::Object;
-  Held<A> a{A(n), {}};
-  Held<B> b{B(n), {}};
-  copy(a.array, random_objects<Object>(n, random));
-  a.note();
-  copy(b.array, a.array);
-  b.model = converted_one_by_one<B>(a.array, 0, n);
-  ASSERT_EQ(b.wrong(), 0) << "copy";
-  copy(a.array, b.array);
-  a.model = converted_one_by_one<A>(b.array, 0, n);
-  ASSERT_EQ(a.wrong(), 0) << "copy back";
+  A a(n);
+  B b(n);
+  copy(a, random_objects<Object>(n, random));
+  copy(b, a);
+  Records model = converted_one_by_one<B>(a, 0, n);
+  expect_records(b.storage(), model, "a copy");
+  copy(a, b);
+  expect_records(a.storage(), converted_one_by_one<A>(b, 0, n), "a copy back");
 
   for (int repeat = 0; repeat < 3; ++repeat) {
     const auto begin = static_cast<index_t>(random() % static_cast<unsigned>(n + 1));
     const auto end = begin + static_cast<index_t>(random() % static_cast<unsigned>(n - begin + 1));
-    copy(a.array, random_objects<Object>(n, random));
-    a.note();
-    copy_range(b.array.storage(), a.array.storage(), begin, end);
-    const auto part = converted_one_by_one<B>(a.array, begin, end);
-    std::copy(part.begin(), part.end(), b.model.begin() + begin);
-    ASSERT_EQ(b.wrong(), 0) << "copy of " << begin << " to " << end;
+    copy(a, random_objects<Object>(n, random));
+    copy_range(b.storage(), a.storage(), begin, end);
+    const Records part = converted_one_by_one<B>(a, begin, end);
+    std::copy(part.begin(), part.end(), model.begin() + begin);
+    expect_records(b.storage(), model, "a copy of " + std::to_string(begin) + " to " + std::to_string(end));
   }
 
   const std::vector<index_t> erased = random_part(n, random);
-  std::vector<Record> kept;
-  for (const index_t i : remaining(n, erased)) kept.push_back(b.model[static_cast<std::size_t>(i)]);
-  erase(b.array, erased);
-  b.model = kept;
-  ASSERT_EQ(b.wrong(), 0) << "erase";
+  Records kept;
+  for (const index_t i : remaining(n, erased)) kept.push_back(model[static_cast<std::size_t>(i)]);
+  erase(b, erased);
+  model = kept;
+  expect_records(b.storage(), model, "erasing");
 
-  append(b.array, a.array);
-  const auto added = converted_one_by_one<B>(a.array, 0, n);
-  b.model.insert(b.model.end(), added.begin(), added.end());
-  ASSERT_EQ(b.wrong(), 0) << "append of another form";
+  append(b, a);
+  const Records added = converted_one_by_one<B>(a, 0, n);
+  model.insert(model.end(), added.begin(), added.end());
+  expect_records(b.storage(), model, "appending objects of another form");
 
-  append(b.array, 37);
-  b.model.insert(b.model.end(), 37, record_at(B(1), 0));
-  ASSERT_EQ(b.wrong(), 0) << "append of new ones";
+  const B fresh(1);
+  const Record initial = record_at(fresh.storage(), 0);
+  append(b, 37);
+  model.insert(model.end(), 37, initial);
+  expect_records(b.storage(), model, "appending new ones");
 
-  const index_t less = b.array.size() / 3;
-  b.array.resize(less);
-  b.array.resize(less + 70);
-  b.model.resize(static_cast<std::size_t>(less));
-  b.model.resize(static_cast<std::size_t>(less + 70), record_at(B(1), 0));
-  ASSERT_EQ(b.wrong(), 0) << "shrink and grow";
+  const index_t less = b.size() / 3;
+  b.resize(less);
+  b.resize(less + 70);
+  model.resize(static_cast<std::size_t>(less));
+  model.resize(static_cast<std::size_t>(less + 70), initial);
+  expect_records(b.storage(), model, "shrinking and growing");
 
-  for (const FieldInfo& field : b.array.storage().fields) {
-    if (field.type != ElementType::int32) continue;
-    const std::vector<index_t> numbers = random_order(1000, random);
-    int k = 0;
-    for (const FieldInfo& other : b.array.storage().fields) {  // initial values may name no object
-      for (int e = 0; e < other.visible_count(); ++e, ++k) {
-        if (other.offset != field.offset) continue;
-        for (index_t i = 0; i < b.array.size(); ++i) {
-          if (b.array.getdata(i, k) < 0) b.array.putdata(i, k, 0);
-        }
-      }
-    }
-    const B before = b.array;
-    renumber(b.array, field.name, numbers);
-    k = 0;
-    for (const FieldInfo& other : b.array.storage().fields) {
-      for (int e = 0; e < other.visible_count(); ++e, ++k) {
-        for (index_t i = 0; i < b.array.size(); i += 7) {
-          const double old = before.getdata(i, k);
-          const bool changed = other.offset == field.offset;
-          ASSERT_EQ(b.array.getdata(i, k), changed ? static_cast<double>(numbers[static_cast<std::size_t>(old)]) : old)
-              << "renumber " << field.name;
-        }
-      }
-    }
+  for (const FieldInfo& field : b.storage().fields) {
+    if (field.type == ElementType::int32) renumber_field(b.storage(), field, random);
   }
 }
 
@@ -321,17 +328,17 @@ TEST(Arrays, are_copied_by_eight_threads_at_once) {
   const auto objects = random_objects<Shapes>(n, random);
   Array<Shapes, float, Host, Soa> source(n);
   copy(source, objects);
-  Held<Array<Shapes, float, Host, Aosoa<64>>> expected{Array<Shapes, float, Host, Aosoa<64>>(n), {}};
-  copy(expected.array, source);
-  expected.note();
+  Array<Shapes, float, Host, Aosoa<64>> expected(n);
+  copy(expected, source);
+  const Records model = records_of(expected.storage());
   std::array<index_t, 8> wrong{};
   std::vector<std::thread> threads;
   for (std::size_t t = 0; t < wrong.size(); ++t) {
     threads.emplace_back([&, t] {
       for (int repeat = 0; repeat < 5; ++repeat) {
-        Held<Array<Shapes, float, Host, Aosoa<64>>> own{Array<Shapes, float, Host, Aosoa<64>>(n), expected.model};
-        copy(own.array, source);
-        wrong[t] += own.wrong();
+        Array<Shapes, float, Host, Aosoa<64>> own(n);
+        copy(own, source);
+        wrong[t] += count_wrong(own.storage(), model);
       }
     });
   }

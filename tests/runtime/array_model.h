@@ -12,17 +12,24 @@ namespace physgen::test {
 /// The plainest array there is: the elements of each object, as numbers that hold every stored value exactly.
 using Model = std::vector<std::vector<double>>;
 
+/// The elements of each object of an array on the host, as code sees them.
+inline Model elements_of(const Storage& storage) {
+  int elements = 0;
+  for (const FieldInfo& field : storage.fields) elements += field.visible_count();
+  Model model(static_cast<std::size_t>(storage.size));
+  for (index_t i = 0; i < storage.size; ++i) {
+    for (int k = 0; k < elements; ++k) model[static_cast<std::size_t>(i)].push_back(getdata(storage, i, k));
+  }
+  return model;
+}
+
 template <class Object, class Real, class Space, class Layout, class Formats>
 Model objects_of(const Array<Object, Real, Space, Layout, Formats>& array) {
   Array<Object, Real, Host, Aos> objects(array.size());
-  poison(objects);
+  poison(objects.storage());
   copy(objects, array);
   synchronize();
-  Model model(static_cast<std::size_t>(array.size()));
-  for (index_t i = 0; i < array.size(); ++i) {
-    for (int k = 0; k < array.elements; ++k) model[static_cast<std::size_t>(i)].push_back(objects.getdata(i, k));
-  }
-  return model;
+  return elements_of(objects.storage());
 }
 
 /// Gives the array random objects.
@@ -67,44 +74,56 @@ inline std::vector<index_t> random_part(index_t n, std::mt19937& random) {
 }
 
 /// Whether the array stores what objects_of() reads without loss.
-template <class Array>
-bool is_exact(const Array& array) {
-  const auto fields = array.storage().fields;
-  return std::all_of(fields.begin(), fields.end(),
+inline bool is_exact(const Storage& array) {
+  return std::all_of(array.fields.begin(), array.fields.end(),
                      [](const FieldInfo& field) { return !field.quaternion && element_bytes(field.type) > 2; });
 }
 
-/// Whether the memory behind the last object is as in a new array, and the objects stand where getdata() in the array's
-/// own space finds them.
-template <class Object, class Real, class Space, class Layout, class Formats>
-void expect_sound(const Array<Object, Real, Space, Layout, Formats>& array, const Model& model) {
-  ASSERT_EQ(array.size(), static_cast<index_t>(model.size()));
-  ASSERT_EQ(objects_of(array), model) << Object::name << " n = " << array.size() << " layout " << Layout::name;
-  const index_t n = array.size();
+/// Whether the objects stand where getdata() in the array's own space finds them.
+inline void expect_elements(const Storage& array, const Model& model) {
+  const index_t n = array.size;
+  if (n == 0) return;
+  // Where it decodes a quaternion, it does so in double.
+  const double tolerance = is_exact(array) ? 0 : 1e-6;
+  const auto last = static_cast<int>(model.front().size()) - 1;
   for (const index_t i : {index_t{0}, n / 2, n - 1}) {
-    if (n == 0) break;
-    for (const int k : {0, array.elements - 1}) {
-      // Where it decodes a quaternion, it does so in double.
-      const double tolerance = is_exact(array) ? 0 : 1e-6;
-      ASSERT_NEAR(array.getdata(i, k), model[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)], tolerance);
+    for (const int k : {0, last}) {
+      ASSERT_NEAR(getdata(array, i, k), model[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)], tolerance);
     }
   }
-  if constexpr (host_accessible(Space::kind)) {
-    const Array<Object, Real, Space, Layout, Formats> fresh(1);
-    const auto element = [](const Storage& storage, const FieldInfo& field, int k, index_t i) {
-      const int size = element_bytes(field.type);
-      return storage.base + address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
-    };
-    const Storage storage = array.storage();
-    for (index_t i = n; i < storage.padded; ++i) {
-      for (const FieldInfo& field : storage.fields) {
-        const auto size = static_cast<std::size_t>(element_bytes(field.type));
-        for (int k = 0; k < field.count; ++k) {
-          ASSERT_EQ(std::memcmp(element(storage, field, k, i), element(fresh.storage(), field, k, 0), size), 0)
-              << field.name << " element " << k << " of object " << i << " in padding";
-        }
+}
+
+/// Whether the memory behind the last object is as in a new array. @param fresh of one object, of the same type
+inline void expect_new_padding(const Storage& array, const Storage& fresh) {
+  const auto element = [](const Storage& storage, const FieldInfo& field, int k, index_t i) {
+    const int size = element_bytes(field.type);
+    return storage.base + address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+  };
+  for (index_t i = array.size; i < array.padded; ++i) {
+    for (const FieldInfo& field : array.fields) {
+      const auto size = static_cast<std::size_t>(element_bytes(field.type));
+      for (int k = 0; k < field.count; ++k) {
+        ASSERT_EQ(std::memcmp(element(array, field, k, i), element(fresh, field, k, 0), size), 0)
+            << field.name << " element " << k << " of object " << i << " in padding";
       }
     }
+  }
+}
+
+/// Whether these are the objects of the array, read back from it.
+inline void expect_objects(const Storage& array, const Model& objects, const Model& model, std::string_view layout) {
+  ASSERT_EQ(array.size, static_cast<index_t>(model.size()));
+  ASSERT_EQ(objects, model) << array.object << " n = " << array.size << " layout " << layout;
+  expect_elements(array, model);
+}
+
+/// Expects the objects, and padding as in a new array.
+template <class Object, class Real, class Space, class Layout, class Formats>
+void expect_sound(const Array<Object, Real, Space, Layout, Formats>& array, const Model& model) {
+  expect_objects(array.storage(), objects_of(array), model, Layout::name);
+  if constexpr (host_accessible(Space::kind)) {
+    const Array<Object, Real, Space, Layout, Formats> fresh(1);
+    expect_new_padding(array.storage(), fresh.storage());
   }
 }
 

@@ -38,11 +38,11 @@ inline index_t address_by_law(index_t base_offset, index_t i, index_t pitch, ind
   return (i / pitch) * pitch * record_bytes + base_offset * pitch + (i % pitch) * size;
 }
 
-/// Random, nowhere zero bytes that are finite as float, double and int, for the elements of `n` AoS records.
-template <class AosArray>
-void randomise(AosArray& array, std::mt19937& random) {
+// What follows works on arrays without their types: compiled once, not for each of the many types of arrays.
+
+/// Random, nowhere zero bytes that are finite as float, double and int, for the elements of AoS records on the host.
+inline void randomise(const Storage& storage, std::mt19937& random) {
   std::uniform_real_distribution<float> value(0.5F, 2.0F);
-  const Storage storage = array.storage();
   for (index_t i = 0; i < storage.size; ++i) {
     for (const FieldInfo& field : storage.fields) {
       for (int k = 0; k < field.count; ++k) {
@@ -61,19 +61,22 @@ void randomise(AosArray& array, std::mt19937& random) {
     }
   }
 }
+template <class AosArray>
+void randomise(AosArray& array, std::mt19937& random) {
+  randomise(array.storage(), random);
+}
 
 /// Fills the memory of a host array with bytes that no test value has.
+inline void poison(const Storage& storage) {
+  if (storage.bytes() > 0) std::memset(storage.base, 0xA5, static_cast<std::size_t>(storage.bytes()));
+}
 template <class HostArray>
 void poison(HostArray& array) {
-  const Storage storage = array.storage();
-  if (storage.bytes() > 0) std::memset(storage.base, 0xA5, static_cast<std::size_t>(storage.bytes()));
+  poison(array.storage());
 }
 
 /// Number of differing elements of two AoS arrays.
-template <class A, class B>
-index_t count_different(const A& a, const B& b) {
-  const Storage x = a.storage();
-  const Storage y = b.storage();
+inline index_t count_different(const Storage& x, const Storage& y) {
   index_t different = 0;
   for (index_t i = 0; i < x.size; ++i) {
     for (const FieldInfo& field : x.fields) {
@@ -83,6 +86,10 @@ index_t count_different(const A& a, const B& b) {
     }
   }
   return different;
+}
+template <class A, class B>
+index_t count_different(const A& a, const B& b) {
+  return count_different(a.storage(), b.storage());
 }
 
 using AllLayouts = ::testing::Types<Aos, AosPadded, Soa, Aosoa<8>, Aosoa<32>, Aosoa<64>>;

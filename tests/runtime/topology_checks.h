@@ -70,7 +70,7 @@ void check_changes(index_t n, std::mt19937& random) {
   Tested converted(n);
   copy(converted, other.array);
   const Model others = objects_of(converted);
-  if (is_exact(array)) {
+  if (is_exact(array.storage())) {
     ASSERT_EQ(others, other.model);
   }
   model.insert(model.end(), others.begin(), others.end());
@@ -84,10 +84,11 @@ void check_changes(index_t n, std::mt19937& random) {
 
 template <class Real, class Space, class Layout>
 void check_changes_of_all_object_types() {
+  constexpr bool first = std::same_as<Real, float>;  // for objects that are stored alike in both precisions
   std::mt19937 random(seed());
   for (const index_t n : {0, 1, 31, 32, 33, 1000, 5000}) {
     check_changes<elasticity::NodePositionObject, Real, Space, Layout>(n, random);
-    check_changes<elasticity::TetObject, Real, Space, Layout>(n, random);
+    if constexpr (first) check_changes<elasticity::TetObject, Real, Space, Layout>(n, random);
   }
   for (const index_t n : {0, 1, 31, 32, 33, 500}) {
     check_changes<elasticity::DeformationSvdObject, Real, Space, Layout>(n, random);
@@ -96,7 +97,7 @@ void check_changes_of_all_object_types() {
     check_changes<tissue::other::PatchObject, Real, Space, Layout>(n, random);    // nested
     // Elements of 2, 4 and 8 bytes; quaternions of halves.
     check_changes<elasticity::StressDerivativeObject, Real, Space, Layout, MixedDerivative>(n, random);
-    if constexpr (!checked_build) {  // which refuses random matrices that are no rotations
+    if constexpr (first && !checked_build) {  // which refuses random matrices that are no rotations
       check_changes<elasticity::DeformationSvdObject, Real, Space, Layout, CompactSvd<format::Half<>>>(n, random);
     }
   }

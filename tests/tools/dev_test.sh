@@ -63,7 +63,7 @@ touch "$work/output"
 case $rule in
   help_names_every_command)
     dev 0 help
-    for name in setup build run test fuzz gpu report format tidy clean; do says "  $name "; done
+    for name in setup build run test fuzz gpu report format tidy times clean; do says "  $name "; done
     dev 0
     ;;
   unknown_command_exits_with_2)
@@ -189,6 +189,23 @@ case $rule in
     program build/cuda/bin/physbench
     dev 2 gpu
     says 'this machine has no GPU'
+    ;;
+  times_sums_targets_and_lists_the_slowest_files)
+    dev 2 times
+    says 'build the preset first'
+    mkdir -p "$root/build/release"
+    {
+      echo '# ninja log v5'
+      printf '0\t9000\t1\ttests/CMakeFiles/a_test.dir/one.cpp.o\tf\n' # built again below
+      printf '500\t2750\t1\ttests/CMakeFiles/a_test.dir/one.cpp.o\tf\n'
+      printf '0\t1500\t1\ttests/CMakeFiles/a_test.dir/two.cpp.o\tf\n'
+      printf '0\t3000\t1\ttools/CMakeFiles/b.dir/three.cu.o\tf\n'
+      printf '0\t100\t1\tbin/a_test\tf\n'
+    } >"$root/build/release/.ninja_log"
+    dev 0 times
+    says '     3.8  a_test'
+    says "     6.8  in all"
+    [[ $(grep -A 1 'slowest' "$work/output" | tail -n 1) == '     3.0  tools/three.cu.o' ]] || fail 'the slowest file is not first'
     ;;
   *) fail "there is no rule $rule" ;;
 esac
