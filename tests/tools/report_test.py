@@ -212,6 +212,10 @@ class ReportTest(unittest.TestCase):
         for content in ("[]", "3", "{}", '{"context": {}, "benchmarks": []}', '{"context": {"physgen": "1"}}'):
             self.check_refused(content, "not of physbench")
 
+    def test_results_of_another_version_are_refused(self):
+        other = '{"context": {"physgen": "0.2.3"}, "benchmarks": []}'
+        self.check_refused(other, "written by physgen 0.2.3, but this report reads 0.1.x: measure again")
+
     def test_wrong_rows_are_refused_by_name(self):
         def file(*benchmarks):
             return json.dumps({"context": {"physgen": "0.1.0"}, "benchmarks": benchmarks})

@@ -5,6 +5,7 @@ import os
 import re
 from dataclasses import dataclass, replace
 
+VERSION = "0.1"  # of the results that this report reads: physgen's, without the last number
 EPS = {"float": 2.0**-23, "double": 2.0**-52}  # what err_eps_* are in
 
 
@@ -97,6 +98,9 @@ def _read(path):
     context = content.get("context") if isinstance(content, dict) else None
     if not isinstance(context, dict) or "physgen" not in context or not isinstance(content.get("benchmarks"), list):
         raise ResultsError(f"{path}: JSON, but not of physbench --json (no context with 'physgen', or no benchmarks)")
+    version = str(context["physgen"])
+    if version.split(".")[:2] != VERSION.split("."):
+        raise ResultsError(f"{path}: written by physgen {version}, but this report reads {VERSION}.x: measure again")
     rows, failures = {}, []
     for entry in content["benchmarks"]:
         if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
