@@ -17,11 +17,12 @@
 #include "measure/set_data.h"
 #include "vendor/library.h"
 
-#define PHYSGEN_CUSOLVER(USE)                                                                                         \
-  USE(cusolverDnCreate)                                                                                               \
-  USE(cusolverDnDestroy) USE(cusolverDnCreateGesvdjInfo) USE(cusolverDnDestroyGesvdjInfo)                             \
-      USE(cusolverDnSgesvdjBatched_bufferSize) USE(cusolverDnDgesvdjBatched_bufferSize) USE(cusolverDnSgesvdjBatched) \
-          USE(cusolverDnDgesvdjBatched)
+// clang-format off
+#define PHYSGEN_CUSOLVER(USE) \
+  USE(cusolverDnCreate) USE(cusolverDnDestroy) USE(cusolverDnCreateGesvdjInfo) \
+  USE(cusolverDnDestroyGesvdjInfo) USE(cusolverDnSgesvdjBatched_bufferSize) USE(cusolverDnDgesvdjBatched_bufferSize) \
+  USE(cusolverDnSgesvdjBatched) USE(cusolverDnDgesvdjBatched)
+// clang-format on
 
 namespace physgen::bench {
 

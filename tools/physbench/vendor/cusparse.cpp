@@ -14,10 +14,12 @@
 #include "measure/cuda.h"
 #include "vendor/library.h"
 
-#define PHYSGEN_CUSPARSE(USE)                                                                    \
-  USE(cusparseCreate)                                                                            \
-  USE(cusparseDestroy) USE(cusparseCreateBsr) USE(cusparseDestroySpMat) USE(cusparseCreateDnVec) \
-      USE(cusparseDestroyDnVec) USE(cusparseSpMV_bufferSize) USE(cusparseSpMV)
+// clang-format off
+#define PHYSGEN_CUSPARSE(USE) \
+  USE(cusparseCreate) USE(cusparseDestroy) USE(cusparseCreateBsr) \
+  USE(cusparseDestroySpMat) USE(cusparseCreateDnVec) USE(cusparseDestroyDnVec) \
+  USE(cusparseSpMV_bufferSize) USE(cusparseSpMV)
+// clang-format on
 
 namespace physgen::bench {
 
