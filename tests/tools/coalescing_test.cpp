@@ -1,11 +1,11 @@
 // The model of coalescing that physbench reports, held against sectors counted from addresses that are written down
 // here.
-#include "coalescing.h"
-
 #include <elasticity.physgen.h>
 #include <gtest/gtest.h>
 
 #include <set>
+
+#include "coalescing/trace.h"
 
 namespace physgen::bench {
 namespace {

@@ -113,7 +113,7 @@ case $rule in
     says 'going on without the generator'
     not_called 'apt-get.*install'
     : >"$calls"
-    program build/release/bin/physbench
+    program build/release/bin/physbench_cpu
     dev 0 run
     not_called apt
     dev 0 setup
@@ -141,14 +141,28 @@ case $rule in
     called 'cmake --preset release -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=86$'
     ;;
   run_hands_its_arguments_to_physbench)
-    program build/release/bin/physbench
-    dev 0 run errors --benchmark_filter=svd
+    program build/release/bin/physbench_cpu
+    dev 0 run storage --benchmark_filter=svd
     says 'nvcc was not found'
     says 'this machine has no GPU'
-    called 'cmake --build --preset release -j [0-9]* --target physbench$'
-    called 'physbench errors --benchmark_filter=svd$'
-    recorder "$root/build/release/bin/physbench" 'exit 3'
+    called 'physbench_cpu storage --benchmark_filter=svd$'
+    recorder "$root/build/release/bin/physbench_cpu" 'exit 3'
     dev 3 run
+    ;;
+  run_builds_no_more_than_is_run)
+    for name in physbench_cpu physbench_errors physbench; do program build/release/bin/$name; done
+    dev 0 run
+    called 'cmake --build --preset release -j [0-9]* --target physbench_cpu$'
+    for word in errors replay; do
+      : >"$calls"
+      dev 0 run $word
+      called 'cmake --build --preset release -j [0-9]* --target physbench_errors$'
+      called "physbench_errors $word\$"
+    done
+    fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else echo 9.0; fi'
+    dev 0 run errors
+    called 'cmake --build --preset release -j [0-9]* --target physbench$'
+    called 'physbench errors$'
     ;;
   report_hands_its_files_to_the_script)
     fake python3

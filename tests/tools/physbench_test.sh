@@ -23,6 +23,8 @@ case $rule in
   unknown_flag_exits_with_2)
     expect_exit 2 --colour
     expect "$err" 'there is no flag --colour'
+    expect_exit 2 --object=1000
+    expect "$err" 'did you mean --objects[?]'
     expect_exit 2 --benchmark_colour=1 ;;
   wrong_value_exits_with_2)
     expect_exit 2 --threads=none
@@ -89,7 +91,7 @@ case $rule in
   errors_prints_a_table_of_error_against_speed)
     expect_exit 0 errors "${small[@]}" --benchmark_filter='^(svd|singular_values)/.*/host/'
     expect "$out" '^CPU, float, 1000 objects: error against speed, errors in eps$'
-    expect "$out" '^kernel .* bytes +set +ms +M/s +/copy +p50 +p99 +p99.99 +max .*failures$'
+    expect "$out" '^kernel .* bytes +set +ms +M/s +/LLC +/copy +p50 +p99 +p99.99 +max .*failures$'
     expect "$out" '^svd +eigen +120 +random '
     expect "$out" '^svd +aosoa16 +120 +random '
     expect "$out" '^singular_values +aosoa16 +96 +random .* - +- +0$'
@@ -141,7 +143,7 @@ case $rule in
     (($(grep -c '^  x.* nan$' "$out") >= 3)) || fail 'x of nan is a number' ;;
   wrong_replay_exits_with_2)
     expect_exit 2 replay
-    expect "$err" 'KERNEL is one of svd svd_3_sweeps'
+    expect "$err" 'KERNEL is one of dp_from_df .*svd svd_3_sweeps'
     expect_exit 2 replay no_such_kernel float 1
     expect "$err" "there is no kernel 'no_such_kernel'"
     expect_exit 2 replay svd half 1
@@ -152,7 +154,24 @@ case $rule in
     expect "$err" "'one' is no number"
     expect_exit 2 replay stress_derivative float 1e60 1 1
     expect "$err" 'out of the range of float' ;;
-  a_filter_that_matches_nothing_exits_with_1)
-    expect_exit 1 --benchmark_filter=no_such_kernel ;;
+  a_filter_that_matches_nothing_names_the_nearest_row)
+    expect_exit 1 --benchmark_filter='^dp_from_df/aosoa16/flaot/host/1048576$'
+    expect "$err" "no row of the group 'kernels' matches '.dp_from_df/aosoa16/flaot/host/1048576.'"
+    expect "$err" 'the nearest name is dp_from_df/aosoa16/float/host/1048576;'
+    expect_exit 1 --objects=1000 --benchmark_filter='^dp_from_df/aosoa16/float/host/1048576$'  # another size
+    expect "$err" 'the nearest name is dp_from_df/aosoa16/float/host/1000;' ;;
+  an_unknown_group_names_the_nearest)
+    expect_exit 2 storge
+    expect "$err" "there is no group 'storge'; did you mean 'storage'[?]" ;;
+  more_bytes_than_the_machine_has_are_said_before_allocating)
+    ulimit -v 8000000  # KiB; of a machine, too
+    expect_exit 1 --objects=30000000 --threads=1 --json="$json" --benchmark_filter='^tet_stiffness/aos/double/host'
+    expect "$json" 'this row needs about [0-9.]+ GB of memory, and this machine has [0-9.]+ GB' ;;
+  the_separate_force_chain_is_near_its_reference)
+    expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^force_chain_separate/.*/host/'
+    awk -F'[:,] *' '
+      $1 ~ /"name"/ { name = $2 }
+      $1 ~ /"err_max"/ { ++rows; if (!($2 <= (name ~ /float/ ? 1e-3 : 1e-12))) { print name, $2; wrong = 1 } }
+      END { exit wrong || rows != 4 }' "$json" >&2 || fail 'errors as above, or not 4 rows' ;;
   *) fail 'no such rule' ;;
 esac

@@ -4,82 +4,18 @@
 #include <physgen/error.h>
 
 #include <algorithm>
-#include <deque>
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <sstream>
 
-#include "accuracy/cusolver.h"
-#include "accuracy/replay.h"
-#include "dataset.h"
-#include "groups.h"
-#include "kernel_list.h"
-#include "table.h"
+#include "measure/replay.h"
+#include "options.h"
+#include "report/table.h"
 
 namespace physgen::bench {
 namespace {
-
-// Rows of the Truth Cube.
-void add_cube_rows(std::vector<Row>& rows, Dataset& host, [[maybe_unused]] Dataset& cuda) {
-  AllKernels::for_each([&]<class Kernel>() { HostKernel<Kernel>::add_rows(rows, host); });
-#ifdef PHYSGEN_BENCH_CUDA
-  if (find_gpu().missing.empty()) {
-    AllKernels::for_each([&]<class Kernel>() { CudaKernel<Kernel>::add_rows(rows, cuda); });
-  }
-#endif
-}
-
-// Rows of the sets of inputs.
-void add_set_rows(std::vector<Row>& rows, InputSets& sets) {
-  AllVariants::for_each([&]<class Variant>() {
-    HostVariant<Variant, float>::add_rows(rows, sets);
-    HostVariant<Variant, double>::add_rows(rows, sets);
-  });
-#ifdef PHYSGEN_BENCH_CUDA
-  if (!find_gpu().missing.empty()) return;
-  if (cusolver_missing().empty()) add_cusolver_rows(rows, sets);
-  AllVariants::for_each([&]<class Variant>() {
-    CudaVariant<Variant, float>::add_rows(rows, sets);
-    CudaVariant<Variant, double>::add_rows(rows, sets);
-  });
-#endif
-}
-
-// dP from dF over ever more objects, each number with data of its own.
-void add_growth_rows(std::vector<Row>& rows, std::deque<Dataset>& sizes) {
-  constexpr int smallest = 10, largest = 24, largest_host = 22;
-  for (int power = smallest; power <= largest; ++power) {
-    Dataset& data = sizes.emplace_back(index_t{1} << power);
-    std::vector<Row> all;
-    if (power <= largest_host) HostKernel<DpFromDf>::add_rows(all, data);
-#ifdef PHYSGEN_BENCH_CUDA
-    if (find_gpu().missing.empty()) CudaKernel<DpFromDf>::add_rows(all, data);
-#endif
-    std::copy_if(all.begin(), all.end(), std::back_inserter(rows),
-                 [](const Row& row) { return row.storage == "float" && row.layout != "eigen"; });
-  }
-}
-
-void add_rows(std::vector<Row>& rows, Group group, Dataset& host, Dataset& cuda, std::deque<Dataset>& sizes) {
-  [[maybe_unused]] const bool gpu = find_gpu().missing.empty();
-  if (group == Group::storage) add_host_storage_rows(rows, host);
-  if (group == Group::conversions) add_host_conversion_rows(rows, host.count(Domain::tets, Domain::tets));
-  if (group == Group::gathers) add_host_gather_rows(rows, host);
-  if (group == Group::forces) add_host_force_rows(rows, host);
-  if (group == Group::growth) add_growth_rows(rows, sizes);
-  if (group == Group::reduce) add_host_dot_rows(rows);
-#ifdef PHYSGEN_BENCH_CUDA
-  if (!gpu) return;
-  if (group == Group::storage) add_cuda_storage_rows(rows, cuda);
-  if (group == Group::conversions) add_cuda_conversion_rows(rows, cuda.count(Domain::tets, Domain::tets));
-  if (group == Group::gathers) add_cuda_gather_rows(rows, cuda);
-  if (group == Group::forces) add_cuda_force_rows(rows, cuda);
-  if (group == Group::reduce) add_cuda_dot_rows(rows);
-#else
-  static_cast<void>(cuda);
-#endif
-}
 
 // Memory of a row that is done goes to the next one instead of back to the system, which would have to clear it again:
 // without this, a third of the run is page faults.
@@ -98,6 +34,20 @@ void initialize_benchmark(char* program, Options& options) {
   if (count > 1) throw Error("there is no flag " + std::string(arguments[1]) + "; physbench --help lists them");
 }
 
+// The group's rows. Those of a GPU that is not there are listed, but not run.
+std::vector<Row> chosen_rows(const Options& options) {
+  std::vector<Row> rows = rows_of(options.group, options.sizes);
+  for (const Group& group : registry().groups) {
+    if (group.name != options.group || group.also.empty()) continue;
+    auto more = rows_of(group.also, options.sizes);
+    std::move(more.begin(), more.end(), std::back_inserter(rows));
+  }
+  if (!options.list && !device_facts().missing.empty()) {
+    std::erase_if(rows, [](const Row& row) { return row.space == "cuda"; });
+  }
+  return rows;
+}
+
 // Names as we write them: what Google Benchmark lists carries its suffix.
 void list(std::ostream& out) {
   std::ostringstream names;
@@ -110,6 +60,20 @@ void list(std::ostream& out) {
     if (line.ends_with(suffix)) line.resize(line.size() - suffix.size());
     out << line << "\n";
   }
+}
+
+// That no row matched, with the name that the filter may have meant.
+void say_none_matched(const Options& options, const std::vector<Row>& rows) {
+  std::vector<std::string> names;
+  std::transform(rows.begin(), rows.end(), std::back_inserter(names), [](const Row& row) { return row.name(); });
+  std::string word = options.filter;
+  std::erase_if(word, [](char c) { return std::string_view("^$.*()\\").find(c) != std::string_view::npos; });
+  const std::string near = nearest(word, names);
+  std::cerr << "physbench: no row of the group '" << options.group << "' matches '" << options.filter << "'"
+            << (near.empty() ? "" : "; the nearest name is " + near) << "; --benchmark_list_tests lists all\n";
+  if (rows.empty())
+    std::cerr << "physbench: this program has no rows of that group: tools/dev run builds one that has\n";
+  if (!device_facts().missing.empty()) std::cerr << "physbench: " << device_facts().missing << "\n";
 }
 
 // Whether a row failed; passes everything on to the reporter of the display.
@@ -129,41 +93,31 @@ class Watch final : public benchmark::BenchmarkReporter {
 };
 
 int run(int argc, char** argv) {
-  if (argc > 1 && std::string(argv[1]) == "replay") {
-    std::cout << replay({argv + 2, argv + argc});
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (!arguments.empty() && arguments[0] == "replay") {
+    std::cout << replay({arguments.begin() + 1, arguments.end()});
     return 0;
   }
-  std::string command;
-  for (int a = 0; a < argc; ++a) command.append(a == 0 ? "" : " ").append(argv[a]);
-  Options options = parse(argc, argv);
+  std::string command = argv[0];
+  for (const std::string& argument : arguments) command += " " + argument;
+  Options options = parse(arguments);
   omp_set_num_threads(options.threads);
   keep_memory();
-  for (const std::string& flag : options.benchmark_flags) {
-    if (flag == "--help") std::cout << help_text << std::flush;
-  }
+  std::cout << options.help << std::flush;
   initialize_benchmark(argv[0], options);
 
-  // The mesh on which products with the assembled stiffness are compared: 1,030,301 nodes.
-  const bool whole_million = options.group == Group::forces && !options.objects_given;
-  Dataset host(options.host_objects), cuda(whole_million ? 6000000 : options.cuda_objects);
-  InputSets sets(options.set_objects);
-  std::vector<Row> rows;
-  std::deque<Dataset> sizes;
-  if (options.group == Group::kernels) add_cube_rows(rows, host, cuda);
-  if (options.group == Group::kernels || options.group == Group::errors) add_set_rows(rows, sets);
-  add_rows(rows, options.group, host, cuda, sizes);
-  Session session(std::move(rows), options.table);
+  Session session(chosen_rows(options), find_limits(), options.table);
   session.register_rows();
   if (options.list) {
     list(std::cout);
     return 0;
   }
-  const Machine machine = describe_machine(options, command);
-  for (const auto& [what, value] : machine) benchmark::AddCustomContext(what, value);
+  const Facts facts = describe_machine(options.threads, command);
+  for (const auto& [what, value] : facts) benchmark::AddCustomContext(what, value);
 
   std::unique_ptr<benchmark::BenchmarkReporter> display;
   if (options.table) {
-    display = std::make_unique<TableReporter>(session.rows(), machine);
+    display = std::make_unique<TableReporter>(session.rows(), facts);
   } else if (options.json) {
     display = std::make_unique<PlainNames<benchmark::JSONReporter>>();
   } else {
@@ -171,9 +125,8 @@ int run(int argc, char** argv) {
   }
   Watch watch(*display);
   PlainNames<benchmark::JSONReporter> file;
-  const bool to_file = std::any_of(options.benchmark_flags.begin(), options.benchmark_flags.end(),
-                                   [](const std::string& flag) { return flag.rfind("--benchmark_out=", 0) == 0; });
-  const std::size_t ran = benchmark::RunSpecifiedBenchmarks(&watch, to_file ? &file : nullptr);
+  const std::size_t ran = benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
+  if (ran == 0) say_none_matched(options, session.rows());
   return ran == 0 || watch.failed ? 1 : 0;
 }
 

@@ -25,7 +25,7 @@ list(JOIN hashes ", " hashes)
 
 # Leaves the file alone where nothing has changed.
 file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT "// Written by tools/physbench/sources.cmake.
-#include \"sources.h\"
+#include \"report/sources.h\"
 
 const char* physgen::bench::source_hashes() { return \"${hashes}\"; }
 ")

@@ -3,6 +3,7 @@ import re
 
 KERNELS = {
     "dp_from_df": "dP from dF",
+    "force_chain_separate": "positions to forces, five kernels",
     "svd": "SVD",
     "svd_3_sweeps": "SVD, 3 sweeps",
     "svd_5_sweeps": "SVD, 5 sweeps",
@@ -15,6 +16,7 @@ LAYOUTS = {
     "aos": "AoS",
     "aos_scalar": "AoS, object by object",
     "aos_padded": "padded AoS",
+    "aos_three_arrays": "AoS, three arrays",
     "soa": "SoA",
     "record": "whole element records",
     "scattered": "scattered objects",
@@ -26,7 +28,17 @@ LAYOUTS = {
     "eigen": "Eigen",
     "copy": "copy",
 }
-ORDER = ["record", "aos", "aos_scalar", "aos_padded", "soa", "aosoa", "symmetric_fast", "symmetric_deterministic"]
+ORDER = [
+    "record",
+    "aos",
+    "aos_scalar",
+    "aos_padded",
+    "aos_three_arrays",
+    "soa",
+    "aosoa",
+    "symmetric_fast",
+    "symmetric_deterministic",
+]
 LIBRARIES = {"eigen", "cusolver", "cusparse_bsr_columns", "cusparse_bsr_rows"}  # not ours
 
 # Okabe and Ito's palette, which colour-blind readers can tell apart.

@@ -1,0 +1,51 @@
+// df = K dx over the nodes, from the assembled blocks of nodes and edges.
+#pragma once
+
+#include <fem/force_differential.h>
+
+#include "kernels/edge_stiffness.h"
+#include "kernels/node_stiffness.h"
+
+namespace physgen::bench {
+
+struct AddForceDifferential {
+  static constexpr const char* name = "add_force_differential";
+  static constexpr int place = 2;
+  static constexpr Domain domain = Domain::nodes;
+  using Output = elasticity::NodeForceDifferentialObject;
+  using Reads = Operands<Streamed<OutputOf<NodeStiffness>>, Streamed<OutputOf<EdgeStiffness>>, Streamed<source::Edges>,
+                         Gathered<source::Ranges<Domain::nodes, Domain::node_edges>, Aos>,
+                         Gathered<source::Entries<Domain::node_edges>, Aos>, Gathered<source::Displacements>>;
+  using Writes = Operands<Gathered<source::Of<Output, domain>>>;
+  static double bytes(const MeshSizes& n, double real) {
+    return incidence_bytes(n.nodes, 2 * n.edges) + n.edges * (8 + 9 * real) + n.nodes * 12 * real;
+  }
+  template <class Real>
+  static auto run(const auto& nodes, const auto& blocks, const auto& edges, const auto& ranges, const auto& entries,
+                  const auto& displacements, const auto& out) {
+    return fem::ForceDifferential{nodes, blocks, edges, Rows{ranges, entries, edges.size()}, displacements, out};
+  }
+
+  template <class T, class Real>
+  static elasticity::NodeForceDifferential<T> naive(index_t i, const auto& node_stiffness, const auto& edge_stiffness,
+                                                    const auto& edges, const auto& ranges, const auto& entries,
+                                                    const auto& displacements) {
+    Vector3<T> sum = node_stiffness[i].K.template cast<T>() * displacements[i].dx.template cast<T>();
+    for (index_t k = ranges[i].begin; k < ranges[i].end; ++k) {
+      const index_t edge = entries[k].element;
+      const int side = entries[k].local;
+      const Matrix3<T> E = edge_stiffness[edge].E.template cast<T>();
+      const Vector3<T> dx = displacements[edges[edge].nodes[1 - side]].dx.template cast<T>();
+      sum += side == 0 ? Vector3<T>(E * dx) : Vector3<T>(E.transpose() * dx);
+    }
+    return {sum};
+  }
+  template <class T>
+  static Vector3<T> observe(const auto& value) {
+    return value.df.template cast<T>();
+  }
+};
+
+PHYSGEN_BENCH_ROWS(AddForceDifferential, OnScene);
+
+}  // namespace physgen::bench

@@ -1,0 +1,43 @@
+// The force on each node: the sum over its tets.
+#pragma once
+
+#include "kernels/elastic_force.h"
+
+namespace physgen::bench {
+
+/// Bytes of a gather over incidences into `objects`, beside the values gathered: ranges and entries.
+inline double incidence_bytes(double objects, double entries) { return 8 * objects + 8 * entries; }
+
+struct GatherForces {
+  static constexpr const char* name = "gather_forces";
+  static constexpr int place = 7;
+  static constexpr Domain domain = Domain::nodes;
+  using Output = elasticity::NodeForceObject;
+  using Reads = Operands<Gathered<source::Ranges<Domain::nodes, Domain::node_tets>, Aos>,
+                         Gathered<source::Entries<Domain::node_tets>, Aos>, Streamed<OutputOf<ElasticForce>>>;
+  using Writes = Operands<Gathered<source::Of<Output, domain>>>;
+  static double bytes(const MeshSizes& n, double real) {
+    return incidence_bytes(n.nodes, 4 * n.tets) + n.tets * 9 * real + n.nodes * 3 * real;
+  }
+  template <class Real>
+  static auto run(const auto& ranges, const auto& entries, const auto& forces, const auto& out) {
+    return fem::GatherForces{Rows{ranges, entries, forces.size()}, forces, out};
+  }
+
+  template <class T, class Real>
+  static elasticity::NodeForce<T> naive(index_t i, const auto& ranges, const auto& entries, const auto& forces) {
+    Vector3<T> sum = Vector3<T>::Zero();
+    for (index_t k = ranges[i].begin; k < ranges[i].end; ++k) {
+      sum += formula::force_on<T>(forces[entries[k].element], entries[k].local);
+    }
+    return {sum};
+  }
+  template <class T>
+  static Vector3<T> observe(const auto& value) {
+    return value.f.template cast<T>();
+  }
+};
+
+PHYSGEN_BENCH_ROWS(GatherForces, OnScene);
+
+}  // namespace physgen::bench

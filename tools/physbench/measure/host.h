@@ -1,0 +1,33 @@
+// The CPU as a device of rows: wall clock around one run, and the copy that kernels are compared with.
+#pragma once
+
+#include <physgen/parallel_for.h>
+
+#include <chrono>
+#include <functional>
+
+#include "measure/errors.h"
+
+namespace physgen::bench {
+
+/// A device of rows is of this form.
+struct HostDevice {
+  using Space = Host;
+
+  /// The time of work() [s].
+  template <class Work>
+  static double time(const Work& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  template <int kLanes, class Kernel>
+  static void run(index_t objects, const Kernel& kernel) {
+    parallel_for<kLanes>(Host{}, objects, kernel);
+  }
+  /// A copy of half of `bytes`: memcpy, one piece per OpenMP thread. @return what gives its time [s]
+  static std::function<double()> copy(double bytes);
+  static void poison(const Storage& storage) { bench::poison(storage); }
+};
+
+}  // namespace physgen::bench

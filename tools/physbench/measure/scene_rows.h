@@ -1,0 +1,17 @@
+// A kernel's rows of the Truth Cube on the CPU. For the files that CMake writes.
+#pragma once
+
+#include "measure/host_rows.h"
+#include "measure/scene_errors.h"
+
+namespace physgen::bench {
+
+template <class Kernel>
+bool register_scene_rows() {
+  return add(Part{"kernels", Kernel::place, Kernel::name, "host", [](std::vector<Row>& rows, const Sizes& sizes) {
+                    add_layouts(rows, OnScene<Kernel, float>(scene_of(sizes.host)));
+                    add_layouts(rows, OnScene<Kernel, double>(scene_of(sizes.host)));
+                  }});
+}
+
+}  // namespace physgen::bench
