@@ -1,6 +1,8 @@
 // Inputs from the scene, references and errors of its rows. For the C++ compiler: instantiated once per kernel.
 #pragma once
 
+#include <map>
+#include <string>
 #include <utility>
 
 #include "measure/errors.h"
@@ -28,10 +30,18 @@ auto observed(const Value&... value) {
 
 }  // namespace detail
 
+/// What makes the arrays that kernels write, by the kernels' names. Each is added where its kernel's rows are compiled,
+/// so that no other file compiles its reference again.
+using Maker = const void* (*)(Scene&);
+inline std::map<std::string, Maker>& makers() {
+  static std::map<std::string, Maker> all;
+  return all;
+}
+
 template <class Kernel>
-const Master<typename Kernel::Output>& OutputOf<Kernel>::of(Scene& scene) {
+const void* make_output(Scene& scene) {
   using Array = Master<typename Kernel::Output>;
-  return scene.once<Array>(Kernel::name, [&scene] {
+  return &scene.once<Array>(Kernel::name, [&scene] {
     Array output(scene.count(Kernel::domain, Domain::nodes));
     const auto view = output.view();
     with_values(detail::masters_of(scene, typename Kernel::Reads()), [&view](const auto&... input) {
@@ -40,6 +50,11 @@ const Master<typename Kernel::Output>& OutputOf<Kernel>::of(Scene& scene) {
     });
     return output;
   });
+}
+
+template <class Kernel>
+const Master<typename Kernel::Output>& OutputOf<Kernel>::of(Scene& scene) {
+  return *static_cast<const Master<typename Kernel::Output>*>(makers().at(Kernel::name)(scene));
 }
 
 template <class Kernel, class Real>
