@@ -1,7 +1,7 @@
 // Kernels: elastic forces of each tet on its corners, G = -V P Dm^-T, and their sums at the nodes. The sums are gathers
 // over rows of tets in a fixed order: no atomics, and the same bits on every run. Kernels that gather blocks of
-// elements take one object at a time: packs of them, which collect lane by lane, were measured at three to nine times the
-// time.
+// elements take one object at a time: packs of them, which collect lane by lane, were measured at three to nine times
+// the time.
 #pragma once
 
 #include <fem/scalar.h>

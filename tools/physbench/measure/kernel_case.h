@@ -2,12 +2,12 @@
 // device.
 //
 // A provider of data is `template <class Kernel, class Real> class OnScene`, or OnSet, with
-//   index_t objects(), count(Domain), results(Domain)    that the kernel runs over; of an array; of it to be checked
-//   double bytes(), memory()                             that the kernel must move; of the host, beside the row's
-//   arrays std::string set()                                    for the row's name auto inputs() a tuple of host
-//   arrays: what the kernel reads Accuracy check(const HostArrays<Writes, Real>&)      of the first results(domain) of
-//   each output Accuracy compare(const At& at)                       the same, at(i) being a tuple of the outputs'
-//   values
+//
+//   index_t objects(), count(Domain), results(Domain)  // that the kernel runs over; of an array; of it to be checked
+//   double bytes(), memory()                           // that the kernel must move; of the host, beside the arrays
+//   std::string set(); auto inputs();                  // in the row's name; a tuple of host arrays, read by the kernel
+//   Accuracy check(const HostArrays<Writes, Real>&)    // of the first results(domain) of each output
+//   Accuracy compare(const At& at)                     // the same, at(i) being a tuple of values of the outputs
 #pragma once
 
 #include <memory>
