@@ -46,7 +46,7 @@ using ReadValue = std::conditional_t<std::is_class_v<Value>, const Value, Value>
 struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself;
 struct integers_calculate_with_integers_so_convert_first {};
 struct an_empty_value_so_use_setZero {};
-struct a_named_reference_is_not_assigned_so_write_to_the_view_itself;
+struct a_named_reference_is_not_assigned_so_write_to_the_view_itself {};
 struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
 
 }  // namespace detail
