@@ -3,6 +3,7 @@
 // the same on every machine: instantiated functions, their names, which grow with the depth of templates, and, of g++,
 // the memory that it took.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -84,7 +85,8 @@ Work compile(const std::filesystem::path& source) {
 }
 
 TEST(CompileTime, one_object_of_1000_scalars_is_no_more_work_than_10_objects_of_100) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "physgen_compile_time";
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("physgen_compile_time_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const Work one = compile(write_source(folder, 1, 1000)), ten = compile(write_source(folder, 10, 100));
   std::filesystem::remove_all(folder);

@@ -277,7 +277,7 @@ SENTENCES = [
     Sentence(
         "README.md",
         "h200_conversions.json",
-        "in float and {} to {} where halves are made",
+        "in float and {} to {} where halves are made.",
         lambda file: _copy_fractions(file, "transfer_pageable_*/*/half/cuda/*"),
     ),
     Sentence(
