@@ -4,11 +4,11 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/compute_svd.h>
-#include <fem/dp_from_df.h>
-#include <fem/materials.h>
-#include <fem/stress.h>
-#include <fem/stress_derivative.h>
+#include <fem/kernels/compute_svd.h>
+#include <fem/kernels/dp_from_df.h>
+#include <fem/kernels/stress.h>
+#include <fem/kernels/stress_derivative.h>
+#include <fem/materials/materials.h>
 #ifdef __CUDACC__
 #include <physgen/cuda/parallel_for.h>
 #else

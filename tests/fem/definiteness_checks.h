@@ -1,7 +1,7 @@
 // What the tests of the eigenvalue filters share: the 3x3 block as a matrix, its exact filters, and a filter's errors.
 #pragma once
 
-#include <fem/definiteness.h>
+#include <fem/materials/definiteness.h>
 
 #include <Eigen/Eigenvalues>
 

@@ -4,16 +4,16 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/compute_svd.h>
-#include <fem/deformation_gradient.h>
-#include <fem/force_differential.h>
+#include <fem/kernels/compute_svd.h>
+#include <fem/kernels/deformation_gradient.h>
+#include <fem/kernels/force_differential.h>
+#include <fem/kernels/stiffness.h>
+#include <fem/kernels/stress.h>
+#include <fem/kernels/stress_derivative.h>
 #include <fem/materials/fixed_corotated.h>
 #include <fem/materials/neo_hookean.h>
-#include <fem/mesh_arrays.h>
-#include <fem/stiffness.h>
-#include <fem/stress.h>
-#include <fem/stress_derivative.h>
-#include <fem/truth_cube.h>
+#include <fem/mesh/mesh_arrays.h>
+#include <fem/mesh/truth_cube.h>
 
 #include <cstring>
 #include <vector>

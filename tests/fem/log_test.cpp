@@ -1,6 +1,6 @@
 // The logarithm in two parts, against quadruple precision: its digits everywhere, next to 1, and of what its argument's
 // tail brings; and that packs and numbers compute the same.
-#include <fem/log.h>
+#include <fem/numerics/log.h>
 #include <fem/reference/distribution.h>
 #include <fem/reference/quad.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // and the replay of one input.
 #pragma once
 
-#include <fem/materials.h>
+#include <fem/materials/materials.h>
 #include <fem/reference/distribution.h>
 #include <fem/reference/principal.h>
 #include <gtest/gtest.h>

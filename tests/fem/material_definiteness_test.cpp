@@ -1,6 +1,6 @@
 // The eigenvalue filters on the stress derivatives of every material, and the kernel that applies them.
 #include <elasticity.physgen.h>
-#include <fem/stress_derivative.h>
+#include <fem/kernels/stress_derivative.h>
 #include <physgen/parallel_for.h>
 
 #include "definiteness_checks.h"

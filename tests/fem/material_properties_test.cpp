@@ -1,6 +1,6 @@
 // What holds for every material model whatever its energy: rest state, symmetries, isotropy, finite values for
 // flattened and inverted elements, packs like numbers, NaN in and NaN out.
-#include <fem/svd.h>
+#include <fem/numerics/svd.h>
 
 #include "material_checks.h"
 

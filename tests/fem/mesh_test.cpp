@@ -1,6 +1,6 @@
 // Box meshes, their edges and incidence lists, and the Truth Cube.
-#include <fem/mesh.h>
-#include <fem/truth_cube.h>
+#include <fem/mesh/mesh.h>
+#include <fem/mesh/truth_cube.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 

@@ -1,6 +1,6 @@
 // Renumbering of meshes: what comes out is the same mesh, and its neighbours are close. Boxes of random numbering give
 // the input, because their own numbering says what can be reached.
-#include <fem/renumber.h>
+#include <fem/mesh/renumber.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/compute_svd.h>
+#include <fem/kernels/compute_svd.h>
 #include <fem/reference/distribution.h>
 #include <fem/reference/matrix_families.h>
 #include <fem/reference/svd_errors.h>

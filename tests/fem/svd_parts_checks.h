@@ -2,7 +2,7 @@
 // whole arrays. Instantiated by svd_test.cpp and svd_gpu_test.cu.
 #pragma once
 
-#include <fem/svd_arrays.h>
+#include <fem/kernels/svd_arrays.h>
 
 #include "svd_checks.h"
 

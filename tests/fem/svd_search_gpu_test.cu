@@ -1,7 +1,7 @@
 // A search for bad cases of the SVD, on the GPU itself: hundreds of millions of random matrices of several kinds, with
 // residuals in double precision (so those of double are good to about 1 eps), and the worst matrix, to be replayed.
+#include <fem/numerics/svd.h>
 #include <fem/reference/svd_errors.h>
-#include <fem/svd.h>
 #include <gtest/gtest.h>
 #include <physgen/cuda/check.h>
 #include <physgen/storage.h>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/mesh_arrays.h>
+#include <fem/kernels/symmetric_product.h>
+#include <fem/mesh/mesh_arrays.h>
+#include <fem/mesh/renumber.h>
 #include <fem/reference/random.h>
-#include <fem/renumber.h>
-#include <fem/symmetric_product.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 

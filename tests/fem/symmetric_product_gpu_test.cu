@@ -1,5 +1,5 @@
 // The symmetric product on CUDA, in both orders of sums.
-#include <fem/symmetric_product_cuda.h>
+#include <fem/kernels/symmetric_product_cuda.h>
 
 #include "symmetric_product_checks.h"
 

@@ -1,5 +1,5 @@
 // The symmetric product on the CPU.
-#include <fem/symmetric_product_host.h>
+#include <fem/kernels/symmetric_product_host.h>
 #include <omp.h>
 
 #include "symmetric_product_checks.h"

@@ -3,12 +3,13 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(hashes)
-foreach(group IN ITEMS runtime generated tools/fem tools/physbench)
-  set(patterns)
+foreach(group IN ITEMS runtime generated/elasticity.physgen.h tools/fem/kernels tools/fem/materials tools/fem/mesh
+    tools/fem/numerics tools/fem/reference tools/physbench)
+  set(patterns "${CHECKOUT}/${group}")  # where it is a file
   foreach(ending IN ITEMS .h .cpp .cu .in .cmake CMakeLists.txt)
     list(APPEND patterns "${CHECKOUT}/${group}/*${ending}")
   endforeach()
-  file(GLOB_RECURSE files RELATIVE "${CHECKOUT}" ${patterns})
+  file(GLOB_RECURSE files LIST_DIRECTORIES false RELATIVE "${CHECKOUT}" ${patterns})
   list(SORT files COMPARE STRING)
   set(lines "")
   foreach(file IN LISTS files)

@@ -411,7 +411,7 @@ ELSEWHERE = {
         ("Eigen's JacobiSVD {} million.", "as above"),
     ],
     "tools/physbench/README.md": [
-        ("compressed by {} % with a bulge", "fem/truth_cube.cpp"),
+        ("compressed by {} % with a bulge", "fem/mesh/truth_cube.cpp"),
         ("Default sizes ({} tets on the CPU, {} on the GPU)", "options.h"),
         ("the same row took {} ms; that way is gone", "a way to copy that is gone; no command measures it any more"),
         ("| `random` | I + {} N(0,1) |", "how the set is made"),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Prints the hashes of the sources that physbench's figures depend on: `tools/report/sources.py [CHECKOUT]`. There is
-one for each group, and physbench writes the same line into its results.
+one for each group, a folder or a file, and physbench writes the same line into its results.
 
 The hash of a group is the first 16 digits that `sha256sum` gives for the output of `sha256sum FILE...`. The files are
 those of the group with one of ENDINGS; they are named from the checkout's root and sorted by the bytes of their names,
@@ -10,7 +10,12 @@ import os
 import pathlib
 import sys
 
-GROUPS = ("runtime", "generated", "tools/fem", "tools/physbench")
+GROUPS = (
+    "runtime",
+    "generated/elasticity.physgen.h",
+    *(f"tools/fem/{folder}" for folder in ("kernels", "materials", "mesh", "numerics", "reference")),
+    "tools/physbench",
+)
 ENDINGS = (".h", ".cpp", ".cu", ".in", ".cmake", "CMakeLists.txt")
 CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -21,7 +26,7 @@ def hashes(checkout=CHECKOUT):
 
 
 def text(found):
-    """The hashes as physbench writes them: `runtime 0123456789abcdef, generated ...`."""
+    """The hashes as physbench writes them: `runtime 0123456789abcdef, tools/fem/kernels ...`."""
     return ", ".join(f"{group} {value}" for group, value in found.items())
 
 
@@ -37,7 +42,9 @@ def parse(written):
 
 
 def _hash(checkout, group):
-    paths = (path for path in (checkout / group).rglob("*") if path.name.endswith(ENDINGS) and path.is_file())
+    whole = checkout / group
+    found = [whole] if whole.is_file() else whole.rglob("*")
+    paths = (path for path in found if path.name.endswith(ENDINGS) and path.is_file())
     lines = []
     for name in sorted(os.fsencode(path.relative_to(checkout).as_posix()) for path in paths):
         content = (checkout / os.fsdecode(name)).read_bytes().replace(b"\r\n", b"\n")

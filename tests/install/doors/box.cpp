@@ -1,9 +1,9 @@
 // Uses what physgen::fem compiles and what it generates: prints the nodes of a renumbered box, and whether its own
 // array is checked, by reading behind the end of one.
 #include <elasticity.physgen.h>
-#include <fem/mesh.h>
-#include <fem/renumber.h>
-#include <fem/symmetric_product.h>
+#include <fem/kernels/symmetric_product.h>
+#include <fem/mesh/mesh.h>
+#include <fem/mesh/renumber.h>
 
 #include <cstdio>
 

@@ -2,7 +2,7 @@
 // is taken out, with one pole in the derivative, where s_a + s_b = 0 and that rotation is not unique.
 #pragma once
 
-#include <fem/material.h>
+#include <fem/materials/material.h>
 
 namespace physgen::fem {
 

@@ -2,7 +2,7 @@
 // one pole in the derivative, where s_a + s_b = 0 and the rotation of F is not unique.
 #pragma once
 
-#include <fem/material.h>
+#include <fem/materials/material.h>
 
 namespace physgen::fem {
 

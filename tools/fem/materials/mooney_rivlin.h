@@ -2,8 +2,8 @@
 // model of muscle and fat; continued below a small J so that flattened and inverted elements have finite forces.
 #pragma once
 
-#include <fem/inverse_cube_root.h>
-#include <fem/material.h>
+#include <fem/materials/material.h>
+#include <fem/numerics/inverse_cube_root.h>
 
 namespace physgen::fem {
 

@@ -2,7 +2,7 @@
 // and the derivatives of phi, and the energy without cancellation near rest.
 #pragma once
 
-#include <fem/material.h>
+#include <fem/materials/material.h>
 
 namespace physgen::fem::detail {
 

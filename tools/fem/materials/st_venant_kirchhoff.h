@@ -2,7 +2,7 @@
 // polynomial in s. It softens under compression and resists neither flattening nor inversion.
 #pragma once
 
-#include <fem/material.h>
+#include <fem/materials/material.h>
 
 namespace physgen::fem {
 

@@ -2,7 +2,7 @@
 // of stress and stress derivative. Nothing is shared with the models but the names of their constants. Host only.
 #pragma once
 
-#include <fem/materials.h>
+#include <fem/materials/materials.h>
 #include <fem/reference/jet.h>
 
 namespace physgen::fem::reference {

@@ -2,7 +2,7 @@
 // quantities that svd() promises to bound.
 #pragma once
 
-#include <fem/svd.h>
+#include <fem/numerics/svd.h>
 
 #include <limits>
 #include <string>

@@ -1,8 +1,8 @@
 // Makes the scene: mesh and nodes from the Truth Cube, rest shapes and differentials from formulas.
 #include "data/scene.h"
 
-#include <fem/mesh_arrays.h>
-#include <fem/renumber.h>
+#include <fem/mesh/mesh_arrays.h>
+#include <fem/mesh/renumber.h>
 
 #include <Eigen/LU>
 #include <numbers>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/truth_cube.h>
+#include <fem/mesh/truth_cube.h>
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // The three sets of inputs on which errors are measured beside speed. Seeded, so the same in every run.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 #include <physgen/config.h>
 
 #include <algorithm>

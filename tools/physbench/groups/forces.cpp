@@ -1,7 +1,7 @@
 // The product with the assembled stiffness on the CPU: by gathers over incidences, and by its symmetric half.
 #include "groups/forces.h"
 
-#include <fem/symmetric_product_host.h>
+#include <fem/kernels/symmetric_product_host.h>
 
 #include "measure/host_rows.h"
 #include "measure/scene_errors.h"

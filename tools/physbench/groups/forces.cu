@@ -1,5 +1,5 @@
 // The product with the assembled stiffness on the GPU: by gathers over incidences, and by its symmetric half.
-#include <fem/symmetric_product_cuda.h>
+#include <fem/kernels/symmetric_product_cuda.h>
 
 #include "groups/forces.h"
 #include "measure/cuda_rows.h"

@@ -1,7 +1,7 @@
 // The product with the assembled stiffness from its symmetric half.
 #pragma once
 
-#include <fem/symmetric_product.h>
+#include <fem/kernels/symmetric_product.h>
 
 #include <memory>
 

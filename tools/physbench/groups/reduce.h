@@ -2,7 +2,7 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 #include <physgen/error.h>
 
 #include <array>

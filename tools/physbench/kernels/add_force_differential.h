@@ -1,7 +1,7 @@
 // df = K dx over the nodes, from the assembled blocks of nodes and edges.
 #pragma once
 
-#include <fem/force_differential.h>
+#include <fem/kernels/force_differential.h>
 
 #include "kernels/edge_stiffness.h"
 #include "kernels/node_stiffness.h"

@@ -1,7 +1,7 @@
 // F = Ds Dm^-1 of each tet, from gathered nodes.
 #pragma once
 
-#include <fem/deformation_gradient.h>
+#include <fem/kernels/deformation_gradient.h>
 
 #include "data/formulas.h"
 #include "data/operands.h"

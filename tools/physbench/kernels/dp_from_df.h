@@ -1,7 +1,7 @@
 // dP from dF: the change of the stress along a change of the deformation gradient, and what its errors are.
 #pragma once
 
-#include <fem/dp_from_df.h>
+#include <fem/kernels/dp_from_df.h>
 
 #include "kernels/stress_derivative.h"
 

@@ -1,7 +1,7 @@
 // The elastic forces of each tet on its corners, before the sums at the nodes.
 #pragma once
 
-#include <fem/elastic_force.h>
+#include <fem/kernels/elastic_force.h>
 
 #include "kernels/stress.h"
 

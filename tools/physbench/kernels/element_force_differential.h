@@ -1,7 +1,7 @@
 // The change of each tet's corner forces along a displacement, matrix-free, before the sums at the nodes.
 #pragma once
 
-#include <fem/force_differential.h>
+#include <fem/kernels/force_differential.h>
 
 #include "kernels/stress_derivative.h"
 

@@ -1,7 +1,7 @@
 // The first Piola-Kirchhoff stress P of each tet, from the SVD of F.
 #pragma once
 
-#include <fem/stress.h>
+#include <fem/kernels/stress.h>
 
 #include "kernels/svd.h"
 

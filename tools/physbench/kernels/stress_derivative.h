@@ -1,8 +1,8 @@
 // The stress derivative in principal axes, and what its errors are; also where it is made positive semidefinite.
 #pragma once
 
-#include <fem/definiteness.h>
-#include <fem/stress_derivative.h>
+#include <fem/kernels/stress_derivative.h>
+#include <fem/materials/definiteness.h>
 
 #include <array>
 
@@ -65,7 +65,7 @@ struct StressDerivativeProblem {
   static std::vector<Named<T>> name_all(const Result& result) { return {named("x", result)}; }
 };
 
-/// @tparam Filter of the problem @tparam KernelFilter the same of fem/definiteness.h
+/// @tparam Filter of the problem @tparam KernelFilter the same of fem/materials/definiteness.h
 template <class Filter, class KernelFilter>
 struct FilteredStressDerivative {
   static constexpr Domain domain = Domain::tets;

@@ -1,7 +1,7 @@
 // The SVD of the deformation gradient, F = U diag(s) V^T, and what errors of an SVD are, whole or in part.
 #pragma once
 
-#include <fem/compute_svd.h>
+#include <fem/kernels/compute_svd.h>
 
 #include "data/problem.h"
 #include "kernels/deformation_gradient.h"

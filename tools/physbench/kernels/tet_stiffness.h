@@ -1,8 +1,8 @@
 // The stiffness blocks of each tet: 4 of its corners, 6 of its edges.
 #pragma once
 
-#include <fem/mesh.h>
-#include <fem/stiffness.h>
+#include <fem/kernels/stiffness.h>
+#include <fem/mesh/mesh.h>
 
 #include "kernels/stress_derivative.h"
 

@@ -1,7 +1,7 @@
 // x^(-1/3) and x^(-2/3) to more digits than the scalar type has: the isochoric parts of an energy are scaled with them.
 #pragma once
 
-#include <fem/two_part.h>
+#include <fem/numerics/two_part.h>
 
 #include <cmath>
 #include <type_traits>

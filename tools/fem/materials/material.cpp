@@ -1,5 +1,5 @@
 // Material constants and their checks.
-#include <fem/material.h>
+#include <fem/materials/material.h>
 #include <physgen/error.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // its differential along a displacement.
 #pragma once
 
-#include <fem/tet.h>
+#include <fem/kernels/tet.h>
 
 namespace physgen::fem {
 

@@ -2,7 +2,7 @@
 // element in float. The most frequent product of an implicit solver.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 #include <physgen/pack.h>
 
 namespace physgen::fem {

@@ -2,7 +2,7 @@
 // A model is a small struct of constants with three functions of the principal stretches s: energy, stress, derivative.
 #pragma once
 
-#include <fem/log.h>
+#include <fem/numerics/log.h>
 
 #include <limits>
 #include <string>

@@ -2,7 +2,7 @@
 // and deformed by a smooth field, for measurements that need realistic deformation gradients without solving anything.
 #pragma once
 
-#include <fem/mesh.h>
+#include <fem/mesh/mesh.h>
 
 #include <cstdint>
 

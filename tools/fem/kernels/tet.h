@@ -1,7 +1,7 @@
 // Shapes of a linear tet from its gathered corners, for all kernels that read nodes.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 #include <physgen/pack.h>
 
 namespace physgen::fem::detail {

@@ -2,9 +2,9 @@
 // edge stiffness) and in element form (matrix-free, per tet, then gathered).
 #pragma once
 
-#include <fem/dp_from_df.h>
-#include <fem/elastic_force.h>
-#include <fem/tet.h>
+#include <fem/kernels/dp_from_df.h>
+#include <fem/kernels/elastic_force.h>
+#include <fem/kernels/tet.h>
 
 namespace physgen::fem {
 

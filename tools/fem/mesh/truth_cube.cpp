@@ -1,5 +1,5 @@
 // The deformed Truth Cube as a closed formula plus noise.
-#include <fem/truth_cube.h>
+#include <fem/mesh/truth_cube.h>
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // Builds edges and incidence lists by counting and sorting; every list is ascending, so results do not depend on the
 // order of construction.
-#include <fem/mesh.h>
+#include <fem/mesh/mesh.h>
 #include <physgen/error.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // half of what full block rows store.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 #include <physgen/rows.h>
 
 namespace physgen::fem {

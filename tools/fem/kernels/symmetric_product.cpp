@@ -1,5 +1,5 @@
 // The lists that the symmetric product goes by.
-#include <fem/symmetric_product.h>
+#include <fem/kernels/symmetric_product.h>
 #include <physgen/error.h>
 #include <physgen/storage.h>
 

@@ -1,7 +1,7 @@
 // Meshes and node vectors into object arrays: the kernels' input, from the plain lists of mesh.h.
 #pragma once
 
-#include <fem/mesh.h>
+#include <fem/mesh/mesh.h>
 #include <physgen/row_arrays.h>
 
 #include <span>

@@ -2,7 +2,7 @@
 // CUDA threads (registers only) and CPU packs. Working on the columns themselves, not on A^T A, keeps all the digits.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 
 namespace physgen::fem {
 

@@ -2,7 +2,7 @@
 // written is not computed.
 #pragma once
 
-#include <fem/svd.h>
+#include <fem/numerics/svd.h>
 #include <physgen/pack.h>
 #include <physgen/quaternion.h>
 

@@ -2,7 +2,7 @@
 // <physgen/cuda/parallel_for.h>, before or after; that decides where it can run.
 #pragma once
 
-#include <fem/compute_svd.h>
+#include <fem/kernels/compute_svd.h>
 #include <physgen/array.h>
 #include <physgen/error.h>
 

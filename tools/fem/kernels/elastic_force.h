@@ -4,7 +4,7 @@
 // the time.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 #include <physgen/rows.h>
 
 namespace physgen::fem {

@@ -1,5 +1,5 @@
 // Boost.Graph orders the nodes of each connected part; the tets are sorted by the result.
-#include <fem/renumber.h>
+#include <fem/mesh/renumber.h>
 #include <physgen/error.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // float), made positive semidefinite if wanted.
 #pragma once
 
-#include <fem/definiteness.h>
+#include <fem/materials/definiteness.h>
 #include <physgen/pack.h>
 
 namespace physgen::fem {

@@ -1,7 +1,7 @@
 // The symmetric product on CUDA: see symmetric_product.h. For CUDA translation units.
 #pragma once
 
-#include <fem/symmetric_product.h>
+#include <fem/kernels/symmetric_product.h>
 #include <physgen/cuda/check.h>
 #include <physgen/cuda/parallel_for.h>
 

@@ -2,8 +2,8 @@
 // objects that a kernel is given. The eigenvalues are those of the 3x3 block H and, of the pairs (a, b), D and S.
 #pragma once
 
-#include <fem/material.h>
-#include <fem/symmetric_eigen.h>
+#include <fem/materials/material.h>
+#include <fem/numerics/symmetric_eigen.h>
 
 namespace physgen::fem {
 

@@ -1,7 +1,7 @@
 // The symmetric product on the CPU: see symmetric_product.h.
 #pragma once
 
-#include <fem/symmetric_product.h>
+#include <fem/kernels/symmetric_product.h>
 #include <physgen/parallel_for.h>
 
 #include <algorithm>

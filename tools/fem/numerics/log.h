@@ -2,7 +2,7 @@
 // of them agree: where stress or stiffness is a small rest of it, the rest still has its digits.
 #pragma once
 
-#include <fem/two_part.h>
+#include <fem/numerics/two_part.h>
 
 namespace physgen::fem {
 

@@ -2,7 +2,7 @@
 // give them; what is a small rest of a difference still has its digits then.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 
 namespace physgen::fem {
 

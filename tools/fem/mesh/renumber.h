@@ -2,7 +2,7 @@
 // tets that follow each other lie close together in memory, which a mesh generator's or a file's order need not give.
 #pragma once
 
-#include <fem/mesh.h>
+#include <fem/mesh/mesh.h>
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // Kernel: first Piola-Kirchhoff stress of an isotropic material, P = U diag(g(s)) V^T.
 #pragma once
 
-#include <fem/material.h>
+#include <fem/materials/material.h>
 #include <physgen/pack.h>
 
 namespace physgen::fem {

@@ -2,7 +2,7 @@
 // branches, so equal, zero and huge eigenvalues are ordinary input, and packs and CUDA threads take the same path.
 #pragma once
 
-#include <fem/scalar.h>
+#include <fem/numerics/scalar.h>
 
 namespace physgen::fem {
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/mesh.h>
-#include <fem/scalar.h>
+#include <fem/mesh/mesh.h>
+#include <fem/numerics/scalar.h>
 #include <physgen/buffer.h>
 #include <physgen/pack.h>
 #include <physgen/space.h>
