@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER. The system's commands
-# that it would install and build with are replaced by ones that write how they were called to $calls.
+# dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER with packages.txt beside
+# it. The system's commands that it would install and build with are replaced by ones that write how they were called to
+# $calls.
 # shellcheck disable=SC2016  # the bodies of the commands below are expanded when they run
 set -euo pipefail
 rule=$1 dev=$2 folder=$3
@@ -9,7 +10,7 @@ root="$work/physgen"
 calls=$work/calls
 rm -rf "$work"
 mkdir -p "$root/tools" "$work/bin" "$work/home"
-cp "$dev" "$root/tools/dev"
+cp "$dev" "$(dirname "$dev")/packages.txt" "$root/tools"
 export PATH="$work/bin:$PATH" calls work
 unset CUDACXX CUDA_HOME CUDAARCHS
 touch "$calls"
@@ -40,8 +41,7 @@ not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
 
 # A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
 every_package() {
-  printf '%s\n' cmake ninja-build make g++ libeigen3-dev libxsimd-dev libgtest-dev:amd64 libbenchmark-dev:amd64 \
-    nlohmann-json3-dev libcli11-dev libboost-dev python3-matplotlib libclang-22-dev llvm-22-dev clang-22
+  sed -E '/^(#|LLVM |$)/d; s/ .*//; s/LLVM/22/; s/^lib(gtest|benchmark)-dev$/&:amd64/' "$root/tools/packages.txt"
 }
 export apt_has='-22'
 every_package >"$work/installed"
@@ -82,6 +82,15 @@ case $rule in
     called 'apt-get .*install -y --no-install-recommends ninja-build libgtest-dev$'
     says 'runs the build'
     ;;
+  setup_reads_packages_and_versions_from_their_list)
+    printf '%s\n' '# c' 'LLVM 31 30' '' 'tar   packs' 'libclang-LLVM-dev reads' >"$root/tools/packages.txt"
+    apt_has='-30' dev 0 setup
+    says '  tar                  packs'
+    called 'install .* tar libclang-30-dev$'
+    rm "$root/tools/packages.txt"
+    dev 2 setup
+    says "there is no $root/tools/packages.txt"
+    ;;
   setup_without_root_names_the_packages)
     without 'ninja|llvm-22'
     fake id 'echo 1000'
@@ -110,7 +119,7 @@ case $rule in
   setup_goes_on_without_llvm_and_is_quick_afterwards)
     without 22
     apt_has='none' dev 0 setup
-    says 'going on without the generator'
+    says 'the archive has no LLVM 22, 21, 20, 19: going on without the generator'
     not_called 'apt-get.*install'
     : >"$calls"
     program build/release/bin/physbench_cpu
@@ -183,6 +192,7 @@ case $rule in
     says 'fuzz needs LLVM'
     ;;
   gpu_runs_carried_programs_at_another_path)
+    rm "$root/tools/packages.txt" # as carried: tools/dev and what was built
     fake nvcc
     fake nvidia-smi 'echo "GPU 0: a device"'
     program build/cuda/bin/physbench
