@@ -107,6 +107,7 @@ void check_conditions() {
   PHYSGEN_SAME(c = min(c, b));
   PHYSGEN_SAME(c = max(c, b));
   PHYSGEN_SAME(c = clamp(c, -5, 5));
+  PHYSGEN_SAME(x = clamp(x, -1, 2.5));  // NaN stays NaN
   PHYSGEN_SAME(x = select(x != x, u, x));
   PHYSGEN_SAME(x = select(x != u, x, u));
   PHYSGEN_SAME(x = select(!(x < u), x / 2, u));

@@ -49,6 +49,8 @@ void refused(const Derivatives::View& view, Pack<native_lanes<float>> i, const I
   add(i, nodes[0].f(), Eigen::Vector3f(1, 2, 3));
 #elif defined(CASE_a_sum_of_one_number_for_a_pack)
   (void)sum(Host{}, 5, over<float>([](auto) { return 1.0F; }));
+#elif defined(CASE_a_sum_of_references)
+  (void)sum(Host{}, 5, over<float>([&](auto k) { return view[k].x1111(); }));
 #elif defined(CASE_adding_to_a_named_element)
   auto element = view[j].x1111();
   add(i, element, m);

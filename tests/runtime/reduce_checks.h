@@ -216,7 +216,7 @@ void check_extrema_and_conditions() {
       }
       EXPECT_EQ(reduce_in<Space>(begin, end, product, Max{}), largest);
       EXPECT_EQ(reduce_in<Space>(begin, end, product, Min{}), smallest);
-      const Place<Real> place = reduce_in<Space>(begin, end, product, Argmax{});
+      const Indexed<Real> place = reduce_in<Space>(begin, end, product, Argmax{});
       EXPECT_EQ(place.index, first_largest) << "of " << begin << " to " << end;
       EXPECT_EQ(place.value, largest);
       const IsBelow<decltype(view)> is_below{view, 3};

@@ -91,12 +91,6 @@ PHYSGEN_FUNCTION inline S max(const S& x, T y) {
   return max(x, all_lanes<S>(y));
 }
 
-/// x, but not below `low` and not above `high`. @pre low <= high
-template <class S, class Low, class High>
-PHYSGEN_FUNCTION inline S clamp(const S& x, const Low& low, const High& high) {
-  return min(max(x, low), high);
-}
-
 /// x^y, as std::pow() has it.
 template <std::floating_point S>
 PHYSGEN_FUNCTION inline S pow(const S& x, const S& y) {
@@ -116,6 +110,20 @@ PHYSGEN_FUNCTION inline S select(bool condition, const S& a, const S& b) {
 template <class Condition, Lanewise S, PlainBeside<S> T>
 PHYSGEN_FUNCTION inline S select(const Condition& condition, const S& a, T b) {
   return select(condition, a, all_lanes<S>(b));
+}
+
+/// x, but not below `low` and not above `high`, which may be plain numbers; NaN stays NaN. @pre low <= high
+template <Lanewise S>
+PHYSGEN_FUNCTION inline S clamp(const S& x, const S& low, const S& high) {
+  return select(x < low, low, select(high < x, high, x));
+}
+template <Lanewise S, PlainBeside<S> Low>
+PHYSGEN_FUNCTION inline S clamp(const S& x, Low low, const S& high) {
+  return clamp(x, all_lanes<S>(low), high);
+}
+template <Lanewise S, class Low, PlainBeside<S> High>
+PHYSGEN_FUNCTION inline S clamp(const S& x, const Low& low, High high) {
+  return clamp(x, low, all_lanes<S>(high));
 }
 
 /// A power of two and its inverse, both normal numbers.

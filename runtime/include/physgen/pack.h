@@ -99,6 +99,15 @@ struct SameLanes {
 template <class S, class T>
 using same_lanes_t = typename SameLanes<S, T>::type;
 
+/// The type of what one lane of an S holds: S itself, or of a batch or mask that of its lanes. Specialised in
+/// simd_cursor.h.
+template <class S>
+struct LaneOf {
+  using type = S;
+};
+template <class S>
+using lane_of_t = typename LaneOf<S>::type;
+
 /// `value` in each lane of an S; in generated code, where S is not known to be a number or a SIMD batch.
 template <class S>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr S all_lanes(double value) {

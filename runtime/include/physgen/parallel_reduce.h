@@ -10,15 +10,6 @@ namespace physgen {
 
 namespace detail {
 
-template <class T, class A>
-struct NumberOf<xsimd::batch<T, A>> {
-  using type = T;
-};
-template <class T, class A>
-struct NumberOf<xsimd::batch_bool<T, A>> {
-  using type = bool;
-};
-
 /// The numbers of an entry, lane by lane.
 template <class Entry, class Number>
 void store_numbers(const Entry& entry, Number* numbers) {

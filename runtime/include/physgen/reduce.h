@@ -85,9 +85,9 @@ struct Min {
   }
 };
 
-/// An object's number and its term.
+/// A term and the number of its object.
 template <class Number>
-struct Place {
+struct Indexed {
   index_t index;
   Number value;
 };
@@ -96,17 +96,18 @@ struct Place {
 /// value of Max.
 struct Argmax {
   template <class Number>
-  using Value = Place<Number>;
+  using Value = Indexed<Number>;
   template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Place<Number> identity() {
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Indexed<Number> identity() {
     return {-1, Max::identity<Number>()};
   }
   template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Place<Number> value(Number term, index_t i) {
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Indexed<Number> value(Number term, index_t i) {
     return {i, term};
   }
   template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Place<Number> join(const Place<Number>& a, const Place<Number>& b) {
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Indexed<Number> join(const Indexed<Number>& a,
+                                                                       const Indexed<Number>& b) {
     if (a.index < 0 || b.index < 0) return a.index < 0 ? b : a;
     if (above(a.value, b.value)) return a;
     if (above(b.value, a.value)) return b;
@@ -189,17 +190,6 @@ PHYSGEN_SHORT_FORM(count, Count)
 
 namespace detail {
 
-/// One object's number of what a kernel returned: of a batch its lanes' type. parallel_reduce.h has those of packs.
-template <class Entry>
-struct NumberOf {
-  static_assert(std::is_arithmetic_v<Entry>,
-                "a kernel of parallel_reduce() returns its term by value: a number or condition (in packs a batch or a "
-                "mask), a std::array of them, or an Eigen vector or matrix of them. For a field's element write "
-                "`-> lanes_t<Scalar, I>` as the type that the kernel returns, in a lambda `return view[i].m().get()`; "
-                "for an expression of Eigen its Matrix type");
-  using type = Entry;
-};
-
 /// What a kernel returned, entry by entry, and its result, given each entry's.
 template <class Term>
 struct Terms {
@@ -253,7 +243,12 @@ template <class Kernel, class Fold, class I>
 struct Reduction {
   using Term = std::remove_cvref_t<std::invoke_result_t<const Kernel&, const I&>>;
   using Entries = Terms<Term>;
-  using Number = typename NumberOf<typename Entries::Entry>::type;
+  using Number = lane_of_t<typename Entries::Entry>;
+  static_assert(std::is_arithmetic_v<Number>,
+                "a kernel of parallel_reduce() returns its term by value: a number or condition (in packs a batch or a "
+                "mask), a std::array of them, or an Eigen vector or matrix of them. For a field's element write "
+                "`-> lanes_t<Scalar, I>` as the type that the kernel returns, in a lambda `return view[i].m().get()`; "
+                "for an expression of Eigen its Matrix type");
   using Value = typename Fold::template Value<Number>;
   using Result = typename Entries::template Result<Value>;
   static constexpr int count = Entries::count;

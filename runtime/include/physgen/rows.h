@@ -45,17 +45,6 @@ struct Summand<Value> {
   using Scalar = typename Value::Scalar;
 };
 
-/// The type of one number of S.
-template <class S>
-struct LaneOf {
-  using type = S;
-};
-template <class S>
-  requires requires { typename S::value_type; }
-struct LaneOf<S> {
-  using type = typename S::value_type;
-};
-
 /// What a fold over a row forms next is of the type of its total.
 template <class Sum, class Next>
 [[nodiscard]] PHYSGEN_FUNCTION Sum next_total(const Next& next) {
@@ -127,7 +116,7 @@ class Rows {
   template <class Value, class I, class Step>
   [[nodiscard]] PHYSGEN_FUNCTION auto fold(const I& i, const Value& total, const Step& step) const {
     using Sum = typename detail::Summand<Value>::type;
-    using T = typename detail::LaneOf<typename detail::Summand<Value>::Scalar>::type;
+    using T = lane_of_t<typename detail::Summand<Value>::Scalar>;
     Sum sum = total;
     if constexpr (std::is_integral_v<I>) {
       for_each<T>(i, [&](const auto& entry, bool /*active*/) {

@@ -47,6 +47,14 @@ template <class S, class A, class T>
 struct SameLanes<xsimd::batch<S, A>, T> {
   using type = batch_t<T, static_cast<int>(xsimd::batch<S, A>::size)>;
 };
+template <class T, class A>
+struct LaneOf<xsimd::batch<T, A>> {
+  using type = T;
+};
+template <class T, class A>
+struct LaneOf<xsimd::batch_bool<T, A>> {
+  using type = bool;
+};
 
 namespace detail {
 
