@@ -1,0 +1,91 @@
+// Faces with one tet are the boundary; loads are sums over faces and tets in a fixed order.
+#include <fem/mesh/boundary.h>
+#include <fem/mesh/faces.h>
+#include <fem/mesh/geometry.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace physgen::fem {
+
+namespace {
+
+// The corners of the face opposite each corner, seen from outside a tet of positive volume counter-clockwise.
+constexpr std::array<std::array<std::size_t, 3>, 4> outward{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+void add(Force& force, const Point& direction, double factor) {
+  for (std::size_t k = 0; k < 3; ++k) force[k] += factor * direction[k];
+}
+
+}  // namespace
+
+std::vector<Face> boundary_faces(const TetMesh& mesh) {
+  std::vector<Face> faces;
+  each_face(mesh.nodes, mesh.tets, [&](std::span<const FaceUse> uses) {
+    if (uses.size() != 1) return;
+    const auto [tet, corner] = uses[0].use;
+    Face face{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      face[c] = mesh.tets[static_cast<std::size_t>(tet)][outward[static_cast<std::size_t>(corner)][c]];
+    }
+    std::ranges::rotate(face, std::ranges::min_element(face));
+    faces.push_back(face);
+  });
+  return faces;
+}
+
+std::vector<Index> nodes_on_plane(std::span<const Point> rest, int axis, double value, double tolerance) {
+  if (axis < 0 || axis > 2) {
+    throw Error("nodes on plane: axis " + std::to_string(axis) + "; it must be 0 (x), 1 (y) or 2 (z)");
+  }
+  if (!(tolerance >= 0 && tolerance <= 1)) {
+    throw Error("nodes on plane: tolerance " + std::to_string(tolerance) +
+                "; it is relative to the longest side of the mesh and must be from 0 to 1");
+  }
+  double longest = 0;
+  for (std::size_t k = 0; k < 3 && !rest.empty(); ++k) {
+    const auto [low, high] = std::ranges::minmax(rest, {}, [k](const Point& x) { return x[k]; });
+    longest = std::max(longest, high[k] - low[k]);
+  }
+  std::vector<Index> nodes;
+  for (std::size_t n = 0; n < rest.size(); ++n) {
+    if (std::abs(rest[n][static_cast<std::size_t>(axis)] - value) <= tolerance * longest) {
+      nodes.push_back(static_cast<Index>(n));
+    }
+  }
+  return nodes;
+}
+
+std::vector<Force> pressure_loads(std::span<const Point> rest, std::span<const Face> faces, double pressure) {
+  std::vector<Force> forces(rest.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (const Index node : faces[f]) {
+      if (node < 0 || static_cast<std::size_t>(node) >= rest.size()) {
+        throw Error("pressure loads: face " + std::to_string(f) + " names node " + std::to_string(node) + " of " +
+                    std::to_string(rest.size()));
+      }
+    }
+    const auto x = [&](std::size_t corner) -> const Point& { return rest[static_cast<std::size_t>(faces[f][corner])]; };
+    const Point twice_area = cross(difference(x(1), x(0)), difference(x(2), x(0)));
+    for (const Index node : faces[f]) add(forces[static_cast<std::size_t>(node)], twice_area, -pressure / 6);
+  }
+  return forces;
+}
+
+std::vector<Force> gravity_loads(const TetMesh& mesh, std::span<const Point> rest, double density,
+                                 const std::array<double, 3>& acceleration) {
+  if (rest.size() != static_cast<std::size_t>(mesh.nodes)) {
+    throw Error("gravity loads: " + std::to_string(rest.size()) + " positions for a mesh of " +
+                std::to_string(mesh.nodes) + " nodes");
+  }
+  std::vector<Force> forces(rest.size());
+  for (const auto& tet : mesh.tets) {
+    const double quarter_mass = density * six_volumes(tet, rest) / 24;
+    for (const Index node : tet) add(forces[static_cast<std::size_t>(node)], acceleration, quarter_mass);
+  }
+  return forces;
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,147 @@
+// Red refinement of a tet along a path through its corners. Paths follow one direction in space, in fine tets as in
+// coarse ones, so that refining again goes on alike.
+#include <fem/mesh/geometry.h>
+#include <fem/mesh/refine.h>
+#include <physgen/error.h>
+
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace physgen::fem {
+
+namespace {
+
+// A node of the fine tets within one coarse tet: the middle of two corners of its path, which may be the same.
+using Middle = std::array<std::size_t, 2>;
+
+// The eight fine tets as paths. Edges of the path a, b, c of the coarse tet become halves of a, b, c in the first four
+// and in turn b c a, b a c, c a b, a c b in the others: those with an odd exchange have the other sign of volume.
+struct FinePath {
+  std::array<Middle, 4> corners;
+  bool odd;
+};
+constexpr std::array<FinePath, 8> fine_paths{{{{{{0, 0}, {0, 1}, {0, 2}, {0, 3}}}, false},
+                                              {{{{0, 1}, {1, 1}, {1, 2}, {1, 3}}}, false},
+                                              {{{{0, 2}, {1, 2}, {2, 2}, {2, 3}}}, false},
+                                              {{{{0, 3}, {1, 3}, {2, 3}, {3, 3}}}, false},
+                                              {{{{0, 1}, {0, 2}, {0, 3}, {1, 3}}}, false},
+                                              {{{{0, 1}, {0, 2}, {1, 2}, {1, 3}}}, true},
+                                              {{{{0, 2}, {0, 3}, {1, 3}, {2, 3}}}, false},
+                                              {{{{0, 2}, {1, 2}, {1, 3}, {2, 3}}}, true}}};
+
+// The direction of the paths. Its components are positive for the sake of Kuhn meshes, whose paths run along the axes,
+// and no simple multiples of each other, lest edges of other meshes stand at right angles to it.
+constexpr Point along{0.5257311121191336, 0.3249196962329063, 0.7862014103227434};
+
+// A tet's corners in the order of the path, and whether that exchanges them an odd number of times.
+struct Path {
+  std::array<std::size_t, 4> corners{0, 1, 2, 3};
+  bool odd = false;
+};
+
+Path path_of(const std::array<Index, 4>& tet, std::span<const Point> rest) {
+  Path path;
+  // From the first corner, because coordinates may be large beside the tet.
+  const Point& origin = rest[static_cast<std::size_t>(tet[0])];
+  std::array<double, 4> way{};
+  for (std::size_t c = 0; c < 4; ++c) way[c] = dot(along, difference(rest[static_cast<std::size_t>(tet[c])], origin));
+  for (std::size_t end = 3; end > 0; --end) {
+    for (std::size_t c = 0; c < end; ++c) {
+      if (way[path.corners[c]] <= way[path.corners[c + 1]]) continue;
+      std::swap(path.corners[c], path.corners[c + 1]);
+      path.odd = !path.odd;
+    }
+  }
+  return path;
+}
+
+// The fine numbers of the midpoints of each tet's edges, local edges in the order of tet_edges.
+std::vector<std::array<Index, 6>> midpoints_of(const TetMesh& mesh) {
+  std::vector<std::array<Index, 6>> midpoints(mesh.tets.size());
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    for (Index k = mesh.edge_tets.first[e]; k < mesh.edge_tets.first[e + 1]; ++k) {
+      const auto [tet, local] = mesh.edge_tets.entries[static_cast<std::size_t>(k)];
+      midpoints[static_cast<std::size_t>(tet)][static_cast<std::size_t>(local % 6)] =
+          mesh.nodes + static_cast<Index>(e);
+    }
+  }
+  return midpoints;
+}
+
+std::size_t local_edge(std::size_t a, std::size_t b) {
+  constexpr std::array<std::array<std::size_t, 4>, 4> edges{{{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}}};
+  return edges[a][b];
+}
+
+std::array<Index, 4> fine_tet(const FinePath& fine_path, const Path& path, const std::array<Index, 4>& tet,
+                              const std::array<Index, 6>& midpoints) {
+  std::array<Index, 4> fine{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    const std::size_t a = path.corners[fine_path.corners[c][0]], b = path.corners[fine_path.corners[c][1]];
+    fine[c] = a == b ? tet[a] : midpoints[local_edge(a, b)];
+  }
+  if (fine_path.odd != path.odd) std::swap(fine[1], fine[2]);
+  return fine;
+}
+
+}  // namespace
+
+Refined refine(const TetMesh& mesh, std::span<const Point> rest) {
+  const auto nodes = static_cast<std::size_t>(mesh.nodes);
+  if (rest.size() != nodes) {
+    throw Error("refine: " + std::to_string(rest.size()) + " positions for a mesh of " + std::to_string(nodes) +
+                " nodes");
+  }
+  constexpr std::size_t most = std::numeric_limits<Index>::max();
+  if (mesh.edges.size() > most - nodes || mesh.tets.size() > most / 8) {
+    throw Error("refine: " + std::to_string(8 * mesh.tets.size()) + " tets and " +
+                std::to_string(nodes + mesh.edges.size()) + " nodes do not fit a 32-bit index");
+  }
+  Refined fine;
+  fine.rest.reserve(nodes + mesh.edges.size());
+  fine.parents.reserve(nodes + mesh.edges.size());
+  fine.rest.assign(rest.begin(), rest.end());
+  for (Index v = 0; v < mesh.nodes; ++v) fine.parents.push_back({v, v});
+  for (const auto& [m, n] : mesh.edges) {
+    const Point &a = rest[static_cast<std::size_t>(m)], &b = rest[static_cast<std::size_t>(n)];
+    fine.rest.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    fine.parents.push_back({m, n});
+  }
+  const auto midpoints = midpoints_of(mesh);
+  std::vector<std::array<Index, 4>> tets;
+  tets.reserve(8 * mesh.tets.size());
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const Path path = path_of(mesh.tets[t], rest);
+    for (const FinePath& fine_path : fine_paths) tets.push_back(fine_tet(fine_path, path, mesh.tets[t], midpoints[t]));
+  }
+  fine.mesh = make_tet_mesh(static_cast<Index>(fine.rest.size()), std::move(tets));
+  return fine;
+}
+
+std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz) {
+  if (nx < 1 || ny < 1 || nz < 1) {
+    throw Error("box parents: cells " + std::to_string(nx) + " x " + std::to_string(ny) + " x " + std::to_string(nz) +
+                "; each count must be at least 1");
+  }
+  // In double first: the product of three 32-bit counts overflows 64 bits. 36: as in make_box_mesh().
+  if (36. * 8. * nx * ny * nz > std::numeric_limits<Index>::max()) {
+    throw Error("box parents: " + std::to_string(48. * nx * ny * nz) +
+                " tets: their incidences do not fit a 32-bit index");
+  }
+  const auto node = [nx, ny](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
+  std::vector<std::array<Index, 2>> parents;
+  parents.reserve(static_cast<std::size_t>(2 * nx + 1) * static_cast<std::size_t>(2 * ny + 1) *
+                  static_cast<std::size_t>(2 * nz + 1));
+  // All differences of 0 or 1 in each coordinate are edges of the Kuhn mesh: rounding down and up gives the ends.
+  for (Index z = 0; z <= 2 * nz; ++z) {
+    for (Index y = 0; y <= 2 * ny; ++y) {
+      for (Index x = 0; x <= 2 * nx; ++x) {
+        parents.push_back({node(x / 2, y / 2, z / 2), node((x + 1) / 2, (y + 1) / 2, (z + 1) / 2)});
+      }
+    }
+  }
+  return parents;
+}
+
+}  // namespace physgen::fem
