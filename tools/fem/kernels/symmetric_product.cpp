@@ -8,8 +8,12 @@
 
 namespace physgen::fem {
 
-EdgeSums::EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes)
-    : nodes_(mesh.nodes), edges_(static_cast<index_t>(mesh.edges.size())), space_(space), real_bytes_(real_bytes) {
+EdgeSums::EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrder order)
+    : nodes_(mesh.nodes),
+      edges_(static_cast<index_t>(mesh.edges.size())),
+      space_(space),
+      real_bytes_(real_bytes),
+      order_(order) {
   const auto nodes = static_cast<std::size_t>(nodes_);
   std::vector<Index> lists(2 * (nodes + 1) + mesh.edges.size(), 0);
   Index* first = lists.data();
@@ -39,10 +43,15 @@ EdgeSums::EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes)
   const auto bytes = static_cast<index_t>(lists.size() * sizeof(Index));
   indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
   copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(lists.data()), SpaceKind::host, bytes);
+  if (order == SumOrder::any && space == SpaceKind::cuda) return;
   contributions_ = Buffer(space, 4 * edges_ * real_bytes, "contributions of " + std::to_string(edges_) + " edges");
 }
 
-void EdgeSums::require(index_t nodes, index_t edges, SpaceKind space, int real_bytes) const {
+void EdgeSums::require(index_t nodes, index_t edges, SpaceKind space, int real_bytes, SumOrder order) const {
+  if (order == SumOrder::fixed && order_ == SumOrder::any && space == SpaceKind::cuda) {
+    throw Error(
+        "a product in SumOrder::fixed was given sums made for SumOrder::any, which have no room for contributions");
+  }
   if (nodes == nodes_ && edges == edges_ && space == space_ && real_bytes == real_bytes_) return;
   const auto describe = [](index_t n, index_t e, SpaceKind s, int bytes) {
     return std::to_string(n) + " nodes and " + std::to_string(e) + " edges in " + name(s) + " memory, numbers of " +

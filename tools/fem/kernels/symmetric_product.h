@@ -35,14 +35,16 @@ class EdgeSums {
   /// @param mesh its edges (m, n) are ascending, as make_tet_mesh() makes them
   /// @param space where the product will run
   /// @param real_bytes of one scalar: sizeof(float) or sizeof(double)
+  /// @param order of the products; SumOrder::any on CUDA needs no room for contributions
   /// @throw Error when edges are not ascending or the memory cannot be had
-  EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes);
+  EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrder order = SumOrder::fixed);
 
-  /// @throw Error when a product of these sizes, in this space and precision, was not what this was made for
-  void require(index_t nodes, index_t edges, SpaceKind space, int real_bytes) const;
+  /// @throw Error when a product of these sizes, in this space, precision and order, was not what this was made for
+  void require(index_t nodes, index_t edges, SpaceKind space, int real_bytes, SumOrder order) const;
 
   [[nodiscard]] index_t nodes() const { return nodes_; }
   [[nodiscard]] index_t edges() const { return edges_; }
+  [[nodiscard]] index_t bytes() const { return indices_.bytes() + contributions_.bytes(); }
   /// Per node: the first of its edges as m (and one past the last node).
   [[nodiscard]] const Index* first() const { return indices(0); }
   /// Per node: where the contributions of its edges as n begin (and one past the last node).
@@ -63,6 +65,7 @@ class EdgeSums {
   index_t nodes_ = 0, edges_ = 0;
   SpaceKind space_ = SpaceKind::host;
   int real_bytes_ = 0;
+  SumOrder order_ = SumOrder::fixed;
   Buffer indices_, contributions_;
 };
 
@@ -88,12 +91,12 @@ void require_size(const char* array, index_t size, index_t expected);
 
 /// @throw Error when arrays of the product differ in size, or `sums` is not for it
 template <class Product>
-void require_sizes(const Product& product, const EdgeSums& sums, SpaceKind space) {
+void require_sizes(const Product& product, const EdgeSums& sums, SpaceKind space, SumOrder order) {
   const index_t nodes = product.differentials.size(), edges = product.edges.size();
   require_size("node stiffness", product.node_stiffness.size(), nodes);
   require_size("displacements", product.displacements.size(), nodes);
   require_size("edge stiffness", product.edge_stiffness.size(), edges);
-  sums.require(nodes, edges, space, sizeof(typename Product::Scalar));
+  sums.require(nodes, edges, space, sizeof(typename Product::Scalar), order);
 }
 
 /// The two contributions of an edge, or of a pack of edges.

@@ -20,7 +20,7 @@ struct WriteNodeContributions {
 /// A thread takes an edge. Edges of one node lie side by side: their contributions to it are summed within the warp,
 /// and one thread adds the sum.
 template <class Product>
-__global__ void add_edges(const Product product, index_t edges) {
+__global__ void add_edge_products(const Product product, index_t edges) {
   using S = typename Product::Scalar;
   constexpr unsigned all = 0xffffffffU;
   const index_t i = blockIdx.x * index_t{blockDim.x} + threadIdx.x;
@@ -54,7 +54,7 @@ constexpr int staged_edges = 256;
 
 /// A block takes some nodes and all their edges as m: contributions to these pass through shared memory and are added
 /// in order, those to other nodes are stored.
-template <class Product>
+template <bool kAdds, class Product>
 __global__ void __launch_bounds__(threads_per_block)
     sum_own_edges(const Product product, index_t nodes, const Index* first, const Index* place,
                   Contribution<typename Product::Scalar>* contributions) {
@@ -66,7 +66,13 @@ __global__ void __launch_bounds__(threads_per_block)
   const bool has_node = threadIdx.x < nodes_per_block && node < node_end;
   const Index begin = first[node_begin], end = first[node_end];
   Vector3<S> sum = Vector3<S>::Zero();
-  if (has_node) sum = node_contribution(product, node);
+  if (has_node) {
+    if constexpr (kAdds) {
+      sum = product.differentials[node].df();
+    } else {
+      sum = node_contribution(product, node);
+    }
+  }
   for (Index stage = begin; stage < end; stage += staged_edges) {
     const Index stage_end = stage + staged_edges < end ? stage + staged_edges : end;
     for (Index e = stage + static_cast<Index>(threadIdx.x); e < stage_end; e += threads_per_block) {
@@ -93,6 +99,30 @@ struct AddContributions {
   __device__ void operator()(index_t node) const { add_contributions(product, node, begin, contributions); }
 };
 
+/// df = K dx; or, where it adds, df += what the edges have of K dx.
+template <bool kAdds, class... Views>
+void sum_edges(Cuda space, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder order,
+               Stream stream) {
+  using Product = SymmetricProduct<Views...>;
+  using Scalar = typename Product::Scalar;
+  require_sizes(product, sums, SpaceKind::cuda, order);
+  if (sums.nodes() == 0) return;
+  const auto blocks = [](index_t objects, int each) { return static_cast<unsigned>((objects + each - 1) / each); };
+  if (order == SumOrder::any) {
+    if constexpr (!kAdds) parallel_for(space, sums.nodes(), WriteNodeContributions<Product>{product}, stream);
+    if (sums.edges() == 0) return;
+    constexpr int threads = 256;
+    add_edge_products<<<blocks(sums.edges(), threads), threads, 0, stream>>>(product, sums.edges());
+    cuda::check(cudaGetLastError(), "launching the edges of a symmetric product");
+    return;
+  }
+  sum_own_edges<kAdds><<<blocks(sums.nodes(), nodes_per_block), threads_per_block, 0, stream>>>(
+      product, sums.nodes(), sums.first(), sums.place(), sums.contributions<Scalar>());
+  cuda::check(cudaGetLastError(), "launching the edges of a symmetric product");
+  parallel_for(space, sums.nodes(),
+               AddContributions<Product>{product, sums.contributions_begin(), sums.contributions<Scalar>()}, stream);
+}
+
 }  // namespace detail
 
 /// df = K dx, ordered in `stream`; does not wait. SumOrder::any adds with atomics, in an order that differs from run to
@@ -103,25 +133,15 @@ struct AddContributions {
 template <class... Views>
 void multiply(Cuda space, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder order,
               Stream stream = nullptr) {
-  using Product = SymmetricProduct<Views...>;
-  using Scalar = typename Product::Scalar;
-  detail::require_sizes(product, sums, SpaceKind::cuda);
-  if (sums.nodes() == 0) return;
-  const auto blocks = [](index_t objects, int each) { return static_cast<unsigned>((objects + each - 1) / each); };
-  if (order == SumOrder::any) {
-    parallel_for(space, sums.nodes(), detail::WriteNodeContributions<Product>{product}, stream);
-    if (sums.edges() == 0) return;
-    constexpr int threads = 256;
-    detail::add_edges<<<blocks(sums.edges(), threads), threads, 0, stream>>>(product, sums.edges());
-    cuda::check(cudaGetLastError(), "launching the edges of a symmetric product");
-    return;
-  }
-  detail::sum_own_edges<<<blocks(sums.nodes(), detail::nodes_per_block), detail::threads_per_block, 0, stream>>>(
-      product, sums.nodes(), sums.first(), sums.place(), sums.contributions<Scalar>());
-  cuda::check(cudaGetLastError(), "launching the edges of a symmetric product");
-  parallel_for(space, sums.nodes(),
-               detail::AddContributions<Product>{product, sums.contributions_begin(), sums.contributions<Scalar>()},
-               stream);
+  detail::sum_edges<false>(space, product, sums, order, stream);
+}
+
+/// df += what the edges have of K dx: all of it but the diagonal blocks, for kernels that form that part themselves. As
+/// multiply() otherwise.
+template <class... Views>
+void add_edges(Cuda space, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder order,
+               Stream stream = nullptr) {
+  detail::sum_edges<true>(space, product, sums, order, stream);
 }
 
 }  // namespace physgen::fem

@@ -10,15 +10,14 @@
 
 namespace physgen::fem {
 
-/// df = K dx. Both orders of sums are the fixed one here, and independent of the number of threads: atomics are what a
-/// CPU is slow at.
-/// @throw Error when arrays of the product differ in size, or `sums` was made for other sizes, or not for host memory
-/// and this precision
-template <class... Views>
-void multiply(Host /*space*/, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder /*order*/) {
+namespace detail {
+
+/// df = K dx; or, where it adds, df += what the edges have of K dx.
+template <bool kAdds, class... Views>
+void sum_edges(const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
   using Product = SymmetricProduct<Views...>;
   using Scalar = typename Product::Scalar;
-  detail::require_sizes(product, sums, SpaceKind::host);
+  detail::require_sizes(product, sums, SpaceKind::host, SumOrder::fixed);
   constexpr int W = native_lanes<Scalar>;
   constexpr index_t block = 512;  // nodes; their contributions stay in the cache
   const Index* first = sums.first();
@@ -51,7 +50,12 @@ void multiply(Host /*space*/, const SymmetricProduct<Views...>& product, const E
           }
         }
         for (index_t node = node_begin; node < node_end; ++node) {
-          Vector3<Scalar> sum = detail::node_contribution(product, node);
+          Vector3<Scalar> sum;
+          if constexpr (kAdds) {
+            sum = product.differentials[node].df();
+          } else {
+            sum = detail::node_contribution(product, node);
+          }
           for (index_t e = first[node]; e < first[node + 1]; ++e) {
             const auto& to_m = own[static_cast<std::size_t>(e - begin)];
             sum += Vector3<Scalar>(to_m[0], to_m[1], to_m[2]);
@@ -66,6 +70,24 @@ void multiply(Host /*space*/, const SymmetricProduct<Views...>& product, const E
     }
   }
   failure.rethrow();
+}
+
+}  // namespace detail
+
+/// df = K dx. Both orders of sums are the fixed one here, and independent of the number of threads: atomics are what a
+/// CPU is slow at.
+/// @throw Error when arrays of the product differ in size, or `sums` was made for other sizes, or not for host memory
+/// and this precision
+template <class... Views>
+void multiply(Host /*space*/, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder /*order*/) {
+  detail::sum_edges<false>(product, sums);
+}
+
+/// df += what the edges have of K dx: all of it but the diagonal blocks, for kernels that form that part themselves. As
+/// multiply() otherwise.
+template <class... Views>
+void add_edges(Host /*space*/, const SymmetricProduct<Views...>& product, const EdgeSums& sums, SumOrder /*order*/) {
+  detail::sum_edges<true>(product, sums);
 }
 
 }  // namespace physgen::fem
