@@ -1,0 +1,1866 @@
+// Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
+#ifndef PHYSGEN_QUASISTATIC_H_292E612B2A67F493
+#define PHYSGEN_QUASISTATIC_H_292E612B2A67F493
+
+#include <physgen/runtime.h>
+
+#if PHYSGEN_RUNTIME_VERSION != 3
+#error "quasistatic.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#endif
+
+namespace quasistatic {
+
+// ---- NodeConstraint -------------------------------------------------------------------------------------------------
+
+/// Which components of a node's position are prescribed: bit k is set for component k.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct NodeConstraint {
+  /// 0: free; 7: held in all directions
+  physgen::same_lanes_t<Real, std::int32_t> fixed;
+};
+
+/// How the fields of one NodeConstraint are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of NodeConstraintArray.
+template <class Space>
+struct NodeConstraintFormats {
+};
+
+/// Where each field begins in the record of one NodeConstraint [bytes].
+template <class Real, class Formats>
+struct NodeConstraintRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int fixed = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One NodeConstraint of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class NodeConstraintRef {
+  using Record = NodeConstraintRecord<Real, Formats>;
+
+ public:
+  using Value = NodeConstraint<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit NodeConstraintRef(const Cursor& cursor) : at_(cursor) {}
+  NodeConstraintRef(const NodeConstraintRef&) = default;
+  NodeConstraintRef& operator=(const NodeConstraintRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeConstraintRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// 0: free; 7: held in all directions
+  PHYSGEN_FUNCTION decltype(auto) fixed() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::fixed);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.fixed = fixed();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { fixed() = value.fixed; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of NodeConstraint.
+struct NodeConstraintObject {
+  static constexpr std::string_view name = "quasistatic::NodeConstraint";
+  template <class Real>
+  using Value = NodeConstraint<Real>;
+  template <class Real, class Formats>
+  using Record = NodeConstraintRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeConstraintRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "fixed", "", NodeConstraintRecord<Real, Formats>::fixed, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = NodeConstraintFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeConstraintObject, Space>>
+using NodeConstraintView = physgen::View<NodeConstraintObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<NodeConstraintObject, Space>>
+using NodeConstraintArray = physgen::Array<NodeConstraintObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeConstraintObject, float, NodeConstraintFormats<physgen::Host>>(4, 4, {0}));
+static_assert(physgen::is_sound_record<NodeConstraintObject, double, NodeConstraintFormats<physgen::Host>>(4, 4, {0}));
+
+// ---- NodeParents ----------------------------------------------------------------------------------------------------
+
+/// The two nodes of the next coarser level half-way between which a node lies; twice the same where it coincides.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct NodeParents {
+  /// numbers on the coarser level
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes;
+};
+
+/// How the fields of one NodeParents are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of NodeParentsArray.
+template <class Space>
+struct NodeParentsFormats {
+};
+
+/// Where each field begins in the record of one NodeParents [bytes].
+template <class Real, class Formats>
+struct NodeParentsRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int nodes = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One NodeParents of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class NodeParentsRef {
+  using Record = NodeParentsRecord<Real, Formats>;
+
+ public:
+  using Value = NodeParents<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit NodeParentsRef(const Cursor& cursor) : at_(cursor) {}
+  NodeParentsRef(const NodeParentsRef&) = default;
+  NodeParentsRef& operator=(const NodeParentsRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeParentsRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// numbers on the coarser level
+  PHYSGEN_FUNCTION decltype(auto) nodes() const {
+    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::nodes);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.nodes = nodes().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { nodes() = value.nodes; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of NodeParents.
+struct NodeParentsObject {
+  static constexpr std::string_view name = "quasistatic::NodeParents";
+  template <class Real>
+  using Value = NodeParents<Real>;
+  template <class Real, class Formats>
+  using Record = NodeParentsRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeParentsRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+        "nodes", "", NodeParentsRecord<Real, Formats>::nodes, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = NodeParentsFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeParentsObject, Space>>
+using NodeParentsView = physgen::View<NodeParentsObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<NodeParentsObject, Space>>
+using NodeParentsArray = physgen::Array<NodeParentsObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeParentsObject, float, NodeParentsFormats<physgen::Host>>(8, 4, {0}));
+static_assert(physgen::is_sound_record<NodeParentsObject, double, NodeParentsFormats<physgen::Host>>(8, 4, {0}));
+
+// ---- NodeScale ------------------------------------------------------------------------------------------------------
+
+/// The scale of a node's unknowns inside the preconditioner, a power of two, so that scaling rounds nothing.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct NodeScale {
+  /// the largest entry on the diagonal of scale^2 K is in [1/2, 2)
+  Real scale;
+  /// 1 / scale
+  Real inverse;
+};
+
+/// How the fields of one NodeScale are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of NodeScaleArray.
+template <class Space>
+struct NodeScaleFormats {
+  using scale = physgen::format::Native;
+  using inverse = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one NodeScale [bytes].
+template <class Real, class Formats>
+struct NodeScaleRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::scale, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::inverse, Real>(),
+  }});
+  static constexpr int scale = plan_.offset[0];
+  static constexpr int inverse = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One NodeScale of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class NodeScaleRef {
+  using Record = NodeScaleRecord<Real, Formats>;
+
+ public:
+  using Value = NodeScale<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit NodeScaleRef(const Cursor& cursor) : at_(cursor) {}
+  NodeScaleRef(const NodeScaleRef&) = default;
+  NodeScaleRef& operator=(const NodeScaleRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeScaleRef&& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// the largest entry on the diagonal of scale^2 K is in [1/2, 2)
+  PHYSGEN_FUNCTION decltype(auto) scale() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::scale, Real>(Record::scale);
+  }
+  /// 1 / scale
+  PHYSGEN_FUNCTION decltype(auto) inverse() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::inverse, Real>(Record::inverse);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.scale = scale();
+    value.inverse = inverse();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    scale() = value.scale;
+    inverse() = value.inverse;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of NodeScale.
+struct NodeScaleObject {
+  static constexpr std::string_view name = "quasistatic::NodeScale";
+  template <class Real>
+  using Value = NodeScale<Real>;
+  template <class Real, class Formats>
+  using Record = NodeScaleRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeScaleRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::scale, Real>(
+        "scale", "", NodeScaleRecord<Real, Formats>::scale, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::inverse, Real>(
+        "inverse", "", NodeScaleRecord<Real, Formats>::inverse, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = NodeScaleFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeScaleObject, Space>>
+using NodeScaleView = physgen::View<NodeScaleObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<NodeScaleObject, Space>>
+using NodeScaleArray = physgen::Array<NodeScaleObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeScaleObject, float, NodeScaleFormats<physgen::Host>>(8, 4, {0, 4}));
+static_assert(physgen::is_sound_record<NodeScaleObject, double, NodeScaleFormats<physgen::Host>>(16, 8, {0, 8}));
+
+// ---- NodeInverse ----------------------------------------------------------------------------------------------------
+
+/// The inverse of a node's diagonal block: block Jacobi.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct NodeInverse {
+  /// -K^-1 over the free components, 0 in prescribed ones. Symmetric, 6 stored.
+  Eigen::Matrix<Real, 3, 3> D;
+};
+
+/// How the fields of one NodeInverse are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of NodeInverseArray.
+template <class Space>
+struct NodeInverseFormats {
+  using D = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one NodeInverse [bytes].
+template <class Real, class Formats>
+struct NodeInverseRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::D, Real>(),
+  }});
+  static constexpr int D = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One NodeInverse of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class NodeInverseRef {
+  using Record = NodeInverseRecord<Real, Formats>;
+
+ public:
+  using Value = NodeInverse<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit NodeInverseRef(const Cursor& cursor) : at_(cursor) {}
+  NodeInverseRef(const NodeInverseRef&) = default;
+  NodeInverseRef& operator=(const NodeInverseRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeInverseRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// -K^-1 over the free components, 0 in prescribed ones. Symmetric, 6 stored.
+  PHYSGEN_FUNCTION decltype(auto) D() const {
+    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::D, Real>(Record::D);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.D = D().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { D() = value.D; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of NodeInverse.
+struct NodeInverseObject {
+  static constexpr std::string_view name = "quasistatic::NodeInverse";
+  template <class Real>
+  using Value = NodeInverse<Real>;
+  template <class Real, class Formats>
+  using Record = NodeInverseRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeInverseRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::D, Real>(
+        "D", "", NodeInverseRecord<Real, Formats>::D, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = NodeInverseFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeInverseObject, Space>>
+using NodeInverseView = physgen::View<NodeInverseObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<NodeInverseObject, Space>>
+using NodeInverseArray = physgen::Array<NodeInverseObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeInverseObject, float, NodeInverseFormats<physgen::Host>>(24, 4, {0}));
+static_assert(physgen::is_sound_record<NodeInverseObject, double, NodeInverseFormats<physgen::Host>>(48, 8, {0}));
+
+// ---- TetTangent -----------------------------------------------------------------------------------------------------
+
+/// The tangent of one tet: the blocks of its edges are formed from it where they are summed.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct TetTangent {
+  /// principal directions in the current shape
+  Eigen::Matrix<Real, 3, 3> U;
+  /// by columns: V^T grad of corners j, k, l [1/m]
+  Eigen::Matrix<Real, 3, 3> g;
+  /// volume times those of StressDerivative [N m]
+  Real x1111;
+  /// volume times those of StressDerivative [N m]
+  Real x2211;
+  /// volume times those of StressDerivative [N m]
+  Real x3311;
+  /// volume times those of StressDerivative [N m]
+  Real x2222;
+  /// volume times those of StressDerivative [N m]
+  Real x3322;
+  /// volume times those of StressDerivative [N m]
+  Real x3333;
+  /// volume times those of StressDerivative [N m]
+  Real x2121;
+  /// volume times those of StressDerivative [N m]
+  Real x2112;
+  /// volume times those of StressDerivative [N m]
+  Real x3131;
+  /// volume times those of StressDerivative [N m]
+  Real x3113;
+  /// volume times those of StressDerivative [N m]
+  Real x3232;
+  /// volume times those of StressDerivative [N m]
+  Real x3223;
+};
+
+/// How the fields of one TetTangent are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of TetTangentArray.
+template <class Space>
+struct TetTangentFormats {
+  using U = physgen::format::Native;
+  using g = physgen::format::Native;
+  using x1111 = physgen::format::Native;
+  using x2211 = physgen::format::Native;
+  using x3311 = physgen::format::Native;
+  using x2222 = physgen::format::Native;
+  using x3322 = physgen::format::Native;
+  using x3333 = physgen::format::Native;
+  using x2121 = physgen::format::Native;
+  using x2112 = physgen::format::Native;
+  using x3131 = physgen::format::Native;
+  using x3113 = physgen::format::Native;
+  using x3232 = physgen::format::Native;
+  using x3223 = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one TetTangent [bytes].
+template <class Real, class Formats>
+struct TetTangentRecord {
+  static constexpr auto plan_ = physgen::plan_record<14>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::U, Real>(),
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::g, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x1111, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2211, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3311, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2222, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3322, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3333, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2121, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x2112, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3131, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3113, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3232, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::x3223, Real>(),
+  }});
+  static constexpr int U = plan_.offset[0];
+  static constexpr int g = plan_.offset[1];
+  static constexpr int x1111 = plan_.offset[2];
+  static constexpr int x2211 = plan_.offset[3];
+  static constexpr int x3311 = plan_.offset[4];
+  static constexpr int x2222 = plan_.offset[5];
+  static constexpr int x3322 = plan_.offset[6];
+  static constexpr int x3333 = plan_.offset[7];
+  static constexpr int x2121 = plan_.offset[8];
+  static constexpr int x2112 = plan_.offset[9];
+  static constexpr int x3131 = plan_.offset[10];
+  static constexpr int x3113 = plan_.offset[11];
+  static constexpr int x3232 = plan_.offset[12];
+  static constexpr int x3223 = plan_.offset[13];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One TetTangent of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class TetTangentRef {
+  using Record = TetTangentRecord<Real, Formats>;
+
+ public:
+  using Value = TetTangent<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit TetTangentRef(const Cursor& cursor) : at_(cursor) {}
+  TetTangentRef(const TetTangentRef&) = default;
+  TetTangentRef& operator=(const TetTangentRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const TetTangentRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// principal directions in the current shape
+  PHYSGEN_FUNCTION decltype(auto) U() const {
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::U, Real>(Record::U);
+  }
+  /// by columns: V^T grad of corners j, k, l [1/m]
+  PHYSGEN_FUNCTION decltype(auto) g() const {
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::g, Real>(Record::g);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x1111() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x1111, Real>(Record::x1111);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x2211() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2211, Real>(Record::x2211);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x3311() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3311, Real>(Record::x3311);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x2222() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2222, Real>(Record::x2222);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x3322() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3322, Real>(Record::x3322);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x3333() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3333, Real>(Record::x3333);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x2121() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2121, Real>(Record::x2121);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x2112() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x2112, Real>(Record::x2112);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x3131() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3131, Real>(Record::x3131);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x3113() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3113, Real>(Record::x3113);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x3232() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3232, Real>(Record::x3232);
+  }
+  /// volume times those of StressDerivative [N m]
+  PHYSGEN_FUNCTION decltype(auto) x3223() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::x3223, Real>(Record::x3223);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.U = U().get();
+    value.g = g().get();
+    value.x1111 = x1111();
+    value.x2211 = x2211();
+    value.x3311 = x3311();
+    value.x2222 = x2222();
+    value.x3322 = x3322();
+    value.x3333 = x3333();
+    value.x2121 = x2121();
+    value.x2112 = x2112();
+    value.x3131 = x3131();
+    value.x3113 = x3113();
+    value.x3232 = x3232();
+    value.x3223 = x3223();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    U() = value.U;
+    g() = value.g;
+    x1111() = value.x1111;
+    x2211() = value.x2211;
+    x3311() = value.x3311;
+    x2222() = value.x2222;
+    x3322() = value.x3322;
+    x3333() = value.x3333;
+    x2121() = value.x2121;
+    x2112() = value.x2112;
+    x3131() = value.x3131;
+    x3113() = value.x3113;
+    x3232() = value.x3232;
+    x3223() = value.x3223;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of TetTangent.
+struct TetTangentObject {
+  static constexpr std::string_view name = "quasistatic::TetTangent";
+  template <class Real>
+  using Value = TetTangent<Real>;
+  template <class Real, class Formats>
+  using Record = TetTangentRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = TetTangentRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 14> fields = {{
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::U, Real>(
+        "U", "", TetTangentRecord<Real, Formats>::U, 1, 0.0),
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::g, Real>(
+        "g", "1/m", TetTangentRecord<Real, Formats>::g, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x1111, Real>(
+        "x1111", "N m", TetTangentRecord<Real, Formats>::x1111, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2211, Real>(
+        "x2211", "N m", TetTangentRecord<Real, Formats>::x2211, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3311, Real>(
+        "x3311", "N m", TetTangentRecord<Real, Formats>::x3311, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2222, Real>(
+        "x2222", "N m", TetTangentRecord<Real, Formats>::x2222, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3322, Real>(
+        "x3322", "N m", TetTangentRecord<Real, Formats>::x3322, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3333, Real>(
+        "x3333", "N m", TetTangentRecord<Real, Formats>::x3333, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2121, Real>(
+        "x2121", "N m", TetTangentRecord<Real, Formats>::x2121, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x2112, Real>(
+        "x2112", "N m", TetTangentRecord<Real, Formats>::x2112, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3131, Real>(
+        "x3131", "N m", TetTangentRecord<Real, Formats>::x3131, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3113, Real>(
+        "x3113", "N m", TetTangentRecord<Real, Formats>::x3113, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3232, Real>(
+        "x3232", "N m", TetTangentRecord<Real, Formats>::x3232, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::x3223, Real>(
+        "x3223", "N m", TetTangentRecord<Real, Formats>::x3223, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = TetTangentFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<TetTangentObject, Space>>
+using TetTangentView = physgen::View<TetTangentObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<TetTangentObject, Space>>
+using TetTangentArray = physgen::Array<TetTangentObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<TetTangentObject, float, TetTangentFormats<physgen::Host>>(
+    120, 4, {0, 36, 72, 76, 80, 84, 88, 92, 96, 100, 104, 108, 112, 116}));
+static_assert(physgen::is_sound_record<TetTangentObject, double, TetTangentFormats<physgen::Host>>(
+    240, 8, {0, 72, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232}));
+
+// ---- TetPatch -------------------------------------------------------------------------------------------------------
+
+/// Which patch a tet's volume is averaged over.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct TetPatch {
+  /// number of its VolumePatch
+  physgen::same_lanes_t<Real, std::int32_t> patch;
+};
+
+/// How the fields of one TetPatch are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of TetPatchArray.
+template <class Space>
+struct TetPatchFormats {
+};
+
+/// Where each field begins in the record of one TetPatch [bytes].
+template <class Real, class Formats>
+struct TetPatchRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int patch = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One TetPatch of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class TetPatchRef {
+  using Record = TetPatchRecord<Real, Formats>;
+
+ public:
+  using Value = TetPatch<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit TetPatchRef(const Cursor& cursor) : at_(cursor) {}
+  TetPatchRef(const TetPatchRef&) = default;
+  TetPatchRef& operator=(const TetPatchRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const TetPatchRef&& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// number of its VolumePatch
+  PHYSGEN_FUNCTION decltype(auto) patch() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::patch);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.patch = patch();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { patch() = value.patch; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of TetPatch.
+struct TetPatchObject {
+  static constexpr std::string_view name = "quasistatic::TetPatch";
+  template <class Real>
+  using Value = TetPatch<Real>;
+  template <class Real, class Formats>
+  using Record = TetPatchRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = TetPatchRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "patch", "", TetPatchRecord<Real, Formats>::patch, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = TetPatchFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<TetPatchObject, Space>>
+using TetPatchView = physgen::View<TetPatchObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<TetPatchObject, Space>>
+using TetPatchArray = physgen::Array<TetPatchObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<TetPatchObject, float, TetPatchFormats<physgen::Host>>(4, 4, {0}));
+static_assert(physgen::is_sound_record<TetPatchObject, double, TetPatchFormats<physgen::Host>>(4, 4, {0}));
+
+// ---- PatchParent ----------------------------------------------------------------------------------------------------
+
+/// The patch of the next coarser level where a patch lies.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PatchParent {
+  /// number of a VolumePatch of the coarser level
+  physgen::same_lanes_t<Real, std::int32_t> patch;
+};
+
+/// How the fields of one PatchParent are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of PatchParentArray.
+template <class Space>
+struct PatchParentFormats {
+};
+
+/// Where each field begins in the record of one PatchParent [bytes].
+template <class Real, class Formats>
+struct PatchParentRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int patch = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PatchParent of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PatchParentRef {
+  using Record = PatchParentRecord<Real, Formats>;
+
+ public:
+  using Value = PatchParent<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PatchParentRef(const Cursor& cursor) : at_(cursor) {}
+  PatchParentRef(const PatchParentRef&) = default;
+  PatchParentRef& operator=(const PatchParentRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PatchParentRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// number of a VolumePatch of the coarser level
+  PHYSGEN_FUNCTION decltype(auto) patch() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::patch);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.patch = patch();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { patch() = value.patch; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PatchParent.
+struct PatchParentObject {
+  static constexpr std::string_view name = "quasistatic::PatchParent";
+  template <class Real>
+  using Value = PatchParent<Real>;
+  template <class Real, class Formats>
+  using Record = PatchParentRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PatchParentRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "patch", "", PatchParentRecord<Real, Formats>::patch, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PatchParentFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PatchParentObject, Space>>
+using PatchParentView = physgen::View<PatchParentObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PatchParentObject, Space>>
+using PatchParentArray = physgen::Array<PatchParentObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PatchParentObject, float, PatchParentFormats<physgen::Host>>(4, 4, {0}));
+static_assert(physgen::is_sound_record<PatchParentObject, double, PatchParentFormats<physgen::Host>>(4, 4, {0}));
+
+// ---- PatchNodes -----------------------------------------------------------------------------------------------------
+
+/// The nodes of a patch of tets.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PatchNodes {
+  /// unused ones repeat the first
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 8, 1> nodes;
+};
+
+/// How the fields of one PatchNodes are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of PatchNodesArray.
+template <class Space>
+struct PatchNodesFormats {
+};
+
+/// Where each field begins in the record of one PatchNodes [bytes].
+template <class Real, class Formats>
+struct PatchNodesRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<8>, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int nodes = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PatchNodes of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PatchNodesRef {
+  using Record = PatchNodesRecord<Real, Formats>;
+
+ public:
+  using Value = PatchNodes<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PatchNodesRef(const Cursor& cursor) : at_(cursor) {}
+  PatchNodesRef(const PatchNodesRef&) = default;
+  PatchNodesRef& operator=(const PatchNodesRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PatchNodesRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// unused ones repeat the first
+  PHYSGEN_FUNCTION decltype(auto) nodes() const {
+    return at_.template field<physgen::shape::Vector<8>, physgen::format::Native, std::int32_t>(Record::nodes);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.nodes = nodes().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { nodes() = value.nodes; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PatchNodes.
+struct PatchNodesObject {
+  static constexpr std::string_view name = "quasistatic::PatchNodes";
+  template <class Real>
+  using Value = PatchNodes<Real>;
+  template <class Real, class Formats>
+  using Record = PatchNodesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PatchNodesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Vector<8>, physgen::format::Native, std::int32_t>(
+        "nodes", "", PatchNodesRecord<Real, Formats>::nodes, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PatchNodesFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PatchNodesObject, Space>>
+using PatchNodesView = physgen::View<PatchNodesObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PatchNodesObject, Space>>
+using PatchNodesArray = physgen::Array<PatchNodesObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PatchNodesObject, float, PatchNodesFormats<physgen::Host>>(32, 4, {0}));
+static_assert(physgen::is_sound_record<PatchNodesObject, double, PatchNodesFormats<physgen::Host>>(32, 4, {0}));
+
+// ---- PatchTet -------------------------------------------------------------------------------------------------------
+
+/// A tet of a patch.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PatchTet {
+  /// its number
+  physgen::same_lanes_t<Real, std::int32_t> tet;
+  /// which of the patch's nodes its corners are: 3 bits each, corner i lowest
+  physgen::same_lanes_t<Real, std::int32_t> slots;
+};
+
+/// How the fields of one PatchTet are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of PatchTetArray.
+template <class Space>
+struct PatchTetFormats {
+};
+
+/// Where each field begins in the record of one PatchTet [bytes].
+template <class Real, class Formats>
+struct PatchTetRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int tet = plan_.offset[0];
+  static constexpr int slots = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PatchTet of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PatchTetRef {
+  using Record = PatchTetRecord<Real, Formats>;
+
+ public:
+  using Value = PatchTet<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PatchTetRef(const Cursor& cursor) : at_(cursor) {}
+  PatchTetRef(const PatchTetRef&) = default;
+  PatchTetRef& operator=(const PatchTetRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PatchTetRef&& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// its number
+  PHYSGEN_FUNCTION decltype(auto) tet() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::tet);
+  }
+  /// which of the patch's nodes its corners are: 3 bits each, corner i lowest
+  PHYSGEN_FUNCTION decltype(auto) slots() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::slots);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.tet = tet();
+    value.slots = slots();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    tet() = value.tet;
+    slots() = value.slots;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PatchTet.
+struct PatchTetObject {
+  static constexpr std::string_view name = "quasistatic::PatchTet";
+  template <class Real>
+  using Value = PatchTet<Real>;
+  template <class Real, class Formats>
+  using Record = PatchTetRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PatchTetRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "tet", "", PatchTetRecord<Real, Formats>::tet, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "slots", "", PatchTetRecord<Real, Formats>::slots, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PatchTetFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PatchTetObject, Space>>
+using PatchTetView = physgen::View<PatchTetObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<PatchTetObject, Space>>
+using PatchTetArray = physgen::Array<PatchTetObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PatchTetObject, float, PatchTetFormats<physgen::Host>>(8, 4, {0, 4}));
+static_assert(physgen::is_sound_record<PatchTetObject, double, PatchTetFormats<physgen::Host>>(8, 4, {0, 4}));
+
+// ---- VolumePatch ----------------------------------------------------------------------------------------------------
+
+/// The volume of a patch and what resists its change.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct VolumePatch {
+  /// at rest [m^3]
+  Real volume;
+  /// T: current over rest volume [1]
+  Real ratio;
+  /// U'(T): of the forces [Pa]
+  Real pressure;
+  /// pi, which converges to U'(T) T or, of a quadratic law, to U'(T) [Pa]
+  Real linearised;
+  /// of the tangent [Pa]
+  Real tangent_pressure;
+  /// pi before a Newton step, and after all of it [Pa]
+  Real before;
+  /// pi before a Newton step, and after all of it [Pa]
+  Real full;
+};
+
+/// How the fields of one VolumePatch are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of VolumePatchArray.
+template <class Space>
+struct VolumePatchFormats {
+  using volume = physgen::format::Native;
+  using ratio = physgen::format::Native;
+  using pressure = physgen::format::Native;
+  using linearised = physgen::format::Native;
+  using tangent_pressure = physgen::format::Native;
+  using before = physgen::format::Native;
+  using full = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one VolumePatch [bytes].
+template <class Real, class Formats>
+struct VolumePatchRecord {
+  static constexpr auto plan_ = physgen::plan_record<7>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::volume, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::ratio, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::pressure, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::linearised, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::tangent_pressure, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::before, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::full, Real>(),
+  }});
+  static constexpr int volume = plan_.offset[0];
+  static constexpr int ratio = plan_.offset[1];
+  static constexpr int pressure = plan_.offset[2];
+  static constexpr int linearised = plan_.offset[3];
+  static constexpr int tangent_pressure = plan_.offset[4];
+  static constexpr int before = plan_.offset[5];
+  static constexpr int full = plan_.offset[6];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One VolumePatch of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class VolumePatchRef {
+  using Record = VolumePatchRecord<Real, Formats>;
+
+ public:
+  using Value = VolumePatch<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit VolumePatchRef(const Cursor& cursor) : at_(cursor) {}
+  VolumePatchRef(const VolumePatchRef&) = default;
+  VolumePatchRef& operator=(const VolumePatchRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const VolumePatchRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// at rest [m^3]
+  PHYSGEN_FUNCTION decltype(auto) volume() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::volume, Real>(Record::volume);
+  }
+  /// T: current over rest volume [1]
+  PHYSGEN_FUNCTION decltype(auto) ratio() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::ratio, Real>(Record::ratio);
+  }
+  /// U'(T): of the forces [Pa]
+  PHYSGEN_FUNCTION decltype(auto) pressure() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::pressure, Real>(Record::pressure);
+  }
+  /// pi, which converges to U'(T) T or, of a quadratic law, to U'(T) [Pa]
+  PHYSGEN_FUNCTION decltype(auto) linearised() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::linearised, Real>(Record::linearised);
+  }
+  /// of the tangent [Pa]
+  PHYSGEN_FUNCTION decltype(auto) tangent_pressure() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::tangent_pressure, Real>(
+        Record::tangent_pressure);
+  }
+  /// pi before a Newton step, and after all of it [Pa]
+  PHYSGEN_FUNCTION decltype(auto) before() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::before, Real>(Record::before);
+  }
+  /// pi before a Newton step, and after all of it [Pa]
+  PHYSGEN_FUNCTION decltype(auto) full() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::full, Real>(Record::full);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.volume = volume();
+    value.ratio = ratio();
+    value.pressure = pressure();
+    value.linearised = linearised();
+    value.tangent_pressure = tangent_pressure();
+    value.before = before();
+    value.full = full();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    volume() = value.volume;
+    ratio() = value.ratio;
+    pressure() = value.pressure;
+    linearised() = value.linearised;
+    tangent_pressure() = value.tangent_pressure;
+    before() = value.before;
+    full() = value.full;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of VolumePatch.
+struct VolumePatchObject {
+  static constexpr std::string_view name = "quasistatic::VolumePatch";
+  template <class Real>
+  using Value = VolumePatch<Real>;
+  template <class Real, class Formats>
+  using Record = VolumePatchRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = VolumePatchRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 7> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::volume, Real>(
+        "volume", "m^3", VolumePatchRecord<Real, Formats>::volume, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::ratio, Real>(
+        "ratio", "1", VolumePatchRecord<Real, Formats>::ratio, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::pressure, Real>(
+        "pressure", "Pa", VolumePatchRecord<Real, Formats>::pressure, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::linearised, Real>(
+        "linearised", "Pa", VolumePatchRecord<Real, Formats>::linearised, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::tangent_pressure, Real>(
+        "tangent_pressure", "Pa", VolumePatchRecord<Real, Formats>::tangent_pressure, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::before, Real>(
+        "before", "Pa", VolumePatchRecord<Real, Formats>::before, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::full, Real>(
+        "full", "Pa", VolumePatchRecord<Real, Formats>::full, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = VolumePatchFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<VolumePatchObject, Space>>
+using VolumePatchView = physgen::View<VolumePatchObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<VolumePatchObject, Space>>
+using VolumePatchArray = physgen::Array<VolumePatchObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<VolumePatchObject, float, VolumePatchFormats<physgen::Host>>(
+    28, 4, {0, 4, 8, 12, 16, 20, 24}));
+static_assert(physgen::is_sound_record<VolumePatchObject, double, VolumePatchFormats<physgen::Host>>(
+    56, 8, {0, 8, 16, 24, 32, 40, 48}));
+
+// ---- CoarseInverse --------------------------------------------------------------------------------------------------
+
+/// A block of the inverse of the coarsest level's stiffness, which is dense.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct CoarseInverse {
+  /// of nodes i and j of n, in object i n + j
+  Eigen::Matrix<Real, 3, 3> G;
+};
+
+/// How the fields of one CoarseInverse are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of CoarseInverseArray.
+template <class Space>
+struct CoarseInverseFormats {
+  using G = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one CoarseInverse [bytes].
+template <class Real, class Formats>
+struct CoarseInverseRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(),
+  }});
+  static constexpr int G = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One CoarseInverse of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class CoarseInverseRef {
+  using Record = CoarseInverseRecord<Real, Formats>;
+
+ public:
+  using Value = CoarseInverse<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit CoarseInverseRef(const Cursor& cursor) : at_(cursor) {}
+  CoarseInverseRef(const CoarseInverseRef&) = default;
+  CoarseInverseRef& operator=(const CoarseInverseRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const CoarseInverseRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// of nodes i and j of n, in object i n + j
+  PHYSGEN_FUNCTION decltype(auto) G() const {
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(Record::G);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.G = G().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { G() = value.G; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of CoarseInverse.
+struct CoarseInverseObject {
+  static constexpr std::string_view name = "quasistatic::CoarseInverse";
+  template <class Real>
+  using Value = CoarseInverse<Real>;
+  template <class Real, class Formats>
+  using Record = CoarseInverseRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = CoarseInverseRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::G, Real>(
+        "G", "", CoarseInverseRecord<Real, Formats>::G, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = CoarseInverseFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<CoarseInverseObject, Space>>
+using CoarseInverseView = physgen::View<CoarseInverseObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<CoarseInverseObject, Space>>
+using CoarseInverseArray = physgen::Array<CoarseInverseObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<CoarseInverseObject, float, CoarseInverseFormats<physgen::Host>>(36, 4, {0}));
+static_assert(physgen::is_sound_record<CoarseInverseObject, double, CoarseInverseFormats<physgen::Host>>(72, 8, {0}));
+
+// ---- PatchTangent ---------------------------------------------------------------------------------------------------
+
+/// The part of the tangent that a patch's volume has: k g g^T.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PatchTangent {
+  /// by columns: change of the patch's volume with its nodes [m^2]
+  Eigen::Matrix<Real, 3, 8> g;
+  /// U''(T) / volume, or its linearised form [N/m^5]
+  Real k;
+};
+
+/// How the fields of one PatchTangent are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of PatchTangentArray.
+template <class Space>
+struct PatchTangentFormats {
+  using g = physgen::format::Native;
+  using k = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one PatchTangent [bytes].
+template <class Real, class Formats>
+struct PatchTangentRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Matrix<3, 8>, typename Formats::g, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::k, Real>(),
+  }});
+  static constexpr int g = plan_.offset[0];
+  static constexpr int k = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PatchTangent of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PatchTangentRef {
+  using Record = PatchTangentRecord<Real, Formats>;
+
+ public:
+  using Value = PatchTangent<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PatchTangentRef(const Cursor& cursor) : at_(cursor) {}
+  PatchTangentRef(const PatchTangentRef&) = default;
+  PatchTangentRef& operator=(const PatchTangentRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PatchTangentRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// by columns: change of the patch's volume with its nodes [m^2]
+  PHYSGEN_FUNCTION decltype(auto) g() const {
+    return at_.template field<physgen::shape::Matrix<3, 8>, typename Formats::g, Real>(Record::g);
+  }
+  /// U''(T) / volume, or its linearised form [N/m^5]
+  PHYSGEN_FUNCTION decltype(auto) k() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::k, Real>(Record::k);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.g = g().get();
+    value.k = k();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    g() = value.g;
+    k() = value.k;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PatchTangent.
+struct PatchTangentObject {
+  static constexpr std::string_view name = "quasistatic::PatchTangent";
+  template <class Real>
+  using Value = PatchTangent<Real>;
+  template <class Real, class Formats>
+  using Record = PatchTangentRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PatchTangentRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Matrix<3, 8>, typename Formats::g, Real>(
+        "g", "m^2", PatchTangentRecord<Real, Formats>::g, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::k, Real>(
+        "k", "N/m^5", PatchTangentRecord<Real, Formats>::k, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PatchTangentFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PatchTangentObject, Space>>
+using PatchTangentView = physgen::View<PatchTangentObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PatchTangentObject, Space>>
+using PatchTangentArray = physgen::Array<PatchTangentObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PatchTangentObject, float, PatchTangentFormats<physgen::Host>>(100, 4, {0, 96}));
+static_assert(physgen::is_sound_record<PatchTangentObject, double, PatchTangentFormats<physgen::Host>>(
+    200, 8, {0, 192}));
+
+// ---- LinearSolve ----------------------------------------------------------------------------------------------------
+
+/// Conjugate gradients; in double.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct LinearSolve {
+  /// r . z of this iteration [N m]
+  Real rz;
+  /// of the first [N m]
+  Real rz_first;
+  /// of sqrt(rz / rz_first) [1]
+  Real tolerance;
+  /// the length of this step, and what the next keeps of its direction [1]
+  Real alpha;
+  /// the length of this step, and what the next keeps of its direction [1]
+  Real beta;
+  /// done
+  physgen::same_lanes_t<Real, std::int32_t> iterations;
+  /// fem::LinearStatus
+  physgen::same_lanes_t<Real, std::int32_t> status;
+};
+
+/// How the fields of one LinearSolve are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of LinearSolveArray.
+template <class Space>
+struct LinearSolveFormats {
+  using rz = physgen::format::Native;
+  using rz_first = physgen::format::Native;
+  using tolerance = physgen::format::Native;
+  using alpha = physgen::format::Native;
+  using beta = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one LinearSolve [bytes].
+template <class Real, class Formats>
+struct LinearSolveRecord {
+  static constexpr auto plan_ = physgen::plan_record<7>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::rz, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::rz_first, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::tolerance, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::alpha, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::beta, Real>(),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int rz = plan_.offset[0];
+  static constexpr int rz_first = plan_.offset[1];
+  static constexpr int tolerance = plan_.offset[2];
+  static constexpr int alpha = plan_.offset[3];
+  static constexpr int beta = plan_.offset[4];
+  static constexpr int iterations = plan_.offset[5];
+  static constexpr int status = plan_.offset[6];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One LinearSolve of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class LinearSolveRef {
+  using Record = LinearSolveRecord<Real, Formats>;
+
+ public:
+  using Value = LinearSolve<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit LinearSolveRef(const Cursor& cursor) : at_(cursor) {}
+  LinearSolveRef(const LinearSolveRef&) = default;
+  LinearSolveRef& operator=(const LinearSolveRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const LinearSolveRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// r . z of this iteration [N m]
+  PHYSGEN_FUNCTION decltype(auto) rz() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::rz, Real>(Record::rz);
+  }
+  /// of the first [N m]
+  PHYSGEN_FUNCTION decltype(auto) rz_first() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::rz_first, Real>(Record::rz_first);
+  }
+  /// of sqrt(rz / rz_first) [1]
+  PHYSGEN_FUNCTION decltype(auto) tolerance() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::tolerance, Real>(Record::tolerance);
+  }
+  /// the length of this step, and what the next keeps of its direction [1]
+  PHYSGEN_FUNCTION decltype(auto) alpha() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::alpha, Real>(Record::alpha);
+  }
+  /// the length of this step, and what the next keeps of its direction [1]
+  PHYSGEN_FUNCTION decltype(auto) beta() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::beta, Real>(Record::beta);
+  }
+  /// done
+  PHYSGEN_FUNCTION decltype(auto) iterations() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::iterations);
+  }
+  /// fem::LinearStatus
+  PHYSGEN_FUNCTION decltype(auto) status() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::status);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.rz = rz();
+    value.rz_first = rz_first();
+    value.tolerance = tolerance();
+    value.alpha = alpha();
+    value.beta = beta();
+    value.iterations = iterations();
+    value.status = status();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    rz() = value.rz;
+    rz_first() = value.rz_first;
+    tolerance() = value.tolerance;
+    alpha() = value.alpha;
+    beta() = value.beta;
+    iterations() = value.iterations;
+    status() = value.status;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of LinearSolve.
+struct LinearSolveObject {
+  static constexpr std::string_view name = "quasistatic::LinearSolve";
+  template <class Real>
+  using Value = LinearSolve<Real>;
+  template <class Real, class Formats>
+  using Record = LinearSolveRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = LinearSolveRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 7> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::rz, Real>(
+        "rz", "N m", LinearSolveRecord<Real, Formats>::rz, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::rz_first, Real>(
+        "rz_first", "N m", LinearSolveRecord<Real, Formats>::rz_first, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::tolerance, Real>(
+        "tolerance", "1", LinearSolveRecord<Real, Formats>::tolerance, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::alpha, Real>(
+        "alpha", "1", LinearSolveRecord<Real, Formats>::alpha, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::beta, Real>(
+        "beta", "1", LinearSolveRecord<Real, Formats>::beta, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "iterations", "", LinearSolveRecord<Real, Formats>::iterations, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "status", "", LinearSolveRecord<Real, Formats>::status, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = LinearSolveFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<LinearSolveObject, Space>>
+using LinearSolveView = physgen::View<LinearSolveObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<LinearSolveObject, Space>>
+using LinearSolveArray = physgen::Array<LinearSolveObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<LinearSolveObject, float, LinearSolveFormats<physgen::Host>>(
+    28, 4, {0, 4, 8, 12, 16, 20, 24}));
+static_assert(physgen::is_sound_record<LinearSolveObject, double, LinearSolveFormats<physgen::Host>>(
+    48, 8, {0, 8, 16, 24, 32, 40, 44}));
+
+// ---- Smoother -------------------------------------------------------------------------------------------------------
+
+/// How a level is smoothed.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct Smoother {
+  /// an estimate of the largest eigenvalue of -D K [1]
+  Real largest;
+  /// of the vector that power iterations began with [1]
+  Real length;
+};
+
+/// How the fields of one Smoother are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of SmootherArray.
+template <class Space>
+struct SmootherFormats {
+  using largest = physgen::format::Native;
+  using length = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one Smoother [bytes].
+template <class Real, class Formats>
+struct SmootherRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::largest, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::length, Real>(),
+  }});
+  static constexpr int largest = plan_.offset[0];
+  static constexpr int length = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One Smoother of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class SmootherRef {
+  using Record = SmootherRecord<Real, Formats>;
+
+ public:
+  using Value = Smoother<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit SmootherRef(const Cursor& cursor) : at_(cursor) {}
+  SmootherRef(const SmootherRef&) = default;
+  SmootherRef& operator=(const SmootherRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const SmootherRef&& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// an estimate of the largest eigenvalue of -D K [1]
+  PHYSGEN_FUNCTION decltype(auto) largest() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::largest, Real>(Record::largest);
+  }
+  /// of the vector that power iterations began with [1]
+  PHYSGEN_FUNCTION decltype(auto) length() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::length, Real>(Record::length);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.largest = largest();
+    value.length = length();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    largest() = value.largest;
+    length() = value.length;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of Smoother.
+struct SmootherObject {
+  static constexpr std::string_view name = "quasistatic::Smoother";
+  template <class Real>
+  using Value = Smoother<Real>;
+  template <class Real, class Formats>
+  using Record = SmootherRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = SmootherRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::largest, Real>(
+        "largest", "1", SmootherRecord<Real, Formats>::largest, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::length, Real>(
+        "length", "1", SmootherRecord<Real, Formats>::length, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = SmootherFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<SmootherObject, Space>>
+using SmootherView = physgen::View<SmootherObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<SmootherObject, Space>>
+using SmootherArray = physgen::Array<SmootherObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<SmootherObject, float, SmootherFormats<physgen::Host>>(8, 4, {0, 4}));
+static_assert(physgen::is_sound_record<SmootherObject, double, SmootherFormats<physgen::Host>>(16, 8, {0, 8}));
+
+// ---- Equilibrium ----------------------------------------------------------------------------------------------------
+
+/// Energy and residual of a state; in double.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct Equilibrium {
+  /// energy of the tets [J]
+  Real elastic;
+  /// energy of the patches [J]
+  Real volumetric;
+  /// potential of the external forces [J]
+  Real loads;
+  /// squared length of the forces in free components [N^2]
+  Real free_square;
+  /// squared length of the forces in prescribed components: the reactions [N^2]
+  Real fixed_square;
+  /// of the forces along a step [J]
+  Real work;
+  /// the smallest J [1]
+  Real smallest_ratio;
+};
+
+/// How the fields of one Equilibrium are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of EquilibriumArray.
+template <class Space>
+struct EquilibriumFormats {
+  using elastic = physgen::format::Native;
+  using volumetric = physgen::format::Native;
+  using loads = physgen::format::Native;
+  using free_square = physgen::format::Native;
+  using fixed_square = physgen::format::Native;
+  using work = physgen::format::Native;
+  using smallest_ratio = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one Equilibrium [bytes].
+template <class Real, class Formats>
+struct EquilibriumRecord {
+  static constexpr auto plan_ = physgen::plan_record<7>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::elastic, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::volumetric, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::loads, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::free_square, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::fixed_square, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::work, Real>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::smallest_ratio, Real>(),
+  }});
+  static constexpr int elastic = plan_.offset[0];
+  static constexpr int volumetric = plan_.offset[1];
+  static constexpr int loads = plan_.offset[2];
+  static constexpr int free_square = plan_.offset[3];
+  static constexpr int fixed_square = plan_.offset[4];
+  static constexpr int work = plan_.offset[5];
+  static constexpr int smallest_ratio = plan_.offset[6];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One Equilibrium of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class EquilibriumRef {
+  using Record = EquilibriumRecord<Real, Formats>;
+
+ public:
+  using Value = Equilibrium<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit EquilibriumRef(const Cursor& cursor) : at_(cursor) {}
+  EquilibriumRef(const EquilibriumRef&) = default;
+  EquilibriumRef& operator=(const EquilibriumRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const EquilibriumRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// energy of the tets [J]
+  PHYSGEN_FUNCTION decltype(auto) elastic() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::elastic, Real>(Record::elastic);
+  }
+  /// energy of the patches [J]
+  PHYSGEN_FUNCTION decltype(auto) volumetric() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::volumetric, Real>(Record::volumetric);
+  }
+  /// potential of the external forces [J]
+  PHYSGEN_FUNCTION decltype(auto) loads() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::loads, Real>(Record::loads);
+  }
+  /// squared length of the forces in free components [N^2]
+  PHYSGEN_FUNCTION decltype(auto) free_square() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::free_square, Real>(Record::free_square);
+  }
+  /// squared length of the forces in prescribed components: the reactions [N^2]
+  PHYSGEN_FUNCTION decltype(auto) fixed_square() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::fixed_square, Real>(Record::fixed_square);
+  }
+  /// of the forces along a step [J]
+  PHYSGEN_FUNCTION decltype(auto) work() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::work, Real>(Record::work);
+  }
+  /// the smallest J [1]
+  PHYSGEN_FUNCTION decltype(auto) smallest_ratio() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::smallest_ratio, Real>(Record::smallest_ratio);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.elastic = elastic();
+    value.volumetric = volumetric();
+    value.loads = loads();
+    value.free_square = free_square();
+    value.fixed_square = fixed_square();
+    value.work = work();
+    value.smallest_ratio = smallest_ratio();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    elastic() = value.elastic;
+    volumetric() = value.volumetric;
+    loads() = value.loads;
+    free_square() = value.free_square;
+    fixed_square() = value.fixed_square;
+    work() = value.work;
+    smallest_ratio() = value.smallest_ratio;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of Equilibrium.
+struct EquilibriumObject {
+  static constexpr std::string_view name = "quasistatic::Equilibrium";
+  template <class Real>
+  using Value = Equilibrium<Real>;
+  template <class Real, class Formats>
+  using Record = EquilibriumRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = EquilibriumRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 7> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elastic, Real>(
+        "elastic", "J", EquilibriumRecord<Real, Formats>::elastic, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::volumetric, Real>(
+        "volumetric", "J", EquilibriumRecord<Real, Formats>::volumetric, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::loads, Real>(
+        "loads", "J", EquilibriumRecord<Real, Formats>::loads, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::free_square, Real>(
+        "free_square", "N^2", EquilibriumRecord<Real, Formats>::free_square, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::fixed_square, Real>(
+        "fixed_square", "N^2", EquilibriumRecord<Real, Formats>::fixed_square, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::work, Real>(
+        "work", "J", EquilibriumRecord<Real, Formats>::work, 1, 0.0),
+    physgen::field_info<physgen::shape::Scalar, typename Formats::smallest_ratio, Real>(
+        "smallest_ratio", "1", EquilibriumRecord<Real, Formats>::smallest_ratio, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = EquilibriumFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<EquilibriumObject, Space>>
+using EquilibriumView = physgen::View<EquilibriumObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<EquilibriumObject, Space>>
+using EquilibriumArray = physgen::Array<EquilibriumObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<EquilibriumObject, float, EquilibriumFormats<physgen::Host>>(
+    28, 4, {0, 4, 8, 12, 16, 20, 24}));
+static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFormats<physgen::Host>>(
+    56, 8, {0, 8, 16, 24, 32, 40, 48}));
+
+}  // namespace quasistatic
+
+#endif  // PHYSGEN_QUASISTATIC_H_292E612B2A67F493

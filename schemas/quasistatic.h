@@ -1,0 +1,114 @@
+// Object types of the quasistatic solver: what Newton's method, conjugate gradients and the multigrid hierarchy keep
+// beside the elements and nodes of elasticity.h. Names of arrays say which member of a level each is.
+#pragma once
+
+#include <physgen/schema.h>
+
+namespace quasistatic {
+using namespace physgen::schema;
+
+// ---- Per node ----
+
+/// Which components of a node's position are prescribed: bit k is set for component k.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) NodeConstraint {
+  Index fixed;  ///< 0: free; 7: held in all directions
+};
+
+/// The two nodes of the next coarser level half-way between which a node lies; twice the same where it coincides.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) NodeParents {
+  Vector<2, Index> nodes;  ///< numbers on the coarser level
+};
+
+/// The scale of a node's unknowns inside the preconditioner, a power of two, so that scaling rounds nothing.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) NodeScale {
+  Scalar scale;    ///< the largest entry on the diagonal of scale^2 K is in [1/2, 2)
+  Scalar inverse;  ///< 1 / scale
+};
+
+/// The inverse of a node's diagonal block: block Jacobi.
+struct PHYSGEN_OBJECT() NodeInverse {
+  Symmetric<3> D;  ///< -K^-1 over the free components, 0 in prescribed ones
+};
+
+// ---- Per tet and per patch ----
+
+/// The tangent of one tet: the blocks of its edges are formed from it where they are summed.
+struct PHYSGEN_OBJECT() TetTangent {
+  Matrix<3, 3> U;                                                        ///< principal directions in the current shape
+  PHYSGEN(unit("1/m")) Matrix<3, 3> g;                                   ///< by columns: V^T grad of corners j, k, l
+  PHYSGEN(unit("N m")) Scalar x1111, x2211, x3311, x2222, x3322, x3333;  ///< volume times those of StressDerivative
+  PHYSGEN(unit("N m")) Scalar x2121, x2112, x3131, x3113, x3232, x3223;  ///< volume times those of StressDerivative
+};
+
+/// Which patch a tet's volume is averaged over.
+struct PHYSGEN_OBJECT() TetPatch {
+  Index patch;  ///< number of its VolumePatch
+};
+
+/// The patch of the next coarser level where a patch lies.
+struct PHYSGEN_OBJECT() PatchParent {
+  Index patch;  ///< number of a VolumePatch of the coarser level
+};
+
+/// The nodes of a patch of tets.
+struct PHYSGEN_OBJECT() PatchNodes {
+  Vector<8, Index> nodes;  ///< unused ones repeat the first
+};
+
+/// A tet of a patch.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) PatchTet {
+  Index tet;    ///< its number
+  Index slots;  ///< which of the patch's nodes its corners are: 3 bits each, corner i lowest
+};
+
+/// The volume of a patch and what resists its change.
+struct PHYSGEN_OBJECT() VolumePatch {
+  PHYSGEN(unit("m^3")) Scalar volume;           ///< at rest
+  PHYSGEN(unit("1")) Scalar ratio;              ///< T: current over rest volume
+  PHYSGEN(unit("Pa")) Scalar pressure;          ///< U'(T): of the forces
+  PHYSGEN(unit("Pa")) Scalar linearised;        ///< pi, which converges to U'(T) T or, of a quadratic law, to U'(T)
+  PHYSGEN(unit("Pa")) Scalar tangent_pressure;  ///< of the tangent
+  PHYSGEN(unit("Pa")) Scalar before, full;      ///< pi before a Newton step, and after all of it
+};
+
+/// A block of the inverse of the coarsest level's stiffness, which is dense.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) CoarseInverse {
+  Matrix<3, 3> G;  ///< of nodes i and j of n, in object i n + j
+};
+
+/// The part of the tangent that a patch's volume has: k g g^T.
+struct PHYSGEN_OBJECT() PatchTangent {
+  PHYSGEN(unit("m^2")) Matrix<3, 8> g;   ///< by columns: change of the patch's volume with its nodes
+  PHYSGEN(unit("N/m^5")) Scalar k;       ///< U''(T) / volume, or its linearised form
+};
+
+// ---- One object each: numbers that kernels leave for kernels ----
+
+/// Conjugate gradients; in double.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) LinearSolve {
+  PHYSGEN(unit("N m")) Scalar rz;         ///< r . z of this iteration
+  PHYSGEN(unit("N m")) Scalar rz_first;   ///< of the first
+  PHYSGEN(unit("1")) Scalar tolerance;    ///< of sqrt(rz / rz_first)
+  PHYSGEN(unit("1")) Scalar alpha, beta;  ///< the length of this step, and what the next keeps of its direction
+  Index iterations;                       ///< done
+  Index status;                           ///< fem::LinearStatus
+};
+
+/// How a level is smoothed.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Smoother {
+  PHYSGEN(unit("1")) Scalar largest;  ///< an estimate of the largest eigenvalue of -D K
+  PHYSGEN(unit("1")) Scalar length;   ///< of the vector that power iterations began with
+};
+
+/// Energy and residual of a state; in double.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Equilibrium {
+  PHYSGEN(unit("J")) Scalar elastic;         ///< energy of the tets
+  PHYSGEN(unit("J")) Scalar volumetric;      ///< energy of the patches
+  PHYSGEN(unit("J")) Scalar loads;           ///< potential of the external forces
+  PHYSGEN(unit("N^2")) Scalar free_square;   ///< squared length of the forces in free components
+  PHYSGEN(unit("N^2")) Scalar fixed_square;  ///< squared length of the forces in prescribed components: the reactions
+  PHYSGEN(unit("J")) Scalar work;            ///< of the forces along a step
+  PHYSGEN(unit("1")) Scalar smallest_ratio;  ///< the smallest J
+};
+
+}  // namespace quasistatic

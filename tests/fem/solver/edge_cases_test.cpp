@@ -1,0 +1,87 @@
+// Bodies without forces at the end, without free components, and states that are set from outside.
+#include <gtest/gtest.h>
+#include <physgen/error.h>
+
+#include "bodies.h"
+
+namespace physgen::fem {
+namespace {
+
+constexpr double side = 0.08;
+
+TEST(NoForces, unloading_leads_back_to_rest) {
+  for (const bool patches : {false, true}) {
+    for (const bool nested : {false, true}) {
+      const Body body = make_truth_cube_body(8, patches);
+      SolverSettings settings;
+      settings.nested = nested;
+      const auto solver = make_solver(body.levels, body.loading, settings);
+      ASSERT_EQ(solver->solve_to(0.125, {}).status, NewtonStatus::converged);
+      const NewtonResult result = solver->solve_to(0, {});
+      EXPECT_EQ(result.status, NewtonStatus::converged) << patches << nested;
+      EXPECT_LE(result.steps, 10) << patches << nested;
+      EXPECT_EQ(solver->load(), 0) << patches << nested;
+      EXPECT_LE(largest_distance(solver->positions(), body.levels[0].rest), 1e-5 * side) << patches << nested;
+    }
+  }
+}
+
+TEST(NoForces, a_load_that_moves_nothing_or_carries_all_is_reached) {
+  for (const double way : {0.0, 0.01}) {
+    Body body = make_truth_cube_body(8, true);
+    for (Point& motion : body.loading.motion) motion = {way, 0, 0};
+    SolverSettings settings;
+    const auto solver = make_solver(body.levels, body.loading, settings);
+    const NewtonResult result = solver->solve_to(1, {});
+    EXPECT_EQ(result.status, NewtonStatus::converged) << way;
+    EXPECT_LE(result.steps, 5) << way;
+    auto expected = body.levels[0].rest;
+    for (Point& x : expected) x[0] += way;
+    EXPECT_LE(largest_distance(solver->positions(), expected), 1e-5 * side) << way;
+  }
+}
+
+TEST(NoFreeComponent, plates_take_all_nodes_with_them) {
+  const Body body = make_truth_cube_body(1, false);
+  SolverSettings settings;
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  EXPECT_EQ(solver->solve_to(0.1, {}).status, NewtonStatus::converged);
+  EXPECT_NEAR(solver->positions()[7][2], 0.9 * side, 1e-15);
+}
+
+TEST(SetPositions, prescribed_components_are_where_the_load_has_them_in_the_end) {
+  for (const bool nested : {false, true}) {
+    const Body body = make_truth_cube_body(8, false);
+    SolverSettings settings;
+    settings.nested = nested;
+    settings.coarsest_nested = 0;
+    const auto solver = make_solver(body.levels, body.loading, settings);
+    auto squashed = body.levels[0].rest;
+    for (Point& x : squashed) x[2] *= 0.9;
+    solver->set_positions(squashed);
+    EXPECT_EQ(solver->solve_to(0, {}).status, NewtonStatus::converged) << nested;
+    EXPECT_LE(largest_distance(solver->positions(), body.levels[0].rest), 1e-5 * side) << nested;
+  }
+}
+
+TEST(Result, of_a_load_that_is_already_reached_tells_of_its_state) {
+  const Body body = make_truth_cube_body(4, true);
+  const auto solver = make_solver(body.levels, body.loading, SolverSettings{});
+  EXPECT_EQ(solver->solve_to(0, {}).smallest_J, 1);
+  const NewtonResult first = solver->solve_to(0.1, {}), again = solver->solve_to(0.1, {});
+  EXPECT_DOUBLE_EQ(again.smallest_J, first.smallest_J);
+  EXPECT_DOUBLE_EQ(again.reaction, first.reaction);
+  EXPECT_DOUBLE_EQ(again.energy, first.energy);
+}
+
+TEST(BadInput, patch_parents_that_do_not_fit_are_refused) {
+  const Body body = make_truth_cube_body(8, true);
+  auto fewer = body.levels, outside = body.levels;
+  fewer[0].patch_parents.resize(3);
+  outside[0].patch_parents[5] = 1 << 30;
+  EXPECT_THROW((void)make_solver(fewer, body.loading, SolverSettings{}), Error);
+  EXPECT_THROW((void)make_solver(outside, body.loading, SolverSettings{}), Error);
+}
+
+}  // namespace
+}  // namespace physgen::fem

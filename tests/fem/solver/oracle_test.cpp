@@ -1,0 +1,114 @@
+// The Truth Cube against displacements and reactions of another finite element code: see oracle/README.md.
+#include <gtest/gtest.h>
+#include <physgen/error.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "bodies.h"
+
+namespace physgen::fem {
+namespace {
+
+struct Bead {
+  Point rest, displacement;  // [m]
+};
+
+std::vector<Bead> read_oracle(const std::string& name) {
+  std::ifstream file(std::string(PHYSGEN_ORACLE_FOLDER) + "/" + name);
+  std::string line;
+  std::getline(file, line);
+  std::vector<Bead> beads;
+  while (std::getline(file, line)) {
+    std::istringstream numbers(line);
+    std::array<double, 6> v{};
+    char comma = 0;
+    for (double& number : v) {
+      numbers >> number;
+      numbers >> comma;
+    }
+    beads.push_back({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
+  }
+  EXPECT_EQ(beads.size(), 343) << name;
+  return beads;
+}
+
+struct Found {
+  double rms, max;  // [mm]
+  double reaction;  // over E [m^2]
+};
+
+/// Beads lie at nodes, where cells are a multiple of 8.
+std::vector<Found> compress(Index cells, bool patches, bool frictionless, double poissons_ratio) {
+  const Body body = make_truth_cube_body(cells, patches, frictionless);
+  SolverSettings settings;
+  settings.material = "neo-hookean";
+  settings.poissons_ratio = poissons_ratio;
+  settings.newton.tolerance = 1e-6;
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  std::vector<Found> found;
+  for (const char* compression : {"0.05", "0.125", "0.1825"}) {
+    EXPECT_EQ(solver->solve_to(std::stod(compression), {}).status, NewtonStatus::converged);
+    const auto positions = solver->positions(), forces = solver->forces();
+    const auto& rest = body.levels[0].rest;
+    Found f{};
+    double sum = 0;
+    const auto beads =
+        read_oracle(std::string("0.49_") + (frictionless ? "frictionless" : "bonded") + "_" + compression + ".csv");
+    for (const Bead& bead : beads) {
+      const auto at = [&](int k) { return std::lround(bead.rest[std::size_t(k)] / 0.08 * cells); };
+      const auto node = static_cast<std::size_t>(at(0) + (cells + 1) * (at(1) + (cells + 1) * at(2)));
+      double square = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(rest[node][k], bead.rest[k], 1e-12);
+        const double difference = 1e3 * (positions[node][k] - rest[node][k] - bead.displacement[k]);
+        square += difference * difference;
+      }
+      sum += square;
+      f.max = std::max(f.max, std::sqrt(square));
+    }
+    f.rms = std::sqrt(sum / double(beads.size()));
+    for (std::size_t n = 0; n < forces.size(); ++n) {
+      if (rest[n][2] == 0.08) f.reaction -= forces[n][2];
+    }
+    std::printf("%3d cells, %s, %s, compressed by %s: RMS %.4f mm, max %.4f mm, reaction / E %.6g m^2\n", int(cells),
+                patches ? "patches" : "tets", frictionless ? "frictionless" : "bonded", compression, f.rms, f.max,
+                f.reaction);
+    found.push_back(f);
+  }
+  return found;
+}
+
+TEST(Oracle, beads_of_16_cells_with_patches_lie_where_the_oracle_has_them_between_bonded_plates) {
+  const auto found = compress(16, true, false, 0.49);
+  EXPECT_LE(found[0].rms, 0.14 * 0.05 / 0.1825);
+  EXPECT_LE(found[1].rms, 0.14 * 0.125 / 0.1825);
+  EXPECT_LE(found[2].rms, 0.14);
+  const double reactions[] = {-4.1053e-4, -11.087e-4, -17.108e-4};
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k].reaction / reactions[k], 1, 0.055) << k;
+}
+
+TEST(Oracle, beads_of_16_cells_with_patches_lie_where_the_oracle_has_them_under_a_frictionless_plate) {
+  const auto found = compress(16, true, true, 0.49);
+  EXPECT_LE(found[0].rms, 0.18 * 0.05 / 0.1825);
+  EXPECT_LE(found[1].rms, 0.18 * 0.125 / 0.1825);
+  EXPECT_LE(found[2].rms, 0.18);
+  const double reactions[] = {-3.6939e-4, -10.025e-4, -15.637e-4};
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k].reaction / reactions[k], 1, 0.05) << k;
+}
+
+TEST(Oracle, tets_without_patches_lock_and_patches_halve_their_error_three_times_over) {
+  const auto tets = compress(16, false, false, 0.49), patches = compress(16, true, false, 0.49);
+  EXPECT_GE(tets[2].rms, 3 * patches[2].rms);
+  EXPECT_LE(tets[2].rms, 0.5);
+  EXPECT_LT(tets[2].reaction, 1.02 * patches[2].reaction);  // stiffer: a larger force, which is negative
+}
+
+TEST(Oracle, errors_fall_by_refinement) {
+  const auto coarse = compress(8, true, false, 0.49), fine = compress(16, true, false, 0.49);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_LE(fine[k].rms, 0.65 * coarse[k].rms) << k;
+}
+
+}  // namespace
+}  // namespace physgen::fem

@@ -1,0 +1,97 @@
+// The solver on CUDA against the solver on the CPU, and against itself.
+#include <gtest/gtest.h>
+#include <physgen/storage.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "bodies.h"
+
+namespace physgen::fem {
+namespace {
+
+struct Solved {
+  std::vector<Point> positions, forces;
+  std::vector<std::array<double, 9>> stresses;
+  NewtonResult result;
+  double seconds = 0;
+};
+
+Solved compress(const Body& body, SolverSettings settings, Device device, std::initializer_list<double> loads) {
+  settings.device = device;
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  Solved solved;
+  const auto start = std::chrono::steady_clock::now();
+  for (const double load : loads) solved.result = solver->solve_to(load, {});
+  solved.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  solved.positions = solver->positions();
+  solved.forces = solver->forces();
+  solved.stresses = solver->stresses();
+  return solved;
+}
+
+class SolverOnCuda : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!cuda_available()) GTEST_SKIP() << "no CUDA device";
+  }
+};
+
+TEST_F(SolverOnCuda, finds_the_equilibrium_that_the_cpu_finds) {
+  for (const TangentPrecision precision :
+       {TangentPrecision::half, TangentPrecision::float32, TangentPrecision::float64}) {
+    for (const bool patches : {false, true}) {
+      const Body body = make_truth_cube_body(8, patches);
+      SolverSettings settings;
+      settings.poissons_ratio = 0.49;
+      settings.precision = precision;
+      settings.newton.tolerance = 1e-9;
+      const Solved cpu = compress(body, settings, Device::cpu, {0.05, 0.125});
+      const Solved gpu = compress(body, settings, Device::cuda, {0.05, 0.125});
+      ASSERT_EQ(cpu.result.status, NewtonStatus::converged);
+      ASSERT_EQ(gpu.result.status, NewtonStatus::converged);
+      EXPECT_NEAR(gpu.result.steps, cpu.result.steps, 1);
+      EXPECT_NEAR(gpu.result.iterations, cpu.result.iterations, 3);
+      EXPECT_NEAR(gpu.result.energy / cpu.result.energy, 1, 1e-12);
+      EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-10) << patches;
+      EXPECT_LE(largest_distance(cpu.forces, gpu.forces), 1e-9 * cpu.result.reaction);
+      for (std::size_t t = 0; t < cpu.stresses.size(); ++t) {
+        for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(cpu.stresses[t][k], gpu.stresses[t][k], 1e-6) << t << " " << k;
+      }
+    }
+  }
+}
+
+TEST_F(SolverOnCuda, solves_with_every_material_and_preconditioner_as_the_cpu_does) {
+  for (const std::string& material : material_names()) {
+    for (const Preconditioner kind : {Preconditioner::multigrid, Preconditioner::block_jacobi, Preconditioner::none}) {
+      const Body body = make_truth_cube_body(4, can_average_volume(material));
+      SolverSettings settings;
+      settings.material = material;
+      settings.newton.preconditioner.kind = kind;
+      settings.newton.tolerance = 1e-9;
+      const Solved cpu = compress(body, settings, Device::cpu, {0.1}),
+                   gpu = compress(body, settings, Device::cuda, {0.1});
+      ASSERT_EQ(gpu.result.status, NewtonStatus::converged) << material;
+      EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-9) << material;
+    }
+  }
+}
+
+TEST_F(SolverOnCuda, goes_on_from_a_state_that_was_kept) {
+  const Body body = make_truth_cube_body(8, true);
+  SolverSettings settings;
+  settings.device = Device::cuda;
+  settings.newton.tolerance = 1e-9;
+  const auto whole = make_solver(body.levels, body.loading, settings);
+  ASSERT_EQ(whole->solve_to(0.05, {}).status, NewtonStatus::converged);
+  const SolverState kept = whole->state();
+  ASSERT_EQ(whole->solve_to(0.125, {}).status, NewtonStatus::converged);
+  const auto later = make_solver(body.levels, body.loading, settings);
+  later->restore(kept);
+  ASSERT_EQ(later->solve_to(0.125, {}).status, NewtonStatus::converged);
+  EXPECT_LE(largest_distance(later->positions(), whole->positions()), 1e-10);
+}
+
+}  // namespace
+}  // namespace physgen::fem

@@ -1,0 +1,101 @@
+// Preconditioned conjugate gradients over the stiffness of one level, as a program over an executor: on CUDA nothing in
+// it waits for the host.
+#pragma once
+
+#include <fem/solver/multigrid.h>
+#include <fem/solver/vector_steps.h>
+
+namespace physgen::fem {
+
+/// The vectors of one linear solve, by name.
+template <class Real, class Space>
+struct KrylovVectors {
+  elasticity::NodeDisplacementArray<Real, Space> step;           ///< dx
+  elasticity::NodeForceDifferentialArray<Real, Space> residual;  ///< r = f + K dx
+  elasticity::NodeDisplacementArray<Real, Space> direction;      ///< p
+  elasticity::NodeForceDifferentialArray<Real, Space> product;   ///< K p
+  quasistatic::LinearSolveArray<double, Space> state;
+
+  [[nodiscard]] index_t bytes() const { return bytes_of(step, residual, direction, product, state); }
+
+  explicit KrylovVectors(index_t nodes) : step(nodes), residual(nodes), direction(nodes), product(nodes), state(1) {}
+};
+
+/// Sets the tolerance on the device.
+template <class StateView>
+struct SetTolerance {
+  using Scalar = double;
+  StateView state;  ///< quasistatic::LinearSolve
+  double tolerance;
+  PHYSGEN_FUNCTION void operator()(index_t /*i*/) const { state[index_t{0}].tolerance() = tolerance; }
+};
+template <class View>
+SetTolerance(View, double) -> SetTolerance<View>;
+
+/// Begins with dx = 0.
+template <class StepView>
+struct ClearStep {
+  using Scalar = typename StepView::Precision;
+  StepView steps;  ///< elasticity::NodeDisplacement, written
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    steps[i].dx() = Vector3<S>(Vector3<S>::Constant(S(Scalar(0))));
+  }
+};
+template <class View>
+ClearStep(View) -> ClearStep<View>;
+
+/// Solves K dx = -f to sqrt(r . z) <= tolerance times its first value.
+/// @param loop of this level and these vectors
+/// @param v its residual holds f, 0 in prescribed components; on return dx, and the recurrence's residual
+/// @pre prepare() has been called for this level and its stiffness
+template <class On, class Levels, class Vectors>
+void solve(On& on, typename On::Loop& loop, Levels& levels, std::size_t top, Vectors& v,
+           const PreconditionerSettings& settings, double tolerance, int most_iterations) {
+  auto& level = *levels[top];
+  const index_t n = level.nodes();
+  const auto state = v.state.view();
+  const auto scales = level.scales.const_view();
+  const auto scaled = level.residual.view();
+  const auto step = v.step.view();
+  const auto residual = v.residual.view();
+  const auto direction = v.direction.view();
+  const auto product = v.product.view();
+  const auto z = level.correction.const_view();
+  const auto p = v.direction.const_view();
+  const auto r = v.residual.const_view();
+  const auto q = v.product.const_view();
+
+  on.run(1, SetTolerance{state, tolerance});
+  on.run(n, ClearStep{step});
+  on.run(n, ClearStep{direction});
+  on.run(n, ScaleResidual{scales, r, scaled});
+  precondition(on, levels, top, settings);
+  on.reduce(n, ResidualNorm{scales, r, z}, Sum{}, SetFirstNorm{state});
+  on.repeat(
+      loop, most_iterations,
+      [&] {
+        on.run(n,
+               TurnDirection{v.state.const_view(), scales, z, level.node_stiffness.const_view(), direction, product});
+        add_edges(on,
+                  SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                                   level.edges.const_view(), p, product},
+                  level.sums);
+        on.reduce(n, Curvature{p, q}, Sum{}, SetLength{state});
+        on.run(n, TakeStep{v.state.const_view(), level.constraints.const_view(), scales, p, q, step, residual, scaled});
+        precondition(on, levels, top, settings);
+        on.reduce(n, ResidualNorm{scales, r, z}, Sum{}, SetNextNorm{state});
+      },
+      HasEnded{v.state.const_view()});
+}
+
+/// Waits for a solve. The status is still `running` where the iterations did not suffice.
+template <class On, class Vectors>
+[[nodiscard]] LinearResult linear_result(On& on, const Vectors& v) {
+  const auto state = on.value(v.state);
+  return {int{state.iterations}, static_cast<LinearStatus>(int{state.status}),
+          state.rz_first > 0 ? std::sqrt(std::max(state.rz, 0.0) / state.rz_first) : 0.0};
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,166 @@
+// Kernel: all that Newton's method wants of the tets at once: energy, forces on the corners, and the tangent, from one
+// SVD in double. The tangent may be kept in float.
+#pragma once
+
+#include <fem/kernels/tet.h>
+#include <fem/materials/definiteness.h>
+#include <fem/numerics/svd.h>
+#include <physgen/kernel.h>
+
+namespace physgen::fem {
+
+using math::cast;
+
+/// The tets' volume is part of the material.
+struct NoPatches {
+  static constexpr bool averages = false;
+};
+
+/// The volume's part of the material is that of patches: the material given has none (lambda or kappa is 0), and each
+/// tet has the pressure of its patch.
+template <class TetPatchView, class VolumePatchView>
+struct PatchPressures {
+  static constexpr bool averages = true;
+  TetPatchView tets;        ///< quasistatic::TetPatch
+  VolumePatchView patches;  ///< quasistatic::VolumePatch
+};
+template <class... Views>
+PatchPressures(Views...) -> PatchPressures<Views...>;
+
+/// Negative eigenvalues of a tet's tangent: kept, or replaced by their absolute values. (Where zeros would replace
+/// them, a body without support may be left with no stiffness at all.)
+enum class TangentFilter { none, absolute };
+
+namespace detail {
+
+/// Dm^-1 [1/m] and volume [m^3] of a tet, from Dm.
+template <class S>
+struct TetShape {
+  Matrix3<S> dm_inverse;
+  S volume;
+};
+template <class S>
+PHYSGEN_FUNCTION inline TetShape<S> tet_shape(const Matrix3<S>& dm) {
+  using Real = RealOf<S>;
+  const Vector3<S> a = dm.col(0), b = dm.col(1), c = dm.col(2);
+  const Vector3<S> bc = cross3<S>(b, c), ca = cross3<S>(c, a), ab = cross3<S>(a, b);
+  const S determinant = dot3<S>(a, bc);
+  const S inverse = S(Real(1)) / determinant;
+  TetShape<S> shape;
+  shape.dm_inverse.row(0) = (bc * inverse).transpose();
+  shape.dm_inverse.row(1) = (ca * inverse).transpose();
+  shape.dm_inverse.row(2) = (ab * inverse).transpose();
+  shape.volume = determinant / S(Real(6));
+  return shape;
+}
+
+/// The derivative with that of `pressure` J added: q J has the stresses q s_b s_c.
+template <class S>
+PHYSGEN_FUNCTION inline PrincipalDerivative<S> with_pressure(PrincipalDerivative<S> d, const S& pressure,
+                                                             const Vector3<S>& s) {
+  const S q1 = pressure * s[0], q2 = pressure * s[1], q3 = pressure * s[2];
+  d.h21 += q3, d.h31 += q2, d.h32 += q1;
+  d.d21 -= q3, d.d31 -= q2, d.d32 -= q1;
+  d.s21 += q3, d.s31 += q2, d.s32 += q1;
+  return d;
+}
+
+/// A matrix in another precision.
+template <class Real, class S>
+PHYSGEN_FUNCTION inline auto cast_matrix(const Matrix3<S>& A) {
+  Matrix3<std::remove_cvref_t<decltype(cast<Real>(A(0, 0)))>> result;
+  PHYSGEN_UNROLL
+  for (int k = 0; k < 9; ++k) result.data()[k] = cast<Real>(A.data()[k]);
+  return result;
+}
+
+}  // namespace detail
+
+/// Returns the energy of the tets [J]: of the shear alone where patches average the volume.
+template <class Material, class Patches, class TetView, class RestView, class PositionView, class CornerView,
+          class TangentView>
+struct EvaluateTets {
+  using Scalar = typename CornerView::Precision;
+  Material material;       ///< in Scalar
+  Patches patches;         ///< NoPatches or PatchPressures
+  TetView tets;            ///< elasticity::Tet
+  RestView rest;           ///< elasticity::NodePosition, at rest
+  PositionView positions;  ///< elasticity::NodePosition, current
+  CornerView forces;       ///< elasticity::CornerForces, written
+  TangentView tangent;     ///< quasistatic::TetTangent, written
+  TangentFilter filter;
+
+  template <class I>
+  PHYSGEN_FUNCTION auto operator()(I i) const -> lanes_t<Scalar, I> {
+    using S = lanes_t<Scalar, I>;
+    using Real = typename TangentView::Precision;
+    const Matrix3<S> dm = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return rest[node].x().get(); });
+    const Matrix3<S> ds = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return positions[node].x().get(); });
+    const detail::TetShape<S> shape = detail::tet_shape<S>(dm);
+    const Svd<S> f = svd(multiply<S>(ds, shape.dm_inverse));
+
+    Vector3<S> g = material.stress(f.s);
+    PrincipalDerivative<S> d = material.derivative(f.s);
+    if constexpr (Patches::averages) {
+      const lanes_t<std::int32_t, I> p = patches.tets[i].patch();
+      const S pressure = patches.patches[p].pressure();
+      g[0] = fma(pressure, f.s[1] * f.s[2], g[0]);
+      g[1] = fma(pressure, f.s[0] * f.s[2], g[1]);
+      g[2] = fma(pressure, f.s[0] * f.s[1], g[2]);
+      d = detail::with_pressure<S>(d, patches.patches[p].tangent_pressure(), f.s);
+    }
+
+    const Matrix3<S> gradients = multiply<S>(shape.dm_inverse, f.V);  // row a: V^T grad of corner a + 1
+    const S minus_volume = -shape.volume;
+    Matrix3<S> ug;  // U diag(g)
+    PHYSGEN_UNROLL
+    for (int c = 0; c < 3; ++c) ug.col(c) = f.U.col(c) * (g[c] * minus_volume);
+    forces[i].G() = multiply_transpose<S>(ug, gradients);
+
+    if (filter == TangentFilter::absolute) d = AbsoluteEigenvalues{}(d);
+    const S half = shape.volume * S(Scalar(0.5));
+    const S& volume = shape.volume;
+    const auto out = tangent[i];
+    out.U() = detail::cast_matrix<Real>(f.U);
+    out.g() = detail::cast_matrix<Real>(Matrix3<S>(gradients.transpose()));
+    out.x1111() = cast<Real>(volume * d.h11);
+    out.x2211() = cast<Real>(volume * d.h21);
+    out.x3311() = cast<Real>(volume * d.h31);
+    out.x2222() = cast<Real>(volume * d.h22);
+    out.x3322() = cast<Real>(volume * d.h32);
+    out.x3333() = cast<Real>(volume * d.h33);
+    out.x2121() = cast<Real>(half * (d.d21 + d.s21));
+    out.x2112() = cast<Real>(half * (d.d21 - d.s21));
+    out.x3131() = cast<Real>(half * (d.d31 + d.s31));
+    out.x3113() = cast<Real>(half * (d.d31 - d.s31));
+    out.x3232() = cast<Real>(half * (d.d32 + d.s32));
+    out.x3223() = cast<Real>(half * (d.d32 - d.s32));
+    return volume * material.energy(f.s);
+  }
+};
+template <class Material, class Patches, class TetView, class RestView, class PositionView, class CornerView,
+          class TangentView>
+EvaluateTets(Material, Patches, TetView, RestView, PositionView, CornerView, TangentView, TangentFilter)
+    -> EvaluateTets<Material, Patches, TetView, RestView, PositionView, CornerView, TangentView>;
+
+/// Current over rest volume of each tet: J.
+template <class TetView, class RestView, class PositionView>
+struct VolumeRatio {
+  using Scalar = typename PositionView::Precision;
+  TetView tets;            ///< elasticity::Tet
+  RestView rest;           ///< elasticity::NodePosition, at rest
+  PositionView positions;  ///< elasticity::NodePosition, current
+
+  template <class I>
+  PHYSGEN_FUNCTION auto operator()(I i) const -> lanes_t<Scalar, I> {
+    using S = lanes_t<Scalar, I>;
+    const Matrix3<S> dm = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return rest[node].x().get(); });
+    const Matrix3<S> ds = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return positions[node].x().get(); });
+    const auto determinant = [](const Matrix3<S>& m) { return dot3<S>(m.col(0), cross3<S>(m.col(1), m.col(2))); };
+    return determinant(ds) / determinant(dm);
+  }
+};
+template <class... Views>
+VolumeRatio(Views...) -> VolumeRatio<Views...>;
+
+}  // namespace physgen::fem

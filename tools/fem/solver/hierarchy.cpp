@@ -1,0 +1,252 @@
+#include <fem/mesh/refine.h>
+#include <fem/solver/galerkin_block.h>
+#include <fem/solver/hierarchy.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace physgen::fem {
+
+namespace {
+
+using Pair = std::array<Index, 2>;
+
+/// Entries under the objects they belong to, in the order in which they come.
+class Lists {
+ public:
+  explicit Lists(std::size_t objects) : count_(objects + 1, 0) {}
+  void add(Index object, Index element, Index local) {
+    ++count_[static_cast<std::size_t>(object) + 1];
+    objects_.push_back(object);
+    entries_.push_back({element, local});
+  }
+  [[nodiscard]] IncidenceList take() {
+    if (entries_.size() > std::size_t{std::numeric_limits<Index>::max()}) {
+      throw Error("a list of the solver would have " + std::to_string(entries_.size()) +
+                  " entries, and 32-bit numbers reach 2^31 - 1: use fewer cells");
+    }
+    IncidenceList list;
+    list.first.resize(count_.size());
+    std::partial_sum(count_.begin(), count_.end(), list.first.begin());
+    list.entries.resize(entries_.size());
+    std::vector<Index> next(list.first.begin(), list.first.end() - 1);
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      list.entries[static_cast<std::size_t>(next[static_cast<std::size_t>(objects_[k])]++)] = entries_[k];
+    }
+    return list;
+  }
+
+ private:
+  std::vector<Index> count_, objects_;
+  std::vector<IncidenceEntry> entries_;
+};
+
+/// Numbers of edges by their ends: edges ascend, so those of a first node lie side by side.
+class EdgeNumbers {
+ public:
+  EdgeNumbers(Index nodes, const std::vector<Pair>& edges)
+      : edges_(edges), first_(static_cast<std::size_t>(nodes) + 1) {
+    for (const auto& [m, n] : edges) ++first_[static_cast<std::size_t>(m) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+  /// @pre m < n, and the edge exists
+  [[nodiscard]] Index of(Index m, Index n) const {
+    const auto from = edges_.begin() + first_[static_cast<std::size_t>(m)];
+    const auto to = edges_.begin() + first_[static_cast<std::size_t>(m) + 1];
+    const auto found = std::lower_bound(from, to, Pair{m, n});
+    if (found == to || *found != Pair{m, n}) {
+      throw Error("nodes " + std::to_string(m) + " and " + std::to_string(n) +
+                  " of the coarser level have no edge: the meshes are not nested");
+    }
+    return static_cast<Index>(found - edges_.begin());
+  }
+
+ private:
+  const std::vector<Pair>& edges_;
+  std::vector<Index> first_;
+};
+
+Pair ordered(Index a, Index b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+
+void sort_unique(std::vector<Pair>& pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+std::vector<Pair> patch_pairs(const VolumePatches& patches) {
+  std::vector<Pair> pairs;
+  for (std::size_t p = 0; p < patches.nodes.size(); ++p) {
+    const auto count = static_cast<std::size_t>(patches.node_counts[p]);
+    for (std::size_t a = 0; a < count; ++a) {
+      for (std::size_t b = a + 1; b < count; ++b) pairs.push_back(ordered(patches.nodes[p][a], patches.nodes[p][b]));
+    }
+  }
+  return pairs;
+}
+
+/// Coarse pairs that P^T K P of these edges may fill.
+void add_coarse_pairs(const std::vector<Pair>& edges, const std::vector<Pair>& parents, std::vector<Pair>& pairs) {
+  const auto add = [&](Index a, Index b) {
+    if (a != b) pairs.push_back(ordered(a, b));
+  };
+  for (const Pair& p : parents) add(p[0], p[1]);
+  for (const auto& [a, b] : edges) {
+    const Pair &p = parents[static_cast<std::size_t>(a)], &q = parents[static_cast<std::size_t>(b)];
+    for (const Index i : p) {
+      for (const Index j : q) add(i, j);
+    }
+  }
+  sort_unique(pairs);
+}
+
+IncidenceList node_edges_of(Index nodes, const std::vector<Pair>& edges) {
+  Lists lists(static_cast<std::size_t>(nodes));
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    lists.add(edges[e][0], static_cast<Index>(e), 0);
+    lists.add(edges[e][1], static_cast<Index>(e), 1);
+  }
+  return lists.take();
+}
+
+/// The parts of P^T K P, each a quarter of a fine block; equal ones of one coarse block are joined.
+void add_galerkin_terms(LevelGraph& fine, const LevelGraph& coarse) {
+  const EdgeNumbers numbers(coarse.nodes, coarse.edges);
+  Lists edges(coarse.edges.size());
+  const auto code = [](GalerkinBlock kind, int quarters) {
+    return static_cast<Index>(static_cast<int>(kind) + 4 * (quarters - 1));
+  };
+  for (std::size_t a = 0; a < fine.parents.size(); ++a) {
+    const auto [p, q] = fine.parents[a];
+    const auto node = static_cast<Index>(a);
+    if (p == q) continue;
+    const Pair pair = ordered(p, q);
+    edges.add(numbers.of(pair[0], pair[1]), node, code(GalerkinBlock::node, 1));
+  }
+  for (std::size_t e = 0; e < fine.edges.size(); ++e) {
+    const Pair& p = fine.parents[static_cast<std::size_t>(fine.edges[e][0])];
+    const Pair& q = fine.parents[static_cast<std::size_t>(fine.edges[e][1])];
+    const int p_count = p[0] == p[1] ? 1 : 2, q_count = q[0] == q[1] ? 1 : 2;
+    const int quarters = 4 / (p_count * q_count);
+    for (int i = 0; i < p_count; ++i) {
+      for (int j = 0; j < q_count; ++j) {
+        const Index A = p[static_cast<std::size_t>(i)], B = q[static_cast<std::size_t>(j)];
+        const auto edge = static_cast<Index>(e);
+        if (A == B) continue;  // of a coarse node: from its edges
+        const Pair pair = ordered(A, B);
+        edges.add(numbers.of(pair[0], pair[1]), edge,
+                  code(A < B ? GalerkinBlock::edge : GalerkinBlock::reverse, quarters));
+      }
+    }
+  }
+  fine.edge_terms = edges.take();
+}
+
+}  // namespace
+
+std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels) {
+  std::vector<LevelGraph> graphs(levels.size());
+  std::vector<Pair> inherited;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const MeshLevel& level = levels[l];
+    LevelGraph& graph = graphs[l];
+    graph.nodes = level.mesh.nodes;
+    graph.fixed = level.fixed;
+    const auto size = static_cast<std::size_t>(graph.nodes);
+    if (level.fixed.size() != size || level.rest.size() != size) {
+      throw Error("level " + std::to_string(l) + " has " + std::to_string(size) + " nodes, but " +
+                  std::to_string(level.rest.size()) + " positions and " + std::to_string(level.fixed.size()) +
+                  " constraints");
+    }
+    graph.edges = std::move(inherited);
+    graph.edges.insert(graph.edges.end(), level.mesh.edges.begin(), level.mesh.edges.end());
+    const std::vector<Pair> pairs = patch_pairs(level.patches);
+    graph.edges.insert(graph.edges.end(), pairs.begin(), pairs.end());
+    sort_unique(graph.edges);
+    graph.node_edges = node_edges_of(graph.nodes, graph.edges);
+    if (l + 1 == levels.size()) break;
+    const Index coarse_nodes = levels[l + 1].mesh.nodes;
+    const auto outside = [&](const Pair& p) {
+      return p[0] < 0 || p[1] < 0 || p[0] >= coarse_nodes || p[1] >= coarse_nodes;
+    };
+    if (level.parents.size() != size || std::any_of(level.parents.begin(), level.parents.end(), outside)) {
+      throw Error("level " + std::to_string(l) + ": every node needs two parents among the " +
+                  std::to_string(coarse_nodes) + " nodes of the next coarser level");
+    }
+    graph.parents = level.parents;
+    for (std::size_t a = 0; a < size; ++a) {
+      for (const Index p : graph.parents[a]) {
+        const std::uint8_t coarse = levels[l + 1].fixed[static_cast<std::size_t>(p)];
+        if ((level.fixed[a] & ~coarse) == 0) continue;
+        throw Error("level " + std::to_string(l) + ": components of node " + std::to_string(a) +
+                    " are prescribed that are free at its parent " + std::to_string(p) +
+                    " on the next coarser level; prescribe them there, too");
+      }
+    }
+    Lists children(static_cast<std::size_t>(coarse_nodes));
+    for (std::size_t a = 0; a < size; ++a) {
+      const auto [p, q] = graph.parents[a];
+      children.add(p, static_cast<Index>(a), p == q ? 2 : 1);
+      if (p != q) children.add(q, static_cast<Index>(a), 1);
+    }
+    graph.children = children.take();
+    inherited.clear();
+    add_coarse_pairs(graph.edges, graph.parents, inherited);
+  }
+  for (std::size_t l = 0; l + 1 < graphs.size(); ++l) add_galerkin_terms(graphs[l], graphs[l + 1]);
+  return graphs;
+}
+
+EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
+  const EdgeNumbers numbers(graph.nodes, graph.edges);
+  Lists tets(graph.edges.size()), patches(graph.edges.size());
+  for (std::size_t e = 0; e < level.mesh.edges.size(); ++e) {
+    const Index edge = numbers.of(level.mesh.edges[e][0], level.mesh.edges[e][1]);
+    for (auto k = static_cast<std::size_t>(level.mesh.edge_tets.first[e]);
+         k < static_cast<std::size_t>(level.mesh.edge_tets.first[e + 1]); ++k) {
+      tets.add(edge, level.mesh.edge_tets.entries[k].element, level.mesh.edge_tets.entries[k].local);
+    }
+  }
+  for (std::size_t p = 0; p < level.patches.nodes.size(); ++p) {
+    const auto& nodes = level.patches.nodes[p];
+    const Index count = level.patches.node_counts[p];
+    for (Index a = 0; a < count; ++a) {
+      for (Index b = 0; b < count; ++b) {
+        const Index m = nodes[static_cast<std::size_t>(a)], n = nodes[static_cast<std::size_t>(b)];
+        if (m < n) patches.add(numbers.of(m, n), static_cast<Index>(p), a + 8 * b);
+      }
+    }
+  }
+  return {tets.take(), patches.take()};
+}
+
+std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest) {
+  std::vector<MeshLevel> levels;
+  for (Index n = cells;; n /= 2) {
+    MeshLevel level;
+    level.mesh = make_box_mesh(n, n, n);
+    level.rest.reserve(static_cast<std::size_t>(level.mesh.nodes));
+    const auto at = [&](Index k) { return side * (double(k) / double(n)); };
+    for (Index z = 0; z <= n; ++z) {
+      for (Index y = 0; y <= n; ++y) {
+        for (Index x = 0; x <= n; ++x) level.rest.push_back({at(x), at(y), at(z)});
+      }
+    }
+    level.fixed.assign(level.rest.size(), 0);
+    if (patches) level.patches = cell_patches(level.mesh);
+    const bool last = n % 2 != 0 || n / 2 < coarsest;
+    if (!last) {
+      level.parents = box_parents(n / 2, n / 2, n / 2);
+      const Index half = n / 2;
+      for (Index c = 0; patches && c < n * n * n; ++c) {
+        level.patch_parents.push_back(c % n / 2 + half * (c / n % n / 2 + half * (c / n / n / 2)));
+      }
+    }
+    levels.push_back(std::move(level));
+    if (last) return levels;
+  }
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,55 @@
+// What the solver must know of its meshes, as plain lists on the host: the graph of nodes and edges of each level, how
+// a level hangs on the next coarser one, and what each coarse block of stiffness consists of.
+#pragma once
+
+#include <fem/mesh/mesh.h>
+#include <fem/mesh/patches.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace physgen::fem {
+
+/// A mesh on which equilibrium can be solved. The levels of a hierarchy are nested: the next coarser mesh has a node or
+/// the middle of an edge wherever this one has a node.
+struct MeshLevel {
+  TetMesh mesh;
+  std::vector<Point> rest;                    ///< [m]
+  std::vector<std::uint8_t> fixed;            ///< per node: bit k is set where component k is prescribed
+  VolumePatches patches;                      ///< none where the volume is not averaged
+  std::vector<std::array<Index, 2>> parents;  ///< per node, on the next coarser level; none on the coarsest
+  std::vector<Index> patch_parents;           ///< per patch: that of the next coarser level where it lies; or none
+};
+
+/// The nodes and edges of a level as its stiffness has them, and the way to the next coarser level.
+struct LevelGraph {
+  Index nodes = 0;
+  std::vector<std::array<Index, 2>> edges;  ///< (m, n), m < n, ascending: those of tets, of patches and of finer levels
+  IncidenceList node_edges;                 ///< edge, side
+  std::vector<std::uint8_t> fixed;
+
+  // To the next coarser level; empty on the coarsest.
+  std::vector<std::array<Index, 2>> parents;
+  IncidenceList children;    ///< per coarse node: fine node, how many of its two parents are this node
+  IncidenceList edge_terms;  ///< per coarse edge: fine node or edge, kind + 4 (quarters - 1) of GalerkinBlock
+};
+
+/// What the edges of the finest level, or of any level on which equilibrium is solved, are summed from.
+struct EdgeParts {
+  IncidenceList edge_tets;     ///< per edge: tet, local edge + 6 if it runs from n to m
+  IncidenceList edge_patches;  ///< per edge: patch, slot of m + 8 slot of n
+};
+
+/// Graphs of all levels, finest first.
+/// @throw Error when parents do not fit the coarser mesh, sizes differ, or a list would exceed 2^31 entries
+[[nodiscard]] std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels);
+
+/// @pre the graph is that of the mesh
+[[nodiscard]] EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph);
+
+/// The cube of cells^3 cells in levels of half as many cells each, as long as the number is even and above `coarsest`.
+/// @param side [m]; base in the plane z = 0, corner in the origin
+/// @throw Error as make_box_mesh() does
+[[nodiscard]] std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest = 2);
+
+}  // namespace physgen::fem

@@ -1,0 +1,150 @@
+// The preconditioner: one V-cycle of multigrid with Galerkin levels, smoothed by Chebyshev polynomials of block Jacobi;
+// or block Jacobi alone. Programs over an executor, so that they run on the CPU and on CUDA alike.
+#pragma once
+
+#include <fem/solver/coarse_inverse.h>
+#include <fem/solver/galerkin.h>
+#include <fem/solver/linear_level.h>
+#include <fem/solver/power_iteration.h>
+#include <fem/solver/scaled_blocks.h>
+#include <fem/solver/settings.h>
+#include <fem/solver/smoother.h>
+#include <fem/solver/tangent_blocks.h>
+#include <fem/solver/transfer.h>
+#include <fem/solver/vector_steps.h>
+#include <physgen/reduce.h>
+
+#include <vector>
+
+namespace physgen::fem {
+
+/// The product of a level's scaled stiffness with its direction d, whose nodes' part r has: r += K d.
+template <class On, class Level>
+void add_scaled_edges(On& on, Level& level) {
+  add_edges(on,
+            SymmetricProduct{level.scaled_nodes.const_view(), level.scaled_edges.const_view(), level.edges.const_view(),
+                             level.direction.const_view(), level.residual.view()},
+            level.sums);
+}
+
+/// The scaled copy of a level's stiffness, its block inverses, and the largest eigenvalue of both.
+/// @param fresh whether power iterations begin anew
+template <class On, class Level>
+void prepare_level(On& on, Level& level, const PreconditionerSettings& settings, bool fresh) {
+  const index_t n = level.nodes();
+  const auto scales = level.scales.view();
+  const auto inverse = level.inverse.view();
+  on.run(n, ComputeNodeScale{settings.kind == Preconditioner::none, level.node_stiffness.const_view(), scales});
+  on.run(n, ScaleNodes{level.node_stiffness.const_view(), level.constraints.const_view(), level.scales.const_view(),
+                       level.scaled_nodes.view(), inverse});
+  if (settings.kind != Preconditioner::multigrid) return;
+  on.run(level.edge_count(),
+         ScaleEdges{level.edges.const_view(), level.constraints.const_view(), level.edge_stiffness.const_view(),
+                    level.scales.const_view(), level.scaled_edges.view()});
+  if constexpr (Level::Stored::rounds) {
+    using Format = typename Level::Stored::template Edges<typename Level::Space>::E;
+    on.run(n, keep_translations<Format>(level.node_edges.const_view(), level.edges.const_view(),
+                                        level.constraints.const_view(), level.scales.const_view(),
+                                        level.edge_stiffness.const_view(), level.scaled_nodes.view()));
+  }
+  const auto power = level.power.view();
+  const auto smoother = level.smoother.view();
+  if (fresh) on.run(n, ScatterDirection{power});
+  const int steps = fresh ? settings.first_power_steps : settings.next_power_steps;
+  for (int k = 1; k <= steps; ++k) {  // the last one is measured
+    if (k == steps) on.reduce(n, SquaredLength{level.power.const_view()}, Sum{}, StoreLength{smoother});
+    multiply(on,
+             SymmetricProduct{level.scaled_nodes.const_view(), level.scaled_edges.const_view(),
+                              level.edges.const_view(), level.power.const_view(), level.residual.view()},
+             level.sums);
+    const IteratePower iterate{level.inverse.const_view(), level.residual.const_view(), power};
+    if (k < steps) {
+      on.run(n, iterate);
+    } else {
+      on.reduce(n, iterate, Sum{}, StoreLargest{smoother});
+    }
+  }
+  on.run(n, NormalisePower{level.smoother.const_view(), power});
+}
+
+/// Everything that depends on the stiffness of level `top`, which is given: coarser stiffness, scaled copies,
+/// eigenvalues, the coarsest inverse. @param levels finest first
+template <class On, class Levels>
+void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings, bool fresh) {
+  prepare_level(on, *levels[top], settings, fresh);
+  if (settings.kind != Preconditioner::multigrid) return;
+  for (std::size_t l = top; l + 1 < levels.size(); ++l) {
+    auto& fine = *levels[l];
+    auto& coarse = *levels[l + 1];
+    on.run(coarse.edge_count(), CoarsenEdgeStiffness{fine.edge_terms.const_view(), fine.node_stiffness.const_view(),
+                                                     fine.edge_stiffness.const_view(), coarse.edge_stiffness.view()});
+    on.run(coarse.nodes(), SumNodeStiffness{coarse.node_edges.const_view(), coarse.edge_stiffness.const_view(),
+                                            coarse.node_stiffness.view()});
+    prepare_level(on, coarse, settings, fresh);
+  }
+  invert_coarsest(on, *levels.back());
+}
+
+/// Chebyshev steps on a level: z grows by a polynomial of -D K times D r.
+/// @param residual_after whether r is wanted after the last step
+template <class On, class Level>
+void smooth(On& on, Level& level, int degree, double low, bool grows, bool residual_after) {
+  const index_t n = level.nodes();
+  const auto stiffness = level.scaled_nodes.const_view();
+  const auto inverse = level.inverse.const_view();
+  const auto smoother = level.smoother.const_view();
+  const auto residual = level.residual.view();
+  const auto direction = level.direction.view();
+  const auto correction = level.correction.view();
+  for (int step = 1; step <= degree; ++step) {
+    const bool product = step < degree || residual_after;
+    if (step == 1) {
+      on.run(n, BeginChebyshev{grows, product, low, stiffness, inverse, residual, smoother, direction, correction});
+    } else {
+      on.run(n, ContinueChebyshev{step, product, low, stiffness, inverse, residual, smoother, direction, correction});
+    }
+    if (product) add_scaled_edges(on, level);
+  }
+}
+
+/// z of level l from its r; both scaled. r is used up.
+template <class On, class Levels>
+void v_cycle(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
+  auto& level = *levels[l];
+  if (l + 1 == levels.size()) {
+    if (level.coarse_inverse.size() != 0) {
+      apply_coarsest(on, level);
+    } else {  // too large to be inverted: a polynomial of a wider interval
+      smooth(on, level, 24, 0.005, false, false);
+    }
+    return;
+  }
+  auto& coarse = *levels[l + 1];
+  smooth(on, level, settings.degree, settings.low, false, true);
+  on.run(coarse.nodes(),
+         RestrictResidual{level.children.const_view(), level.scales.const_view(), level.residual.const_view(),
+                          coarse.constraints.const_view(), coarse.scales.const_view(), coarse.residual.view()});
+  v_cycle(on, levels, l + 1, settings);
+  on.run(level.nodes(), InterpolateCorrection{level.parents.const_view(), coarse.scales.const_view(),
+                                              coarse.correction.const_view(), level.constraints.const_view(),
+                                              level.scales.const_view(), level.scaled_nodes.const_view(),
+                                              level.direction.view(), level.correction.view(), level.residual.view()});
+  add_scaled_edges(on, level);
+  smooth(on, level, settings.degree, settings.low, true, false);
+}
+
+/// z = M r of level `top`, both scaled. r is used up.
+template <class On, class Levels>
+void precondition(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings) {
+  auto& level = *levels[top];
+  const index_t n = level.nodes();
+  if (settings.kind == Preconditioner::none) {
+    on.run(n, CopyResidual{level.residual.const_view(), level.correction.view()});
+  } else if (settings.kind == Preconditioner::block_jacobi) {
+    on.run(n, ApplyBlockJacobi{level.inverse.const_view(), level.residual.const_view(), level.correction.view()});
+  } else {
+    v_cycle(on, levels, top, settings);
+  }
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,209 @@
+// Newton's method for the equilibrium of one mesh: steps in the precision of the tangent, states in double, so that
+// Newton's method itself is the refinement.
+#pragma once
+
+#include <fem/solver/conjugate_gradients.h>
+#include <fem/solver/evaluate.h>
+#include <fem/solver/newton_steps.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+namespace physgen::fem {
+
+/// Energy, forces and residual of the state at `positions`.
+template <class On, class Arrays, class Level, class Positions, class Forces>
+auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
+                    const Forces& forces, double load, TangentFilter filter, bool restart) {
+  evaluator.evaluate(on, a, positions, filter, restart);
+  const auto state = a.state.view();
+  on.reduce(a.nodes(),
+            SumForces{load, a.node_tets.const_view(), a.corners.const_view(), a.loads.const_view(),
+                      level.constraints.const_view(), a.rest.const_view(), positions, forces},
+            Sum{}, StoreForces{state});
+  on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
+            StoreSmallestRatio{state});
+  return on.value(a.state);
+}
+
+/// The stiffness of level `top` from the tets' tangents.
+template <class On, class Arrays, class Level>
+void assemble(On& on, Arrays& a, Level& level) {
+  const auto edges = level.edge_stiffness.view();
+  if (a.patches != nullptr) {
+    on.run(level.edge_count(),
+           SumEdgeStiffness{a.edge_tets.const_view(),
+                            EdgePatchTangents{a.patches->edge_patches.const_view(), a.patches->tangent.const_view()},
+                            a.tangent.const_view(), edges});
+  } else {
+    on.run(level.edge_count(),
+           SumEdgeStiffness{a.edge_tets.const_view(), NoEdgePatches{}, a.tangent.const_view(), edges});
+  }
+  on.run(level.nodes(), SumNodeStiffness{level.node_edges.const_view(), level.edge_stiffness.const_view(),
+                                         level.node_stiffness.view()});
+}
+/// Assembles the tangent at `positions`, and solves for the step; a.increment is taken in where there is one.
+template <class On, class Arrays, class Levels, class Vectors>
+LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
+                        const NewtonSettings& settings, bool has_increment, bool fresh, double forcing) {
+  auto& level = *levels[top];
+  assemble(on, a, level);
+  if (has_increment) {
+    on.run(a.nodes(), CastIncrement{a.increment.const_view(), v.direction.view()});
+    multiply(on,
+             SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                              level.edges.const_view(), v.direction.const_view(), v.residual.view()},
+             level.sums);
+  }
+  on.run(a.nodes(),
+         BeginResidual{a.forces.const_view(), level.constraints.const_view(), has_increment, v.residual.view()});
+  prepare(on, levels, top, settings.preconditioner, fresh);
+  solve(on, loop, levels, top, v, settings.preconditioner, forcing, settings.most_iterations);
+  return linear_result(on, v);
+}
+
+/// Seeks the equilibrium of level `top` at a load, from a.positions, and leaves it there. Where prescribed components
+/// are not yet where the load takes them (a.increment), the first linear solve moves them.
+/// @param restart whether patches begin with the pressure of their volume; else with the linearised one they have
+/// @param report called after every step
+template <class On, class Arrays, class Levels, class Vectors>
+NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
+                              Evaluator<On, Arrays>& evaluator, const NewtonSettings& settings, double load,
+                              bool has_increment, bool restart, const std::function<void(const NewtonStep&)>& report) {
+  using Clock = std::chrono::steady_clock;
+  auto& level = *levels[top];
+  const index_t n = a.nodes();
+  NewtonResult result;
+  const auto energy_of = [](const auto& s) { return s.elastic + s.volumetric + s.loads; };
+  const auto free_of = [](const auto& s) { return std::sqrt(s.free_square); };
+  const auto positions = a.positions.view();
+  const auto trial = a.trial.view();
+  const auto forces = a.forces.view();
+  const auto trial_forces = a.trial_forces.view();
+
+  TangentFilter filter = TangentFilter::none;
+  auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, filter, restart);
+  double before = free_of(state), forcing = settings.least_forcing;
+  bool risky = false, fresh = true;
+  // Forces are measured against those on prescribed components, now or at the last equilibrium: they may vanish.
+  const auto scale_of = [&](const auto& s) { return std::max(std::sqrt(s.fixed_square), settings.last_reaction); };
+  const auto residual_of = [&](const auto& s) {
+    const double scale = scale_of(s);
+    return scale > 0 ? free_of(s) / scale : (free_of(s) > 0 ? 1.0 : 0.0);
+  };
+  const double start_free = before;
+  const auto has_converged = [&](const auto& s) {
+    const double free = free_of(s);
+    if (settings.absolute_tolerance > 0) return free <= settings.absolute_tolerance;
+    if (residual_of(s) <= settings.tolerance) return true;
+    // Where nothing holds the body: against the forces at the beginning. And rounding is all that is left where a step
+    // has not lessened it.
+    if (scale_of(s) == 0 && free <= std::max(1e-10 * start_free, settings.rounding_force)) return true;
+    return free <= settings.rounding_force && (free <= 0.01 * settings.rounding_force || free > 0.1 * before);
+  };
+  const auto finish = [&](NewtonStatus status) {
+    result.status = status;
+    result.residual = residual_of(state);
+    result.energy = energy_of(state);
+    result.smallest_J = state.smallest_ratio;
+    result.reaction = std::sqrt(state.fixed_square);
+    return result;
+  };
+  if (!std::isfinite(energy_of(state)) || !std::isfinite(before)) return finish(NewtonStatus::not_finite);
+
+  for (;;) {
+    if (!has_increment && has_converged(state)) {
+      const bool inverted = !(state.smallest_ratio > 0) && state.fixed_square == 0;
+      if (!inverted || result.returns == settings.most_returns) return finish(NewtonStatus::converged);
+      // Nothing pulls, and yet tets are flat or inverted: a saddle or another minimum, such as a body in one point.
+      ++result.returns;
+      on.run(n, ReturnHalfway{a.rest.const_view(), level.constraints.const_view(), positions});
+      state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, filter, true);
+      before = free_of(state);
+      fresh = true;
+    }
+    if (result.steps == settings.most_steps) return finish(NewtonStatus::too_many_steps);
+    const auto start = Clock::now();
+    NewtonStep step;
+    step.number = ++result.steps;
+    LinearResult linear;
+    if (settings.all_prescribed) {
+      on.run(n, ClearStep{v.step.view()});
+      linear = {0, LinearStatus::converged, 0};
+    } else {
+      linear = solve_step(on, loop, a, levels, top, v, settings, has_increment, fresh, forcing);
+    }
+    fresh = false;
+    step.iterations = linear.iterations;
+    const auto has_failed = [](const LinearResult& r) {
+      return r.status == LinearStatus::negative_curvature || r.status == LinearStatus::not_finite || r.iterations == 0;
+    };
+    if (!settings.all_prescribed && has_failed(linear) && filter == TangentFilter::none) {
+      // The energy is not convex here: once more with a tangent that is.
+      filter = TangentFilter::absolute;
+      (void)evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, filter, false);
+      linear = solve_step(on, loop, a, levels, top, v, settings, has_increment, true, forcing);
+      step.iterations += linear.iterations;
+    }
+    step.filtered = filter == TangentFilter::absolute;
+    result.filtered += step.filtered ? 1 : 0;
+    result.iterations += step.iterations;
+    if (!settings.all_prescribed && (linear.status == LinearStatus::not_finite || linear.iterations == 0)) {
+      return finish(NewtonStatus::linear_solver);
+    }
+    if (has_increment) on.run(n, AddIncrement{a.increment.const_view(), v.step.view()});
+    filter = TangentFilter::none;
+
+    double length = 1;
+    for (;;) {
+      on.reduce(n,
+                Advance{length, has_increment, a.positions.const_view(), a.forces.const_view(), v.step.const_view(),
+                        a.increment.const_view(), level.constraints.const_view(), trial},
+                Sum{}, StoreWork{a.state.view()});
+      const double work = on.value(a.state).work;
+      if (a.patches != nullptr) {
+        auto& p = *a.patches;
+        const VolumeTerm volume = evaluator.volume();
+        if (step.halvings == 0) {
+          on.run(p.volumes.size(), AdvancePatches{volume.law, volume.modulus, p.volumes.view(), p.nodes.const_view(),
+                                                  p.tangent.const_view(), v.step.const_view()});
+        } else {
+          on.run(p.volumes.size(), ShortenPatches{length, p.volumes.view()});
+        }
+      }
+      const auto next =
+          evaluate_state(on, a, level, evaluator, a.trial.const_view(), trial_forces, load, filter, false);
+      const bool finite = std::isfinite(energy_of(next)) && std::isfinite(next.free_square);
+      const double rounding = 1e-13 * (std::abs(state.elastic) + std::abs(state.volumetric) + std::abs(state.loads));
+      const bool falls = energy_of(next) <= energy_of(state) - 1e-4 * length * work + rounding;
+      const bool closer = free_of(next) <= 0.9 * free_of(state);
+      const bool may_rise = settings.full_steps_first && step.halvings == 0 && !risky && next.smallest_ratio > 0;
+      if (finite && (has_increment || !settings.line_search || falls || closer || may_rise)) {
+        risky = !has_increment && !falls && !closer;
+        state = next;
+        break;
+      }
+      if (has_increment) return finish(NewtonStatus::not_finite);
+      if (step.halvings == settings.most_halvings) return finish(NewtonStatus::no_descent);
+      ++step.halvings;
+      length /= 2;
+    }
+    result.halvings += step.halvings;
+    on.run(n, KeepPositions{a.trial.const_view(), positions});
+    on.run(n, KeepForces{a.trial_forces.const_view(), forces});
+    const double free = free_of(state);
+    forcing = has_increment ? settings.least_forcing
+                            : std::max(settings.least_forcing,
+                                       std::min(settings.most_forcing, 0.9 * (free / before) * (free / before)));
+    before = free;
+    has_increment = false;
+    step.residual = residual_of(state);
+    step.energy = energy_of(state);
+    step.smallest_J = state.smallest_ratio;
+    step.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (report) report(step);
+  }
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,104 @@
+// What an executor does in a way of its own on CUDA: the product with the assembled stiffness, and the coarsest
+// inverse. For CUDA translation units.
+#pragma once
+
+#include <fem/kernels/symmetric_product_cuda.h>
+#include <physgen/cuda/executor.h>
+
+namespace physgen::fem {
+
+/// df = K dx; see symmetric_product_cuda.h.
+template <class... Views>
+void multiply(CudaExecutor& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
+  multiply(Cuda{}, product, sums, SumOrder::any, on.stream());
+}
+
+/// df += the edges' part of K dx.
+template <class... Views>
+void add_edges(CudaExecutor& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
+  add_edges(Cuda{}, product, sums, SumOrder::any, on.stream());
+}
+
+namespace detail {
+
+/// Gauss-Jordan without pivots over a symmetric positive definite matrix of n nodes, in one thread block of 32 x 32.
+/// Rows of components that are prescribed stay 0.
+/// @param shared whether the matrix lies in shared memory while this runs
+template <class NodesView, class EdgesView, class EndsView, class InverseView>
+__global__ void __launch_bounds__(1024)
+    invert_dense(int n, int edges, bool shared, NodesView nodes, EdgesView blocks, EndsView ends, InverseView inverse) {
+  using Real = typename InverseView::Precision;
+  extern __shared__ unsigned char memory[];
+  const int size = 3 * n, tx = static_cast<int>(threadIdx.x), ty = static_cast<int>(threadIdx.y), thread = 32 * ty + tx;
+  Real* column = reinterpret_cast<Real*>(memory);  // of the pivot, before the step
+  Real* row = column + size;
+  Real* matrix = row + size;
+  const auto far = [&](int r, int c) -> Real& {
+    return *&inverse[index_t{r / 3} * n + c / 3].G()[3 * (c % 3) + r % 3];
+  };
+  const auto at = [&](int r, int c) -> Real& { return shared ? matrix[r * size + c] : far(r, c); };
+  const auto put = [&](int i, int j, const Matrix3<Real>& block) {
+    for (int c = 0; c < 3; ++c) {
+      for (int r = 0; r < 3; ++r) at(3 * i + r, 3 * j + c) = block(r, c);
+    }
+  };
+  for (int r = ty; r < size; r += 32) {
+    for (int c = tx; c < size; c += 32) at(r, c) = Real(0);
+  }
+  __syncthreads();
+  for (int i = thread; i < n; i += 1024) {
+    const Matrix3<Real> K = nodes[i].K();
+    put(i, i, -K);
+  }
+  for (int e = thread; e < edges; e += 1024) {
+    const auto names = ends[e].nodes();
+    const int m = names[0], o = names[1];
+    const Matrix3<Real> E = blocks[e].E();
+    put(m, o, -E);
+    put(o, m, -E.transpose());
+  }
+  __syncthreads();
+  for (int p = 0; p < size; ++p) {
+    for (int k = thread; k < size; k += 1024) {
+      column[k] = at(k, p);
+      row[k] = at(p, k);
+    }
+    __syncthreads();
+    const Real pivot = column[p];
+    const Real factor = pivot > Real(0) ? Real(1) / pivot : Real(0);
+    for (int r = ty; r < size; r += 32) {
+      const Real scaled = column[r] * factor;
+      for (int c = tx; c < size; c += 32) {
+        Real& entry = at(r, c);
+        if (r == p) {
+          entry = c == p ? factor : row[c] * factor;
+        } else {
+          entry = c == p ? -scaled : fma(-scaled, row[c], entry);
+        }
+      }
+    }
+    __syncthreads();
+  }
+  if (!shared) return;
+  for (int r = ty; r < size; r += 32) {
+    for (int c = tx; c < size; c += 32) far(r, c) = at(r, c);
+  }
+}
+
+}  // namespace detail
+
+/// Makes the inverse of the scaled stiffness over its free components. @pre the level's stiffness is scaled
+template <class Level>
+void invert_coarsest(CudaExecutor& on, Level& level) {
+  if (level.coarse_inverse.size() == 0) return;
+  constexpr std::size_t most_shared = 48 * 1024;
+  const auto size = static_cast<std::size_t>(3 * level.nodes());
+  const std::size_t lines = 2 * size * sizeof(typename Level::Real), whole = lines + size * lines / 2;
+  const bool shared = whole <= most_shared;
+  detail::invert_dense<<<1, dim3(32, 32), shared ? whole : lines, on.stream()>>>(
+      static_cast<int>(level.nodes()), static_cast<int>(level.edge_count()), shared, level.scaled_nodes.const_view(),
+      level.scaled_edges.const_view(), level.edges.const_view(), level.coarse_inverse.view());
+  cuda::check(cudaGetLastError(), "inverting the coarsest level");
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,77 @@
+#include <fem/solver/material_names.h>
+#include <fem/solver/solvers.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace physgen::fem {
+
+namespace {
+
+#ifndef PHYSGEN_SOLVER_HAS_CUDA
+[[noreturn]] void refuse_cuda() {
+  throw Error("this build has no CUDA: configure it with -DPHYSGEN_CUDA=ON, or solve on the CPU");
+}
+#endif
+
+void require_positive(const char* what, double value) {
+  if (!(value > 0) || !std::isfinite(value)) {
+    throw Error(std::string(what) + " is " + std::to_string(value) + " and must be a positive number");
+  }
+}
+
+void require_vectors(const char* what, const std::vector<Point>& vectors, std::size_t nodes) {
+  if (vectors.size() != nodes) {
+    throw Error(std::string(what) + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
+                " nodes");
+  }
+  for (std::size_t n = 0; n < nodes; ++n) {
+    for (const double x : vectors[n]) {
+      if (!std::isfinite(x)) throw Error(std::string(what) + " of node " + std::to_string(n) + " is not finite");
+    }
+  }
+}
+
+}  // namespace
+
+std::string device_name(Device device) {
+  if (device == Device::cpu) return "cpu";
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return cuda_device_name();
+#else
+  refuse_cuda();
+#endif
+}
+
+std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                               const SolverSettings& settings) {
+  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
+  require_positive("the tolerance", settings.newton.tolerance);
+  const auto nodes = static_cast<std::size_t>(levels.front().mesh.nodes);
+  require_vectors("the motion of prescribed components", loading.motion, nodes);
+  if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
+  const bool patches = !levels.front().patches.nodes.empty();
+  for (const MeshLevel& level : levels) {
+    if (level.patches.nodes.empty() == patches) throw Error("either all levels have patches, or none");
+  }
+  for (std::size_t l = 0; patches && l + 1 < levels.size(); ++l) {
+    const auto& parents = levels[l].patch_parents;
+    const auto coarse = static_cast<Index>(levels[l + 1].patches.nodes.size());
+    const auto outside = [=](Index p) { return p < 0 || p >= coarse; };
+    if (parents.empty()) continue;  // pressures are not injected then
+    if (parents.size() != levels[l].patches.nodes.size() || std::ranges::any_of(parents, outside)) {
+      throw Error("level " + std::to_string(l) + ": each patch needs a parent among the " + std::to_string(coarse) +
+                  " patches of the next coarser level, or none has one");
+    }
+  }
+  if (!can_average_volume(settings.material) && patches) refuse_patches(settings.material);
+  if (settings.device == Device::cpu) return make_host_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,70 @@
+// Quasistatic equilibrium of an elastic body on linear tets: the solver as programs use it, whatever it runs on.
+#pragma once
+
+#include <fem/solver/hierarchy.h>
+#include <fem/solver/settings.h>
+#include <physgen/config.h>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace physgen::fem {
+
+/// What is prescribed and what acts on the nodes of the finest mesh, at a load of 1; both grow in proportion to the
+/// load. Which components are prescribed is MeshLevel::fixed.
+struct Loading {
+  std::vector<Point> motion;  ///< of prescribed components from their rest positions [m]; one per node
+  std::vector<Point> forces;  ///< external [N]; one per node, or none
+};
+
+/// Positions of all levels on which equilibrium is solved, finest first: all that a solve goes on from.
+struct SolverState {
+  double load = 0;
+  std::vector<std::vector<Point>> positions;
+};
+
+/// Solves for one body, along growing loads.
+class QuasistaticSolver {
+ public:
+  virtual ~QuasistaticSolver() = default;
+
+  /// Goes from the last equilibrium to that of a load. Where Newton's method does not get there, the increment is
+  /// halved, up to settings.most_bisections times.
+  /// @param report called after each Newton step, with the level (0: the finest)
+  /// @return of the finest level, with the sums of all increments; when the status is not `converged`, the positions
+  /// are those of the last load that was reached, load()
+  virtual NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) = 0;
+
+  [[nodiscard]] virtual double load() const = 0;
+  [[nodiscard]] virtual std::vector<Point> positions() const = 0;  ///< of the finest mesh [m]
+  /// Forces on the finest mesh's nodes at their positions [N], elastic and external: in equilibrium 0 to tolerance in
+  /// free components, and minus the reaction in prescribed ones.
+  [[nodiscard]] virtual std::vector<Point> forces() = 0;
+  /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch.
+  [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
+  [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used
+
+  [[nodiscard]] virtual SolverState state() const = 0;
+  /// @throw Error when the state is not of these meshes
+  virtual void restore(const SolverState& state) = 0;
+
+  /// Moves the free nodes of the finest mesh, such as to random places. @throw Error when sizes differ
+  virtual void set_positions(std::span<const Point> positions) = 0;
+
+  /// One linear solve with the tangent at the current positions and a right-hand side [N] on the finest level, for
+  /// measurements and tests. @return sqrt(r . z) over its first value
+  virtual LinearResult solve_linear(std::span<const Point> force, double tolerance, std::vector<Point>* step) = 0;
+};
+
+/// @param levels finest first; at least one
+/// @throw Error naming what is wrong with settings, levels or loading; or when the memory cannot be had
+[[nodiscard]] std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels,
+                                                             const Loading& loading, const SolverSettings& settings);
+
+/// "cpu", or the name of the GPU that would be used. @throw Error when there is none
+[[nodiscard]] std::string device_name(Device device);
+
+}  // namespace physgen::fem

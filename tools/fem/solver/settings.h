@@ -1,0 +1,104 @@
+// Everything that one may choose of the solver, and what its steps report; plain values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace physgen::fem {
+
+/// How conjugate gradients ended.
+enum class LinearStatus {
+  running,
+  converged,
+  negative_curvature,  ///< p . K p >= 0: K is not negative definite; dx is what was found before
+  not_finite,          ///< a number was NaN or infinite
+};
+
+/// What a linear solve came to.
+struct LinearResult {
+  int iterations = 0;
+  LinearStatus status = LinearStatus::running;
+  double reduction = 1;  ///< of sqrt(r . z)
+};
+
+enum class Preconditioner { multigrid, block_jacobi, none };
+
+/// What the preconditioner is made of.
+struct PreconditionerSettings {
+  Preconditioner kind = Preconditioner::multigrid;
+  int degree = 2;    ///< of the Chebyshev polynomial before and after each coarser level
+  double low = 0.1;  ///< what it smooths: eigenvalues from low to 1 times the largest
+  int first_power_steps = 10, next_power_steps = 2;
+};
+
+struct NewtonSettings {
+  double tolerance = 1e-4;        ///< of |force on free components| / |force on prescribed components|, now or before
+  double absolute_tolerance = 0;  ///< [N]; where above 0, in place of the relative one
+  int most_steps = 60;            ///< of Newton's method, in one load increment
+  int most_iterations = 20000;    ///< of conjugate gradients, in one step
+  double least_forcing = 1e-3;    ///< tolerance of linear solves, from here while convergence is quadratic
+  double most_forcing = 1e-2;     ///< to here
+  bool line_search = true;
+  int most_halvings = 12;  ///< of a step, until the energy falls
+  /// A full step may raise the energy, if no tet is inverted and the next makes up for it.
+  bool full_steps_first = true;
+  int most_returns = 8;  ///< half the way to rest, where nothing pulls and yet tets are inverted or flat
+  PreconditionerSettings preconditioner;
+
+  // What a solver fills in.
+  double last_reaction = 0;     ///< [N]: |force on prescribed components| at the last equilibrium
+  double rounding_force = 0;    ///< [N]: what positions' rounding makes of the forces on all nodes
+  bool all_prescribed = false;  ///< no component is free
+};
+
+/// What one Newton step did.
+struct NewtonStep {
+  int number = 0;         ///< from 1
+  double residual = 0;    ///< |force on free components| / |force on prescribed components| after it
+  double energy = 0;      ///< [J] after it
+  double smallest_J = 0;  ///< after it
+  int iterations = 0;     ///< of conjugate gradients
+  int halvings = 0;
+  bool filtered = false;  ///< the tangent was made positive semidefinite
+  double seconds = 0;
+};
+
+enum class NewtonStatus { converged, too_many_steps, no_descent, not_finite, linear_solver };
+
+struct NewtonResult {
+  NewtonStatus status = NewtonStatus::converged;
+  int steps = 0, iterations = 0, halvings = 0, filtered = 0;  ///< of the finest level
+  int coarse_steps = 0, coarse_iterations = 0;                ///< of all coarser levels
+  int returns = 0;                                            ///< half the way to rest
+  int bisections = 0;                                         ///< of the load's increment
+  double residual = 0, energy = 0, smallest_J = 0;
+  double reaction = 0;  ///< |force on prescribed components| [N]
+};
+
+enum class Device { cpu, cuda };
+
+/// The tangent and the linear solver; states, forces and energies are in double whatever is chosen.
+enum class TangentPrecision {
+  half,  ///< computed in float; the preconditioner's stiffness stored in half
+  float32,
+  float64,
+};
+
+struct SolverSettings {
+  std::string material = "neo-hookean";  ///< one of material_names()
+  double youngs_modulus = 1;             ///< [Pa]
+  double poissons_ratio = 0.45;
+  Device device = Device::cpu;
+  TangentPrecision precision = TangentPrecision::half;
+  bool nested = true;       ///< equilibrium on coarser meshes first, where there are
+  int coarsest_nested = 2;  ///< levels that are never solved on, from the coarsest
+  int most_bisections = 6;
+  NewtonSettings newton;
+};
+
+/// Names of the materials, as SolverSettings has them.
+[[nodiscard]] const std::vector<std::string>& material_names();
+/// Whether a material's volume can be averaged over patches. @throw Error when there is no such material
+[[nodiscard]] bool can_average_volume(const std::string& material);
+
+}  // namespace physgen::fem

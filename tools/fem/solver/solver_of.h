@@ -1,0 +1,342 @@
+// The solver over one executor and in one precision: see quasistatic.h. Compiled once for each.
+#pragma once
+
+#include <fem/solver/newton.h>
+#include <fem/solver/quasistatic.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace physgen::fem {
+
+/// The executor, which on CUDA must know the longest range that is reduced.
+template <class On>
+[[nodiscard]] std::unique_ptr<On> make_executor(index_t objects) {
+  if constexpr (std::is_default_constructible_v<On>) {
+    return std::make_unique<On>();
+  } else {
+    return std::make_unique<On>(objects);
+  }
+}
+
+template <class On, class Real, class Stored>
+class SolverOf final : public QuasistaticSolver {
+ public:
+  using Space = typename On::Space;
+  using Arrays = EquilibriumArrays<Real, Space>;
+  using Level = LinearLevel<Real, Space, Stored>;
+  using Vectors = KrylovVectors<Real, Space>;
+
+  SolverOf(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
+      : settings_(settings),
+        on_(make_executor<On>(index_t(levels.front().mesh.tets.size()))),
+        evaluator_(make_evaluator<On, Arrays>(settings.material, settings.youngs_modulus, settings.poissons_ratio,
+                                              !levels.front().patches.nodes.empty())) {
+    const bool coarser = settings.newton.preconditioner.kind == Preconditioner::multigrid || settings.nested;
+    const std::size_t used = coarser ? levels.size() : 1;
+    std::vector<MeshLevel> own(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(used));
+    const std::vector<LevelGraph> graphs = make_level_graphs(own);
+    const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
+    solved_ = settings.nested && used > kept ? used - kept : 1;
+    std::vector<Point> motion = loading.motion, forces = loading.forces;
+    for (std::size_t l = 0; l < used; ++l) {
+      linear_.push_back(std::make_unique<Level>(graphs[l], l + 1 < used ? &graphs[l + 1] : nullptr));
+      if (l < solved_) {
+        arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_));
+        vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
+        loops_.emplace_back();
+        store_loading(*arrays_.back(), own[l], motion, forces);
+        rounding_forces_.push_back(rounding_force(own[l], motion, arrays_.back()->spacing));
+        prescribes_.push_back(std::ranges::any_of(own[l].fixed, [](std::uint8_t fixed) { return fixed != 0; }));
+        all_prescribed_.push_back(std::ranges::all_of(own[l].fixed, [](std::uint8_t fixed) { return fixed == 7; }));
+      }
+      if (l + 1 < solved_) coarsen_loading(own[l], own[l + 1].mesh.nodes, motion, forces);
+    }
+    on_->wait();
+  }
+
+  NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
+    if (load == load_ && reached_) return state_now();
+    NewtonResult total;
+    int halvings = 0;
+    while (load_ != load || !reached_) {
+      const double next = halvings == 0 ? load : load_ + (load - load_) * std::ldexp(1.0, -halvings);
+      const NewtonResult result = solve_increment(next, report);
+      add(total, result);
+      if (result.status == NewtonStatus::converged) {
+        load_ = next;
+        reached_ = true;
+        last_reaction_ = total.reaction;
+        for (auto& a : arrays_) on_->run(a->nodes(), KeepPositions{a->positions.const_view(), a->kept.view()});
+        if (halvings > 0) --halvings;
+        continue;
+      }
+      for (auto& a : arrays_) on_->run(a->nodes(), KeepPositions{a->kept.const_view(), a->positions.view()});
+      const bool began_badly = result.status == NewtonStatus::not_finite && result.steps == 0;
+      if (began_badly || load_ == load || ++halvings > settings_.most_bisections ||
+          total.bisections >= 4 * settings_.most_bisections) {
+        return total;
+      }
+      ++total.bisections;
+    }
+    total.status = NewtonStatus::converged;
+    return total;
+  }
+
+  [[nodiscard]] double load() const override { return load_; }
+  [[nodiscard]] std::vector<Point> positions() const override { return points(arrays_.front()->positions); }
+  [[nodiscard]] std::vector<Point> forces() override {
+    (void)evaluate_now();
+    const auto& array = arrays_.front()->forces;
+    const auto host = moved_to<elasticity::NodeForceArray<double>>(array);
+    std::vector<Point> result(static_cast<std::size_t>(host.size()));
+    for (index_t n = 0; n < host.size(); ++n) {
+      for (int k = 0; k < 3; ++k) result[std::size_t(n)][std::size_t(k)] = host.const_view()[n].f()[k];
+    }
+    return result;
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
+    (void)evaluate_now();
+    Arrays& a = *arrays_.front();
+    typename Evaluator<On, Arrays>::Stresses stresses(a.tet_count());
+    evaluator_->evaluate_stress(*on_, a, stresses);
+    on_->wait();
+    const auto host = moved_to<elasticity::StressArray<double>>(stresses);
+    std::vector<std::array<double, 9>> result(static_cast<std::size_t>(host.size()));
+    for (index_t t = 0; t < host.size(); ++t) {
+      for (int k = 0; k < 9; ++k) result[std::size_t(t)][std::size_t(k)] = host.const_view()[t].P()[k];
+    }
+    return result;
+  }
+  [[nodiscard]] index_t bytes() const override {
+    index_t sum = 0;
+    for (const auto& level : linear_) sum += level->bytes();
+    for (const auto& arrays : arrays_) sum += arrays->bytes();
+    for (const auto& vectors : vectors_) sum += vectors->bytes();
+    return sum;
+  }
+
+  [[nodiscard]] SolverState state() const override {
+    SolverState state;
+    state.load = load_;
+    for (const auto& a : arrays_) state.positions.push_back(points(a->positions));
+    return state;
+  }
+  void restore(const SolverState& state) override {
+    if (state.positions.size() != arrays_.size()) {
+      throw Error("a state of " + std::to_string(state.positions.size()) + " levels for a solver that solves on " +
+                  std::to_string(arrays_.size()));
+    }
+    for (std::size_t l = 0; l < arrays_.size(); ++l) require_nodes(l, state.positions[l].size());
+    for (std::size_t l = 0; l < arrays_.size(); ++l) store(*arrays_[l], state.positions[l]);
+    load_ = state.load;
+    reached_ = true;
+    last_reaction_ = state_now().reaction;
+  }
+  void set_positions(std::span<const Point> positions) override {
+    require_nodes(0, positions.size());
+    store(*arrays_.front(), positions);
+    reached_ = false;
+  }
+
+  LinearResult solve_linear(std::span<const Point> force, double tolerance, std::vector<Point>* step) override {
+    require_nodes(0, force.size());
+    Arrays& a = *arrays_.front();
+    Vectors& v = *vectors_.front();
+    (void)evaluate_now();
+    elasticity::NodeForceArray<double> host(a.nodes());
+    for (index_t n = 0; n < a.nodes(); ++n) {
+      for (int k = 0; k < 3; ++k) host.view()[n].f()[k] = force[std::size_t(n)][std::size_t(k)];
+    }
+    copy(a.forces, host);
+    synchronize();
+    NewtonSettings settings = settings_.newton;
+    settings.most_iterations = std::max(settings.most_iterations, 100000);
+    typename On::Loop loop;
+    const LinearResult result = solve_step(*on_, loop, a, linear_, 0, v, settings, false, true, tolerance);
+    if (step != nullptr) {
+      const auto found = moved_to<elasticity::NodeDisplacementArray<Real>>(v.step);
+      step->resize(force.size());
+      for (index_t n = 0; n < found.size(); ++n) {
+        for (int k = 0; k < 3; ++k) (*step)[std::size_t(n)][std::size_t(k)] = Real(found.const_view()[n].dx()[k]);
+      }
+    }
+    return result;
+  }
+
+ private:
+  /// Forces, pressures and tangent of the finest level's positions as they are.
+  typename quasistatic::EquilibriumArray<double, Space>::Value evaluate_now() {
+    Arrays& a = *arrays_.front();
+    return evaluate_state(*on_, a, *linear_.front(), *evaluator_, a.positions.const_view(), a.forces.view(), load_,
+                          TangentFilter::none, true);
+  }
+  /// What a solve that has nothing to do would say.
+  [[nodiscard]] NewtonResult state_now() {
+    const auto state = evaluate_now();
+    NewtonResult result;
+    result.energy = state.elastic + state.volumetric + state.loads;
+    result.smallest_J = state.smallest_ratio;
+    result.reaction = std::sqrt(state.fixed_square);
+    const double scale = std::max(result.reaction, last_reaction_);
+    result.residual = scale > 0 ? std::sqrt(state.free_square) / scale : 0.0;
+    return result;
+  }
+
+  /// To a load, from the equilibrium that is kept: nested, or by the increment inside the first linear solve.
+  NewtonResult solve_increment(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) {
+    NewtonResult total;
+    for (std::size_t l = solved_; l-- > 0;) {
+      Arrays& a = *arrays_[l];
+      Level& level = *linear_[l];
+      const bool coarsest = l + 1 == solved_;
+      if (!coarsest) {
+        const Arrays& coarse = *arrays_[l + 1];
+        on_->run(a.nodes(),
+                 InterpolateMotion{level.parents.const_view(), coarse.kept.const_view(), coarse.positions.const_view(),
+                                   level.constraints.const_view(), a.positions.view()});
+      }
+      on_->run(a.nodes(),
+               ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(), level.constraints.const_view(),
+                                a.positions.const_view(), a.increment.view()});
+      if (!coarsest) on_->run(a.nodes(), MovePrescribed{a.increment.const_view(), a.positions.view()});
+      const bool injects = !coarsest && a.patches != nullptr && a.patches->parents.size() != 0;
+      if (injects) {
+        on_->run(a.patches->volumes.size(),
+                 InjectPressure{a.patches->parents.const_view(), arrays_[l + 1]->patches->volumes.const_view(),
+                                a.patches->volumes.view()});
+      }
+      const bool increment = coarsest && prescribes_[l] && (load != load_ || !reached_);
+      NewtonSettings newton = settings_.newton;
+      newton.last_reaction = last_reaction_;
+      newton.rounding_force = rounding_forces_[l];
+      newton.all_prescribed = all_prescribed_[l];
+      const NewtonResult result = find_equilibrium(*on_, loops_[l], a, linear_, l, *vectors_[l], *evaluator_, newton,
+                                                   load, increment, !injects, [&](const NewtonStep& step) {
+                                                     if (report) report(l, step);
+                                                   });
+      if (l > 0) {
+        total.coarse_steps += result.steps;
+        total.coarse_iterations += result.iterations;
+        if (result.status != NewtonStatus::converged) {
+          total.status = result.status;
+          return total;
+        }
+      } else {
+        const int steps = total.coarse_steps, iterations = total.coarse_iterations;
+        total = result;
+        total.coarse_steps = steps;
+        total.coarse_iterations = iterations;
+      }
+    }
+    return total;
+  }
+
+  static void add(NewtonResult& total, NewtonResult result) {
+    result.steps += total.steps;
+    result.iterations += total.iterations;
+    result.halvings += total.halvings;
+    result.filtered += total.filtered;
+    result.returns += total.returns;
+    result.coarse_steps += total.coarse_steps;
+    result.coarse_iterations += total.coarse_iterations;
+    result.bisections = total.bisections;
+    total = result;
+  }
+
+  template <class Array>
+  static std::vector<Point> points(const Array& array) {
+    const auto host = moved_to<elasticity::NodePositionArray<double>>(array);
+    std::vector<Point> result(static_cast<std::size_t>(host.size()));
+    for (index_t n = 0; n < host.size(); ++n) {
+      for (int k = 0; k < 3; ++k) result[std::size_t(n)][std::size_t(k)] = host.const_view()[n].x()[k];
+    }
+    return result;
+  }
+
+  void store(Arrays& a, std::span<const Point> points) {
+    elasticity::NodePositionArray<double> host(a.nodes());
+    store_positions(points, host.view());
+    on_->wait();
+    copy(a.positions, host);
+    copy(a.kept, host);
+    synchronize();
+  }
+
+  void require_nodes(std::size_t level, std::size_t given) const {
+    const index_t nodes = arrays_[level]->nodes();
+    if (static_cast<index_t>(given) != nodes) {
+      throw Error("level " + std::to_string(level) + " has " + std::to_string(nodes) + " nodes, and " +
+                  std::to_string(given) + " were given");
+    }
+  }
+
+  static void store_loading(Arrays& a, const MeshLevel& level, const std::vector<Point>& motion,
+                            const std::vector<Point>& forces) {
+    elasticity::NodeDisplacementArray<double> host_motion(a.nodes());
+    elasticity::NodeForceArray<double> host_forces(a.nodes());
+    for (index_t n = 0; n < a.nodes(); ++n) {
+      const auto node = static_cast<std::size_t>(n);
+      for (int k = 0; k < 3; ++k) {
+        const bool fixed = (level.fixed[node] >> k & 1) != 0;
+        host_motion.view()[n].dx()[k] = fixed ? motion[node][std::size_t(k)] : 0.0;
+        host_forces.view()[n].f()[k] = forces.empty() ? 0.0 : forces[node][std::size_t(k)];
+      }
+    }
+    copy(a.motion, host_motion);
+    copy(a.loads, host_forces);
+    synchronize();
+  }
+
+  /// Rounding of positions, eps |x|, times the stiffness of a node, with a factor for few numbers that add up.
+  [[nodiscard]] double rounding_force(const MeshLevel& level, const std::vector<Point>& motion, double spacing) const {
+    double farthest = 0;
+    for (std::size_t n = 0; n < level.rest.size(); ++n) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
+      }
+    }
+    const double modulus = settings_.youngs_modulus / (1 - 2 * std::min(settings_.poissons_ratio, 0.4999));
+    return 32 * std::numeric_limits<double>::epsilon() * farthest * modulus * spacing *
+           std::sqrt(double(level.rest.size()));
+  }
+
+  /// Motion of nodes that coincide, and forces shared by the parents.
+  static void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vector<Point>& motion,
+                              std::vector<Point>& forces) {
+    const auto size = static_cast<std::size_t>(coarse_nodes);
+    std::vector<Point> coarse_motion(size, Point{}), coarse_forces(forces.empty() ? 0 : size, Point{});
+    for (std::size_t n = 0; n < fine.parents.size(); ++n) {
+      const auto [p, q] = fine.parents[n];
+      if (p == q) coarse_motion[static_cast<std::size_t>(p)] = motion[n];
+      if (forces.empty()) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        coarse_forces[static_cast<std::size_t>(p)][k] += 0.5 * forces[n][k];
+        coarse_forces[static_cast<std::size_t>(q)][k] += 0.5 * forces[n][k];
+      }
+    }
+    motion = std::move(coarse_motion);
+    forces = std::move(coarse_forces);
+  }
+
+  SolverSettings settings_;
+  std::unique_ptr<On> on_;
+  std::unique_ptr<Evaluator<On, Arrays>> evaluator_;
+  std::vector<std::unique_ptr<Level>> linear_;   ///< finest first
+  std::vector<std::unique_ptr<Arrays>> arrays_;  ///< of the levels on which equilibrium is solved
+  std::vector<std::unique_ptr<Vectors>> vectors_;
+  std::deque<typename On::Loop> loops_;
+  std::vector<double> rounding_forces_;            ///< per level on which equilibrium is solved [N]
+  std::vector<bool> prescribes_, all_prescribed_;  ///< any component, every component
+  std::size_t solved_ = 1;
+  double last_reaction_ = 0;  ///< at the last equilibrium [N]
+  double load_ = 0;
+  bool reached_ = true;  ///< whether the positions are an equilibrium of load_
+};
+
+}  // namespace physgen::fem
