@@ -1,0 +1,197 @@
+// The VTKHDF file, read back by HDF5: the mesh, each offset and value of several steps, what is refused, and restarts.
+#include <sys/file.h>
+#include <truthcube/output/vtkhdf.h>
+
+#include <cmath>
+#include <limits>
+
+#include "scratch.h"
+#include "vtkhdf_scene.h"
+
+namespace physgen::truthcube {
+namespace {
+
+using testing::expect_error;
+using testing::H5File;
+using testing::Scene;
+
+class VtkHdf : public testing::Scratch {
+ public:
+  Scene scene;
+  std::filesystem::path path = in_folder("cube.vtkhdf");
+};
+
+TEST_F(VtkHdf, file_without_steps_is_a_static_mesh) {
+  const VtkHdfWriter writer = scene.create(path, 0);
+  EXPECT_EQ(writer.steps(), 0);
+  const H5File file(path);
+  EXPECT_EQ(file.integers("/VTKHDF", "Version"), (std::vector{2, 0}));
+  EXPECT_EQ(file.text("/VTKHDF", "Type"), "UnstructuredGrid");
+  EXPECT_FALSE(file.has("/VTKHDF/Steps"));
+  const auto nodes = static_cast<std::int64_t>(scene.nodes()), tets = static_cast<std::int64_t>(scene.tets());
+  EXPECT_EQ(file.values<std::int64_t>("/VTKHDF/NumberOfPoints"), std::vector{nodes});
+  EXPECT_EQ(file.values<std::int64_t>("/VTKHDF/NumberOfCells"), std::vector{tets});
+  EXPECT_EQ(file.values<std::int64_t>("/VTKHDF/NumberOfConnectivityIds"), std::vector{4 * tets});
+  EXPECT_EQ(file.shape("/VTKHDF/Points"), (std::vector<hsize_t>{scene.nodes(), 3}));
+  const std::vector<double> points = file.values<double>("/VTKHDF/Points");
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(points[i], scene.points[i / 3][i % 3]);
+  const std::vector<std::int64_t> corners = file.values<std::int64_t>("/VTKHDF/Connectivity");
+  ASSERT_EQ(corners.size(), 4 * scene.tets());
+  for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_EQ(corners[i], scene.mesh.tets[i / 4][i % 4]);
+  const std::vector<std::int64_t> offsets = file.values<std::int64_t>("/VTKHDF/Offsets");
+  ASSERT_EQ(offsets.size(), scene.tets() + 1);
+  for (std::size_t i = 0; i < offsets.size(); ++i) EXPECT_EQ(offsets[i], static_cast<std::int64_t>(4 * i));
+  EXPECT_EQ(file.values<std::uint8_t>("/VTKHDF/Types"), std::vector<std::uint8_t>(scene.tets(), 10));
+}
+
+TEST_F(VtkHdf, every_step_has_its_values_at_its_offsets) {
+  VtkHdfWriter writer = scene.create(path, 0);
+  for (int steps = 1; steps <= 4; ++steps) {
+    scene.write_step(writer, steps - 1);
+    EXPECT_EQ(writer.steps(), steps);
+    scene.expect_only_steps(path, steps);
+  }
+}
+
+TEST_F(VtkHdf, file_is_closed_between_steps) {
+  VtkHdfWriter writer = scene.create(path, 1);
+  EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0);
+  EXPECT_THROW(writer.write_step(1, {}, {}), Error);
+  EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0);
+}
+
+TEST_F(VtkHdf, many_steps_are_kept_apart) {
+  constexpr int many = 600;  // more than one chunk of offsets, and more than one node of an index, hold
+  static_cast<void>(scene.create(path, many));
+  scene.expect_only_steps(path, many);
+}
+
+TEST_F(VtkHdf, values_beyond_single_precision_are_infinite_and_nan_stays) {
+  VtkHdfWriter writer = scene.create(path, 0);
+  std::vector<double> values(scene.tets(), 1e-320);
+  values[0] = 1e300;
+  values[1] = std::numeric_limits<double>::quiet_NaN();
+  values[2] = -0.0;
+  writer.write_step(0, {}, std::array{Field{"J", 1, values}});
+  const std::vector<float> found = H5File(path).values<float>("/VTKHDF/CellData/J");
+  EXPECT_EQ(found[0], std::numeric_limits<float>::infinity());
+  EXPECT_TRUE(std::isnan(found[1]));
+  EXPECT_TRUE(found[2] == 0 && std::signbit(found[2]));
+  EXPECT_EQ(found[3], 0);
+}
+
+TEST_F(VtkHdf, fields_of_later_steps_are_those_of_the_first_in_any_order) {
+  VtkHdfWriter writer = scene.create(path, 1);
+  const auto displacement = Scene::values(1, 0, 3 * scene.nodes()), pressure = Scene::values(1, 1, scene.nodes());
+  const auto stress = Scene::values(1, 2, 6 * scene.tets()), volume = Scene::values(1, 3, scene.tets());
+  const Field u{"displacement", 3, displacement}, p{"pressure", 1, pressure}, s{"stress", 6, stress}, j{"J", 1, volume};
+  const auto step = [&](const std::vector<Field>& points, const std::vector<Field>& cells) {
+    return [&writer, points, cells] { writer.write_step(Scene::time(1), points, cells); };
+  };
+  expect_error(step({u}, {s, j}), "PointData", "displacement(3)", "pressure(1)");
+  expect_error(step({u, p}, {s}), "CellData", "J(1)");
+  expect_error(step({u, p, {"p2", 1, pressure}}, {s, j}), "p2(1)");
+  expect_error(step({u, {"pressure", 3, displacement}}, {s, j}), "pressure(3)");
+  expect_error(step({u, {"Pressure", 1, pressure}}, {s, j}), "Pressure(1)");
+  scene.expect_only_steps(path, 1);
+  step({p, u}, {j, s})();
+  scene.expect_only_steps(path, 2);
+}
+
+TEST_F(VtkHdf, fields_of_wrong_names_or_sizes_are_refused) {
+  VtkHdfWriter writer = scene.create(path, 0);
+  const std::vector<double> values(3 * scene.nodes());
+  const std::span<const double> all = values;
+  const auto step = [&](const std::vector<Field>& fields) {
+    return [&writer, fields] { writer.write_step(0, fields, {}); };
+  };
+  expect_error(step({{"", 3, all}}), path.string(), "name");
+  expect_error(step({{"a/b", 3, all}}), "a/b");
+  expect_error(step({{"a.b", 3, all}}), "a.b");
+  expect_error(step({{"u", 0, all}}), "\"u\" has 0 components");
+  expect_error(step({{"u", 2, all}}), "\"u\" has " + std::to_string(all.size()) + " values");
+  expect_error(step({{"u", 3, all.first(5)}}), "\"u\" has 5 values");
+  expect_error(step({{"u", 3, all}, {"u", 1, all.first(scene.nodes())}}), "two fields", "u");
+  EXPECT_EQ(writer.steps(), 0);
+  scene.write_step(writer, 0);
+  scene.expect_only_steps(path, 1);
+}
+
+TEST_F(VtkHdf, mesh_without_points_or_tets_is_refused) {
+  expect_error([&] { VtkHdfWriter(path, {}, scene.mesh.tets); }, path.string(), "0 points");
+  expect_error([&] { VtkHdfWriter(path, scene.points, {}); }, path.string(), "0 tets");
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(VtkHdf, step_that_was_not_counted_is_overwritten) {
+  static_cast<void>(scene.create(path, 3));
+  H5File(path, true).set_integer("/VTKHDF/Steps", "NSteps", 2);
+  VtkHdfWriter writer = scene.append_to(path, 2);
+  EXPECT_EQ(writer.steps(), 2);
+  scene.expect_steps(path, 2);
+  scene.write_step(writer, 2);
+  scene.expect_only_steps(path, 3);
+}
+
+TEST_F(VtkHdf, restart_removes_later_steps_and_continues) {
+  static_cast<void>(scene.create(path, 4));
+  for (const int kept : {4, 2, 1}) {
+    VtkHdfWriter writer = scene.append_to(path, kept);
+    EXPECT_EQ(writer.steps(), kept);
+    scene.expect_only_steps(path, kept);
+    expect_error([&] { writer.write_step(1, {}, {}); }, "other PointData");
+    for (int s = kept; s < 5; ++s) scene.write_step(writer, s);
+    scene.expect_only_steps(path, 5);
+  }
+}
+
+TEST_F(VtkHdf, restart_after_no_step_begins_anew) {
+  static_cast<void>(scene.create(path, 2));
+  VtkHdfWriter writer = scene.append_to(path, 0);
+  EXPECT_FALSE(H5File(path).has("/VTKHDF/Steps"));
+  writer.write_step(0, {}, {});  // other fields than the file had before
+}
+
+TEST_F(VtkHdf, restart_refuses_what_it_cannot_continue) {
+  expect_error([&] { static_cast<void>(scene.append_to(path, 1)); }, path.string(), "No such file");
+  testing::put_text(path, "no HDF5");
+  expect_error([&] { static_cast<void>(scene.append_to(path, 1)); }, path.string(), "cannot open it");
+  static_cast<void>(scene.create(path, 2));
+  expect_error([&] { static_cast<void>(scene.append_to(path, 3)); }, path.string(), "has 2 steps", "after step 3");
+  hid_t other = H5Fcreate(in_folder("other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(other);
+  expect_error([&] { static_cast<void>(scene.append_to(in_folder("other.h5"), 1)); }, "no file of truthcube");
+  scene.expect_only_steps(path, 2);
+}
+
+TEST_F(VtkHdf, restart_refuses_another_mesh) {
+  static_cast<void>(scene.create(path, 2));
+  Scene larger;
+  larger.points.push_back({});
+  Scene moved;
+  moved.points[3][1] = std::nextafter(moved.points[3][1], 1);
+  Scene reordered;
+  std::swap(reordered.mesh.tets[0], reordered.mesh.tets[1]);
+  for (const Scene* other : {&larger, &moved, &reordered}) {
+    expect_error([&] { static_cast<void>(other->append_to(path, 2)); }, path.string(), "another mesh", "12 points");
+  }
+  scene.expect_only_steps(path, 2);
+}
+
+TEST_F(VtkHdf, lock_of_a_viewer_does_not_stop_a_run) {
+  VtkHdfWriter writer = scene.create(path, 1);
+  const int viewer = ::open(path.c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(viewer, LOCK_SH | LOCK_NB), 0);
+  scene.write_step(writer, 1);
+  ::close(viewer);
+  scene.expect_only_steps(path, 2);
+}
+
+TEST_F(VtkHdf, folder_that_cannot_be_written_is_named) {
+  const testing::ReadOnly read_only(path.parent_path());
+  expect_error([&] { static_cast<void>(scene.create(path, 0)); }, path.string(), "cannot create it",
+               "Permission denied");
+}
+
+}  // namespace
+}  // namespace physgen::truthcube

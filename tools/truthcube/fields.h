@@ -1,0 +1,38 @@
+// What is drawn of a state: stress, its measures, and the change of volume.
+#pragma once
+
+#include <fem/mesh/mesh.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace physgen::truthcube {
+
+struct Fields {
+  std::vector<double> displacement;  ///< per node, 3 each [m]
+  std::vector<double> pressure;      ///< per node: -tr(stress) / 3 of its tets, averaged by their volume [Pa]
+  std::vector<double> stress;        ///< per tet, Cauchy: xx yy zz xy yz xz [Pa]
+  std::vector<double> von_mises;     ///< per tet [Pa]
+  std::vector<double> volume_ratio;  ///< per tet: J
+};
+
+/// @param first_piola per tet, by columns [Pa]
+[[nodiscard]] Fields make_fields(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
+                                 std::span<const fem::Point> positions,
+                                 std::span<const std::array<double, 9>> first_piola);
+
+/// A tet to look at where no equilibrium is found.
+struct SuspectTet {
+  fem::Index tet = 0;
+  std::array<double, 9> F{};  ///< deformation gradient, by rows
+  double J = 1;
+  bool is_finite = true;  ///< whether its F and stress are
+};
+
+/// The first tet whose deformation gradient or stress is not finite; where all are, that of the smallest J.
+[[nodiscard]] SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
+                                      std::span<const fem::Point> positions,
+                                      std::span<const std::array<double, 9>> first_piola);
+
+}  // namespace physgen::truthcube

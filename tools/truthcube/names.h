@@ -1,0 +1,41 @@
+// Choices by name on a command line, and the name that a misspelt one is near to.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace physgen::truthcube {
+
+/// The word of the list that takes the fewest changes of letters to become `word`; "" when each takes more than half of
+/// its letters.
+[[nodiscard]] std::string nearest(const std::string& word, const std::vector<std::string>& words);
+
+/// "there is no flag --cels; did you mean --cells?", or with a full stop where no word is near. @param kind "flag",
+/// "material", ...
+[[nodiscard]] std::string unknown(const std::string& kind, const std::string& word,
+                                  const std::vector<std::string>& words);
+
+/// "a, b, c"
+[[nodiscard]] std::string joined(const std::vector<std::string>& words);
+
+/// Values by name, in the order in which they are listed.
+template <class Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+template <class Value>
+[[nodiscard]] std::vector<std::string> words_of(const Names<Value>& names) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : names) words.push_back(word);
+  return words;
+}
+
+template <class Value>
+[[nodiscard]] std::string name_of(const Names<Value>& names, const Value& wanted) {
+  for (const auto& [word, value] : names) {
+    if (value == wanted) return word;
+  }
+  return "?";
+}
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,249 @@
+#include "options.h"
+
+#include <physgen/error.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "names.h"
+#include "sizes.h"
+
+namespace physgen::truthcube {
+
+namespace {
+
+constexpr const char* about =
+    R"(Compresses the Truth Cube (Kerdok et al. 2003), a silicone cube of 8 cm side with 343 beads inside, or a mesh of
+your own, between two plates, and solves for its quasistatic equilibrium. Prints a line for each Newton step: the
+residual |force on free components| / |force on prescribed ones|, iterations of conjugate gradients, energy, the
+smallest current over rest volume of a tet, and the time.)";
+
+constexpr const char* footer =
+    R"(There is no contact yet: free sides fold past the plates near bonded edges, on fine meshes from a compression of about
+0.1 on, in a zone of 1 to 2 mm of the cube; each step says how far.
+Exit status: 0 done, 1 a file or the memory failed, 2 wrong use, 3 no convergence, 130 interrupted; whatever steps were
+done are then written.
+Built: every material, precision and treatment of volume, on the CPU)"
+#ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
+    " and on CUDA"
+#endif
+    ", in the layouts of the schema"
+#ifndef PHYSGEN_TRUTHCUBE_HAS_GMSH
+    "; without Gmsh's library, so --mesh is refused"
+#endif
+    ".";
+
+const Names<VolumeTreatment> volumes{{"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}};
+const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};
+const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
+#ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
+                                 {"cuda", fem::Device::cuda}
+#endif
+};
+const Names<fem::TangentPrecision> precisions{{"half", fem::TangentPrecision::half},
+                                              {"float", fem::TangentPrecision::float32},
+                                              {"double", fem::TangentPrecision::float64}};
+const Names<fem::Preconditioner> preconditioners{{"multigrid", fem::Preconditioner::multigrid},
+                                                 {"block-jacobi", fem::Preconditioner::block_jacobi},
+                                                 {"none", fem::Preconditioner::none}};
+const Names<bool> steppings{{"nested", true}, {"loads", false}};  // whether nested
+/// The layout is a choice of the build: the solver is compiled for this one.
+enum class BuiltLayout { of_schema };
+const Names<BuiltLayout> layouts{{"schema", BuiltLayout::of_schema}};
+
+Names<std::string> materials() {
+  Names<std::string> names;
+  for (const std::string& name : fem::material_names()) names.emplace_back(name, name);
+  return names;
+}
+
+/// A choice by name. @param kind what the names are of: "material"
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& flag, Value& value, const Names<Value>& names,
+                        const std::string& kind, const std::string& help) {
+  const auto choose = [&value, names, flag, kind](const std::string& word) {
+    for (const auto& [name, named] : names) {
+      if (name != word) continue;
+      value = named;
+      return;
+    }
+    throw Error(flag + ": " + unknown(kind, word, words_of(names)) + " This build has " + joined(words_of(names)));
+  };
+  return app.add_option_function<std::string>(flag, choose, help)
+      ->type_name("{" + joined(words_of(names)) + "}")
+      ->default_str(name_of(names, value));
+}
+
+/// @throw Error for the first word that looks like a flag and is none
+void refuse_unknown_flags(const CLI::App& app, const std::vector<std::string>& arguments) {
+  std::vector<std::string> flags;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+  }
+  for (const std::string& word : arguments) {
+    const std::string flag = word.substr(0, word.find('='));
+    if (flag.starts_with("--") && std::ranges::find(flags, flag) == flags.end()) {
+      throw Error(unknown("flag", flag, flags));
+    }
+  }
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw Error(what);
+}
+
+void check_cells(const Options& options) {
+  const bool patches = options.volume == VolumeTreatment::patches;
+  constexpr std::int64_t most = std::numeric_limits<fem::Index>::max();
+  const std::int64_t longest = longest_list(count_cube(options.cells, patches));
+  if (longest <= most) return;
+  int fitting = options.cells;
+  while (longest_list(count_cube(fitting, patches)) > most) fitting -= fitting > 1000 ? fitting / 2 : 1;
+  throw Error("--cells " + std::to_string(options.cells) + ": a list of the solver would have " +
+              std::to_string(longest) + " entries, and 32-bit numbers reach " + std::to_string(most) +
+              "; the largest cube has --cells " + std::to_string(fitting));
+}
+
+void check(const Options& options) {
+  if (options.is_cube()) check_cells(options);
+  const double nu = options.solver.poissons_ratio;
+  require(nu > -1 && nu < 0.5, "--poisson " + number(nu) + ": Poisson's ratio is above -1 and below 0.5");
+  const double young = options.solver.youngs_modulus;
+  require(young > 0 && std::isfinite(young), "--young " + number(young) + ": Young's modulus is a positive number");
+  const double tolerance = options.solver.newton.tolerance;
+  require(tolerance >= 1e-14 && tolerance <= 0.1,
+          "--tolerance " + number(tolerance) + ": the residual's tolerance is a number from 1e-14 to 0.1");
+  double before = 0;
+  for (const double c : options.compressions) {
+    require(std::isfinite(c) && c > before && c < 1,
+            "--compress takes ascending numbers between 0 and 1, plate travel over height; " + number(c) +
+                " does not fit behind " + number(before));
+    before = c;
+  }
+  if (options.volume == VolumeTreatment::patches && !fem::can_average_volume(options.solver.material)) {
+    throw Error("the energy of '" + options.solver.material +
+                "' has no separate part of the volume: write --volume tets, or choose another --material");
+  }
+  require(!options.restart || !options.out.empty(), "--restart continues what is in --out DIR, which is missing");
+  require(options.refinements == 0 || !options.mesh.empty(),
+          "--refine is for a mesh of your own: the cube has --cells");
+}
+
+}  // namespace
+
+std::string Options::settings_json() const {
+  nlohmann::json json;
+  if (is_cube()) {
+    json["cells"] = cells;
+  } else {
+    json["refine"] = refinements;
+  }
+  json["material"] = solver.material;
+  json["young"] = solver.youngs_modulus;
+  json["poisson"] = solver.poissons_ratio;
+  json["volume"] = name_of(volumes, volume);
+  json["top"] = name_of(tops, top);
+  json["precision"] = name_of(precisions, solver.precision);
+  json["preconditioner"] = name_of(preconditioners, solver.newton.preconditioner.kind);
+  json["tolerance"] = solver.newton.tolerance;
+  json["stepping"] = solver.nested ? "nested" : "loads";
+  json["historical"] = historical;
+  return json.dump();
+}
+
+Options parse(const std::vector<std::string>& arguments) {
+  Options options;
+  options.solver.youngs_modulus = 15e3;
+  options.solver.poissons_ratio = 0.49;
+  CLI::App app{about, "truthcube"};
+  app.footer(footer);
+  app.option_defaults()->always_capture_default();
+  app.set_help_flag("-h,--help", "this text");
+  auto* cells = app.add_option("--cells", options.cells, "the cube in N^3 cells of 6 tets; powers of two are fastest")
+                    ->check(CLI::Range(1, 100000))
+                    ->type_name("N");
+  app.add_option("--mesh", options.mesh,
+                 "a mesh of tets in Gmsh's format, in metres, in place of the cube; its plates "
+                 "are its lowest and highest nodes along z")
+      ->excludes(cells)
+      ->type_name("FILE");
+  app.add_option("--refine", options.refinements,
+                 "cut each tet of the mesh into 8, so many times; multigrid needs 1 at least")
+      ->check(CLI::Range(0, 6))
+      ->type_name("N");
+  add_choice(app, "--material", options.solver.material, materials(), "material", "law of elasticity");
+  app.add_option("--young", options.solver.youngs_modulus, "Young's modulus [Pa]")->type_name("E");
+  app.add_option("--poisson", options.solver.poissons_ratio, "Poisson's ratio, above -1 and below 0.5")
+      ->type_name("NU");
+  add_choice(app, "--volume", options.volume, volumes, "treatment of volume",
+             "change of volume by tets, which lock near 0.5, or averaged over patches of about six");
+  add_choice(app, "--top", options.top, tops, "plate", "how the upper plate holds the body; the lower is bonded");
+  app.add_option("--compress", options.compressions, "plate travel over height, a step each, ascending")
+      ->expected(1, -1)
+      ->type_name("C");
+  add_choice(app, "--device", options.solver.device, devices, "device", "where it is solved");
+  auto* precision = add_choice(app, "--precision", options.solver.precision, precisions, "precision",
+                               "of the tangent and its solver; half: in float, the preconditioner's matrices in half. "
+                               "States and forces are in double");
+  BuiltLayout layout = BuiltLayout::of_schema;
+  add_choice(app, "--layout", layout, layouts, "layout",
+             "of all arrays, a choice of the build; schema: as schemas/*.h say, nodes in padded records, elements in "
+             "tiles");
+  auto* preconditioner = add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners,
+                                    "preconditioner", "of conjugate gradients");
+  app.add_option("--tolerance", options.solver.newton.tolerance, "of the residual, 1e-14 to 0.1")->type_name("T");
+  auto* stepping =
+      add_choice(app, "--stepping", options.solver.nested, steppings, "way of stepping",
+                 "nested: each load on coarser meshes first; loads: the plate moves inside the first linear solve")
+          ->default_str("nested, but loads with patches up to a Poisson's ratio of 0.495");
+  app.add_flag("--historical", options.historical,
+               "as in 2005: plain conjugate gradients in float, no line search, no nesting, an absolute tolerance of "
+               "1e-3 N or --tolerance times E times the squared height, whichever is smaller")
+      ->excludes(precision)
+      ->excludes(preconditioner)
+      ->excludes(stepping);
+  app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
+      ->type_name("DIR");
+  app.add_flag("--restart", options.restart, "continue behind the last step in --out");
+  app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")
+      ->type_name("FILE");
+  app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N");
+  app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");
+  app.add_flag("-q,--quiet", options.quiet, "print errors only");
+  try {
+    refuse_unknown_flags(app, arguments);
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    app.parse(std::move(reversed));
+  } catch (const CLI::CallForHelp&) {
+    options.help = app.help();
+    return options;
+  } catch (const CLI::ParseError& error) {
+    throw Error(error.what());
+  }
+  if (stepping->count() == 0) {  // what was faster
+    options.solver.nested = options.volume == VolumeTreatment::tets || options.solver.poissons_ratio > 0.495;
+  }
+  if (options.historical) {
+    options.solver.nested = false;
+    options.solver.precision = fem::TangentPrecision::float32;
+    options.solver.newton.preconditioner.kind = fem::Preconditioner::none;
+    options.solver.newton.line_search = false;
+  }
+  check(options);
+  return options;
+}
+
+}  // namespace physgen::truthcube

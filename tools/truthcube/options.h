@@ -1,0 +1,38 @@
+// The command line of truthcube.
+#pragma once
+
+#include <fem/solver/settings.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace physgen::truthcube {
+
+enum class VolumeTreatment { tets, patches };
+enum class TopPlate { bonded, frictionless };
+
+struct Options {
+  int cells = 16;
+  std::filesystem::path mesh;  ///< in place of the cube
+  int refinements = 0;         ///< of that mesh
+  VolumeTreatment volume = VolumeTreatment::patches;
+  TopPlate top = TopPlate::bonded;
+  std::vector<double> compressions{0.05, 0.125, 0.1825};  ///< plate travel over height, ascending
+  fem::SolverSettings solver;
+  bool historical = false;    ///< whether the tolerance is an absolute force, which the height of the body decides
+  std::filesystem::path out;  ///< empty: nothing is written
+  std::filesystem::path beads;
+  bool restart = false, dry_run = false, quiet = false;
+  int threads = 0;   ///< OpenMP threads; 0: all
+  std::string help;  ///< what to print where help was asked for
+
+  [[nodiscard]] bool is_cube() const { return mesh.empty(); }
+  /// What a run that is continued must not change, as a JSON object.
+  [[nodiscard]] std::string settings_json() const;
+};
+
+/// @throw Error for a flag or value that does not exist, with the nearest name, or is out of range
+[[nodiscard]] Options parse(const std::vector<std::string>& arguments);
+
+}  // namespace physgen::truthcube

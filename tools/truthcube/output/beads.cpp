@@ -1,0 +1,101 @@
+// beads.csv is written a step at a time, and the file is closed in between.
+#include <physgen/error.h>
+#include <truthcube/output/beads.h>
+#include <truthcube/output/disk.h>
+
+#include <charconv>
+#include <fstream>
+#include <string>
+#include <system_error>
+
+namespace physgen::truthcube {
+
+namespace {
+
+constexpr std::string_view header = "compression,x,y,z,ux,uy,uz\n";
+
+void add_number(std::string& line, double value, char end) {
+  std::array<char, 32> text{};
+  const auto [last, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 17);
+  line.append(text.data(), last);
+  line += end;
+}
+
+// Where line number `lines`, counted from 1, ends; npos where there are fewer complete lines.
+std::size_t end_of_line(std::string_view text, std::size_t lines) {
+  std::size_t end = 0;
+  for (std::size_t l = 0; l < lines; ++l) {
+    const std::size_t newline = text.find('\n', end);
+    if (newline == std::string_view::npos) return newline;
+    end = newline + 1;
+  }
+  return end;
+}
+
+}  // namespace
+
+std::vector<fem::Point> bead_positions() {
+  std::vector<fem::Point> beads;
+  beads.reserve(bead_count);
+  for (int i = 1; i <= 7; ++i) {
+    for (int j = 1; j <= 7; ++j) {
+      for (int k = 1; k <= 7; ++k) beads.push_back({i * 0.01, j * 0.01, k * 0.01});
+    }
+  }
+  return beads;
+}
+
+std::vector<fem::Point> interpolate_displacements(std::span<const fem::Location> locations, const fem::TetMesh& mesh,
+                                                  std::span<const fem::Point> rest,
+                                                  std::span<const fem::Point> positions) {
+  const auto nodes = static_cast<std::size_t>(mesh.nodes);
+  if (rest.size() != nodes || positions.size() != nodes) {
+    throw Error("beads: " + std::to_string(rest.size()) + " rest positions and " + std::to_string(positions.size()) +
+                " positions for " + std::to_string(nodes) + " nodes");
+  }
+  std::vector<fem::Point> displacements(locations.size(), fem::Point{});
+  for (std::size_t b = 0; b < locations.size(); ++b) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      const auto node = static_cast<std::size_t>(mesh.tets[static_cast<std::size_t>(locations[b].tet)][c]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        displacements[b][k] += locations[b].weights[c] * (positions[node][k] - rest[node][k]);
+      }
+    }
+  }
+  return displacements;
+}
+
+BeadFile::BeadFile(std::filesystem::path path) : path_(std::move(path)) { write_text(path_, header); }
+
+BeadFile BeadFile::append_to(std::filesystem::path path, int steps) {
+  if (steps <= 0) return BeadFile(std::move(path));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error(path.string() + ": cannot be opened to be continued after step " + std::to_string(steps));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!text.starts_with(header)) throw Error(path.string() + ": does not begin with the header of a bead file");
+  const std::size_t end = end_of_line(text, 1 + bead_count * static_cast<std::size_t>(steps));
+  if (end == std::string::npos) {
+    throw Error(path.string() + ": has fewer rows than the " + std::to_string(bead_count) + " of each of " +
+                std::to_string(steps) + " steps");
+  }
+  write_text(path, std::string_view(text).substr(0, end));
+  return {std::move(path), Existing{}};
+}
+
+void BeadFile::write_step(double compression, std::span<const fem::Point> displacements) {
+  if (displacements.size() != bead_count) {
+    throw Error(path_.string() + ": " + std::to_string(displacements.size()) + " displacements for " +
+                std::to_string(bead_count) + " beads");
+  }
+  const std::vector<fem::Point> rest = bead_positions();
+  std::string rows;
+  for (std::size_t b = 0; b < bead_count; ++b) {
+    add_number(rows, compression, ',');
+    for (const double x : rest[b]) add_number(rows, x, ',');
+    for (std::size_t k = 0; k < 3; ++k) add_number(rows, displacements[b][k], k < 2 ? ',' : '\n');
+  }
+  append_text(path_, rows);
+}
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,137 @@
+// An HDF5 file of its own, with a checksum of all that a run takes from it.
+#include <physgen/error.h>
+#include <truthcube/output/checkpoint.h>
+#include <truthcube/output/disk.h>
+#include <truthcube/output/h5.h>
+#include <truthcube/output/hash.h>
+
+#include <bit>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+namespace physgen::truthcube {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::int32_t current_version = 1;
+constexpr const char* format = "physgen truthcube checkpoint";
+constexpr std::uint64_t room_for_attributes = std::uint64_t{1} << 16U;
+
+std::uint64_t checksum(const Checkpoint& c) {
+  Hash hash;
+  hash.add(std::as_bytes(std::span(c.settings)));
+  hash.add(c.mesh_hash);
+  hash.add(static_cast<std::uint64_t>(c.step));
+  hash.add(std::bit_cast<std::uint64_t>(c.compression));
+  hash.add(std::as_bytes(std::span(c.positions)));
+  hash.add(std::as_bytes(std::span(c.pressures)));
+  return hash.value();
+}
+
+Json parse_settings(const std::string& text, const std::string& where) {
+  Json settings = Json::parse(text, nullptr, false);
+  if (!settings.is_object()) throw Error(where + ": the settings are no JSON object: " + text);
+  return settings;
+}
+
+// "poisson: 0.45 in the checkpoint, 0.49 in this run; ..."
+std::string differences(const Json& then, const Json& now) {
+  std::set<std::string> keys;
+  for (const Json* settings : {&then, &now}) {
+    for (const auto& [key, value] : settings->items()) keys.insert(key);
+  }
+  const auto value_of = [](const Json& settings, const std::string& key) {
+    return settings.contains(key) ? settings[key].dump() : "not set";
+  };
+  std::string text;
+  for (const std::string& key : keys) {
+    if (then.contains(key) && now.contains(key) && then[key] == now[key]) continue;
+    text += (text.empty() ? "" : "; ") + key + ": " + value_of(then, key) + " in the checkpoint, " +
+            value_of(now, key) + " in this run";
+  }
+  return text;
+}
+
+template <class T>
+std::span<const T> one(const T& value) {
+  return {&value, 1};
+}
+
+// A file that can be read, and must not be used.
+struct Unusable : Error {
+  using Error::Error;
+};
+
+// What the file says, unchecked but for its version and checksum.
+Checkpoint read_all(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  try {
+    const h5::File file = h5::File::open(path, false);
+    if (!file.has_attribute("/", "format") || file.read_text_attribute("/", "format") != format) {
+      throw Unusable(name + ": is no checkpoint of truthcube");
+    }
+    const auto version = file.read_attribute<std::int32_t>("/", "version");
+    if (version != current_version) {
+      throw Unusable(name + ": is of version " + std::to_string(version) + ", and this program reads version " +
+                     std::to_string(current_version));
+    }
+    Checkpoint c;
+    const std::vector<std::uint8_t> settings = file.read_dataset<std::uint8_t>("/settings");
+    c.settings.assign(settings.begin(), settings.end());
+    c.mesh_hash = file.read_attribute<std::uint64_t>("/", "mesh_hash");
+    c.step = file.read_attribute<std::int32_t>("/", "step");
+    c.compression = file.read_attribute<double>("/", "compression");
+    c.positions = file.read_dataset<double>("/positions");
+    c.pressures = file.read_dataset<double>("/pressures");
+    if (checksum(c) != file.read_attribute<std::uint64_t>("/", "checksum")) {
+      throw Unusable(name + ": is damaged: its checksum is not that of its contents");
+    }
+    return c;
+  } catch (const Unusable&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(name + ": is damaged, or no checkpoint: " + error.what());
+  }
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& c) {
+  static_cast<void>(parse_settings(c.settings, path.string()));
+  replace_file(path, [&c](const std::filesystem::path& written) {
+    const std::uint64_t bytes = (c.positions.size() + c.pressures.size()) * sizeof(double) + c.settings.size();
+    h5::File file = h5::File::create(written, bytes + room_for_attributes);
+    file.write_attribute("/", "format", std::string(format));
+    file.write_attribute("/", "version", one(current_version));
+    const std::vector<std::uint8_t> settings(c.settings.begin(), c.settings.end());
+    file.write_dataset<std::uint8_t>("/settings", std::span<const std::uint8_t>(settings));
+    file.write_attribute("/", "mesh_hash", one(c.mesh_hash));
+    file.write_attribute("/", "step", one<std::int32_t>(c.step));
+    file.write_attribute("/", "compression", one(c.compression));
+    file.write_dataset<double>("/positions", std::span<const double>(c.positions));
+    file.write_dataset<double>("/pressures", std::span<const double>(c.pressures));
+    file.write_attribute("/", "checksum", one(checksum(c)));
+    file.close();
+  });
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& settings, std::uint64_t mesh_hash) {
+  const std::string name = path.string();
+  const Json now = parse_settings(settings, name);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw Error(name + ": there is no checkpoint of this name, and a run that is to be continued does not start anew");
+  }
+  Checkpoint c = read_all(path);
+  const std::string differing = differences(parse_settings(c.settings, name), now);
+  if (!differing.empty()) throw Error(name + ": is of a run with other settings: " + differing);
+  if (c.mesh_hash != mesh_hash) {
+    throw Error(name + ": is of another mesh (" + std::to_string(c.positions.size() / 3) + " positions)");
+  }
+  return c;
+}
+
+}  // namespace physgen::truthcube

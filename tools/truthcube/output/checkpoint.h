@@ -1,0 +1,32 @@
+// The state after a step, from which a run continues bit for bit.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace physgen::truthcube {
+
+struct Checkpoint {
+  std::string settings =
+      "{}";  ///< a JSON object of what a run must not change when it continues: material, volume, ...
+  std::uint64_t mesh_hash = 0;    ///< mesh_hash() of hash.h
+  int step = 0;                   ///< how many steps are done
+  double compression = 0;         ///< of the last of them: plate travel over side
+  std::vector<double> positions;  ///< [m], x y z of each node
+  std::vector<double> pressures;  ///< [Pa], where the volume treatment has any
+};
+
+/// Writes a checkpoint in the place of an old one, which stays until the new one is complete on the disk.
+/// @throws Error when the settings are no JSON object, the disk is too full (the bytes needed and free are said), or
+/// writing fails; an old checkpoint is then as it was
+void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
+
+/// Reads a checkpoint for a run of these settings over this mesh. Every double has the bits that were written.
+/// @throws Error when there is no such file, it is no checkpoint, damaged, of another version or of another mesh, or
+/// its settings differ, with each key that does and both values
+[[nodiscard]] Checkpoint read_checkpoint(const std::filesystem::path& file, const std::string& settings,
+                                         std::uint64_t mesh_hash);
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,83 @@
+// Keys and members are paired once, for writing and reading.
+#include <physgen/error.h>
+#include <truthcube/output/disk.h>
+#include <truthcube/output/run_json.h>
+
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace physgen::truthcube {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Record, class Visit>
+void visit_step(Record& step, const Visit& visit) {
+  visit("compression", step.compression);
+  visit("newton_iterations", step.newton_iterations);
+  visit("pcg_iterations", step.pcg_iterations);
+  visit("residual", step.residual);
+  visit("energy", step.energy);
+  visit("smallest_J", step.smallest_J);
+  visit("reaction", step.reaction);
+  visit("seconds", step.seconds);
+}
+
+template <class Record, class Visit>
+void visit_run(Record& run, const Visit& visit) {
+  visit("nodes", run.nodes);
+  visit("tets", run.tets);
+  visit("bytes", run.bytes);
+  visit("device", run.device);
+  visit("command", run.command);
+  visit("setup_seconds", run.setup_seconds);
+}
+
+template <class T>
+void take(const Json& object, const char* key, T& value) {
+  const Json& found = object.at(key);
+  if constexpr (std::is_same_v<T, double>) {
+    value = found.is_null() ? std::numeric_limits<double>::quiet_NaN() : found.get<double>();
+  } else {
+    value = found.get<T>();
+  }
+}
+
+}  // namespace
+
+void write_run_json(const std::filesystem::path& file, const RunRecord& record) {
+  Json run;
+  visit_run(record, [&run](const char* key, const auto& value) { run[key] = value; });
+  run["settings"] = Json::parse(record.settings, nullptr, false);
+  if (!run["settings"].is_object())
+    throw Error(file.string() + ": the settings are no JSON object: " + record.settings);
+  run["steps"] = Json::array();
+  for (const StepRecord& step : record.steps) {
+    Json entry;
+    visit_step(step, [&entry](const char* key, const auto& value) { entry[key] = value; });
+    run["steps"].push_back(entry);
+  }
+  // Names of files in a command need not be UTF-8, which JSON is.
+  write_text(file, run.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+RunRecord read_run_json(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw Error(file.string() + ": cannot be opened");
+  try {
+    const Json run = Json::parse(stream);
+    RunRecord record;
+    visit_run(record, [&run](const char* key, auto& value) { take(run, key, value); });
+    record.settings = run.at("settings").dump();
+    for (const Json& entry : run.at("steps")) {
+      visit_step(record.steps.emplace_back(), [&entry](const char* key, auto& value) { take(entry, key, value); });
+    }
+    return record;
+  } catch (const Json::exception& error) {
+    throw Error(file.string() + ": is no run.json of truthcube: " + error.what());
+  }
+}
+
+}  // namespace physgen::truthcube

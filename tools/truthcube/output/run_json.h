@@ -1,0 +1,43 @@
+// run.json: what was solved, on what, and how each step went, for scripts.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace physgen::truthcube {
+
+struct StepRecord {
+  double compression = 0;  ///< plate travel over side
+  int newton_iterations = 0;
+  int pcg_iterations = 0;  ///< of all Newton iterations together
+  double residual = 0;     ///< relative
+  double energy = 0;       ///< [J]
+  double smallest_J = 0;   // NOLINT(readability-identifier-naming): as in the file
+  double reaction = 0;     ///< force on the top plate along z [N]; negative under compression
+  double seconds = 0;      ///< wall time of the solve, without set-up and output
+  bool operator==(const StepRecord&) const = default;
+};
+
+struct RunRecord {
+  std::int64_t nodes = 0, tets = 0;
+  std::int64_t bytes = 0;       ///< of all arrays of the solver
+  std::string device;           ///< "cpu", or the name of the GPU
+  std::string command;          ///< as it was typed
+  std::string settings = "{}";  ///< a JSON object: material, young, poisson, volume, cells, preconditioner, ...
+  double setup_seconds = 0;
+  std::vector<StepRecord> steps;
+  bool operator==(const RunRecord&) const = default;
+};
+
+/// Writes all of the record; the file is complete at any time. Numbers keep all digits, and those that are not finite
+/// are null, since JSON has no others.
+/// @throws Error when the settings are no JSON object or writing fails
+void write_run_json(const std::filesystem::path& file, const RunRecord& record);
+
+/// Reads what write_run_json() wrote, for a run that is continued; null gives NaN.
+/// @throws Error naming the file when it cannot be read, or lacks a key, which is named
+[[nodiscard]] RunRecord read_run_json(const std::filesystem::path& file);
+
+}  // namespace physgen::truthcube

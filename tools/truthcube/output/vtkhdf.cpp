@@ -1,0 +1,249 @@
+// A step counts once Steps/NSteps and Steps/Values have it. Datasets may be longer than that: the next step overwrites
+// the rest. Nothing is ever taken out of a file, since HDF5 cuts a file off before it notes the new end. Viewers read
+// all of Steps/Values into memory for NSteps times, so Values grows last: it is never longer than that.
+#include <physgen/error.h>
+#include <truthcube/output/disk.h>
+#include <truthcube/output/h5.h>
+#include <truthcube/output/hash.h>
+#include <truthcube/output/vtkhdf.h>
+
+#include <algorithm>
+#include <limits>
+#include <string_view>
+
+namespace physgen::truthcube {
+
+namespace {
+
+constexpr const char* root = "/VTKHDF";
+constexpr const char* steps_group = "/VTKHDF/Steps";
+constexpr const char* first_steps_group =
+    "/Steps of the first step";  // moved to steps_group when the first step is done
+constexpr std::array step_offsets{"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"};
+constexpr std::uint8_t vtk_tetra = 10;
+constexpr hsize_t steps_per_chunk = 512;
+constexpr std::uint64_t room_for_groups = std::uint64_t{1} << 19U;  // groups, attributes, indices, values per step
+constexpr std::uint64_t room_for_array = std::uint64_t{1} << 16U;   // the same for one field
+
+// The name of something in a group.
+std::string in(std::string group, std::string_view name) {
+  group += '/';
+  group += name;
+  return group;
+}
+
+std::string data_group(const std::string& what) { return in(root, what + "Data"); }
+std::string offsets_group(const std::string& steps, const std::string& what) { return in(steps, what + "DataOffsets"); }
+
+// One chunk per step where HDF5 can: a chunk has less than 4 GiB.
+hsize_t chunk_rows(std::uint64_t rows, int components) {
+  const std::uint64_t most =
+      std::numeric_limits<std::uint32_t>::max() / (sizeof(float) * static_cast<unsigned>(components));
+  return std::min(rows, most);
+}
+
+// A dataset of 1 component has 1 dimension.
+hsize_t columns(int components) { return components == 1 ? 0 : static_cast<hsize_t>(components); }
+
+template <class T>
+std::span<const T> one(const T& value) {
+  return {&value, 1};
+}
+
+std::string of_mesh(std::uint64_t points, std::uint64_t tets) {
+  return std::to_string(points) + " points and " + std::to_string(tets) + " tets";
+}
+
+int count_steps(const h5::File& file) {
+  if (!file.has(steps_group)) return 0;
+  const auto times = static_cast<std::int32_t>(file.shape(in(steps_group, "Values"))[0]);
+  return std::min(file.read_attribute<std::int32_t>(steps_group, "NSteps"), times);
+}
+
+}  // namespace
+
+VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, std::uint64_t points, std::uint64_t tets)
+    : path_(std::move(path)) {
+  if (points == 0 || tets == 0) {
+    throw Error(path_.string() + ": a mesh of " + of_mesh(points, tets) + " cannot be written; there must be some");
+  }
+  points_.rows = points;
+  cells_.rows = tets;
+}
+
+VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, std::span<const fem::Point> points,
+                           std::span<const std::array<fem::Index, 4>> tets)
+    : VtkHdfWriter(std::move(path), points.size(), tets.size()) {
+  const auto point_count = static_cast<std::int64_t>(points.size());
+  const auto cell_count = static_cast<std::int64_t>(tets.size());
+  const auto corner_count = 4 * cell_count;
+  const std::uint64_t bytes = points.size_bytes() + 2 * tets.size_bytes() + tets.size() * (sizeof(std::int64_t) + 1);
+  h5::File file = h5::File::create(path_, bytes + room_for_groups);
+  file.make_group(root);
+  file.write_attribute<std::int32_t>(root, "Version", std::array{2, 0});
+  file.write_attribute(root, "Type", "UnstructuredGrid");
+  file.write_attribute("/", "mesh_hash", one(mesh_hash(points, tets)));
+  file.write_dataset<std::int64_t>(in(root, "NumberOfPoints"), one(point_count));
+  file.write_dataset<std::int64_t>(in(root, "NumberOfCells"), one(cell_count));
+  file.write_dataset<std::int64_t>(in(root, "NumberOfConnectivityIds"), one(corner_count));
+  // Points and tets are arrays of arrays without gaps: flat, they are the same bytes.
+  file.write_dataset<double>(in(root, "Points"), std::span<const double>(points.front().data(), 3 * points.size()), 3);
+  file.write_dataset<std::int64_t>(in(root, "Connectivity"),
+                                   std::span<const fem::Index>(tets.front().data(), 4 * tets.size()));
+  std::vector<std::int64_t> first_corner(tets.size() + 1);
+  for (std::size_t t = 0; t < first_corner.size(); ++t) first_corner[t] = static_cast<std::int64_t>(4 * t);
+  file.write_dataset<std::int64_t>(in(root, "Offsets"), std::span<const std::int64_t>(first_corner));
+  const std::vector<std::uint8_t> types(tets.size(), vtk_tetra);
+  file.write_dataset<std::uint8_t>(in(root, "Types"), std::span<const std::uint8_t>(types));
+  file.close();
+}
+
+std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::kinds_in(const h5::File& file, const Arrays& arrays) {
+  std::vector<Arrays::Kind> kinds;
+  for (const std::string& name : file.names_in(data_group(arrays.what))) {
+    const std::vector<hsize_t> shape = file.shape(in(data_group(arrays.what), name));
+    kinds.push_back({name, shape.size() == 2 ? static_cast<int>(shape[1]) : 1});
+  }
+  std::ranges::sort(kinds);
+  return kinds;
+}
+
+VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, std::span<const fem::Point> points,
+                                     std::span<const std::array<fem::Index, 4>> tets, int steps) {
+  if (steps <= 0) return {std::move(path), points, tets};
+  VtkHdfWriter writer(std::move(path), points.size(), tets.size());
+  const h5::File file = h5::File::open(writer.path_, false);
+  const std::string name = writer.path_.string();
+  if (!file.has_attribute("/", "mesh_hash")) throw Error(name + ": is no file of truthcube, which cannot continue it");
+  if (file.read_attribute<std::uint64_t>("/", "mesh_hash") != mesh_hash(points, tets)) {
+    throw Error(name + ": is of another mesh, with " +
+                of_mesh(file.shape(in(root, "Points"))[0], file.shape(in(root, "Types"))[0]) + ", than this one of " +
+                of_mesh(points.size(), tets.size()));
+  }
+  const int found = count_steps(file);
+  if (found < steps) {
+    throw Error(name + ": has " + std::to_string(found) + " steps and cannot be continued after step " +
+                std::to_string(steps));
+  }
+  if (found > steps) {
+    replace_file(writer.path_, [&](const std::filesystem::path& written) {
+      copy_steps(file, VtkHdfWriter(written, points, tets), steps);
+    });
+  }
+  for (Arrays* arrays : {&writer.points_, &writer.cells_}) arrays->kinds = kinds_in(file, *arrays);
+  writer.steps_ = steps;
+  return writer;
+}
+
+void VtkHdfWriter::copy_steps(const h5::File& file, VtkHdfWriter to, int steps) {
+  for (int s = 0; s < steps; ++s) {
+    const auto step = static_cast<hsize_t>(s);
+    std::vector<std::vector<double>> values;
+    const auto fields_of = [&](const Arrays& arrays) {
+      std::vector<Field> fields;
+      for (const auto& [name, components] : kinds_in(file, arrays)) {
+        values.push_back(file.read_rows(in(data_group(arrays.what), name), step * arrays.rows, arrays.rows));
+        fields.push_back({name, components, values.back()});
+      }
+      return fields;
+    };
+    const double time = file.read_rows(in(steps_group, "Values"), step, 1).front();
+    const std::vector<Field> points = fields_of(to.points_);
+    to.write_step(time, points, fields_of(to.cells_));
+  }
+}
+
+std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::checked_kinds(const Arrays& arrays,
+                                                                    std::span<const Field> fields) const {
+  const auto error = [&](const Field& field, const std::string& what) {
+    return Error(path_.string() + ": " + arrays.what + "Data \"" + field.name + "\" " + what);
+  };
+  std::vector<Arrays::Kind> kinds;
+  for (const Field& field : fields) {
+    if (field.name.empty() || field.name.find_first_of("/.") != std::string::npos) {
+      throw error(field, "has no usable name: a name is not empty and has no '/' and no '.'");
+    }
+    if (field.components < 1) throw error(field, "has " + std::to_string(field.components) + " components");
+    const std::uint64_t expected = arrays.rows * static_cast<unsigned>(field.components);
+    if (field.values.size() != expected) {
+      throw error(field, "has " + std::to_string(field.values.size()) + " values; there must be " +
+                             std::to_string(field.components) + " for each of " + std::to_string(arrays.rows));
+    }
+    kinds.push_back({field.name, field.components});
+  }
+  std::ranges::sort(kinds);
+  for (std::size_t i = 1; i < kinds.size(); ++i) {
+    if (kinds[i].name == kinds[i - 1].name) throw Error(path_.string() + ": two fields have the name " + kinds[i].name);
+  }
+  if (steps_ > 0 && kinds != arrays.kinds) {
+    const auto list = [](const std::vector<Arrays::Kind>& all) {
+      std::string text;
+      for (const Arrays::Kind& kind : all) text += " " + kind.name + "(" + std::to_string(kind.components) + ")";
+      return text.empty() ? " none" : text;
+    };
+    throw Error(path_.string() + ": step " + std::to_string(steps_ + 1) + " has other " + arrays.what +
+                "Data than those before:" + list(kinds) + " instead of" + list(arrays.kinds));
+  }
+  return kinds;
+}
+
+std::uint64_t VtkHdfWriter::bytes_of_step() const {
+  std::uint64_t bytes = room_for_groups;
+  for (const Arrays* arrays : {&points_, &cells_}) {
+    for (const Arrays::Kind& kind : arrays->kinds) {
+      bytes += room_for_array + arrays->rows * static_cast<unsigned>(kind.components) * sizeof(float);
+    }
+  }
+  return bytes;
+}
+
+void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, std::span<const Field> cell_fields) {
+  std::vector<Arrays::Kind> point_kinds = checked_kinds(points_, point_fields);
+  cells_.kinds = checked_kinds(cells_, cell_fields);
+  points_.kinds = std::move(point_kinds);
+  reserve_space(path_, bytes_of_step());
+  h5::File file = h5::File::open(path_, true);
+
+  const bool first = steps_ == 0;
+  const std::string group = first ? first_steps_group : steps_group;
+  if (first) {
+    for (const std::string& name : {group, data_group("Point"), data_group("Cell")}) file.make_group(name);
+    file.make_growing<double>(in(group, "Values"), steps_per_chunk);
+    file.make_growing<std::int64_t>(in(group, "NumberOfParts"), steps_per_chunk);
+    for (const std::string offsets : step_offsets) {
+      const bool per_topology = offsets == "CellOffsets" || offsets == "ConnectivityIdOffsets";
+      file.make_growing<std::int64_t>(in(group, offsets), steps_per_chunk, per_topology ? 1 : 0);
+    }
+    for (const Arrays* arrays : {&points_, &cells_}) {
+      file.make_group(offsets_group(group, arrays->what));
+      for (const auto& [name, components] : arrays->kinds) {
+        file.make_growing<float>(in(data_group(arrays->what), name), chunk_rows(arrays->rows, components),
+                                 columns(components));
+        file.make_growing<std::int64_t>(in(offsets_group(group, arrays->what), name), steps_per_chunk);
+      }
+    }
+  }
+
+  const auto step = static_cast<hsize_t>(steps_);
+  const auto write_fields = [&](const Arrays& arrays, std::span<const Field> fields) {
+    const auto offset = static_cast<std::int64_t>(step * arrays.rows);
+    for (const Field& field : fields) {
+      file.write_rows(in(data_group(arrays.what), field.name), step * arrays.rows, field.values);
+      file.write_rows(in(offsets_group(group, arrays.what), field.name), step, one(offset));
+    }
+  };
+  write_fields(points_, point_fields);
+  write_fields(cells_, cell_fields);
+  for (const char* offsets : step_offsets) file.write_rows(in(group, offsets), step, one<std::int64_t>(0));
+  file.write_rows(in(group, "NumberOfParts"), step, one<std::int64_t>(1));
+  file.flush();
+
+  file.write_attribute(group, "NSteps", one<std::int32_t>(steps_ + 1));
+  file.flush();
+  file.write_rows(in(group, "Values"), step, one(time));
+  if (first) file.rename(first_steps_group, steps_group);
+  file.close();
+  ++steps_;
+}
+
+}  // namespace physgen::truthcube

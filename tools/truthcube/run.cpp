@@ -1,0 +1,135 @@
+#include "run.h"
+
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "memory.h"
+#include "output/hash.h"
+#include "run_files.h"
+#include "scene.h"
+#include "sizes.h"
+#include "steps.h"
+#include "terminal.h"
+
+namespace physgen::truthcube {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, const Options& options,
+                 const Terminal& terminal) {
+  terminal.text("  level        nodes         tets        edges            bytes");
+  for (std::size_t l = 0; l < bytes.levels.size(); ++l) {
+    const LevelCounts& c = levels[l];
+    terminal.line("  %5zu %12lld %12lld %12lld %16lld", l, static_cast<long long>(c.nodes),
+                  static_cast<long long>(c.tets), static_cast<long long>(c.edges),
+                  static_cast<long long>(bytes.levels[l]));
+  }
+  const auto total = static_cast<double>(bytes.solver);
+  terminal.line("solver: %lld bytes, %.0f per node and %.0f per tet of the finest level",
+                static_cast<long long>(bytes.solver), total / static_cast<double>(levels.front().nodes),
+                total / static_cast<double>(levels.front().tets));
+  terminal.line("set-up: %s more on the host; this machine has %s", gigabytes(bytes.lists).c_str(),
+                gigabytes(host_memory()).c_str());
+  if (options.solver.device == fem::Device::cuda) {
+    try {
+      terminal.line("GPU: %s free", gigabytes(cuda_memory()).c_str());
+    } catch (const Error& error) {
+      terminal.text(error.what());
+    }
+  }
+}
+
+/// @throw Error when the run would not fit, before it is allocated
+void require_memory_for(const Options& options, const RunBytes& bytes) {
+  const std::string who = options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh";
+  const std::string remedy = (options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
+                             "--volume tets or --precision half need less";
+  if (options.solver.device == fem::Device::cuda) {
+    require_memory(who, bytes.solver + bytes.stresses, "the GPU", cuda_memory(), remedy);
+    require_memory("setting up " + who, bytes.lists, "this machine", host_memory(), remedy);
+  } else {
+    require_memory(who, bytes.solver + bytes.lists, "this machine", host_memory(), remedy);
+  }
+}
+
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+Outcome run(Options options, const std::string& command) {
+  const Terminal terminal(options.quiet);
+  const auto start = Clock::now();
+  constexpr int parts = 4;
+  terminal.set_up(1, parts, "sizes");
+  std::vector<std::string> notes;
+  Scene scene;
+  if (!options.is_cube()) scene = make_scene(options, read_levels(options, notes));
+  const std::vector<LevelCounts> counts = options.is_cube()
+                                              ? count_cube(options.cells, options.volume == VolumeTreatment::patches)
+                                              : count_levels(scene.levels);
+  append(notes, choose_preconditioner(options, counts));
+  for (const std::string& note : notes) terminal.text("note: " + note);
+  const RunBytes bytes = bytes_of_run(counts, options.solver);
+  if (options.dry_run) {
+    print_sizes(counts, bytes, options, terminal);
+    return Outcome::done;
+  }
+  require_memory_for(options, bytes);
+  if (!options.out.empty() && !options.restart) require_writable(options.out);
+
+  terminal.set_up(2, parts, "meshes of " + std::to_string(counts.front().tets) + " tets");
+  if (options.is_cube()) scene = make_scene(options, make_cube(options));
+  const fem::MeshLevel& finest = scene.levels.front();
+  if (options.historical) {
+    fem::NewtonSettings& newton = options.solver.newton;
+    newton.absolute_tolerance =
+        std::min(1e-3, newton.tolerance * options.solver.youngs_modulus * scene.height * scene.height);
+  }
+
+  terminal.set_up(3, parts, "files");
+  const std::uint64_t hash = mesh_hash(finest.rest, finest.mesh.tets);
+  RunRecord record;
+  std::optional<Checkpoint> checkpoint;
+  if (options.restart) {
+    checkpoint = read_last_step(options, hash);
+    record.steps = read_steps(options, *checkpoint);
+    if (checkpoint->compression >= options.compressions.back()) {
+      terminal.line("nothing is left: step %d, a compression of %g, is written in %s", checkpoint->step,
+                    checkpoint->compression, options.out.c_str());
+      return Outcome::done;
+    }
+    require_writable(options.out);
+  }
+  std::optional<MeasuredBeads> beads;
+  if (!options.beads.empty()) beads.emplace(options.beads, finest);
+
+  terminal.set_up(4, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
+  const auto solver = fem::make_solver(scene.levels, scene.loading, options.solver);
+  record.nodes = finest.mesh.nodes;
+  record.tets = static_cast<std::int64_t>(finest.mesh.tets.size());
+  record.bytes = solver->bytes();
+  record.device = fem::device_name(options.solver.device);
+  record.command = command;
+  record.settings = options.settings_json();
+  record.setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const auto total = static_cast<double>(record.bytes);
+  terminal.line("%lld tets, %lld nodes, %zu levels; %s; %.1f MB, %.0f bytes per node; set up in %.2f s",
+                static_cast<long long>(record.tets), static_cast<long long>(record.nodes), scene.levels.size(),
+                record.device.c_str(), total / 1e6, total / static_cast<double>(record.nodes), record.setup_seconds);
+  if (checkpoint) {
+    solver->restore(state_of(*checkpoint, solver->state()));
+    terminal.line("continuing behind step %d, a compression of %g", checkpoint->step, checkpoint->compression);
+  }
+  RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()));
+  files.write_record(record);
+  return Steps(scene, *solver, files, record, beads, terminal).run(options.compressions);
+}
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,114 @@
+#include "run_files.h"
+
+#include <physgen/error.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "fields.h"
+
+namespace physgen::truthcube {
+
+namespace {
+
+using fem::Point;
+
+constexpr const char* checkpoint_name = "checkpoint.h5";
+constexpr const char* record_name = "run.json";
+
+/// Positions of all levels behind each other, as a checkpoint has them.
+std::vector<double> flat(const fem::SolverState& state) {
+  std::vector<double> numbers;
+  for (const auto& level : state.positions) {
+    for (const Point& x : level) numbers.insert(numbers.end(), x.begin(), x.end());
+  }
+  return numbers;
+}
+
+}  // namespace
+
+void require_writable(const std::filesystem::path& folder) {
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code) throw Error("cannot make the folder " + folder.string() + ": " + code.message());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw Error("cannot write into the folder " + folder.string() + ": " + std::strerror(errno));
+  }
+}
+
+RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done)
+    : folder_(options.out),
+      settings_(options.settings_json()),
+      mesh_hash_(mesh_hash),
+      rest_(scene.levels.front().rest),
+      mesh_(scene.levels.front().mesh) {
+  if (folder_.empty()) return;
+  const auto vtk = file("cube.vtkhdf"), csv = file("beads.csv");
+  // An old run's checkpoint does not belong to the files that begin here.
+  if (steps_done == 0) std::filesystem::remove(file(checkpoint_name));
+  vtk_.emplace(steps_done > 0 ? VtkHdfWriter::append_to(vtk, rest_, mesh_.tets, steps_done)
+                              : VtkHdfWriter(vtk, rest_, mesh_.tets));
+  if (!options.is_cube()) return;
+  beads_.emplace(steps_done > 0 ? BeadFile::append_to(csv, steps_done) : BeadFile(csv));
+  locations_ = fem::locate(rest_, mesh_, bead_positions());
+}
+
+void RunFiles::write_record(const RunRecord& record) const {
+  if (writes()) write_run_json(file(record_name), record);
+}
+
+void RunFiles::write_step(const RunRecord& record, const std::vector<Point>& positions,
+                          const std::vector<std::array<double, 9>>& stresses, const fem::SolverState& state) {
+  if (!vtk_) return;
+  const double compression = record.steps.back().compression;
+  const Fields fields = make_fields(mesh_, rest_, positions, stresses);
+  const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
+  const std::vector<Field> of_cells{
+      {"stress", 6, fields.stress}, {"von_mises", 1, fields.von_mises}, {"J", 1, fields.volume_ratio}};
+  vtk_->write_step(compression, of_points, of_cells);
+  if (beads_) {
+    beads_->write_step(compression, interpolate_displacements(locations_, mesh_, rest_, positions));
+  }
+  write_record(record);
+  // Last: what it counts is complete.
+  write_checkpoint(file(checkpoint_name),
+                   {settings_, mesh_hash_, static_cast<int>(record.steps.size()), compression, flat(state), {}});
+}
+
+Checkpoint read_last_step(const Options& options, std::uint64_t mesh_hash) {
+  return read_checkpoint(options.out / checkpoint_name, options.settings_json(), mesh_hash);
+}
+
+std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& checkpoint) {
+  const std::filesystem::path file = options.out / record_name;
+  std::vector<StepRecord> steps = read_run_json(file).steps;
+  const auto done = static_cast<std::size_t>(checkpoint.step);
+  if (steps.size() < done) {
+    throw Error(file.string() + " has " + std::to_string(steps.size()) +
+                " steps, and the checkpoint beside it is of step " + std::to_string(done) +
+                ": the files are not of one run");
+  }
+  steps.resize(done);
+  return steps;
+}
+
+fem::SolverState state_of(const Checkpoint& checkpoint, const fem::SolverState& shape) {
+  fem::SolverState state = shape;
+  state.load = checkpoint.compression;
+  std::size_t wanted = 0;
+  for (const auto& level : state.positions) wanted += 3 * level.size();
+  if (wanted != checkpoint.positions.size()) {
+    throw Error("the checkpoint has " + std::to_string(checkpoint.positions.size()) +
+                " coordinates, and these meshes " + std::to_string(wanted));
+  }
+  auto number = checkpoint.positions.begin();
+  for (auto& level : state.positions) {
+    for (Point& x : level) {
+      for (double& coordinate : x) coordinate = *number++;
+    }
+  }
+  return state;
+}
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,59 @@
+// The files of a run: cube.vtkhdf, beads.csv, run.json and checkpoint.h5 in one folder; or none.
+#pragma once
+
+#include <fem/mesh/locate.h>
+#include <fem/solver/quasistatic.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "options.h"
+#include "output/beads.h"
+#include "output/checkpoint.h"
+#include "output/run_json.h"
+#include "output/vtkhdf.h"
+#include "scene.h"
+
+namespace physgen::truthcube {
+
+/// Makes the folder where it is missing. @throw Error when it cannot be made, or nothing can be written into it
+void require_writable(const std::filesystem::path& folder);
+
+class RunFiles {
+ public:
+  /// Begins the files anew, or continues those of a run after its first `steps_done` steps.
+  /// @param scene stays alive as long as this. @param mesh_hash of its finest level
+  /// @throw Error when a file cannot be written, or does not continue this run
+  RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done);
+
+  [[nodiscard]] bool writes() const { return vtk_.has_value(); }
+  /// The record without steps of this run, for whoever looks before the first.
+  void write_record(const RunRecord& record) const;
+  /// Everything of the last step in the record. @param stresses first Piola-Kirchhoff, per tet [Pa]
+  void write_step(const RunRecord& record, const std::vector<fem::Point>& positions,
+                  const std::vector<std::array<double, 9>>& stresses, const fem::SolverState& state);
+
+ private:
+  [[nodiscard]] std::filesystem::path file(const char* name) const { return folder_ / name; }
+
+  std::filesystem::path folder_;
+  std::string settings_;
+  std::uint64_t mesh_hash_;
+  const std::vector<fem::Point>& rest_;
+  const fem::TetMesh& mesh_;
+  std::optional<VtkHdfWriter> vtk_;
+  std::optional<BeadFile> beads_;  ///< of the cube
+  std::vector<fem::Location> locations_;
+};
+
+/// The checkpoint that is in the folder of a run. @throw Error as read_checkpoint()
+[[nodiscard]] Checkpoint read_last_step(const Options& options, std::uint64_t mesh_hash);
+/// The record of the steps up to the checkpoint. @throw Error when there is none, or it has fewer steps
+[[nodiscard]] std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& checkpoint);
+/// The state in a checkpoint. @param shape a state of the same solver, for the number of levels and nodes
+/// @throw Error when the checkpoint has another number of positions
+[[nodiscard]] fem::SolverState state_of(const Checkpoint& checkpoint, const fem::SolverState& shape);
+
+}  // namespace physgen::truthcube

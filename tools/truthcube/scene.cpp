@@ -1,0 +1,143 @@
+#include "scene.h"
+
+#include <fem/mesh/boundary.h>
+#include <fem/mesh/check.h>
+#include <fem/mesh/refine.h>
+#include <fem/solver/linear_level.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "memory.h"
+#ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
+#include <fem/mesh/gmsh_file.h>
+#endif
+
+namespace physgen::truthcube {
+
+namespace {
+
+using fem::Index;
+using fem::MeshLevel;
+
+constexpr double cube_side = 0.08;  // [m]
+
+void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vector<Index>& top, TopPlate plate) {
+  level.fixed.assign(level.rest.size(), 0);
+  for (const Index n : base) level.fixed[static_cast<std::size_t>(n)] = 7;
+  for (const Index n : top) level.fixed[static_cast<std::size_t>(n)] = plate == TopPlate::bonded ? 7 : 4;
+}
+
+/// Sizes after cutting each tet into 8; the edges of refined tets are at most as many as here.
+[[maybe_unused]] LevelCounts refined(const fem::TetMesh& mesh) {
+  LevelCounts fine;
+  fine.nodes = mesh.nodes + static_cast<std::int64_t>(mesh.edges.size());
+  fine.tets = 8 * static_cast<std::int64_t>(mesh.tets.size());
+  fine.tet_edges = 2 * static_cast<std::int64_t>(mesh.edges.size()) + 13 * static_cast<std::int64_t>(mesh.tets.size());
+  return fine;
+}
+
+}  // namespace
+
+std::vector<MeshLevel> read_levels([[maybe_unused]] const Options& options,
+                                   [[maybe_unused]] std::vector<std::string>& notes) {
+#ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
+  fem::ReadMesh read = fem::read_gmsh(options.mesh);
+  if (!read.left_out_nodes.empty()) {
+    notes.push_back(std::to_string(read.left_out_nodes.size()) + " nodes of " + options.mesh.string() +
+                    " belong to no tet and are left out");
+  }
+  const fem::MeshReport report = fem::check_mesh(read.rest, read.tets);
+  const auto errors = report.errors(read.node_tags, read.tet_tags);
+  if (!errors.empty()) {
+    std::string text = options.mesh.string() + " cannot be used:";
+    for (const std::string& error : errors) text += "\n  " + error;
+    throw Error(text);
+  }
+  for (const std::string& warning : report.warnings(read.node_tags, read.tet_tags)) notes.push_back(warning);
+  std::vector<MeshLevel> levels(1);
+  levels[0].mesh = fem::make_tet_mesh(static_cast<Index>(read.rest.size()), std::move(read.tets));
+  levels[0].rest = std::move(read.rest);
+  for (int k = 0; k < options.refinements; ++k) {
+    require_memory("the mesh refined " + std::to_string(k + 1) + " times", bytes_of_mesh(refined(levels.front().mesh)),
+                   "this machine", host_memory(), "--refine " + std::to_string(k) + " takes an eighth of it");
+    fem::Refined refinement = fem::refine(levels.front().mesh, levels.front().rest);
+    MeshLevel finer;
+    finer.mesh = std::move(refinement.mesh);
+    finer.rest = std::move(refinement.rest);
+    finer.parents = std::move(refinement.parents);
+    levels.insert(levels.begin(), std::move(finer));
+  }
+  if (options.volume == VolumeTreatment::patches) {
+    for (MeshLevel& level : levels) level.patches = fem::greedy_patches(level.mesh);
+    for (std::size_t l = 0; l + 1 < levels.size(); ++l) {  // refined tets 8 t .. 8 t + 7 are parts of tet t
+      const fem::IncidenceList& tets = levels[l].patches.patch_tets;
+      for (std::size_t p = 0; p + 1 < tets.first.size(); ++p) {
+        const Index tet = tets.entries[static_cast<std::size_t>(tets.first[p])].element;
+        levels[l].patch_parents.push_back(levels[l + 1].patches.tet_patch[static_cast<std::size_t>(tet / 8)]);
+      }
+    }
+  }
+  return levels;
+#else
+  throw Error("this build reads no meshes: install libgmsh-dev and configure it again");
+#endif
+}
+
+std::vector<std::string> choose_preconditioner(Options& options, const std::vector<LevelCounts>& levels) {
+  if (options.solver.newton.preconditioner.kind != fem::Preconditioner::multigrid) return {};
+  const std::int64_t coarsest = levels.back().nodes;
+  if (coarsest <= fem::most_coarse_nodes) return {};  // which is solved exactly
+  if (levels.size() == 1) {
+    options.solver.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
+    return {options.is_cube() ? "an odd number of cells has no coarser mesh: block Jacobi in place of multigrid; " +
+                                    std::to_string(options.cells + 1) + " cells would have one"
+                              : "a mesh by itself has no coarser one: block Jacobi in place of multigrid; --refine 1 "
+                                "gives the mesh as the coarse one"};
+  }
+  return {"the coarsest mesh has " + std::to_string(coarsest) + " nodes, and more than " +
+          std::to_string(fem::most_coarse_nodes) + " are smoothed, not solved" +
+          (options.is_cube() ? ": powers of two, or three times them, are faster"
+                             : ": a coarser mesh, refined more often, is faster")};
+}
+
+std::vector<MeshLevel> make_cube(const Options& options) {
+  return fem::make_cube_levels(options.cells, cube_side, options.volume == VolumeTreatment::patches);
+}
+
+Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
+  Scene scene;
+  scene.levels = std::move(levels);
+  for (std::size_t l = 0; l < scene.levels.size(); ++l) {
+    MeshLevel& level = scene.levels[l];
+    const auto [low, high] = std::ranges::minmax(level.rest, {}, [](const fem::Point& x) { return x[2]; });
+    const auto base = fem::nodes_on_plane(level.rest, 2, low[2]), top = fem::nodes_on_plane(level.rest, 2, high[2]);
+    set_plates(level, base, top, options.top);
+    if (l > 0) continue;
+    scene.low = low[2];
+    scene.height = high[2] - low[2];
+    if (base.size() < 3 || top.size() < 3) {
+      throw Error("the plates hold the lowest and highest nodes along z, and there are only " +
+                  std::to_string(base.size()) + " and " + std::to_string(top.size()) +
+                  ": the mesh needs flat faces there");
+    }
+    if (std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; })) {
+      throw Error(
+          "the plates hold every node, so that nothing is left to solve for: the mesh needs nodes between them");
+    }
+    scene.top = top;
+    scene.loading.motion.assign(level.rest.size(), fem::Point{});
+    for (const Index n : top) scene.loading.motion[static_cast<std::size_t>(n)][2] = -scene.height;
+  }
+  return scene;
+}
+
+double reach_past_plates(const Scene& scene, double compression, const std::vector<fem::Point>& positions) {
+  const double upper = scene.low + scene.height * (1 - compression);
+  double most = 0;
+  for (const fem::Point& x : positions) most = std::max({most, x[2] - upper, scene.low - x[2]});
+  return most;
+}
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,41 @@
+// The body between its plates: the cube, or a mesh of the user's, in levels.
+#pragma once
+
+#include <fem/solver/quasistatic.h>
+
+#include <string>
+#include <vector>
+
+#include "options.h"
+#include "sizes.h"
+
+namespace physgen::truthcube {
+
+/// The mesh in options.mesh, checked and refined, finest level first.
+/// @param notes what a user should know of it is added
+/// @throw Error when it cannot be read or is not sound, naming places and remedy, or refined would not fit the memory
+[[nodiscard]] std::vector<fem::MeshLevel> read_levels(const Options& options, std::vector<std::string>& notes);
+
+/// Where the levels do not allow the preconditioner that is asked for, chooses block Jacobi.
+/// @return what a user should know of it
+[[nodiscard]] std::vector<std::string> choose_preconditioner(Options& options, const std::vector<LevelCounts>& levels);
+
+struct Scene {
+  std::vector<fem::MeshLevel> levels;  ///< finest first
+  fem::Loading loading;                ///< at a compression of 1
+  std::vector<fem::Index> top;         ///< nodes on the upper plate, of the finest level
+  double low = 0, height = 0;          ///< of the body along z [m]
+};
+
+/// The cube of options.cells^3 cells, in levels.
+[[nodiscard]] std::vector<fem::MeshLevel> make_cube(const Options& options);
+
+/// Levels between plates at their lowest and highest nodes.
+/// @throw Error when fewer than three nodes lie on a plate, or the plates hold every node
+[[nodiscard]] Scene make_scene(const Options& options, std::vector<fem::MeshLevel> levels);
+
+/// How far the body reaches past the planes of the plates at a compression [m].
+[[nodiscard]] double reach_past_plates(const Scene& scene, double compression,
+                                       const std::vector<fem::Point>& positions);
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,218 @@
+#include "sizes.h"
+
+// clang-format off: conjugate_gradients.h names what the first of these declares
+#include <physgen/reduce.h>
+#include <fem/solver/conjugate_gradients.h>
+#include <fem/solver/equilibrium_arrays.h>
+#include <fem/solver/linear_level.h>
+// clang-format on
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace physgen::truthcube {
+
+namespace {
+
+constexpr std::array members{&LevelCounts::nodes,     &LevelCounts::tets,      &LevelCounts::edges,
+                             &LevelCounts::tet_edges, &LevelCounts::patches,   &LevelCounts::edge_patches,
+                             &LevelCounts::children,  &LevelCounts::edge_terms};
+
+/// The polynomial of degree 3 with these values at 1, 2, 3, 4. Exact: it sums multiples of whole numbers.
+std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
+  for (std::size_t order = 1; order < 4; ++order) {
+    for (std::size_t k = 3; k >= order; --k) values[k] -= values[k - 1];  // differences of that order
+  }
+  const std::int64_t m = at - 1;
+  return values[0] + values[1] * m + values[2] * (m * (m - 1) / 2) + values[3] * (m * (m - 1) * (m - 2) / 6);
+}
+
+/// Counts of the finest level of cubes with 1 to 4 cells of a side, or with 2, 4, 6 and 8 and a coarser level.
+std::array<LevelCounts, 4> small_cubes(bool patches, bool coarser) {
+  std::array<LevelCounts, 4> counts;
+  for (int m = 1; m <= 4; ++m) {
+    const int cells = coarser ? 2 * m : m, coarsest = coarser ? m : cells + 1;
+    counts[static_cast<std::size_t>(m - 1)] =
+        count_levels(fem::make_cube_levels(cells, 1.0, patches, coarsest)).front();
+  }
+  return counts;
+}
+
+std::int64_t entries(const fem::IncidenceList& list) { return static_cast<std::int64_t>(list.entries.size()); }
+
+std::int64_t pairs_in_patches(const fem::VolumePatches& patches) {
+  std::int64_t pairs = 0;
+  for (const std::int64_t count : patches.node_counts) pairs += count * (count - 1) / 2;
+  return pairs;
+}
+
+template <class Array>
+std::int64_t bytes_of(std::int64_t objects) {
+  return fem::LayoutOf<Array>::padded(objects) * Array::record_bytes;
+}
+template <class Rows>
+std::int64_t bytes_of_rows(std::int64_t rows, std::int64_t entries) {
+  return bytes_of<typename Rows::Ranges>(rows) + bytes_of<typename Rows::Entries>(entries);
+}
+
+/// As LinearLevel::bytes().
+template <class Real, class Space, class Stored>
+std::int64_t linear_bytes(const LevelCounts& c, const LevelCounts* coarser) {
+  using Level = fem::LinearLevel<Real, Space, Stored>;
+  const std::int64_t n = c.nodes;
+  // EdgeSums, which on CUDA has no room for contributions.
+  const std::int64_t contribution = Space::kind == SpaceKind::cuda ? 0 : sizeof(fem::Contribution<Real>);
+  const std::int64_t sums = (2 * (n + 1) + c.edges) * std::int64_t{sizeof(fem::Index)} + c.edges * contribution;
+  std::int64_t bytes = bytes_of<decltype(Level::constraints)>(n) + bytes_of<decltype(Level::edges)>(c.edges) +
+                       bytes_of_rows<decltype(Level::node_edges)>(n, 2 * c.edges) +
+                       bytes_of<decltype(Level::node_stiffness)>(n) +
+                       bytes_of<decltype(Level::edge_stiffness)>(c.edges) + bytes_of<decltype(Level::scales)>(n) +
+                       bytes_of<decltype(Level::scaled_nodes)>(n) + bytes_of<decltype(Level::scaled_edges)>(c.edges) +
+                       bytes_of<decltype(Level::inverse)>(n) + bytes_of<decltype(Level::smoother)>(1) +
+                       bytes_of<decltype(Level::residual)>(n) + bytes_of<decltype(Level::correction)>(n) +
+                       bytes_of<decltype(Level::direction)>(n) + bytes_of<decltype(Level::power)>(n) + sums;
+  if (coarser == nullptr) {
+    return bytes + (n <= fem::most_coarse_nodes ? bytes_of<decltype(Level::coarse_inverse)>(n * n) : 0);
+  }
+  bytes += bytes_of<decltype(Level::parents)>(n);
+  bytes += bytes_of_rows<decltype(Level::children)>(coarser->nodes, c.children);
+  return bytes + bytes_of_rows<decltype(Level::edge_terms)>(coarser->edges, c.edge_terms);
+}
+
+/// As EquilibriumArrays::bytes() and KrylovVectors::bytes().
+template <class Real, class Space>
+std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects) {
+  using Arrays = fem::EquilibriumArrays<Real, Space>;
+  using Patches = fem::PatchArrays<Real, Space>;
+  using Vectors = fem::KrylovVectors<Real, Space>;
+  const std::int64_t n = c.nodes;
+  std::int64_t bytes = bytes_of<decltype(Arrays::tets)>(c.tets) +
+                       bytes_of_rows<decltype(Arrays::node_tets)>(n, 4 * c.tets) +
+                       bytes_of_rows<decltype(Arrays::edge_tets)>(c.edges, 6 * c.tets) +
+                       bytes_of<decltype(Arrays::rest)>(n) + bytes_of<decltype(Arrays::positions)>(n) +
+                       bytes_of<decltype(Arrays::trial)>(n) + bytes_of<decltype(Arrays::kept)>(n) +
+                       bytes_of<decltype(Arrays::loads)>(n) + bytes_of<decltype(Arrays::motion)>(n) +
+                       bytes_of<decltype(Arrays::forces)>(n) + bytes_of<decltype(Arrays::trial_forces)>(n) +
+                       bytes_of<decltype(Arrays::corners)>(c.tets) + bytes_of<decltype(Arrays::tangent)>(c.tets) +
+                       bytes_of<decltype(Arrays::increment)>(n) + bytes_of<decltype(Arrays::state)>(1);
+  bytes += bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
+           bytes_of<decltype(Vectors::direction)>(n) + bytes_of<decltype(Vectors::product)>(n) +
+           bytes_of<decltype(Vectors::state)>(1);
+  if (c.patches == 0) return bytes;
+  bytes += bytes_of<decltype(Patches::tet_patches)>(c.tets) + bytes_of<decltype(Patches::nodes)>(c.patches) +
+           bytes_of_rows<decltype(Patches::patch_tets)>(c.patches, c.tets) +
+           bytes_of_rows<decltype(Patches::edge_patches)>(c.edges, c.edge_patches) +
+           bytes_of<decltype(Patches::volumes)>(c.patches) + bytes_of<decltype(Patches::tangent)>(c.patches);
+  return bytes + (injects ? bytes_of<decltype(Patches::parents)>(c.patches) : 0);
+}
+
+template <class Real, class Space, class Stored>
+RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
+  const bool coarser = settings.newton.preconditioner.kind == fem::Preconditioner::multigrid || settings.nested;
+  const std::size_t used = coarser ? levels.size() : 1;
+  const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
+  const std::size_t solved = settings.nested && used > kept ? used - kept : 1;
+  RunBytes bytes;
+  for (std::size_t l = 0; l < used; ++l) {
+    bytes.levels.push_back(linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr) +
+                           (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved) : 0));
+  }
+  bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
+  bytes.stresses = bytes_of<elasticity::StressArray<double, Space>>(levels.front().tets);
+  return bytes;
+}
+
+template <class Space>
+RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
+  switch (settings.precision) {
+    case fem::TangentPrecision::half:
+      return bytes_in<float, Space, fem::StoredInHalf>(levels, settings);
+    case fem::TangentPrecision::float32:
+      return bytes_in<float, Space, fem::StoredAsComputed>(levels, settings);
+    case fem::TangentPrecision::float64:
+      break;
+  }
+  return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings);
+}
+
+constexpr std::int64_t index_bytes = sizeof(fem::Index), entry_bytes = sizeof(fem::IncidenceEntry);
+
+std::int64_t bytes_of_list(std::int64_t rows, std::int64_t entries) {
+  return index_bytes * (rows + 1) + entry_bytes * entries;
+}
+
+/// A LevelGraph.
+std::int64_t bytes_of_graph(const LevelCounts& c, const LevelCounts* coarser) {
+  const std::int64_t bytes = 2 * index_bytes * c.edges + bytes_of_list(c.nodes, 2 * c.edges) + c.nodes;
+  if (coarser == nullptr) return bytes;
+  return bytes + 2 * index_bytes * c.nodes + bytes_of_list(coarser->nodes, c.children) +
+         bytes_of_list(coarser->edges, c.edge_terms);
+}
+
+}  // namespace
+
+std::vector<LevelCounts> count_cube(int cells, bool patches) {
+  const auto alone = small_cubes(patches, false), above = small_cubes(patches, true);
+  std::vector<LevelCounts> levels;
+  for (int n = cells;; n /= 2) {
+    const bool last = n % 2 != 0 || n / 2 < 2;
+    LevelCounts counts;
+    for (const auto member : members) {
+      std::array<std::int64_t, 4> values{};
+      for (std::size_t k = 0; k < 4; ++k) values[k] = last ? alone[k].*member : above[k].*member;
+      counts.*member = extrapolate(values, last ? n : n / 2);
+    }
+    levels.push_back(counts);
+    if (last) return levels;
+  }
+}
+
+std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels) {
+  const std::vector<fem::LevelGraph> graphs = fem::make_level_graphs(levels);
+  std::vector<LevelCounts> counts;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    const fem::MeshLevel& level = levels[l];
+    const fem::LevelGraph& graph = graphs[l];
+    counts.push_back({graph.nodes, static_cast<std::int64_t>(level.mesh.tets.size()),
+                      static_cast<std::int64_t>(graph.edges.size()), static_cast<std::int64_t>(level.mesh.edges.size()),
+                      static_cast<std::int64_t>(level.patches.nodes.size()), pairs_in_patches(level.patches),
+                      entries(graph.children), entries(graph.edge_terms)});
+  }
+  return counts;
+}
+
+std::int64_t longest_list(const std::vector<LevelCounts>& levels) {
+  std::int64_t longest = 0;
+  for (const LevelCounts& c : levels) {
+    // make_tet_mesh() keeps room for the incidences of tets without common edges: 12 each.
+    longest = std::max({longest, 12 * c.tets, 2 * c.edges, c.edge_patches, c.children, c.edge_terms});
+  }
+  return longest;
+}
+
+std::int64_t bytes_of_mesh(const LevelCounts& c) {
+  const std::int64_t real = sizeof(double);
+  std::int64_t bytes = 4 * index_bytes * c.tets + 2 * index_bytes * c.tet_edges + bytes_of_list(c.nodes, 4 * c.tets) +
+                       bytes_of_list(c.nodes, 2 * c.tet_edges) + bytes_of_list(c.tet_edges, 6 * c.tets) +
+                       3 * real * c.nodes + c.nodes + (c.children > 0 ? 2 * index_bytes * c.nodes : 0);
+  if (c.patches > 0) {
+    bytes += 10 * index_bytes * c.patches + (index_bytes + 4) * c.tets + bytes_of_list(c.patches, c.tets);
+  }
+  return bytes;
+}
+
+RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
+  RunBytes bytes =
+      settings.device == fem::Device::cuda ? bytes_in<Cuda>(levels, settings) : bytes_in<Host>(levels, settings);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    // The solver copies the meshes, and its graphs stay until all arrays are made.
+    bytes.lists +=
+        2 * bytes_of_mesh(levels[l]) + bytes_of_graph(levels[l], l + 1 < levels.size() ? &levels[l + 1] : nullptr);
+  }
+  const LevelCounts& finest = levels.front();
+  bytes.lists += bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches);
+  return bytes;
+}
+
+}  // namespace physgen::truthcube

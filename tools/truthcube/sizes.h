@@ -1,0 +1,44 @@
+// How large a run will be, before anything of it is allocated: objects of each level, and bytes from the records of the
+// generated arrays.
+#pragma once
+
+#include <fem/solver/hierarchy.h>
+#include <fem/solver/settings.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace physgen::truthcube {
+
+/// Numbers of objects of one level, and of the entries of its lists.
+struct LevelCounts {
+  std::int64_t nodes = 0, tets = 0, edges = 0;  ///< edges of the stiffness: those of tets and of patches
+  std::int64_t tet_edges = 0;                   ///< edges of tets alone
+  std::int64_t patches = 0, edge_patches = 0;   ///< volume patches; pairs of an edge and a patch that has it
+  // To the next coarser level; 0 on the coarsest.
+  std::int64_t children = 0, edge_terms = 0;
+  bool operator==(const LevelCounts&) const = default;
+};
+
+/// Of the levels that make_cube_levels(cells, ...) would make, without making them: each count is a polynomial of
+/// degree 3 in the cells of a side, whose coefficients come from four small cubes. @pre cells >= 1
+[[nodiscard]] std::vector<LevelCounts> count_cube(int cells, bool patches);
+
+/// Of given levels. Takes about a third of the solver's set-up.
+[[nodiscard]] std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels);
+
+/// Entries of the longest list, which 32-bit numbers must count.
+[[nodiscard]] std::int64_t longest_list(const std::vector<LevelCounts>& levels);
+
+struct RunBytes {
+  std::int64_t solver = 0;           ///< arrays in the memory of the device: QuasistaticSolver::bytes()
+  std::vector<std::int64_t> levels;  ///< of each level that the solver uses; their sum is `solver`
+  std::int64_t stresses = 0;         ///< in the same memory while a step is written
+  std::int64_t lists = 0;            ///< meshes and graphs in the host's memory while the solver is set up
+};
+[[nodiscard]] RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings);
+
+/// What a mesh of a level takes in the host's memory.
+[[nodiscard]] std::int64_t bytes_of_mesh(const LevelCounts& level);
+
+}  // namespace physgen::truthcube

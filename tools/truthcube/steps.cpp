@@ -1,0 +1,185 @@
+#include "steps.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+#include "fields.h"
+
+namespace physgen::truthcube {
+
+using fem::Point;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// While it lives, the first Ctrl-C ends the run after the Newton step under way, and the second at once.
+class Interrupts {
+ public:
+  Interrupts() {
+    interrupted = 0;
+    struct sigaction action = {};
+    action.sa_handler = [](int) { interrupted = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // writing goes on
+    ::sigaction(SIGINT, &action, &old_);
+  }
+  ~Interrupts() { ::sigaction(SIGINT, &old_, nullptr); }
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+
+ private:
+  struct sigaction old_ = {};
+};
+
+/// Thrown out of a solve by Ctrl-C.
+struct Interrupt {};
+
+const char* reason(fem::NewtonStatus status) {
+  switch (status) {
+    case fem::NewtonStatus::too_many_steps:
+      return "Newton's method took too many steps";
+    case fem::NewtonStatus::no_descent:
+      return "no step along Newton's direction lowers the energy";
+    case fem::NewtonStatus::not_finite:
+      return "the energy or a force is not finite";
+    case fem::NewtonStatus::linear_solver:
+      return "conjugate gradients found no direction: the tangent is not definite, or not finite";
+    case fem::NewtonStatus::converged:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+/// Watches the Newton steps of one solve, whose increments may be halved: what the last increment came to that found
+/// its equilibrium.
+class LastEquilibrium {
+ public:
+  explicit LastEquilibrium(const fem::QuasistaticSolver& solver) : solver_(solver), load_(solver.load()) {}
+
+  void see(std::size_t level, const fem::NewtonStep& step) {
+    look();
+    if (level > 0) return;
+    now_.steps += 1;
+    now_.iterations += step.iterations;
+    now_.residual = step.residual;
+    now_.energy = step.energy;
+    now_.smallest_J = step.smallest_J;
+  }
+
+  /// Of solver.load(); nothing where that is the load at the beginning.
+  [[nodiscard]] const std::optional<fem::NewtonResult>& result() {
+    look();
+    return last_;
+  }
+
+ private:
+  void look() {
+    if (solver_.load() == load_) return;
+    load_ = solver_.load();
+    last_ = now_;
+  }
+
+  const fem::QuasistaticSolver& solver_;
+  double load_;
+  fem::NewtonResult now_;
+  std::optional<fem::NewtonResult> last_;
+};
+
+MeasuredBeads::MeasuredBeads(const std::filesystem::path& file, const fem::MeshLevel& level)
+    : table(read_bead_table(file)), locations(locate_beads(table, level.rest, level.mesh)) {}
+
+Outcome Steps::run(const std::vector<double>& compressions) {
+  const Interrupts interrupts;
+  for (const double compression : compressions) {
+    if (compression <= solver_.load()) continue;
+    if (interrupted != 0) return stop();
+    terminal_.line("compression %g", compression);
+    terminal_.newton_header();
+    const auto begin = Clock::now();
+    LastEquilibrium last(solver_);
+    fem::NewtonResult result;
+    try {
+      result = solver_.solve_to(compression, [&](std::size_t level, const fem::NewtonStep& step) {
+        last.see(level, step);
+        terminal_.newton_step(level, step);
+        if (interrupted != 0) throw Interrupt{};
+      });
+    } catch (const Interrupt&) {
+      return stop();
+    }
+    const double seconds = seconds_since(begin);
+    if (result.status != fem::NewtonStatus::converged) return fail(compression, result, last, seconds);
+    finish(compression, result, seconds);
+  }
+  return Outcome::done;
+}
+
+Outcome Steps::stop() const {
+  terminal_.line("interrupted; %zu steps are %s", record_.steps.size(), files_.writes() ? "written" : "done");
+  return Outcome::interrupted;
+}
+
+void Steps::finish(double compression, const fem::NewtonResult& result, double seconds) {
+  const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
+  double reaction = 0;
+  for (const fem::Index n : scene_.top) reaction -= forces[static_cast<std::size_t>(n)][2];
+  record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
+                           result.smallest_J, reaction, seconds});
+  const std::string coarse = result.coarse_steps == 0
+                                 ? ""
+                                 : ", " + std::to_string(result.coarse_steps) + " and " +
+                                       std::to_string(result.coarse_iterations) + " on coarser meshes";
+  terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations%s; reaction %.6g N", seconds, result.steps,
+                 result.iterations, coarse.c_str(), reaction);
+  if (const double reach = reach_past_plates(scene_, compression, positions); reach > 1e-6 * scene_.height) {
+    terminal_.line("  free sides reach %.3f mm past the plates: there is no contact", 1e3 * reach);
+  }
+  if (result.smallest_J <= 0) terminal_.text("  some tets are inverted: this equilibrium is none of a real body");
+  compare(compression, positions);
+  if (files_.writes()) files_.write_step(record_, positions, solver_.stresses(), solver_.state());
+}
+
+Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {
+  const double reached = solver_.load();
+  if (const std::optional<fem::NewtonResult>& found = last.result(); found.has_value()) {
+    terminal_.line("compression %g, on the way", reached);
+    finish(reached, *found, seconds);
+  }
+  std::fprintf(
+      stderr,
+      "truthcube: no equilibrium at a compression of %g: %s, after %d Newton steps, with a residual of %.2e; the "
+      "last equilibrium is at %g.\n",
+      compression, reason(result.status), result.steps, result.residual, reached);
+  const fem::MeshLevel& level = scene_.levels.front();
+  const SuspectTet suspect = find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses());
+  const auto& F = suspect.F;
+  std::fprintf(stderr, "There, tet %d %s: J %.4g, F = [%.6g %.6g %.6g; %.6g %.6g %.6g; %.6g %.6g %.6g].\n", suspect.tet,
+               suspect.is_finite ? "is deformed most" : "has a stress that is not finite", suspect.J, F[0], F[1], F[2],
+               F[3], F[4], F[5], F[6], F[7], F[8]);
+  std::fputs("Try more and smaller --compress steps, --stepping loads, --precision double, or more --cells.\n", stderr);
+  return Outcome::not_converged;
+}
+
+void Steps::compare(double compression, const std::vector<Point>& positions) const {
+  if (!beads_) return;
+  const BeadTable& table = beads_->table;
+  const fem::MeshLevel& level = scene_.levels.front();
+  const auto errors = compare_beads(table, compression,
+                                    interpolate_displacements(beads_->locations, level.mesh, level.rest, positions));
+  if (!errors) {
+    terminal_.line("  %s has no beads of a compression of %g", table.file.c_str(), compression);
+    return;
+  }
+  terminal_.line("  %zu beads of %s: difference [mm] mean %.4f, RMS %.4f, 95 %% below %.4f, max %.4f", errors->beads,
+                 table.file.c_str(), errors->mean, errors->rms, errors->p95, errors->max);
+}
+
+}  // namespace physgen::truthcube

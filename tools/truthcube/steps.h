@@ -1,0 +1,59 @@
+// The steps of a run: from compression to compression with a solver that is set up.
+#pragma once
+
+#include <fem/mesh/locate.h>
+#include <fem/solver/quasistatic.h>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "output/bead_table.h"
+#include "output/run_json.h"
+#include "run.h"
+#include "run_files.h"
+#include "scene.h"
+#include "terminal.h"
+
+namespace physgen::truthcube {
+
+/// A user's measured beads, and where they lie in the mesh.
+struct MeasuredBeads {
+  BeadTable table;
+  std::vector<fem::Location> locations;
+
+  /// @throw Error naming the line that is malformed, or whose bead lies outside
+  MeasuredBeads(const std::filesystem::path& file, const fem::MeshLevel& level);
+};
+
+class LastEquilibrium;
+
+class Steps {
+ public:
+  /// All stay alive as long as this. @param record gets an entry for each step
+  Steps(const Scene& scene, fem::QuasistaticSolver& solver, RunFiles& files, RunRecord& record,
+        const std::optional<MeasuredBeads>& beads, const Terminal& terminal)
+      : scene_(scene), solver_(solver), files_(files), record_(record), beads_(beads), terminal_(terminal) {}
+
+  /// Solves for those behind the solver's load. Ctrl-C ends this after a Newton step; a second one ends the process.
+  /// @throw Error when a file cannot be written
+  [[nodiscard]] Outcome run(const std::vector<double>& compressions);
+
+ private:
+  [[nodiscard]] Outcome stop() const;
+  /// Prints and writes an equilibrium.
+  void finish(double compression, const fem::NewtonResult& result, double seconds);
+  /// Writes the last equilibrium on the way, and says what stopped the run.
+  [[nodiscard]] Outcome fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last,
+                             double seconds);
+  void compare(double compression, const std::vector<fem::Point>& positions) const;
+
+  const Scene& scene_;
+  fem::QuasistaticSolver& solver_;
+  RunFiles& files_;
+  RunRecord& record_;
+  const std::optional<MeasuredBeads>& beads_;
+  const Terminal& terminal_;
+};
+
+}  // namespace physgen::truthcube
