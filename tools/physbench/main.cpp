@@ -40,7 +40,7 @@ std::vector<Row> chosen_rows(const Options& options) {
   for (const Group& group : registry().groups) {
     if (group.name != options.group || group.also.empty()) continue;
     auto more = rows_of(group.also, options.sizes);
-    std::move(more.begin(), more.end(), std::back_inserter(rows));
+    std::ranges::move(more, std::back_inserter(rows));
   }
   if (!options.list && !device_facts().missing.empty()) {
     std::erase_if(rows, [](const Row& row) { return row.space == "cuda"; });
@@ -65,7 +65,7 @@ void list(std::ostream& out) {
 // That no row matched, with the name that the filter may have meant.
 void say_none_matched(const Options& options, const std::vector<Row>& rows) {
   std::vector<std::string> names;
-  std::transform(rows.begin(), rows.end(), std::back_inserter(names), [](const Row& row) { return row.name(); });
+  std::ranges::transform(rows, std::back_inserter(names), [](const Row& row) { return row.name(); });
   std::string word = options.filter;
   std::erase_if(word, [](char c) { return std::string_view("^$.*()\\").find(c) != std::string_view::npos; });
   const std::string near = nearest(word, names);

@@ -54,11 +54,10 @@ std::string group_help() {
 
 const Group& find_group(const std::string& name) {
   const auto& groups = registry().groups;
-  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
+  const auto found = std::ranges::find(groups, name, &Group::name);
   if (found != groups.end()) return *found;
   std::vector<std::string> names;
-  std::transform(groups.begin(), groups.end(), std::back_inserter(names),
-                 [](const Group& group) { return group.name; });
+  std::ranges::transform(groups, std::back_inserter(names), &Group::name);
   const std::string near = nearest(name, names);
   throw Error("there is no group '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
               " physbench --help lists them");

@@ -1,12 +1,13 @@
 """Which figures of READMEs come from which results. readme_numbers.py compares them and writes them.
 
 - A table stands in a README between `<!-- figures: NAME, from FILE.json -->` and `<!-- end of figures -->`; NAME is in
-  TABLES, which makes all its lines.
+  TABLES, which makes all its lines. That of the packages comes in the same way from their list, tools/packages.txt.
 - A figure in a sentence is a `{}` in SENTENCES; around it stand the words as the README has them.
 - What looks measured in the parts of READMEs in COMPLETE, but comes from no result file, is in ELSEWHERE.
 
 A figure is found by the names of rows, `kernel/layout/storage/space/objects[/set]`, where `*` stands for anything
 within a part (`File` in readme_numbers.py)."""
+import json
 from dataclasses import dataclass
 
 READMES = ["README.md", "tools/fem/README.md", "tools/physbench/README.md", "tools/examples/kernels.md"]
@@ -109,7 +110,43 @@ def _storage(file):
     return _lines(["storage", "bytes", "ms", "over AoS", "err p50", "p99", "max"], body)
 
 
-TABLES = {"kernels": _kernels, "errors": _errors, "storage": _storage}
+def _packages(text):
+    """Those of tools/packages.txt, which says what its lines are."""
+    lines = dict(line.split(maxsplit=1) for line in text.splitlines() if line and line[0] != "#")
+    best, *others = lines.pop("LLVM").split()
+    names = {name: name.replace("LLVM", best) + f" (or {', '.join(others)})" * ("LLVM" in name) for name in lines}
+    return _lines(["package", "what for"], [[names[name], reason] for name, reason in lines.items()])
+
+
+def _truthcube(text):
+    """Runs of truthcube_runs.py: one line for each."""
+    body = []
+    for run in json.loads(text)["runs"]:
+        settings, steps = run["settings"], run["steps"]
+        total = {key: sum(step[key] for step in steps) for key in ("newton_iterations", "pcg_iterations", "seconds")}
+        body.append(
+            [
+                f"{run['tets']:,}",
+                f"{settings['poisson']:g}, {settings['volume']}",
+                settings["stepping"] if settings["stepping"] == "nested" else f"{len(steps)} loads",
+                settings["preconditioner"],
+                f"{total['newton_iterations']}",
+                f"{total['pcg_iterations']}",
+                f"{steps[-1]['residual']:.1e}",
+                f"{total['seconds'] * 1e3:.0f} ms",
+            ]
+        )
+    head = ["tets", "nu, volume by", "stepping", "preconditioner", "Newton steps", "PCG iterations", "residual", "solved in"]
+    return _lines(head, body)
+
+
+TABLES = {
+    "kernels": _kernels,
+    "errors": _errors,
+    "storage": _storage,
+    "packages": _packages,
+    "truthcube": _truthcube,
+}
 
 
 # ---- Sentences -------------------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Holds the figures of READMEs to the checked-in results: readme_numbers.py --check | --write [CHECKOUT]"""
+"""Holds the figures of READMEs to the checked-in results, and the table of Debian packages to their list:
+readme_numbers.py --check | --write [CHECKOUT]"""
 import argparse
 import difflib
 import fnmatch
@@ -14,11 +15,11 @@ import readme_figures  # noqa: E402
 import rows  # noqa: E402
 
 HELP = """Compares the figures of READMEs with the checked-in results (--check), or writes them anew (--write): tables
-between <!-- figures: NAME, from FILE.json --> and <!-- end of figures -->, figures in sentences, and pictures. What
-stands where is listed in tools/report/readme_figures.py."""
+between <!-- figures: NAME, from FILE.json --> and <!-- end of figures -->, figures in sentences, and pictures; and the
+table of packages with tools/packages.txt. What stands where is listed in tools/report/readme_figures.py."""
 LIST = "tools/report/readme_figures.py"
 RESULTS = "tools/report/results"
-BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w.]+) -->\n")
+BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w./]+) -->\n")
 END = "<!-- end of figures -->\n"
 NUMBER = r"(\d+(?:,\d{3})*(?:\.\d+)?(?:e[-+]?\d+)?)"
 # What looks measured: decimals, large counts, and numbers before a unit.
@@ -66,7 +67,7 @@ class Edit:
     begin: int
     end: int
     wanted: str
-    file: str  # of results
+    file: str  # of results, or a list in the checkout
 
 
 class Checkout:
@@ -79,8 +80,8 @@ class Checkout:
             self._files[name] = File(self.root / RESULTS / name)
         return self._files[name]
 
-    def text(self, readme):
-        return (self.root / readme).read_bytes().decode()
+    def text(self, name):
+        return (self.root / name).read_bytes().decode()
 
     def edits(self, readme, text):
         """All of a README's figures that results hold, in order. @throws FiguresError"""
@@ -96,7 +97,8 @@ class Checkout:
         if table not in readme_figures.TABLES:
             there = ", ".join(readme_figures.TABLES)
             raise FiguresError(f"{place}: there is no table '{table}' in {LIST}; it has {there}")
-        wanted = readme_figures.TABLES[table](self.file(file)).splitlines(keepends=True)
+        source = self.file(file) if file.endswith(".json") and "/" not in file else self.text(file)
+        wanted = readme_figures.TABLES[table](source).splitlines(keepends=True)
         present = text[begin:end].splitlines(keepends=True)
         if len(wanted) != len(present):
             return [Edit(begin, end, "".join(wanted), file)]
@@ -250,7 +252,7 @@ def main(arguments=None):
     for difference in differences:
         print(difference, file=sys.stderr)
     if differences and options.check:
-        print("After results were measured again: tools/report/readme_numbers.py --write", file=sys.stderr)
+        print("After results were measured again, or packages listed: tools/report/readme_numbers.py --write", file=sys.stderr)
     return 1 if differences else 0
 
 

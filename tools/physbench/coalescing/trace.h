@@ -53,8 +53,8 @@ class SectorCount {
         for (int b = 0; b < lane[k].bytes; ++b) bytes.push_back(lane[k].address + static_cast<std::uintptr_t>(b));
       }
       const auto count_distinct = [](std::vector<std::uintptr_t>& all) {
-        std::sort(all.begin(), all.end());
-        return std::unique(all.begin(), all.end()) - all.begin();
+        std::ranges::sort(all);
+        return std::ranges::unique(all).begin() - all.begin();
       };
       for (const std::uintptr_t byte : bytes) sectors.push_back(byte / sector);
       requests_ += 1;

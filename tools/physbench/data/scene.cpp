@@ -37,7 +37,7 @@ const char* name(Numbering numbering) {
   return numbering == Numbering::ordered ? "ordered" : numbering == Numbering::random ? "random" : "renumbered";
 }
 
-Scene::Scene(index_t tets, Numbering numbering) : wanted_(tets), cells_(1), numbering_(numbering) {
+Scene::Scene(index_t tets, Numbering numbering) : wanted_(tets), numbering_(numbering) {
   while (index_t{6} * cells_ * cells_ * cells_ < tets) ++cells_;
 }
 

@@ -45,7 +45,7 @@ class Scene : public Kept {
 
  private:
   index_t wanted_;
-  fem::Index cells_;
+  fem::Index cells_ = 1;
   Numbering numbering_;
   std::unique_ptr<const fem::TruthCube> cube_;
 };

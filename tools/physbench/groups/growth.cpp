@@ -1,4 +1,5 @@
 // dP from dF over ever more objects: launches and thread starts show at the small end.
+#include <algorithm>
 #include <iterator>
 
 #include "measure/registry.h"
@@ -13,7 +14,7 @@ void add_sizes(std::vector<Row>& rows, const std::string& space, int largest) {
     auto some =
         rows_of_kernel("dp_from_df", space, {n, n, n, true},
                        {"float/copy", "float/aos_scalar", "float/aos", "float/soa", "float/aosoa16", "float/aosoa32"});
-    std::move(some.begin(), some.end(), std::back_inserter(rows));
+    std::ranges::move(some, std::back_inserter(rows));
   }
 }
 

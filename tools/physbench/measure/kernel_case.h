@@ -11,6 +11,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "data/operands.h"
 #include "measure/row.h"
@@ -106,7 +107,7 @@ Row describe(const Provider& provider, const std::string& layout, SpaceKind spac
 template <class Device, class Provider>
 class Adder {
  public:
-  Adder(std::vector<Row>& rows, const Provider& provider) : rows_(rows), provider_(provider) {}
+  Adder(std::vector<Row>& rows, Provider provider) : rows_(rows), provider_(std::move(provider)) {}
 
   /// @param make make() is the row's case
   template <class Make>

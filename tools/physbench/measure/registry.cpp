@@ -51,7 +51,7 @@ std::vector<Row> rows_of_kernel(const std::string& kernel, const std::string& sp
   }
   if (!wanted.empty()) {
     std::erase_if(rows, [&wanted](const Row& row) {
-      return std::find(wanted.begin(), wanted.end(), row.storage + "/" + row.layout) == wanted.end();
+      return std::ranges::find(wanted, row.storage + "/" + row.layout) == wanted.end();
     });
   }
   return rows;

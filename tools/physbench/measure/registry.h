@@ -24,7 +24,7 @@ struct Group {
   std::string help;          ///< one line, or several
   int place;                 ///< in the list of groups
   std::string filter = ".";  ///< which rows run where the user gives no filter
-  std::string also = {};     ///< the group whose rows belong to this one, too
+  std::string also = {};     ///< the group whose rows belong to this one, too. NOLINT: g++ wants it said
 };
 
 /// The rows that one file adds to a group.

@@ -56,7 +56,7 @@ void Session::measure() {
 void Session::run(const Row& row, benchmark::State& state) {
   try {
     prepare(row);
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
       measure();
       state.SetIterationTime(times_.back());
     }
@@ -70,7 +70,7 @@ void Session::run(const Row& row, benchmark::State& state) {
   const double time = median(times_), copy = median(copies_);
   const double bytes = case_.bytes;
   state.counters[counter::median_ms] = time * 1e3;
-  state.counters[counter::min_ms] = *std::min_element(times_.begin(), times_.end()) * 1e3;
+  state.counters[counter::min_ms] = *std::ranges::min_element(times_) * 1e3;
   state.counters[counter::copy_ms] = copy * 1e3;
   state.counters[counter::bytes_per_object] = bytes / static_cast<double>(row.objects);
   state.counters[counter::gb_per_second] = bytes / time * 1e-9;

@@ -43,7 +43,8 @@ class VendorLibrary {
 
 /// Defines `struct Name`, which finds the functions of a list in a library: a member of each function's own name, and
 /// `shared`, the library. A list is `#define FUNCTIONS(USE) USE(cusparseCreate) USE(cusparseDestroy)`.
-#define PHYSGEN_VENDOR_FUNCTION(function) decltype(&::function) function = nullptr;
+#define PHYSGEN_VENDOR_FUNCTION(function) \
+  decltype(&::function) function = nullptr;  // NOLINT: a name in parentheses is none
 #define PHYSGEN_VENDOR_FIND(function) shared.find(#function, function);
 #define PHYSGEN_VENDOR_LIBRARY(Name, FUNCTIONS, ...) \
   struct Name {                                      \
