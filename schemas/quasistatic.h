@@ -78,8 +78,8 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) CoarseInverse {
 
 /// The part of the tangent that a patch's volume has: k g g^T.
 struct PHYSGEN_OBJECT() PatchTangent {
-  PHYSGEN(unit("m^2")) Matrix<3, 8> g;   ///< by columns: change of the patch's volume with its nodes
-  PHYSGEN(unit("N/m^5")) Scalar k;       ///< U''(T) / volume, or its linearised form
+  PHYSGEN(unit("m^2")) Matrix<3, 8> g;  ///< by columns: change of the patch's volume with its nodes
+  PHYSGEN(unit("N/m^5")) Scalar k;      ///< U''(T) / volume, or its linearised form
 };
 
 // ---- One object each: numbers that kernels leave for kernels ----
