@@ -205,8 +205,7 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_option("--tolerance", options.solver.newton.tolerance, "of the residual, 1e-14 to 0.1")->type_name("T");
   auto* stepping =
       add_choice(app, "--stepping", options.solver.nested, steppings, "way of stepping",
-                 "nested: each load on coarser meshes first; loads: the plate moves inside the first linear solve")
-          ->default_str("nested, but loads with patches up to a Poisson's ratio of 0.495");
+                 "nested: each load on coarser meshes first; loads: the plate moves inside the first linear solve");
   app.add_flag("--historical", options.historical,
                "as in 2005: plain conjugate gradients in float, no line search, no nesting, an absolute tolerance of "
                "1e-3 N or --tolerance times E times the squared height, whichever is smaller")
@@ -232,9 +231,6 @@ Options parse(const std::vector<std::string>& arguments) {
     return options;
   } catch (const CLI::ParseError& error) {
     throw Error(error.what());
-  }
-  if (stepping->count() == 0) {  // what was faster
-    options.solver.nested = options.volume == VolumeTreatment::tets || options.solver.poissons_ratio > 0.495;
   }
   if (options.historical) {
     options.solver.nested = false;

@@ -82,8 +82,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
   const auto forces = a.forces.view();
   const auto trial_forces = a.trial_forces.view();
 
-  TangentFilter filter = TangentFilter::none;
-  auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, filter, restart);
+  auto state =
+      evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, TangentFilter::none, restart);
   double before = free_of(state), forcing = settings.least_forcing;
   bool risky = false, fresh = true;
   // Forces are measured against those on prescribed components, now or at the last equilibrium: they may vanish.
@@ -119,7 +119,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       // Nothing pulls, and yet tets are flat or inverted: a saddle or another minimum, such as a body in one point.
       ++result.returns;
       on.run(n, ReturnHalfway{a.rest.const_view(), level.constraints.const_view(), positions});
-      state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, filter, true);
+      state =
+          evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, TangentFilter::none, true);
       before = free_of(state);
       fresh = true;
     }
@@ -139,21 +140,19 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     const auto has_failed = [](const LinearResult& r) {
       return r.status == LinearStatus::negative_curvature || r.status == LinearStatus::not_finite || r.iterations == 0;
     };
-    if (!settings.all_prescribed && has_failed(linear) && filter == TangentFilter::none) {
-      // The energy is not convex here: once more with a tangent that is.
-      filter = TangentFilter::absolute;
-      (void)evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, filter, false);
+    // Where the energy is not convex: once more with a tangent that is.
+    const auto solve_filtered = [&] {
+      (void)evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, TangentFilter::absolute,
+                           false);
       linear = solve_step(on, loop, a, levels, top, v, settings, has_increment, true, forcing);
+      step.filtered = true;
       step.iterations += linear.iterations;
-    }
-    step.filtered = filter == TangentFilter::absolute;
-    result.filtered += step.filtered ? 1 : 0;
-    result.iterations += step.iterations;
+    };
+    if (!settings.all_prescribed && has_failed(linear)) solve_filtered();
     if (!settings.all_prescribed && (linear.status == LinearStatus::not_finite || linear.iterations == 0)) {
       return finish(NewtonStatus::linear_solver);
     }
     if (has_increment) on.run(n, AddIncrement{a.increment.const_view(), v.step.view()});
-    filter = TangentFilter::none;
 
     double length = 1;
     for (;;) {
@@ -173,7 +172,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
         }
       }
       const auto next =
-          evaluate_state(on, a, level, evaluator, a.trial.const_view(), trial_forces, load, filter, false);
+          evaluate_state(on, a, level, evaluator, a.trial.const_view(), trial_forces, load, TangentFilter::none, false);
       const bool finite = std::isfinite(energy_of(next)) && std::isfinite(next.free_square);
       const double rounding = 1e-13 * (std::abs(state.elastic) + std::abs(state.volumetric) + std::abs(state.loads));
       const bool falls = energy_of(next) <= energy_of(state) - 1e-4 * length * work + rounding;
@@ -185,11 +184,21 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
         break;
       }
       if (has_increment) return finish(NewtonStatus::not_finite);
+      if (!step.filtered) {  // conjugate gradients have not met the negative curvature that there may be
+        if (a.patches != nullptr) on.run(a.patches->volumes.size(), ShortenPatches{0.0, a.patches->volumes.view()});
+        solve_filtered();
+        if (linear.status == LinearStatus::not_finite || linear.iterations == 0) {
+          return finish(NewtonStatus::linear_solver);
+        }
+        continue;
+      }
       if (step.halvings == settings.most_halvings) return finish(NewtonStatus::no_descent);
       ++step.halvings;
       length /= 2;
     }
     result.halvings += step.halvings;
+    result.filtered += step.filtered ? 1 : 0;
+    result.iterations += step.iterations;
     on.run(n, KeepPositions{a.trial.const_view(), positions});
     on.run(n, KeepForces{a.trial_forces.const_view(), forces});
     const double free = free_of(state);
