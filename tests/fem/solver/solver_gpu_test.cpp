@@ -2,9 +2,6 @@
 #include <gtest/gtest.h>
 #include <physgen/storage.h>
 
-#include <chrono>
-#include <cstdio>
-
 #include "bodies.h"
 
 namespace physgen::fem {
@@ -14,16 +11,13 @@ struct Solved {
   std::vector<Point> positions, forces;
   std::vector<std::array<double, 9>> stresses;
   NewtonResult result;
-  double seconds = 0;
 };
 
 Solved compress(const Body& body, SolverSettings settings, Device device, std::initializer_list<double> loads) {
   settings.device = device;
   const auto solver = make_solver(body.levels, body.loading, settings);
   Solved solved;
-  const auto start = std::chrono::steady_clock::now();
   for (const double load : loads) solved.result = solver->solve_to(load, {});
-  solved.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   solved.positions = solver->positions();
   solved.forces = solver->forces();
   solved.stresses = solver->stresses();

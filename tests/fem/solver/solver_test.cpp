@@ -110,6 +110,16 @@ TEST(Tangent, is_the_derivative_of_the_forces) {
   }
 }
 
+TEST(Multigrid, many_power_iterations_do_not_overflow) {
+  const Body body = make_truth_cube_body(8, true);
+  SolverSettings settings;
+  settings.newton.preconditioner.first_power_steps = 200;
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  const NewtonResult result = solver->solve_to(0.05, {});
+  EXPECT_EQ(result.status, NewtonStatus::converged);
+  EXPECT_EQ(result.filtered, 0);
+}
+
 TEST(Newton, nested_steps_and_load_steps_lead_to_the_same_state) {
   const Body body = make_truth_cube_body(16, true);
   std::vector<std::vector<Point>> found;
@@ -265,6 +275,11 @@ TEST(BadInput, is_refused_with_its_name_value_and_remedy) {
   expect(message([](auto& s, auto&, auto&) { s.poissons_ratio = 0.5; }), {"0.5", "Poisson"});
   expect(message([](auto& s, auto&, auto&) { s.youngs_modulus = -1; }), {"-1", "Young"});
   expect(message([](auto& s, auto&, auto&) { s.newton.tolerance = 0; }), {"tolerance", "positive"});
+  expect(message([](auto& s, auto&, auto&) { s.newton.most_iterations = 0; }), {"iterations", "0", "1 or more"});
+  expect(message([](auto& s, auto&, auto&) { s.newton.most_steps = -3; }), {"Newton steps", "-3", "1 or more"});
+  expect(message([](auto& s, auto&, auto&) { s.newton.preconditioner.degree = 0; }), {"degree", "0"});
+  expect(message([](auto& s, auto&, auto&) { s.newton.preconditioner.low = 1; }), {"interval", "below 1"});
+  expect(message([](auto& s, auto&, auto&) { s.newton.preconditioner.first_power_steps = 0; }), {"power", "0"});
   expect(message([](auto&, auto& l, auto&) { l.motion.pop_back(); }), {"motion", "26", "27"});
   expect(message([](auto&, auto& l, auto&) { l.motion[5][1] = NAN; }), {"node 5", "finite"});
   expect(message([](auto&, auto&, auto& m) { m[0].fixed.pop_back(); }), {"constraints", "26"});

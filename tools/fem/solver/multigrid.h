@@ -52,7 +52,12 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
   if (fresh) on.run(n, ScatterDirection{power});
   const int steps = fresh ? settings.first_power_steps : settings.next_power_steps;
   for (int k = 1; k <= steps; ++k) {  // the last one is measured
-    if (k == steps) on.reduce(n, SquaredLength{level.power.const_view()}, Sum{}, StoreLength{smoother});
+    if (k == steps || k % 8 == 0) {
+      on.reduce(n, SquaredLength{level.power.const_view()}, Sum{}, StoreLength{smoother});
+    }
+    if (k < steps && k % 8 == 0) {  // before a float overflows
+      on.run(n, NormalisePower{level.smoother.const_view(), power});
+    }
     multiply(on,
              SymmetricProduct{level.scaled_nodes.const_view(), level.scaled_edges.const_view(),
                               level.edges.const_view(), level.power.const_view(), level.residual.view()},

@@ -21,6 +21,33 @@ void require_positive(const char* what, double value) {
   }
 }
 
+void require_least(const char* what, int value, int least) {
+  if (value < least) {
+    throw Error(std::string(what) + " is " + std::to_string(value) + " and must be " + std::to_string(least) +
+                " or more");
+  }
+}
+
+void require_settings(const SolverSettings& settings) {
+  const NewtonSettings& newton = settings.newton;
+  const PreconditionerSettings& preconditioner = newton.preconditioner;
+  require_positive("the tolerance", newton.tolerance);
+  require_positive("the least tolerance of linear solves", newton.least_forcing);
+  require_positive("the largest tolerance of linear solves", newton.most_forcing);
+  require_positive("the lower end of the smoother's interval", preconditioner.low);
+  if (!(preconditioner.low < 1)) {
+    throw Error("the lower end of the smoother's interval is " + std::to_string(preconditioner.low) +
+                " of its upper end and must be below 1");
+  }
+  require_least("the number of Newton steps", newton.most_steps, 1);
+  require_least("the number of iterations of conjugate gradients", newton.most_iterations, 1);
+  require_least("the number of halvings of a step", newton.most_halvings, 0);
+  require_least("the number of bisections of an increment", settings.most_bisections, 0);
+  require_least("the degree of the smoother", preconditioner.degree, 1);
+  require_least("the number of power iterations", preconditioner.first_power_steps, 1);
+  require_least("the number of power iterations", preconditioner.next_power_steps, 1);
+}
+
 void require_vectors(const char* what, const std::vector<Point>& vectors, std::size_t nodes) {
   if (vectors.size() != nodes) {
     throw Error(std::string(what) + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
@@ -47,7 +74,7 @@ std::string device_name(Device device) {
 std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                const SolverSettings& settings) {
   if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
-  require_positive("the tolerance", settings.newton.tolerance);
+  require_settings(settings);
   const auto nodes = static_cast<std::size_t>(levels.front().mesh.nodes);
   require_vectors("the motion of prescribed components", loading.motion, nodes);
   if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
