@@ -1,6 +1,6 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_292E612B2A67F493
-#define PHYSGEN_QUASISTATIC_H_292E612B2A67F493
+#ifndef PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
+#define PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
 
 #include <physgen/runtime.h>
 
@@ -1582,6 +1582,98 @@ static_assert(physgen::is_sound_record<LinearSolveObject, float, LinearSolveForm
 static_assert(physgen::is_sound_record<LinearSolveObject, double, LinearSolveFormats<physgen::Host>>(
     48, 8, {0, 8, 16, 24, 32, 40, 44}));
 
+// ---- PackedIncidence ------------------------------------------------------------------------------------------------
+
+/// An element that touches a node or an edge, and where in it, in one number.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PackedIncidence {
+  /// element 2^bits + local: each list has bits of its own (fem::PackedEntry)
+  physgen::same_lanes_t<Real, std::int32_t> code;
+};
+
+/// How the fields of one PackedIncidence are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of PackedIncidenceArray.
+template <class Space>
+struct PackedIncidenceFormats {
+};
+
+/// Where each field begins in the record of one PackedIncidence [bytes].
+template <class Real, class Formats>
+struct PackedIncidenceRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+  }});
+  static constexpr int code = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PackedIncidence of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PackedIncidenceRef {
+  using Record = PackedIncidenceRecord<Real, Formats>;
+
+ public:
+  using Value = PackedIncidence<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PackedIncidenceRef(const Cursor& cursor) : at_(cursor) {}
+  PackedIncidenceRef(const PackedIncidenceRef&) = default;
+  PackedIncidenceRef& operator=(const PackedIncidenceRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PackedIncidenceRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// element 2^bits + local: each list has bits of its own (fem::PackedEntry)
+  PHYSGEN_FUNCTION decltype(auto) code() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::code);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.code = code();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { code() = value.code; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PackedIncidence.
+struct PackedIncidenceObject {
+  static constexpr std::string_view name = "quasistatic::PackedIncidence";
+  template <class Real>
+  using Value = PackedIncidence<Real>;
+  template <class Real, class Formats>
+  using Record = PackedIncidenceRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PackedIncidenceRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "code", "", PackedIncidenceRecord<Real, Formats>::code, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PackedIncidenceFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PackedIncidenceObject, Space>>
+using PackedIncidenceView = physgen::View<PackedIncidenceObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<PackedIncidenceObject, Space>>
+using PackedIncidenceArray = physgen::Array<PackedIncidenceObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PackedIncidenceObject, float, PackedIncidenceFormats<physgen::Host>>(4, 4, {0}));
+static_assert(physgen::is_sound_record<PackedIncidenceObject, double, PackedIncidenceFormats<physgen::Host>>(
+    4, 4, {0}));
+
 // ---- Smoother -------------------------------------------------------------------------------------------------------
 
 /// How a level is smoothed.
@@ -1863,4 +1955,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_292E612B2A67F493
+#endif  // PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF

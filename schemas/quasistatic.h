@@ -94,6 +94,11 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) LinearSolve {
   Index status;                           ///< fem::LinearStatus
 };
 
+/// An element that touches a node or an edge, and where in it, in one number.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) PackedIncidence {
+  Index code;  ///< element 2^bits + local: each list has bits of its own (fem::PackedEntry)
+};
+
 /// How a level is smoothed.
 struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Smoother {
   PHYSGEN(unit("1")) Scalar largest;  ///< an estimate of the largest eigenvalue of -D K

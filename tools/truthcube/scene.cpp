@@ -126,7 +126,6 @@ Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
       throw Error(
           "the plates hold every node, so that nothing is left to solve for: the mesh needs nodes between them");
     }
-    scene.top = top;
     scene.loading.motion.assign(level.rest.size(), fem::Point{});
     for (const Index n : top) scene.loading.motion[static_cast<std::size_t>(n)][2] = -scene.height;
   }

@@ -23,7 +23,6 @@ namespace physgen::truthcube {
 struct Scene {
   std::vector<fem::MeshLevel> levels;  ///< finest first
   fem::Loading loading;                ///< at a compression of 1
-  std::vector<fem::Index> top;         ///< nodes on the upper plate, of the finest level
   double low = 0, height = 0;          ///< of the body along z [m]
 };
 

@@ -86,7 +86,7 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects) {
   using Arrays = fem::EquilibriumArrays<Real, Space>;
   using Patches = fem::PatchArrays<Real, Space>;
   using Vectors = fem::KrylovVectors<Real, Space>;
-  const std::int64_t n = c.nodes;
+  const std::int64_t n = c.nodes, chunk = std::min(c.tets, std::int64_t{fem::most_chunk_tets(Space::kind)});
   std::int64_t bytes = bytes_of<decltype(Arrays::tets)>(c.tets) +
                        bytes_of_rows<decltype(Arrays::node_tets)>(n, 4 * c.tets) +
                        bytes_of_rows<decltype(Arrays::edge_tets)>(c.edges, 6 * c.tets) +
@@ -94,7 +94,7 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects) {
                        bytes_of<decltype(Arrays::trial)>(n) + bytes_of<decltype(Arrays::kept)>(n) +
                        bytes_of<decltype(Arrays::loads)>(n) + bytes_of<decltype(Arrays::motion)>(n) +
                        bytes_of<decltype(Arrays::forces)>(n) + bytes_of<decltype(Arrays::trial_forces)>(n) +
-                       bytes_of<decltype(Arrays::corners)>(c.tets) + bytes_of<decltype(Arrays::tangent)>(c.tets) +
+                       bytes_of<decltype(Arrays::corners)>(chunk) + bytes_of<decltype(Arrays::tangent)>(chunk) +
                        bytes_of<decltype(Arrays::increment)>(n) + bytes_of<decltype(Arrays::state)>(1);
   bytes += bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
            bytes_of<decltype(Vectors::direction)>(n) + bytes_of<decltype(Vectors::product)>(n) +

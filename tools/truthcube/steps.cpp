@@ -1,10 +1,12 @@
 #include "steps.h"
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <string>
 
+#include "estimates.h"
 #include "fields.h"
 
 namespace physgen::truthcube {
@@ -129,16 +131,25 @@ Outcome Steps::stop() const {
 
 void Steps::finish(double compression, const fem::NewtonResult& result, double seconds) {
   const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
-  double reaction = 0;
-  for (const fem::Index n : scene_.top) reaction -= forces[static_cast<std::size_t>(n)][2];
+  const double reaction = plate_reaction(scene_.levels.front(), forces);
+  Estimates estimates;
+  if (const auto coarser = solver_.coarser_equilibrium()) {
+    estimates = make_estimates(scene_.levels, reaction, positions, *coarser);
+  }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
-                           result.smallest_J, reaction, seconds});
+                           result.smallest_J, reaction, estimates.reaction, estimates.error_rms, seconds});
   const std::string coarse = result.coarse_steps == 0
                                  ? ""
                                  : ", " + std::to_string(result.coarse_steps) + " and " +
                                        std::to_string(result.coarse_iterations) + " on coarser meshes";
   terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations%s; reaction %.6g N", seconds, result.steps,
                  result.iterations, coarse.c_str(), reaction);
+  if (std::isfinite(estimates.reaction)) {
+    terminal_.line(
+        "  estimated from half as many cells: displacements are off by %.4f mm RMS, %.4f mm at most; reaction of an "
+        "ever finer mesh %.6g N",
+        1e3 * estimates.error_rms, 1e3 * estimates.error_max, estimates.reaction);
+  }
   if (const double reach = reach_past_plates(scene_, compression, positions); reach > 1e-6 * scene_.height) {
     terminal_.line("  free sides reach %.3f mm past the plates: there is no contact", 1e3 * reach);
   }

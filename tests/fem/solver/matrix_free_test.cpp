@@ -52,8 +52,7 @@ struct Scene {
   /// The evaluation of positions, with its tangent; all arrays follow it.
   void evaluate(Evaluator<HostExecutor, Arrays>& evaluator, const Vectors& x) {
     for (std::size_t n = 0; n < x.size(); ++n) arrays.positions.view()[index_t(n)].x() = x[n];
-    (void)evaluate_state(on, arrays, level, evaluator, arrays.positions.const_view(), arrays.forces.view(), 0.0,
-                         TangentFilter::none, true);
+    (void)evaluate_state(on, arrays, level, evaluator, arrays.positions.const_view(), arrays.forces.view(), 0.0, true);
   }
   [[nodiscard]] Vectors forces() const {
     Vectors result;
@@ -70,8 +69,8 @@ struct Scene {
 };
 
 /// K dx of the assembled blocks, at the scene's positions.
-Vectors assembled_product(Scene& scene) {
-  assemble(scene.on, scene.arrays, scene.level);
+Vectors assembled_product(Scene& scene, Evaluator<HostExecutor, Arrays>& evaluator) {
+  assemble(scene.on, scene.arrays, scene.level, evaluator, TangentFilter::none);
   elasticity::NodeDisplacementArray<double> dx(scene.arrays.nodes());
   elasticity::NodeForceDifferentialArray<double> df(scene.arrays.nodes());
   for (index_t n = 0; n < dx.size(); ++n) dx.view()[n].dx() = scene.direction[std::size_t(n)];
@@ -106,7 +105,9 @@ Vectors element_product(Scene& scene, const Material& material) {
   on.run(tets, ComputeStressDerivative{material, svds.const_view(), derivatives.view()});
   on.run(tets, ComputeCornerForceDifferentials{names, dx.const_view(), shapes.const_view(), svds.const_view(),
                                                derivatives.const_view(), corners.view()});
-  on.run(nodes, GatherForceDifferentials{scene.arrays.node_tets.const_view(), corners.const_view(), df.view()});
+  using Rows = RowArrays<elasticity::IncidenceRangeArray<float>, elasticity::IncidenceArray<float>>;
+  const auto node_tets = incidence_rows<Rows>(mesh.node_tets, tets);
+  on.run(nodes, GatherForceDifferentials{node_tets.const_view(), corners.const_view(), df.view()});
   Vectors result;
   for (index_t n = 0; n < nodes; ++n) result.emplace_back(df.const_view()[n].df());
   return result;
@@ -133,7 +134,7 @@ void expect_equal_products(const char* name) {
   Scene scene(false);
   const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, 1, 0.45, false);
   scene.evaluate(*evaluator, scene.at);
-  const Vectors assembled = assembled_product(scene);
+  const Vectors assembled = assembled_product(scene, *evaluator);
   const Vectors by_tets = element_product(scene, Material::from(1, 0.45));
   const double size = largest(by_tets), error = largest_difference(assembled, by_tets);
   std::printf("%s: assembled and element form differ by %.1e of the largest\n", name, error / size);
@@ -166,7 +167,7 @@ TEST(MatrixFree, product_is_the_change_of_the_forces_of_tets_and_of_patches) {
         expected.emplace_back((8 * (a[n] - b[n]) - (c[n] - d[n])) / (12 * h));
       }
       scene.evaluate(*evaluator, scene.at);
-      const Vectors assembled = assembled_product(scene);
+      const Vectors assembled = assembled_product(scene, *evaluator);
       const double error = largest_difference(assembled, expected) / largest(expected);
       std::printf("%s, %s: %.1e\n", name.c_str(), patches ? "patches" : "tets", error);
       EXPECT_LE(error, 1e-9) << name << " " << patches;

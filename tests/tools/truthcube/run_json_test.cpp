@@ -29,7 +29,8 @@ RunRecord record_of(int steps) {
                 .settings = R"({"material":"neo_hookean","young":15000.0,"poisson":0.49,"cells":64})",
                 .setup_seconds = 0.1,
                 .steps = {}};
-  for (int s = 0; s < steps; ++s) run.steps.push_back({0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, 0.04});
+  for (int s = 0; s < steps; ++s)
+    run.steps.push_back({0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, -1.05, 1e-4, 0.04});
   return run;
 }
 
@@ -53,8 +54,9 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(run["settings"]["material"], "neo_hookean");
   ASSERT_EQ(run["steps"].size(), 2U);
   const Json& step = run["steps"][1];
-  EXPECT_EQ(keys_of(step), (std::vector<std::string>{"compression", "newton_iterations", "pcg_iterations", "residual",
-                                                     "energy", "smallest_J", "reaction", "seconds"}));
+  EXPECT_EQ(keys_of(step),
+            (std::vector<std::string>{"compression", "newton_iterations", "pcg_iterations", "residual", "energy",
+                                      "smallest_J", "reaction", "reaction_estimate", "error_estimate", "seconds"}));
   EXPECT_EQ(step["compression"], 0.1);
   EXPECT_EQ(step["newton_iterations"], 5);
   EXPECT_EQ(step["pcg_iterations"], 61);

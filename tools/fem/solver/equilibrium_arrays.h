@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/solver_arrays.h>
+#include <fem/solver/tet_chunks.h>
 
 #include <cmath>
 #include <memory>
@@ -19,7 +20,7 @@ struct PatchArrays {
   quasistatic::PatchNodesArray<Real, Space> nodes;
   quasistatic::PatchParentArray<Real, Space> parents;  ///< where there is a coarser level
   PatchTetRows<Space> patch_tets;
-  IncidenceRows<Space> edge_patches;
+  PackedRows<Space> edge_patches;
   quasistatic::VolumePatchArray<double, Space> volumes;
   quasistatic::PatchTangentArray<Real, Space> tangent;
 
@@ -27,7 +28,7 @@ struct PatchArrays {
       : tet_patches(moved_to<decltype(tet_patches)>(host_tet_patches(level.patches))),
         nodes(moved_to<decltype(nodes)>(host_nodes(level.patches))),
         patch_tets(host_patch_tets(level)),
-        edge_patches(incidence_rows<IncidenceRows<Host>>(parts.edge_patches, index_t(level.patches.nodes.size()))),
+        edge_patches(packed_rows<EdgePatchEntry>(parts.edge_patches, index_t(level.patches.nodes.size()), "patches")),
         volumes(index_t(level.patches.nodes.size())),
         tangent(volumes.size()) {
     if (injects) parents = moved_to<decltype(parents)>(host_parents(level));
@@ -73,7 +74,8 @@ struct EquilibriumArrays {
   using Space = Space_;
 
   elasticity::TetArray<Real, Space> tets;
-  IncidenceRows<Space> node_tets, edge_tets;
+  PackedRows<Space> node_tets, edge_tets;
+  std::vector<TetChunk> chunks;
   std::unique_ptr<PatchArrays<Real, Space>> patches;  ///< where volumes are averaged
 
   elasticity::NodePositionArray<double, Space> rest;
@@ -84,8 +86,8 @@ struct EquilibriumArrays {
   elasticity::NodeDisplacementArray<double, Space> motion;  ///< of prescribed components, at a load of 1
   elasticity::NodeForceArray<double, Space> forces;  ///< elastic and external; in prescribed components -reaction
   elasticity::NodeForceArray<double, Space> trial_forces;
-  elasticity::CornerForcesArray<double, Space> corners;
-  quasistatic::TetTangentArray<Real, Space> tangent;
+  elasticity::CornerForcesArray<double, Space> corners;        ///< of a chunk of tets
+  quasistatic::TetTangentArray<Real, Space> tangent;           ///< of a chunk of tets
   elasticity::NodeDisplacementArray<double, Space> increment;  ///< of prescribed components
   quasistatic::EquilibriumArray<double, Space> state;
   double spacing = 0;  ///< the mean distance of neighbours at rest, or about that [m]
@@ -105,8 +107,9 @@ struct EquilibriumArrays {
  private:
   EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, const EdgeParts& parts)
       : tets(moved_to<decltype(tets)>(host_tets(level))),
-        node_tets(incidence_rows<IncidenceRows<Host>>(level.mesh.node_tets, index_t(level.mesh.tets.size()))),
-        edge_tets(incidence_rows<IncidenceRows<Host>>(parts.edge_tets, index_t(level.mesh.tets.size()))),
+        node_tets(packed_rows<NodeTetEntry>(level.mesh.node_tets, index_t(level.mesh.tets.size()), "tets")),
+        edge_tets(packed_rows<EdgeTetEntry>(parts.edge_tets, index_t(level.mesh.tets.size()), "tets")),
+        chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Space::kind))),
         patches(level.patches.nodes.empty() ? nullptr
                                             : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects)),
         rest(moved_to<decltype(rest)>(host_positions(level))),
@@ -117,8 +120,8 @@ struct EquilibriumArrays {
         motion(graph.nodes),
         forces(graph.nodes),
         trial_forces(graph.nodes),
-        corners(tets.size()),
-        tangent(tets.size()),
+        corners(chunks.front().tets()),
+        tangent(chunks.front().tets()),
         increment(graph.nodes),
         state(1),
         spacing(mean_spacing(level)) {}

@@ -12,14 +12,21 @@
 
 namespace physgen::fem {
 
-/// Leaves a sum in one of the numbers of quasistatic::Equilibrium.
+/// Leaves the energy of a chunk of tets in quasistatic::Equilibrium: adds it to that of the chunks before.
 template <class StateView>
-struct StoreElastic {
+struct AddElastic {
   StateView state;
-  PHYSGEN_FUNCTION void operator()(double energy) const { state[index_t{0}].elastic() = energy; }
+  bool is_first;
+  PHYSGEN_FUNCTION void operator()(double energy) const {
+    const auto s = state[index_t{0}];
+    const double before = is_first ? 0.0 : double(s.elastic());
+    s.elastic() = before + energy;
+  }
 };
 template <class StateView>
-StoreElastic(StateView) -> StoreElastic<StateView>;
+AddElastic(StateView, bool) -> AddElastic<StateView>;
+
+/// Leaves the energy of the patches in quasistatic::Equilibrium.
 template <class StateView>
 struct StoreVolumetric {
   StateView state;
@@ -27,35 +34,6 @@ struct StoreVolumetric {
 };
 template <class StateView>
 StoreVolumetric(StateView) -> StoreVolumetric<StateView>;
-
-/// Leaves in the arrays' state the energy at `positions`, in `corners` the forces of the tets, and their tangent.
-/// @param material without its volume's part where the arrays have patches
-/// @param restart patches begin their linearised pressure anew
-template <class On, class Arrays, class Material, class PositionView>
-void evaluate(On& on, Arrays& a, const Material& material, const VolumeTerm& volume, const PositionView& positions,
-              TangentFilter filter, bool restart) {
-  const auto state = a.state.view();
-  const auto tets = a.tets.const_view();
-  const auto rest = a.rest.const_view();
-  const auto corners = a.corners.view();
-  const auto tangent = a.tangent.view();
-  if constexpr (splits_volume<Material>) {
-    if (a.patches != nullptr) {
-      auto& p = *a.patches;
-      on.reduce(p.volumes.size(),
-                EvaluatePatches{volume.law, volume.modulus, restart, p.patch_tets.const_view(), tets, rest, positions,
-                                p.volumes.view(), p.tangent.view()},
-                Sum{}, StoreVolumetric{state});
-      on.reduce(a.tet_count(),
-                EvaluateTets{material, PatchPressures{p.tet_patches.const_view(), p.volumes.const_view()}, tets, rest,
-                             positions, corners, tangent, filter},
-                Sum{}, StoreElastic{state});
-      return;
-    }
-  }
-  on.reduce(a.tet_count(), EvaluateTets{material, NoPatches{}, tets, rest, positions, corners, tangent, filter}, Sum{},
-            StoreElastic{state});
-}
 
 /// A material, as the solver sees it.
 /// @tparam Arrays EquilibriumArrays
@@ -68,9 +46,14 @@ class Evaluator {
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
   virtual ~Evaluator() = default;
-  /// As evaluate() above.
-  virtual void evaluate(On& on, Arrays& arrays, const PositionView& positions, TangentFilter filter, bool restart) = 0;
-  /// Of the state that was evaluated last. @pre as many as tets
+  /// Volumes and pressures of the patches at `positions`, where the arrays have patches: all else follows them.
+  /// @param restart patches begin their linearised pressure anew
+  virtual void evaluate_patches(On& on, Arrays& arrays, const PositionView& positions, bool restart) = 0;
+  /// Leaves in `corners` the forces of a chunk of tets at `positions`, and their energy in the arrays' state.
+  virtual void evaluate_forces(On& on, Arrays& arrays, const TetChunk& chunk, const PositionView& positions) = 0;
+  /// Leaves in `tangent` the tangents of a chunk of tets at the arrays' positions.
+  virtual void evaluate_tangents(On& on, Arrays& arrays, const TetChunk& chunk, TangentFilter filter) = 0;
+  /// Of the arrays' positions. @pre as many as tets
   virtual void evaluate_stress(On& on, Arrays& arrays, Stresses& stresses) = 0;
   [[nodiscard]] virtual VolumeTerm volume() const = 0;
 };
@@ -87,27 +70,48 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
       if (patches) volume_ = split_volume(material_);
     }
   }
-  void evaluate(On& on, Arrays& arrays, const PositionView& positions, TangentFilter filter, bool restart) override {
-    fem::evaluate(on, arrays, material_, volume_, positions, filter, restart);
+  void evaluate_patches(On& on, Arrays& a, const PositionView& positions, bool restart) override {
+    if (a.patches == nullptr) return;
+    auto& p = *a.patches;
+    on.reduce(p.volumes.size(),
+              EvaluatePatches{volume_.law, volume_.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),
+                              a.rest.const_view(), positions, p.volumes.view(), p.tangent.view()},
+              Sum{}, StoreVolumetric{a.state.view()});
+  }
+  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const PositionView& positions) override {
+    with_patches(a, [&](const auto& patches) {
+      on.reduce(chunk.tets(),
+                ComputeTetForces{chunk, material_, patches, a.tets.const_view(), a.rest.const_view(), positions,
+                                 a.corners.view()},
+                Sum{}, AddElastic{a.state.view(), chunk.is_first()});
+    });
+  }
+  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) override {
+    with_patches(a, [&](const auto& patches) {
+      on.run(chunk.tets(), ComputeTetTangents{chunk, filter, material_, patches, a.tets.const_view(),
+                                              a.rest.const_view(), a.positions.const_view(), a.tangent.view()});
+    });
   }
   void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override {
-    const auto tets = a.tets.const_view();
-    const auto rest = a.rest.const_view();
-    const auto positions = a.positions.const_view();
-    if constexpr (splits_volume<Material>) {
-      if (a.patches != nullptr) {
-        on.run(a.tet_count(),
-               EvaluateStress{material_,
-                              PatchPressures{a.patches->tet_patches.const_view(), a.patches->volumes.const_view()},
-                              tets, rest, positions, stresses.view()});
-        return;
-      }
-    }
-    on.run(a.tet_count(), EvaluateStress{material_, NoPatches{}, tets, rest, positions, stresses.view()});
+    with_patches(a, [&](const auto& patches) {
+      on.run(a.tet_count(), EvaluateStress{material_, patches, a.tets.const_view(), a.rest.const_view(),
+                                           a.positions.const_view(), stresses.view()});
+    });
   }
   [[nodiscard]] VolumeTerm volume() const override { return volume_; }
 
  private:
+  /// Calls body with what tells kernels of tets about patches.
+  template <class Body>
+  static void with_patches(Arrays& a, const Body& body) {
+    if constexpr (splits_volume<Material>) {
+      if (a.patches != nullptr) {
+        return body(PatchPressures{a.patches->tet_patches.const_view(), a.patches->volumes.const_view()});
+      }
+    }
+    body(NoPatches{});
+  }
+
   Material material_;
   VolumeTerm volume_;
 };

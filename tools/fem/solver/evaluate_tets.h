@@ -1,10 +1,11 @@
-// Kernel: all that Newton's method wants of the tets at once: energy, forces on the corners, and the tangent, from one
-// SVD in double. The tangent may be kept in float.
+// Kernels: what Newton's method wants of the tets, each from an SVD in double: energy and forces on the corners; the
+// tangent, which may be kept in float; the change of volume.
 #pragma once
 
 #include <fem/kernels/tet.h>
 #include <fem/materials/definiteness.h>
 #include <fem/numerics/svd.h>
+#include <fem/solver/tet_chunks.h>
 #include <physgen/kernel.h>
 
 namespace physgen::fem {
@@ -76,53 +77,104 @@ PHYSGEN_FUNCTION inline auto cast_matrix(const Matrix3<S>& A) {
 
 }  // namespace detail
 
-/// Returns the energy of the tets [J]: of the shear alone where patches average the volume.
-template <class Material, class Patches, class TetView, class RestView, class PositionView, class CornerView,
-          class TangentView>
-struct EvaluateTets {
+namespace detail {
+
+/// What the kernels of a tet begin with: its shape at rest, and the SVD of F.
+template <class S>
+struct DeformedTet {
+  TetShape<S> shape;
+  Svd<S> f;
+
+  /// By rows: V^T grad of corners j, k, l.
+  [[nodiscard]] PHYSGEN_FUNCTION Matrix3<S> gradients() const { return multiply<S>(shape.dm_inverse, f.V); }
+};
+template <class Scalar, class TetView, class RestView, class PositionView, class I>
+PHYSGEN_FUNCTION inline auto deformed_tet(const TetView& tets, const RestView& rest, const PositionView& positions,
+                                          const I& tet) {
+  using S = lanes_t<Scalar, I>;
+  const Matrix3<S> dm = edge_matrix<Scalar>(tets, tet, [&](auto node) { return rest[node].x().get(); });
+  const Matrix3<S> ds = edge_matrix<Scalar>(tets, tet, [&](auto node) { return positions[node].x().get(); });
+  const TetShape<S> shape = tet_shape<S>(dm);
+  return DeformedTet<S>{shape, svd(multiply<S>(ds, shape.dm_inverse))};
+}
+
+/// Principal stresses, with `pressure` dJ/ds.
+template <class S>
+PHYSGEN_FUNCTION inline Vector3<S> with_pressure(Vector3<S> g, const S& pressure, const Vector3<S>& s) {
+  g[0] = fma(pressure, s[1] * s[2], g[0]);
+  g[1] = fma(pressure, s[0] * s[2], g[1]);
+  g[2] = fma(pressure, s[0] * s[1], g[2]);
+  return g;
+}
+
+}  // namespace detail
+
+/// Forces of a chunk of tets on their corners. Returns the tets' energy [J]: of the shear alone where patches average
+/// the volume. Called with the objects 0 .. chunk.tets() - 1 of `forces`.
+template <class Material, class Patches, class TetView, class RestView, class PositionView, class CornerView>
+struct ComputeTetForces {
   using Scalar = typename CornerView::Precision;
+  TetChunk chunk;
   Material material;       ///< in Scalar
   Patches patches;         ///< NoPatches or PatchPressures
   TetView tets;            ///< elasticity::Tet
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
-  CornerView forces;       ///< elasticity::CornerForces, written
-  TangentView tangent;     ///< quasistatic::TetTangent, written
-  TangentFilter filter;
+  CornerView forces;       ///< elasticity::CornerForces of the chunk, written
 
   template <class I>
   PHYSGEN_FUNCTION auto operator()(I i) const -> lanes_t<Scalar, I> {
     using S = lanes_t<Scalar, I>;
-    using Real = typename TangentView::Precision;
-    const Matrix3<S> dm = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return rest[node].x().get(); });
-    const Matrix3<S> ds = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return positions[node].x().get(); });
-    const detail::TetShape<S> shape = detail::tet_shape<S>(dm);
-    const Svd<S> f = svd(multiply<S>(ds, shape.dm_inverse));
-
-    Vector3<S> g = material.stress(f.s);
-    PrincipalDerivative<S> d = material.derivative(f.s);
+    const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
+    const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
+    Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Patches::averages) {
-      const lanes_t<std::int32_t, I> p = patches.tets[i].patch();
+      const lanes_t<std::int32_t, I> p = patches.tets[t].patch();
       const S pressure = patches.patches[p].pressure();
-      g[0] = fma(pressure, f.s[1] * f.s[2], g[0]);
-      g[1] = fma(pressure, f.s[0] * f.s[2], g[1]);
-      g[2] = fma(pressure, f.s[0] * f.s[1], g[2]);
-      d = detail::with_pressure<S>(d, patches.patches[p].tangent_pressure(), f.s);
+      g = detail::with_pressure<S>(g, pressure, tet.f.s);
     }
-
-    const Matrix3<S> gradients = multiply<S>(shape.dm_inverse, f.V);  // row a: V^T grad of corner a + 1
-    const S minus_volume = -shape.volume;
+    const S minus_volume = -tet.shape.volume;
     Matrix3<S> ug;  // U diag(g)
     PHYSGEN_UNROLL
-    for (int c = 0; c < 3; ++c) ug.col(c) = f.U.col(c) * (g[c] * minus_volume);
-    forces[i].G() = multiply_transpose<S>(ug, gradients);
+    for (int c = 0; c < 3; ++c) ug.col(c) = tet.f.U.col(c) * (g[c] * minus_volume);
+    forces[i].G() = multiply_transpose<S>(ug, tet.gradients());
+    return tet.shape.volume * material.energy(tet.f.s);
+  }
+};
+template <class... Arguments>
+ComputeTetForces(TetChunk, Arguments...) -> ComputeTetForces<Arguments...>;
 
+/// Tangents of a chunk of tets. Called with the objects 0 .. chunk.tets() - 1 of `tangent`.
+template <class Material, class Patches, class TetView, class RestView, class PositionView, class TangentView>
+struct ComputeTetTangents {
+  using Scalar = typename PositionView::Precision;
+  TetChunk chunk;
+  TangentFilter filter;
+  Material material;       ///< in Scalar
+  Patches patches;         ///< NoPatches or PatchPressures
+  TetView tets;            ///< elasticity::Tet
+  RestView rest;           ///< elasticity::NodePosition, at rest
+  PositionView positions;  ///< elasticity::NodePosition, current
+  TangentView tangent;     ///< quasistatic::TetTangent of the chunk, written
+
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    using Real = typename TangentView::Precision;
+    const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
+    const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
+    PrincipalDerivative<S> d = material.derivative(tet.f.s);
+    if constexpr (Patches::averages) {
+      const lanes_t<std::int32_t, I> p = patches.tets[t].patch();
+      const S pressure = patches.patches[p].tangent_pressure();
+      d = detail::with_pressure<S>(d, pressure, tet.f.s);
+    }
     if (filter == TangentFilter::absolute) d = AbsoluteEigenvalues{}(d);
-    const S half = shape.volume * S(Scalar(0.5));
-    const S& volume = shape.volume;
+    const S& volume = tet.shape.volume;
+    const S half = volume * S(Scalar(0.5));
     const auto out = tangent[i];
-    out.U() = detail::cast_matrix<Real>(f.U);
-    out.g() = detail::cast_matrix<Real>(Matrix3<S>(gradients.transpose()));
+    out.U() = detail::cast_matrix<Real>(tet.f.U);
+    out.g() = detail::cast_matrix<Real>(Matrix3<S>(tet.gradients().transpose()));
     out.x1111() = cast<Real>(volume * d.h11);
     out.x2211() = cast<Real>(volume * d.h21);
     out.x3311() = cast<Real>(volume * d.h31);
@@ -135,13 +187,10 @@ struct EvaluateTets {
     out.x3113() = cast<Real>(half * (d.d31 - d.s31));
     out.x3232() = cast<Real>(half * (d.d32 + d.s32));
     out.x3223() = cast<Real>(half * (d.d32 - d.s32));
-    return volume * material.energy(f.s);
   }
 };
-template <class Material, class Patches, class TetView, class RestView, class PositionView, class CornerView,
-          class TangentView>
-EvaluateTets(Material, Patches, TetView, RestView, PositionView, CornerView, TangentView, TangentFilter)
-    -> EvaluateTets<Material, Patches, TetView, RestView, PositionView, CornerView, TangentView>;
+template <class... Arguments>
+ComputeTetTangents(TetChunk, TangentFilter, Arguments...) -> ComputeTetTangents<Arguments...>;
 
 /// Current over rest volume of each tet: J.
 template <class TetView, class RestView, class PositionView>

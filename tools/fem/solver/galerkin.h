@@ -4,6 +4,7 @@
 
 #include <fem/numerics/scalar.h>
 #include <fem/solver/galerkin_block.h>
+#include <fem/solver/packed_rows.h>
 #include <physgen/kernel.h>
 #include <physgen/rows.h>
 
@@ -12,12 +13,12 @@ namespace physgen::fem {
 namespace detail {
 
 template <class Scalar, class NodeStiffnessView, class EdgeStiffnessView, class Entry>
-PHYSGEN_FUNCTION inline Matrix3<Scalar> galerkin_block(const NodeStiffnessView& nodes, const EdgeStiffnessView& edges,
-                                                       const Entry& entry) {
-  const int code = entry.local();
-  const index_t element = entry.element();
-  const Scalar weight = Scalar(0.25) * Scalar((code >> 2) + 1);
-  const auto kind = static_cast<GalerkinBlock>(code & 3);
+PHYSGEN_FUNCTION inline Matrix3<Scalar> fine_block(const NodeStiffnessView& nodes, const EdgeStiffnessView& edges,
+                                                   const Entry& entry) {
+  const int code = EdgeTermEntry::local(entry);
+  const index_t element = EdgeTermEntry::element(entry);
+  const Scalar weight = Scalar(0.25) * Scalar(galerkin_quarters(code));
+  const GalerkinBlock kind = fem::galerkin_block(code);
   if (kind == GalerkinBlock::node) {
     const Matrix3<Scalar> K = nodes[element].K();
     return K * weight;
@@ -33,7 +34,7 @@ PHYSGEN_FUNCTION inline Matrix3<Scalar> galerkin_block(const NodeStiffnessView& 
 template <class Terms, class NodeStiffnessView, class EdgeStiffnessView, class CoarseView>
 struct CoarsenEdgeStiffness {
   using Scalar = typename CoarseView::Precision;
-  Terms terms;              ///< Rows of elasticity::Incidence: fine block, what of it
+  Terms terms;              ///< Rows of EdgeTermEntry: fine block, what of it
   NodeStiffnessView nodes;  ///< elasticity::NodeStiffness, of the finer level
   EdgeStiffnessView edges;  ///< elasticity::EdgeStiffness, of the finer level
   CoarseView coarse;        ///< elasticity::EdgeStiffness, written
@@ -41,7 +42,7 @@ struct CoarsenEdgeStiffness {
   PHYSGEN_FUNCTION void operator()(index_t edge) const {
     using Matrix = Matrix3<Scalar>;
     coarse[edge].E() = terms.sum(edge, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
-      return detail::galerkin_block<Scalar>(nodes, edges, entry);
+      return detail::fine_block<Scalar>(nodes, edges, entry);
     });
   }
 };

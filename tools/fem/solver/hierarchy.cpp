@@ -115,9 +115,7 @@ IncidenceList node_edges_of(Index nodes, const std::vector<Pair>& edges) {
 void add_galerkin_terms(LevelGraph& fine, const LevelGraph& coarse) {
   const EdgeNumbers numbers(coarse.nodes, coarse.edges);
   Lists edges(coarse.edges.size());
-  const auto code = [](GalerkinBlock kind, int quarters) {
-    return static_cast<Index>(static_cast<int>(kind) + 4 * (quarters - 1));
-  };
+  const auto code = [](GalerkinBlock kind, int quarters) { return static_cast<Index>(galerkin_code(kind, quarters)); };
   for (std::size_t a = 0; a < fine.parents.size(); ++a) {
     const auto [p, q] = fine.parents[a];
     const auto node = static_cast<Index>(a);

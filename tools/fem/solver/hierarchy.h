@@ -31,7 +31,7 @@ struct LevelGraph {
   // To the next coarser level; empty on the coarsest.
   std::vector<std::array<Index, 2>> parents;
   IncidenceList children;    ///< per coarse node: fine node, how many of its two parents are this node
-  IncidenceList edge_terms;  ///< per coarse edge: fine node or edge, kind + 4 (quarters - 1) of GalerkinBlock
+  IncidenceList edge_terms;  ///< per coarse edge: fine node or edge, galerkin_code()
 };
 
 /// What the edges of the finest level, or of any level on which equilibrium is solved, are summed from.

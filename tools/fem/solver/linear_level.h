@@ -38,7 +38,7 @@ struct LinearLevel {
 
   quasistatic::NodeConstraintArray<Real, Space> constraints;
   elasticity::EdgeArray<Real, Space> edges;
-  IncidenceRows<Space> node_edges;
+  PackedRows<Space> node_edges;
   EdgeSums sums;
 
   elasticity::NodeStiffnessArray<Real, Space> node_stiffness;
@@ -62,14 +62,14 @@ struct LinearLevel {
 
   // To the next coarser level; empty on the coarsest.
   quasistatic::NodeParentsArray<Real, Space> parents;
-  IncidenceRows<Space> children, edge_terms;
+  PackedRows<Space> children, edge_terms;
   // Of the coarsest level alone.
   quasistatic::CoarseInverseArray<Real, Space> coarse_inverse;
 
   LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
       : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
         edges(moved_to<decltype(edges)>(host_edges(graph))),
-        node_edges(incidence_rows<IncidenceRows<Host>>(graph.node_edges, index_t(graph.edges.size()))),
+        node_edges(packed_rows<NodeEdgeEntry>(graph.node_edges, index_t(graph.edges.size()), "edges")),
         sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
         node_stiffness(graph.nodes),
         edge_stiffness(index_t(graph.edges.size())),
@@ -88,8 +88,8 @@ struct LinearLevel {
     }
     parents = moved_to<decltype(parents)>(host_parents(graph));
     const auto blocks = std::max(index_t{graph.nodes}, index_t(graph.edges.size()));
-    children = IncidenceRows<Space>(incidence_rows<IncidenceRows<Host>>(graph.children, graph.nodes));
-    edge_terms = IncidenceRows<Space>(incidence_rows<IncidenceRows<Host>>(graph.edge_terms, blocks));
+    children = PackedRows<Space>(packed_rows<ChildEntry>(graph.children, graph.nodes, "nodes"));
+    edge_terms = PackedRows<Space>(packed_rows<EdgeTermEntry>(graph.edge_terms, blocks, "edges"));
   }
 
   [[nodiscard]] index_t nodes() const { return node_stiffness.size(); }

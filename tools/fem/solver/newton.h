@@ -13,42 +13,52 @@
 namespace physgen::fem {
 
 /// Energy, forces and residual of the state at `positions`.
+/// @param restart patches begin their linearised pressure anew
 template <class On, class Arrays, class Level, class Positions, class Forces>
 auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
-                    const Forces& forces, double load, TangentFilter filter, bool restart) {
-  evaluator.evaluate(on, a, positions, filter, restart);
+                    const Forces& forces, double load, bool restart) {
   const auto state = a.state.view();
-  on.reduce(a.nodes(),
-            SumForces{load, a.node_tets.const_view(), a.corners.const_view(), a.loads.const_view(),
-                      level.constraints.const_view(), a.rest.const_view(), positions, forces},
-            Sum{}, StoreForces{state});
+  evaluator.evaluate_patches(on, a, positions, restart);
+  for (const TetChunk& chunk : a.chunks) {
+    evaluator.evaluate_forces(on, a, chunk, positions);
+    on.run(chunk.nodes(),
+           SumForces{chunk, load, a.node_tets.const_view(), a.corners.const_view(), a.loads.const_view(), forces});
+  }
+  on.reduce(
+      a.nodes(),
+      MeasureForces{load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(), positions, forces},
+      Sum{}, StoreForces{state});
   on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
             StoreSmallestRatio{state});
   return on.value(a.state);
 }
 
-/// The stiffness of level `top` from the tets' tangents.
+/// The stiffness of a level at the arrays' positions. @pre they are those of the last evaluate_state()
 template <class On, class Arrays, class Level>
-void assemble(On& on, Arrays& a, Level& level) {
+void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter) {
   const auto edges = level.edge_stiffness.view();
-  if (a.patches != nullptr) {
-    on.run(level.edge_count(),
-           SumEdgeStiffness{a.edge_tets.const_view(),
-                            EdgePatchTangents{a.patches->edge_patches.const_view(), a.patches->tangent.const_view()},
-                            a.tangent.const_view(), edges});
-  } else {
-    on.run(level.edge_count(),
-           SumEdgeStiffness{a.edge_tets.const_view(), NoEdgePatches{}, a.tangent.const_view(), edges});
+  for (const TetChunk& chunk : a.chunks) {
+    evaluator.evaluate_tangents(on, a, chunk, filter);
+    const auto sum = [&](const auto& patches) {
+      on.run(chunk.edges(), SumEdgeStiffness{chunk, a.edge_tets.const_view(), patches, a.tangent.const_view(), edges});
+    };
+    if (a.patches != nullptr) {
+      sum(EdgePatchTangents{a.patches->edge_patches.const_view(), a.patches->tangent.const_view()});
+    } else {
+      sum(NoEdgePatches{});
+    }
   }
   on.run(level.nodes(), SumNodeStiffness{level.node_edges.const_view(), level.edge_stiffness.const_view(),
                                          level.node_stiffness.view()});
 }
-/// Assembles the tangent at `positions`, and solves for the step; a.increment is taken in where there is one.
+
+/// Assembles the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.
 template <class On, class Arrays, class Levels, class Vectors>
 LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-                        const NewtonSettings& settings, bool has_increment, bool fresh, double forcing) {
+                        Evaluator<On, Arrays>& evaluator, TangentFilter filter, const NewtonSettings& settings,
+                        bool has_increment, bool fresh, double forcing) {
   auto& level = *levels[top];
-  assemble(on, a, level);
+  assemble(on, a, level, evaluator, filter);
   if (has_increment) {
     on.run(a.nodes(), CastIncrement{a.increment.const_view(), v.direction.view()});
     multiply(on,
@@ -82,8 +92,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
   const auto forces = a.forces.view();
   const auto trial_forces = a.trial_forces.view();
 
-  auto state =
-      evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, TangentFilter::none, restart);
+  auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, restart);
   double before = free_of(state), forcing = settings.least_forcing;
   bool risky = false, fresh = true;
   // Forces are measured against those on prescribed components, now or at the last equilibrium: they may vanish.
@@ -119,8 +128,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       // Nothing pulls, and yet tets are flat or inverted: a saddle or another minimum, such as a body in one point.
       ++result.returns;
       on.run(n, ReturnHalfway{a.rest.const_view(), level.constraints.const_view(), positions});
-      state =
-          evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, TangentFilter::none, true);
+      state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, true);
       before = free_of(state);
       fresh = true;
     }
@@ -133,7 +141,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       on.run(n, ClearStep{v.step.view()});
       linear = {0, LinearStatus::converged, 0};
     } else {
-      linear = solve_step(on, loop, a, levels, top, v, settings, has_increment, fresh, forcing);
+      linear = solve_step(on, loop, a, levels, top, v, evaluator, TangentFilter::none, settings, has_increment, fresh,
+                          forcing);
     }
     fresh = false;
     step.iterations = linear.iterations;
@@ -142,9 +151,9 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     };
     // Where the energy is not convex: once more with a tangent that is.
     const auto solve_filtered = [&] {
-      (void)evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, TangentFilter::absolute,
-                           false);
-      linear = solve_step(on, loop, a, levels, top, v, settings, has_increment, true, forcing);
+      (void)evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, false);
+      linear = solve_step(on, loop, a, levels, top, v, evaluator, TangentFilter::absolute, settings, has_increment,
+                          true, forcing);
       step.filtered = true;
       step.iterations += linear.iterations;
     };
@@ -171,8 +180,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
           on.run(p.volumes.size(), ShortenPatches{length, p.volumes.view()});
         }
       }
-      const auto next =
-          evaluate_state(on, a, level, evaluator, a.trial.const_view(), trial_forces, load, TangentFilter::none, false);
+      const auto next = evaluate_state(on, a, level, evaluator, a.trial.const_view(), trial_forces, load, false);
       const bool finite = std::isfinite(energy_of(next)) && std::isfinite(next.free_square);
       const double rounding = 1e-13 * (std::abs(state.elastic) + std::abs(state.volumetric) + std::abs(state.loads));
       const bool falls = energy_of(next) <= energy_of(state) - 1e-4 * length * work + rounding;

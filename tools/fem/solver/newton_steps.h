@@ -1,40 +1,73 @@
 // Kernels: steps of Newton's method over the nodes of a mesh, in double.
 #pragma once
 
-#include <fem/kernels/elastic_force.h>
+#include <fem/numerics/scalar.h>
 #include <fem/solver/free_part.h>
+#include <fem/solver/packed_rows.h>
+#include <fem/solver/tet_chunks.h>
 #include <physgen/kernel.h>
+#include <physgen/rows.h>
 
 namespace physgen::fem {
 
-/// f = the tets' forces on the node + the load on it. Returns |f|^2 over free and over prescribed components, and the
-/// load's potential, -load . (x - rest).
-template <class NodeTets, class CornerView, class LoadView, class ConstraintView, class RestView, class PositionView,
-          class ForceView>
+/// f = the load on the node + the forces of its tets: those of one chunk are added.
+template <class NodeTets, class CornerView, class LoadView, class ForceView>
 struct SumForces {
   using Scalar = typename ForceView::Precision;
+  TetChunk chunk;      ///< whose tets are added; with the first, the load. Called with 0 .. chunk.nodes() - 1
+  double load;         ///< what `loads` are multiplied by
+  NodeTets node_tets;  ///< Rows of NodeTetEntry
+  CornerView corners;  ///< elasticity::CornerForces of the chunk
+  LoadView loads;      ///< elasticity::NodeForce
+  ForceView forces;    ///< elasticity::NodeForce: begun with the first chunk
+
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    using Vector = Vector3<Scalar>;
+    const index_t node = chunk.first_node + i;
+    Vector f = chunk.is_first() ? Vector(Vector(loads[node].f().get()) * load) : Vector(forces[node].f().get());
+    node_tets.for_each(node, [&](const auto& entry, bool /*active*/) {
+      const index_t t = NodeTetEntry::element(entry);
+      if (!chunk.has(t)) return;
+      const auto tet = corners[t - chunk.first_tet];
+      const int corner = NodeTetEntry::local(entry);
+      if (corner == 0) {
+        const Matrix3<Scalar> all = tet.G();
+        f -= all.col(0) + all.col(1) + all.col(2);
+      } else {
+        const auto G = tet.G();
+        const int first = 3 * (corner - 1);
+        f += Vector(G[first], G[first + 1], G[first + 2]);
+      }
+    });
+    forces[node].f() = f;
+  }
+};
+template <class... Views>
+SumForces(TetChunk, double, Views...) -> SumForces<Views...>;
+
+/// Returns |f|^2 over free and over prescribed components, and the load's potential, -load . (x - rest).
+template <class LoadView, class ConstraintView, class RestView, class PositionView, class ForceView>
+struct MeasureForces {
+  using Scalar = typename ForceView::Precision;
   double load;                 ///< what `loads` are multiplied by
-  NodeTets node_tets;          ///< Rows of elasticity::Incidence: tet, corner
-  CornerView corners;          ///< elasticity::CornerForces
   LoadView loads;              ///< elasticity::NodeForce
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
   RestView rest;               ///< elasticity::NodePosition
   PositionView positions;      ///< elasticity::NodePosition
-  ForceView forces;            ///< elasticity::NodeForce, written
+  ForceView forces;            ///< elasticity::NodeForce
 
   PHYSGEN_FUNCTION Vector3<Scalar> operator()(index_t node) const {
     using Vector = Vector3<Scalar>;
-    const Vector own = Vector(loads[node].f().get()) * load;
-    const Vector f = own + detail::gather_corners<Scalar>(node_tets, corners, node);
-    forces[node].f() = f;
+    const Vector f = forces[node].f();
     const Vector free = detail::free_part<Scalar>(f, constraints[node]);
     const Vector fixed = f - free;
+    const Vector own = Vector(loads[node].f().get()) * load;
     const Vector moved = Vector(positions[node].x().get()) - Vector(rest[node].x().get());
     return {dot3<Scalar>(free, free), dot3<Scalar>(fixed, fixed), -dot3<Scalar>(own, moved)};
   }
 };
 template <class... Views>
-SumForces(double, Views...) -> SumForces<Views...>;
+MeasureForces(double, Views...) -> MeasureForces<Views...>;
 
 template <class StateView>
 struct StoreForces {

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,12 @@ struct SolverState {
   std::vector<std::vector<Point>> positions;
 };
 
+/// Where nodes are in equilibrium, and the forces on them.
+struct NodeState {
+  std::vector<Point> positions;  ///< [m]
+  std::vector<Point> forces;     ///< as of QuasistaticSolver::forces() [N]
+};
+
 /// Solves for one body, along growing loads.
 class QuasistaticSolver {
  public:
@@ -43,6 +50,9 @@ class QuasistaticSolver {
   /// Forces on the finest mesh's nodes at their positions [N], elastic and external: in equilibrium 0 to tolerance in
   /// free components, and minus the reaction in prescribed ones.
   [[nodiscard]] virtual std::vector<Point> forces() = 0;
+  /// The same load's equilibrium on the next coarser mesh, where nested iteration has found one: how far it is from the
+  /// finest mesh's is an estimate of the error of the finest (linear tets converge with first order at edges of plates).
+  [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() = 0;
   /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch.
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used

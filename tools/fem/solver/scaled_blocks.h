@@ -115,7 +115,7 @@ template <class Format, class NodeEdges, class EdgeView, class ConstraintView, c
           class ScaledNodesView>
 struct KeepTranslations {
   using Scalar = typename ScaledNodesView::Precision;
-  NodeEdges node_edges;          ///< Rows of elasticity::Incidence: edge, side
+  NodeEdges node_edges;          ///< Rows of NodeEdgeEntry
   EdgeView edges;                ///< elasticity::Edge
   ConstraintView constraints;    ///< quasistatic::NodeConstraint
   ScaleView scales;              ///< quasistatic::NodeScale
@@ -127,8 +127,8 @@ struct KeepTranslations {
     const int fixed = constraints[node].fixed();
     const Scalar scale = scales[node].scale();
     const Matrix lost = node_edges.sum(node, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
-      const index_t edge = entry.element();
-      const int side = entry.local();
+      const index_t edge = NodeEdgeEntry::element(entry);
+      const int side = NodeEdgeEntry::local(entry);
       const index_t other = edges[edge].nodes()[1 - side];
       Matrix E = stiffness[edge].E();
       E *= scale * Scalar(scales[other].scale());

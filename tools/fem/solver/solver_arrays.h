@@ -4,6 +4,7 @@
 #include <elasticity.physgen.h>
 #include <fem/mesh/mesh_arrays.h>
 #include <fem/solver/hierarchy.h>
+#include <fem/solver/packed_rows.h>
 #include <quasistatic.physgen.h>
 
 namespace physgen::fem {
@@ -26,9 +27,5 @@ template <class... Arrays>
 [[nodiscard]] index_t bytes_of(const Arrays&... arrays) {
   return (index_t{0} + ... + arrays.bytes());
 }
-
-template <class Space>
-using IncidenceRows =
-    RowArrays<elasticity::IncidenceRangeArray<float, Space>, elasticity::IncidenceArray<float, Space>>;
 
 }  // namespace physgen::fem

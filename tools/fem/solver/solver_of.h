@@ -71,6 +71,7 @@ class SolverOf final : public QuasistaticSolver {
       if (result.status == NewtonStatus::converged) {
         load_ = next;
         reached_ = true;
+        coarser_load_ = next;
         last_reaction_ = total.reaction;
         for (auto& a : arrays_) on_->run(a->nodes(), KeepPositions{a->positions.const_view(), a->kept.view()});
         if (halvings > 0) --halvings;
@@ -92,13 +93,13 @@ class SolverOf final : public QuasistaticSolver {
   [[nodiscard]] std::vector<Point> positions() const override { return points(arrays_.front()->positions); }
   [[nodiscard]] std::vector<Point> forces() override {
     (void)evaluate_now();
-    const auto& array = arrays_.front()->forces;
-    const auto host = moved_to<elasticity::NodeForceArray<double>>(array);
-    std::vector<Point> result(static_cast<std::size_t>(host.size()));
-    for (index_t n = 0; n < host.size(); ++n) {
-      for (int k = 0; k < 3; ++k) result[std::size_t(n)][std::size_t(k)] = host.const_view()[n].f()[k];
-    }
-    return result;
+    return forces_of(*arrays_.front());
+  }
+  [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
+    if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
+    const Arrays& coarser = *arrays_[1];
+    (void)evaluate_now(1);
+    return NodeState{points(coarser.positions), forces_of(coarser)};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     (void)evaluate_now();
@@ -134,7 +135,7 @@ class SolverOf final : public QuasistaticSolver {
     }
     for (std::size_t l = 0; l < arrays_.size(); ++l) require_nodes(l, state.positions[l].size());
     for (std::size_t l = 0; l < arrays_.size(); ++l) store(*arrays_[l], state.positions[l]);
-    load_ = state.load;
+    load_ = coarser_load_ = state.load;
     reached_ = true;
     last_reaction_ = state_now().reaction;
   }
@@ -158,7 +159,8 @@ class SolverOf final : public QuasistaticSolver {
     NewtonSettings settings = settings_.newton;
     settings.most_iterations = std::max(settings.most_iterations, 100000);
     typename On::Loop loop;
-    const LinearResult result = solve_step(*on_, loop, a, linear_, 0, v, settings, false, true, tolerance);
+    const LinearResult result =
+        solve_step(*on_, loop, a, linear_, 0, v, *evaluator_, TangentFilter::none, settings, false, true, tolerance);
     if (step != nullptr) {
       const auto found = moved_to<elasticity::NodeDisplacementArray<Real>>(v.step);
       step->resize(force.size());
@@ -170,11 +172,11 @@ class SolverOf final : public QuasistaticSolver {
   }
 
  private:
-  /// Forces, pressures and tangent of the finest level's positions as they are.
-  typename quasistatic::EquilibriumArray<double, Space>::Value evaluate_now() {
-    Arrays& a = *arrays_.front();
-    return evaluate_state(*on_, a, *linear_.front(), *evaluator_, a.positions.const_view(), a.forces.view(), load_,
-                          TangentFilter::none, true);
+  /// Forces and pressures of a level's positions as they are.
+  typename quasistatic::EquilibriumArray<double, Space>::Value evaluate_now(std::size_t level = 0) {
+    Arrays& a = *arrays_[level];
+    return evaluate_state(*on_, a, *linear_[level], *evaluator_, a.positions.const_view(), a.forces.view(), load_,
+                          true);
   }
   /// What a solve that has nothing to do would say.
   [[nodiscard]] NewtonResult state_now() {
@@ -247,6 +249,15 @@ class SolverOf final : public QuasistaticSolver {
     result.coarse_iterations += total.coarse_iterations;
     result.bisections = total.bisections;
     total = result;
+  }
+
+  static std::vector<Point> forces_of(const Arrays& arrays) {
+    const auto host = moved_to<elasticity::NodeForceArray<double>>(arrays.forces);
+    std::vector<Point> result(static_cast<std::size_t>(host.size()));
+    for (index_t n = 0; n < host.size(); ++n) {
+      for (int k = 0; k < 3; ++k) result[std::size_t(n)][std::size_t(k)] = host.const_view()[n].f()[k];
+    }
+    return result;
   }
 
   template <class Array>
@@ -336,6 +347,7 @@ class SolverOf final : public QuasistaticSolver {
   std::size_t solved_ = 1;
   double last_reaction_ = 0;  ///< at the last equilibrium [N]
   double load_ = 0;
+  double coarser_load_ = std::numeric_limits<double>::quiet_NaN();  ///< of the coarser levels' equilibria
   bool reached_ = true;  ///< whether the positions are an equilibrium of load_
 };
 

@@ -18,20 +18,16 @@ struct EvaluateStress {
 
   PHYSGEN_FUNCTION void operator()(index_t i) const {
     using S = Scalar;
-    const Matrix3<S> dm = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return rest[node].x().get(); });
-    const Matrix3<S> ds = detail::edge_matrix<Scalar>(tets, i, [this](auto node) { return positions[node].x().get(); });
-    const Svd<S> f = svd(multiply<S>(ds, detail::tet_shape<S>(dm).dm_inverse));
-    Vector3<S> g = material.stress(f.s);
+    const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, i);
+    Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Patches::averages) {
       const index_t p = patches.tets[i].patch();
       const S pressure = patches.patches[p].pressure();
-      g[0] = fma(pressure, f.s[1] * f.s[2], g[0]);
-      g[1] = fma(pressure, f.s[0] * f.s[2], g[1]);
-      g[2] = fma(pressure, f.s[0] * f.s[1], g[2]);
+      g = detail::with_pressure<S>(g, pressure, tet.f.s);
     }
     Matrix3<S> ug;  // U diag(g)
-    for (int c = 0; c < 3; ++c) ug.col(c) = f.U.col(c) * g[c];
-    stresses[i].P() = multiply_transpose<S>(ug, f.V);
+    for (int c = 0; c < 3; ++c) ug.col(c) = tet.f.U.col(c) * g[c];
+    stresses[i].P() = multiply_transpose<S>(ug, tet.f.V);
   }
 };
 template <class... Arguments>

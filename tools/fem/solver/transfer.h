@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/free_part.h>
+#include <fem/solver/packed_rows.h>
 #include <fem/solver/smoother.h>
 #include <physgen/kernel.h>
 #include <physgen/rows.h>
@@ -13,7 +14,7 @@ namespace physgen::fem {
 template <class Children, class FineScaleView, class FineView, class ConstraintView, class ScaleView, class CoarseView>
 struct RestrictResidual {
   using Scalar = typename CoarseView::Precision;
-  Children children;           ///< Rows of elasticity::Incidence: fine node, number of its parents that are this node
+  Children children;           ///< Rows of ChildEntry
   FineScaleView fine_scales;   ///< quasistatic::NodeScale
   FineView fine;               ///< elasticity::NodeForceDifferential
   ConstraintView constraints;  ///< quasistatic::NodeConstraint, coarse
@@ -23,8 +24,8 @@ struct RestrictResidual {
   PHYSGEN_FUNCTION void operator()(index_t node) const {
     using Vector = Vector3<Scalar>;
     const Vector sum = children.sum(node, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
-      const index_t child = entry.element();
-      const int parents = entry.local();
+      const index_t child = ChildEntry::element(entry);
+      const int parents = ChildEntry::local(entry);
       const Vector r = fine[child].df();
       return r * (Scalar(fine_scales[child].inverse()) * Scalar(0.5) * Scalar(parents));
     });

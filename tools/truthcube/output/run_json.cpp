@@ -22,6 +22,8 @@ void visit_step(Record& step, const Visit& visit) {
   visit("energy", step.energy);
   visit("smallest_J", step.smallest_J);
   visit("reaction", step.reaction);
+  visit("reaction_estimate", step.reaction_estimate);
+  visit("error_estimate", step.error_estimate);
   visit("seconds", step.seconds);
 }
 

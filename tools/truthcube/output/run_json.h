@@ -16,7 +16,9 @@ struct StepRecord {
   double energy = 0;       ///< [J]
   double smallest_J = 0;   // NOLINT(readability-identifier-naming): as in the file
   double reaction = 0;     ///< force on the top plate along z [N]; negative under compression
-  double seconds = 0;      ///< wall time of the solve, without set-up and output
+  double reaction_estimate = 0;  ///< of a mesh of vanishing size, extrapolated [N]; NaN without a coarser equilibrium
+  double error_estimate = 0;     ///< RMS of the displacements' error [m]; NaN without a coarser equilibrium
+  double seconds = 0;            ///< wall time of the solve, without set-up and output
   bool operator==(const StepRecord&) const = default;
 };
 

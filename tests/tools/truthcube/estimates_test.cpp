@@ -1,0 +1,46 @@
+// Estimates of what a finer mesh would give, on results whose error is known.
+#include <gtest/gtest.h>
+#include <truthcube/estimates.h>
+
+#include <cmath>
+
+namespace physgen::truthcube {
+namespace {
+
+using fem::Point;
+
+/// Displacements u(x) + h e(x), and forces on the upper plate 3 + h in all, h being the size of cells.
+fem::NodeState results(const fem::MeshLevel& level, double h) {
+  fem::NodeState state;
+  double on_plate = 0;
+  for (const Point& x : level.rest) on_plate += x[2] == 1 ? 1 : 0;
+  for (const Point& x : level.rest) {
+    state.positions.push_back({x[0] + 0.1 * x[1] * x[2], x[1] + h * 0.3, 0.8 * x[2] - h * 0.4});
+    state.forces.push_back({0.0, 0.0, x[2] == 1 ? (3 + h) / on_plate : 7.0});
+  }
+  return state;
+}
+
+TEST(Estimates, are_exact_where_errors_fall_with_first_order) {
+  const auto levels = fem::make_cube_levels(4, 1.0, false);
+  const fem::NodeState fine = results(levels[0], 0.25), coarse = results(levels[1], 0.5);
+  const double reaction = plate_reaction(levels[0], fine.forces);
+  EXPECT_NEAR(reaction, -3.25, 1e-14);
+  const Estimates estimates = make_estimates(levels, reaction, fine.positions, coarse);
+  EXPECT_NEAR(estimates.reaction, -3, 1e-13);
+  EXPECT_NEAR(estimates.error_rms, 0.25 * 0.5, 1e-14);
+  EXPECT_NEAR(estimates.error_max, 0.25 * 0.5, 1e-14);
+}
+
+TEST(Estimates, of_the_largest_error_are_not_of_the_mean) {
+  const auto levels = fem::make_cube_levels(4, 1.0, false);
+  const fem::NodeState fine = results(levels[0], 0.25);
+  fem::NodeState coarse = results(levels[1], 0.25);
+  coarse.positions[13][1] += 0.2;  // one of 27 nodes
+  const Estimates estimates = make_estimates(levels, 0, fine.positions, coarse);
+  EXPECT_NEAR(estimates.error_max, 0.2, 1e-14);
+  EXPECT_NEAR(estimates.error_rms, 0.2 / std::sqrt(27.0), 1e-14);
+}
+
+}  // namespace
+}  // namespace physgen::truthcube

@@ -1,0 +1,37 @@
+// Tets are evaluated a chunk at a time: what one kernel leaves for the next then takes the memory of a chunk, not of
+// the mesh, and on CUDA stays in the cache.
+#pragma once
+
+#include <fem/mesh/mesh.h>
+#include <physgen/config.h>
+#include <physgen/space.h>
+
+#include <vector>
+
+namespace physgen::fem {
+
+/// The tets of a chunk, and what they touch. Ranges are half-open. The first chunk touches all nodes and edges: it
+/// begins their sums.
+struct TetChunk {
+  index_t first_tet, last_tet;
+  index_t first_node, last_node;
+  index_t first_edge, last_edge;
+
+  [[nodiscard]] PHYSGEN_FUNCTION bool is_first() const { return first_tet == 0; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t tets() const { return last_tet - first_tet; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t nodes() const { return last_node - first_node; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t edges() const { return last_edge - first_edge; }
+  [[nodiscard]] PHYSGEN_FUNCTION bool has(index_t tet) const { return first_tet <= tet && tet < last_tet; }
+};
+
+/// Tets in a chunk: on CUDA enough to fill the device, on the CPU few enough for its caches.
+[[nodiscard]] constexpr index_t most_chunk_tets(SpaceKind space) {
+  return space == SpaceKind::cuda ? index_t{1} << 18 : index_t{1} << 14;
+}
+
+/// @param edges (m, n), m < n, ascending: of the level, to which the mesh's belong
+/// @param most tets in a chunk, above 0
+[[nodiscard]] std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, const std::vector<std::array<Index, 2>>& edges,
+                                                    index_t most);
+
+}  // namespace physgen::fem

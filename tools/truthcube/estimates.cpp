@@ -1,0 +1,47 @@
+#include "estimates.h"
+
+#include <fem/mesh/boundary.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace physgen::truthcube {
+
+using fem::Point;
+
+double plate_reaction(const fem::MeshLevel& level, std::span<const Point> forces) {
+  const double highest = std::ranges::max(level.rest, {}, [](const Point& x) { return x[2]; })[2];
+  double reaction = 0;
+  for (const fem::Index n : fem::nodes_on_plane(level.rest, 2, highest)) {
+    reaction -= forces[static_cast<std::size_t>(n)][2];
+  }
+  return reaction;
+}
+
+Estimates make_estimates(std::span<const fem::MeshLevel> levels, double reaction, std::span<const Point> positions,
+                         const fem::NodeState& coarser) {
+  const fem::MeshLevel &finest = levels[0], &coarse = levels[1];
+  Estimates estimates;
+  estimates.reaction = 2 * reaction - plate_reaction(coarse, coarser.forces);
+  double sum = 0, most = 0;
+  std::size_t common = 0;
+  for (std::size_t n = 0; n < finest.parents.size(); ++n) {
+    const auto [first, second] = finest.parents[n];
+    if (first != second) continue;  // no node of the coarser mesh
+    const auto parent = static_cast<std::size_t>(first);
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double difference =
+          (positions[n][k] - finest.rest[n][k]) - (coarser.positions[parent][k] - coarse.rest[parent][k]);
+      square += difference * difference;
+    }
+    sum += square;
+    most = std::max(most, square);
+    ++common;
+  }
+  estimates.error_rms = std::sqrt(sum / static_cast<double>(common));
+  estimates.error_max = std::sqrt(most);
+  return estimates;
+}
+
+}  // namespace physgen::truthcube

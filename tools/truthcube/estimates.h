@@ -1,0 +1,29 @@
+// How far results are from those of an ever finer mesh, told from the equilibrium on the next coarser one.
+#pragma once
+
+#include <fem/solver/quasistatic.h>
+
+#include <limits>
+#include <span>
+
+namespace physgen::truthcube {
+
+/// Displacements and reactions of linear tets converge with first order here, because the edges of bonded plates are
+/// singular: what halving the cells has changed is about what is still missing.
+struct Estimates {
+  double reaction = std::numeric_limits<double>::quiet_NaN();   ///< extrapolated force on the upper plate along z [N]
+  double error_rms = std::numeric_limits<double>::quiet_NaN();  ///< of displacements [m]
+  double error_max = std::numeric_limits<double>::quiet_NaN();  ///< of displacements [m]
+};
+
+/// Force on the upper plate along z [N], from the forces on a level's nodes. Negative under compression.
+[[nodiscard]] double plate_reaction(const fem::MeshLevel& level, std::span<const fem::Point> forces);
+
+/// @param levels finest first, two at least
+/// @param reaction on the finest mesh [N]
+/// @param positions of the finest mesh's nodes [m]
+/// @param coarser the equilibrium on the next coarser mesh
+[[nodiscard]] Estimates make_estimates(std::span<const fem::MeshLevel> levels, double reaction,
+                                       std::span<const fem::Point> positions, const fem::NodeState& coarser);
+
+}  // namespace physgen::truthcube
