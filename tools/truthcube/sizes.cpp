@@ -86,7 +86,7 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects) {
   using Arrays = fem::EquilibriumArrays<Real, Space>;
   using Patches = fem::PatchArrays<Real, Space>;
   using Vectors = fem::KrylovVectors<Real, Space>;
-  const std::int64_t n = c.nodes, chunk = std::min(c.tets, std::int64_t{fem::most_chunk_tets(Space::kind)});
+  const std::int64_t n = c.nodes;
   std::int64_t bytes = bytes_of<decltype(Arrays::tets)>(c.tets) +
                        bytes_of_rows<decltype(Arrays::node_tets)>(n, 4 * c.tets) +
                        bytes_of_rows<decltype(Arrays::edge_tets)>(c.edges, 6 * c.tets) +
@@ -94,7 +94,6 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects) {
                        bytes_of<decltype(Arrays::trial)>(n) + bytes_of<decltype(Arrays::kept)>(n) +
                        bytes_of<decltype(Arrays::loads)>(n) + bytes_of<decltype(Arrays::motion)>(n) +
                        bytes_of<decltype(Arrays::forces)>(n) + bytes_of<decltype(Arrays::trial_forces)>(n) +
-                       bytes_of<decltype(Arrays::corners)>(chunk) + bytes_of<decltype(Arrays::tangent)>(chunk) +
                        bytes_of<decltype(Arrays::increment)>(n) + bytes_of<decltype(Arrays::state)>(1);
   bytes += bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
            bytes_of<decltype(Vectors::direction)>(n) + bytes_of<decltype(Vectors::product)>(n) +
@@ -105,6 +104,14 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects) {
            bytes_of_rows<decltype(Patches::edge_patches)>(c.edges, c.edge_patches) +
            bytes_of<decltype(Patches::volumes)>(c.patches) + bytes_of<decltype(Patches::tangent)>(c.patches);
   return bytes + (injects ? bytes_of<decltype(Patches::parents)>(c.patches) : 0);
+}
+
+/// As ChunkArrays::bytes().
+template <class Real, class Space>
+std::int64_t chunk_bytes(const LevelCounts& finest) {
+  using Arrays = fem::ChunkArrays<Real, Space>;
+  const std::int64_t tets = std::min(finest.tets, std::int64_t{fem::most_chunk_tets(Space::kind)});
+  return bytes_of<decltype(Arrays::corners)>(tets) + bytes_of<decltype(Arrays::tangent)>(tets);
 }
 
 template <class Real, class Space, class Stored>
@@ -118,6 +125,7 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
     bytes.levels.push_back(linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr) +
                            (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved) : 0));
   }
+  bytes.levels.front() += chunk_bytes<Real, Space>(levels.front());
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
   bytes.stresses = bytes_of<elasticity::StressArray<double, Space>>(levels.front().tets);
   return bytes;

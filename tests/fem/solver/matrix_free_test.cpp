@@ -32,7 +32,7 @@ struct Scene {
       : levels(make_levels(tets(), 0, patches,
                            [](const Point& x) -> std::uint8_t { return x[2] == 0 ? 7 : (x[0] == 0 ? 1 : 0); })),
         graph(make_level_graphs(levels)[0]),
-        arrays(levels[0], graph, false),
+        arrays(levels[0], graph, false, nullptr),
         level(graph, nullptr) {
     std::mt19937_64 random(73);
     std::normal_distribution<double> number(0, 1);

@@ -68,6 +68,18 @@ struct PatchArrays {
   }
 };
 
+/// What kernels over a chunk of tets leave for the next: arrays that meshes of one solver share, since one is evaluated
+/// at a time.
+template <class Real, class Space>
+struct ChunkArrays {
+  elasticity::CornerForcesArray<double, Space> corners;
+  quasistatic::TetTangentArray<Real, Space> tangent;
+
+  /// @param tets in the largest chunk
+  explicit ChunkArrays(index_t tets) : corners(tets), tangent(tets) {}
+  [[nodiscard]] index_t bytes() const { return bytes_of(corners, tangent); }
+};
+
 template <class Real_, class Space_>
 struct EquilibriumArrays {
   using Real = Real_;
@@ -76,7 +88,8 @@ struct EquilibriumArrays {
   elasticity::TetArray<Real, Space> tets;
   PackedRows<Space> node_tets, edge_tets;
   std::vector<TetChunk> chunks;
-  std::unique_ptr<PatchArrays<Real, Space>> patches;  ///< where volumes are averaged
+  std::unique_ptr<PatchArrays<Real, Space>> patches;       ///< where volumes are averaged
+  std::shared_ptr<ChunkArrays<Real, Space>> chunk_arrays;  ///< not in bytes()
 
   elasticity::NodePositionArray<double, Space> rest;
   elasticity::NodePositionArray<double, Space> positions;   ///< of the last equilibrium, or of the step under way
@@ -93,25 +106,29 @@ struct EquilibriumArrays {
   double spacing = 0;  ///< the mean distance of neighbours at rest, or about that [m]
 
   /// @param injects whether equilibrium is solved on the next coarser mesh, too, whose pressures patches begin with
-  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects)
-      : EquilibriumArrays(level, graph, injects, make_edge_parts(level, graph)) {}
+  /// @param shared arrays of another mesh, which has as many tets at least; or none
+  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects,
+                    const std::shared_ptr<ChunkArrays<Real, Space>>& shared)
+      : EquilibriumArrays(level, graph, injects, shared, make_edge_parts(level, graph)) {}
 
   [[nodiscard]] index_t nodes() const { return rest.size(); }
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tets, node_tets.ranges(), node_tets.entries(), edge_tets.ranges(), edge_tets.entries(), rest,
-                    positions, trial, kept, loads, motion, forces, trial_forces, corners, tangent, increment, state) +
+                    positions, trial, kept, loads, motion, forces, trial_forces, increment, state) +
            (patches == nullptr ? 0 : patches->bytes());
   }
   [[nodiscard]] index_t tet_count() const { return tets.size(); }
 
  private:
-  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, const EdgeParts& parts)
+  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects,
+                    const std::shared_ptr<ChunkArrays<Real, Space>>& shared, const EdgeParts& parts)
       : tets(moved_to<decltype(tets)>(host_tets(level))),
         node_tets(packed_rows<NodeTetEntry>(level.mesh.node_tets, index_t(level.mesh.tets.size()), "tets")),
         edge_tets(packed_rows<EdgeTetEntry>(parts.edge_tets, index_t(level.mesh.tets.size()), "tets")),
         chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Space::kind))),
         patches(level.patches.nodes.empty() ? nullptr
                                             : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects)),
+        chunk_arrays(shared != nullptr ? shared : std::make_shared<ChunkArrays<Real, Space>>(chunks.front().tets())),
         rest(moved_to<decltype(rest)>(host_positions(level))),
         positions(moved_to<decltype(positions)>(rest)),
         trial(moved_to<decltype(trial)>(rest)),
@@ -120,8 +137,6 @@ struct EquilibriumArrays {
         motion(graph.nodes),
         forces(graph.nodes),
         trial_forces(graph.nodes),
-        corners(chunks.front().tets()),
-        tangent(chunks.front().tets()),
         increment(graph.nodes),
         state(1),
         spacing(mean_spacing(level)) {}

@@ -82,14 +82,15 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
     with_patches(a, [&](const auto& patches) {
       on.reduce(chunk.tets(),
                 ComputeTetForces{chunk, material_, patches, a.tets.const_view(), a.rest.const_view(), positions,
-                                 a.corners.view()},
+                                 a.chunk_arrays->corners.view()},
                 Sum{}, AddElastic{a.state.view(), chunk.is_first()});
     });
   }
   void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) override {
     with_patches(a, [&](const auto& patches) {
-      on.run(chunk.tets(), ComputeTetTangents{chunk, filter, material_, patches, a.tets.const_view(),
-                                              a.rest.const_view(), a.positions.const_view(), a.tangent.view()});
+      on.run(chunk.tets(),
+             ComputeTetTangents{chunk, filter, material_, patches, a.tets.const_view(), a.rest.const_view(),
+                                a.positions.const_view(), a.chunk_arrays->tangent.view()});
     });
   }
   void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override {

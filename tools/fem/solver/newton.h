@@ -21,8 +21,8 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& eval
   evaluator.evaluate_patches(on, a, positions, restart);
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_forces(on, a, chunk, positions);
-    on.run(chunk.nodes(),
-           SumForces{chunk, load, a.node_tets.const_view(), a.corners.const_view(), a.loads.const_view(), forces});
+    on.run(chunk.nodes(), SumForces{chunk, load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
+                                    a.loads.const_view(), forces});
   }
   on.reduce(
       a.nodes(),
@@ -40,7 +40,8 @@ void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator,
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_tangents(on, a, chunk, filter);
     const auto sum = [&](const auto& patches) {
-      on.run(chunk.edges(), SumEdgeStiffness{chunk, a.edge_tets.const_view(), patches, a.tangent.const_view(), edges});
+      on.run(chunk.edges(),
+             SumEdgeStiffness{chunk, a.edge_tets.const_view(), patches, a.chunk_arrays->tangent.const_view(), edges});
     };
     if (a.patches != nullptr) {
       sum(EdgePatchTangents{a.patches->edge_patches.const_view(), a.patches->tangent.const_view()});

@@ -51,7 +51,8 @@ class QuasistaticSolver {
   /// free components, and minus the reaction in prescribed ones.
   [[nodiscard]] virtual std::vector<Point> forces() = 0;
   /// The same load's equilibrium on the next coarser mesh, where nested iteration has found one: how far it is from the
-  /// finest mesh's is an estimate of the error of the finest (linear tets converge with first order at edges of plates).
+  /// finest mesh's is an estimate of the error of the finest (linear tets converge with first order at edges of
+  /// plates).
   [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() = 0;
   /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch.
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;

@@ -47,7 +47,8 @@ class SolverOf final : public QuasistaticSolver {
     for (std::size_t l = 0; l < used; ++l) {
       linear_.push_back(std::make_unique<Level>(graphs[l], l + 1 < used ? &graphs[l + 1] : nullptr));
       if (l < solved_) {
-        arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_));
+        arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_,
+                                                   l == 0 ? nullptr : arrays_.front()->chunk_arrays));
         vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
         loops_.emplace_back();
         store_loading(*arrays_.back(), own[l], motion, forces);
@@ -115,7 +116,7 @@ class SolverOf final : public QuasistaticSolver {
     return result;
   }
   [[nodiscard]] index_t bytes() const override {
-    index_t sum = 0;
+    index_t sum = arrays_.front()->chunk_arrays->bytes();
     for (const auto& level : linear_) sum += level->bytes();
     for (const auto& arrays : arrays_) sum += arrays->bytes();
     for (const auto& vectors : vectors_) sum += vectors->bytes();

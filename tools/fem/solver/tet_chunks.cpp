@@ -4,6 +4,11 @@
 
 namespace physgen::fem {
 
+index_t most_chunk_tets(SpaceKind space) {
+  // On CUDA 2^17 take 4 % longer at 1.6 million tets, and 2^21 no less time. On the CPU 2^14 fit its caches.
+  return space == SpaceKind::cuda ? index_t{1} << 18 : index_t{1} << 14;
+}
+
 std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, const std::vector<std::array<Index, 2>>& edges,
                                       index_t most) {
   const auto tets = static_cast<index_t>(mesh.tets.size());

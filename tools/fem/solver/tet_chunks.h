@@ -25,9 +25,7 @@ struct TetChunk {
 };
 
 /// Tets in a chunk: on CUDA enough to fill the device, on the CPU few enough for its caches.
-[[nodiscard]] constexpr index_t most_chunk_tets(SpaceKind space) {
-  return space == SpaceKind::cuda ? index_t{1} << 18 : index_t{1} << 14;
-}
+[[nodiscard]] index_t most_chunk_tets(SpaceKind space);
 
 /// @param edges (m, n), m < n, ascending: of the level, to which the mesh's belong
 /// @param most tets in a chunk, above 0
