@@ -106,12 +106,12 @@ void require(bool holds, const std::string& what) {
 void check_cells(const Options& options) {
   const bool patches = options.volume == VolumeTreatment::patches;
   constexpr std::int64_t most = std::numeric_limits<fem::Index>::max();
-  const std::int64_t longest = longest_list(count_cube(options.cells, patches));
-  if (longest <= most) return;
+  const std::int64_t largest = largest_number(count_cube(options.cells, patches));
+  if (largest <= most) return;
   int fitting = options.cells;
-  while (longest_list(count_cube(fitting, patches)) > most) fitting -= fitting > 1000 ? fitting / 2 : 1;
-  throw Error("--cells " + std::to_string(options.cells) + ": a list of the solver would have " +
-              std::to_string(longest) + " entries, and 32-bit numbers reach " + std::to_string(most) +
+  while (largest_number(count_cube(fitting, patches)) > most) fitting -= fitting > 1000 ? fitting / 2 : 1;
+  throw Error("--cells " + std::to_string(options.cells) + ": the solver's lists would need numbers up to " +
+              std::to_string(largest) + ", and those of 32 bits reach " + std::to_string(most) +
               "; the largest cube has --cells " + std::to_string(fitting));
 }
 

@@ -190,13 +190,17 @@ std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels)
   return counts;
 }
 
-std::int64_t longest_list(const std::vector<LevelCounts>& levels) {
-  std::int64_t longest = 0;
+std::int64_t largest_number(const std::vector<LevelCounts>& levels) {
+  const auto packed = [](std::int64_t elements, int bits) { return elements << bits; };
+  std::int64_t largest = 0;
   for (const LevelCounts& c : levels) {
     // make_tet_mesh() keeps room for the incidences of tets without common edges: 12 each.
-    longest = std::max({longest, 12 * c.tets, 2 * c.edges, c.edge_patches, c.children, c.edge_terms});
+    largest = std::max({largest, 12 * c.tets, 2 * c.edges, c.edge_patches, c.children, c.edge_terms,
+                        packed(c.tets, fem::EdgeTetEntry::bits), packed(c.edges, fem::NodeEdgeEntry::bits),
+                        packed(c.patches, fem::EdgePatchEntry::bits), packed(c.nodes, fem::ChildEntry::bits)});
+    if (c.edge_terms > 0) largest = std::max(largest, packed(c.edges, fem::EdgeTermEntry::bits));
   }
-  return longest;
+  return largest;
 }
 
 std::int64_t bytes_of_mesh(const LevelCounts& c) {

@@ -27,8 +27,9 @@ struct LevelCounts {
 /// Of given levels. Takes about a third of the solver's set-up.
 [[nodiscard]] std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels);
 
-/// Entries of the longest list, which 32-bit numbers must count.
-[[nodiscard]] std::int64_t longest_list(const std::vector<LevelCounts>& levels);
+/// The largest number of the solver's lists: of entries, or of an element with its place (fem::PackedEntry). Numbers of
+/// 32 bits must hold it.
+[[nodiscard]] std::int64_t largest_number(const std::vector<LevelCounts>& levels);
 
 struct RunBytes {
   std::int64_t solver = 0;           ///< arrays in the memory of the device: QuasistaticSolver::bytes()
