@@ -217,6 +217,11 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_flag("--restart", options.restart, "continue behind the last step in --out");
   app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")
       ->type_name("FILE");
+  app.add_option("--repeat", options.repetitions,
+                 "solve all steps so often again and print the shortest times: the first solve of a program loads and "
+                 "records kernels")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
   app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
       ->check(CLI::Range(0, 4096))
       ->type_name("N");

@@ -129,7 +129,7 @@ Outcome run(Options options, const std::string& command) {
   }
   RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()));
   files.write_record(record);
-  return Steps(scene, *solver, files, record, beads, terminal).run(options.compressions);
+  return Steps(scene, *solver, files, record, beads, terminal).run(options.compressions, options.repetitions);
 }
 
 }  // namespace physgen::truthcube

@@ -1,10 +1,13 @@
 #include "steps.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "estimates.h"
 #include "fields.h"
@@ -68,6 +71,8 @@ class LastEquilibrium {
 
   void see(std::size_t level, const fem::NewtonStep& step) {
     look();
+    newton_.push_back(
+        {static_cast<int>(level), step.iterations, step.residual, step.energy, step.smallest_J, step.seconds});
     if (level > 0) return;
     now_.steps += 1;
     now_.iterations += step.iterations;
@@ -82,24 +87,35 @@ class LastEquilibrium {
     return last_;
   }
 
+  /// Every Newton step up to that equilibrium.
+  [[nodiscard]] std::vector<NewtonRecord> newton() {
+    look();
+    return {newton_.begin(), newton_.begin() + static_cast<std::ptrdiff_t>(last_count_)};
+  }
+
  private:
   void look() {
     if (solver_.load() == load_) return;
     load_ = solver_.load();
     last_ = now_;
+    last_count_ = newton_.size();
   }
 
   const fem::QuasistaticSolver& solver_;
   double load_;
   fem::NewtonResult now_;
   std::optional<fem::NewtonResult> last_;
+  std::vector<NewtonRecord> newton_;
+  std::size_t last_count_ = 0;  // of newton_, up to last_
 };
 
 MeasuredBeads::MeasuredBeads(const std::filesystem::path& file, const fem::MeshLevel& level)
     : table(read_bead_table(file)), locations(locate_beads(table, level.rest, level.mesh)) {}
 
-Outcome Steps::run(const std::vector<double>& compressions) {
+Outcome Steps::run(const std::vector<double>& compressions, int repetitions) {
   const Interrupts interrupts;
+  const std::size_t steps_before = record_.steps.size();
+  const fem::SolverState beginning = solver_.state();
   for (const double compression : compressions) {
     if (compression <= solver_.load()) continue;
     if (interrupted != 0) return stop();
@@ -119,8 +135,28 @@ Outcome Steps::run(const std::vector<double>& compressions) {
     }
     const double seconds = seconds_since(begin);
     if (result.status != fem::NewtonStatus::converged) return fail(compression, result, last, seconds);
-    finish(compression, result, seconds);
+    finish(compression, result, seconds, last.newton());
   }
+  if (repetitions > 0) return repeat(beginning, std::span(record_.steps).subspan(steps_before), repetitions);
+  return Outcome::done;
+}
+
+Outcome Steps::repeat(const fem::SolverState& beginning, std::span<StepRecord> steps, int repetitions) {
+  for (StepRecord& step : steps) step.warm_seconds = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < repetitions; ++k) {
+    solver_.restore(beginning);
+    for (StepRecord& step : steps) {
+      const auto begin = Clock::now();
+      (void)solver_.solve_to(step.compression, {});
+      step.warm_seconds = std::min(step.warm_seconds, seconds_since(begin));
+      if (interrupted != 0) return stop();
+    }
+  }
+  for (const StepRecord& step : steps) {
+    terminal_.line("compression %g, repeated %d times: %.4f s at best, %.4f s the first time", step.compression,
+                   repetitions, step.warm_seconds, step.seconds);
+  }
+  if (files_.writes()) files_.write_record(record_);
   return Outcome::done;
 }
 
@@ -129,7 +165,8 @@ Outcome Steps::stop() const {
   return Outcome::interrupted;
 }
 
-void Steps::finish(double compression, const fem::NewtonResult& result, double seconds) {
+void Steps::finish(double compression, const fem::NewtonResult& result, double seconds,
+                   std::vector<NewtonRecord> newton) {
   const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
   const double reaction = plate_reaction(scene_.levels.front(), forces);
   Estimates estimates;
@@ -137,7 +174,8 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
     estimates = make_estimates(scene_.levels, reaction, positions, *coarser);
   }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
-                           result.smallest_J, reaction, estimates.reaction, estimates.error_rms, seconds});
+                           result.smallest_J, reaction, estimates.reaction, estimates.error_rms, seconds,
+                           std::numeric_limits<double>::quiet_NaN(), std::move(newton)});
   const std::string coarse = result.coarse_steps == 0
                                  ? ""
                                  : ", " + std::to_string(result.coarse_steps) + " and " +
@@ -162,7 +200,7 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
   const double reached = solver_.load();
   if (const std::optional<fem::NewtonResult>& found = last.result(); found.has_value()) {
     terminal_.line("compression %g, on the way", reached);
-    finish(reached, *found, seconds);
+    finish(reached, *found, seconds, last.newton());
   }
   std::fprintf(
       stderr,

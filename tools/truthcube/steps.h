@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "output/bead_table.h"
@@ -36,13 +37,15 @@ class Steps {
       : scene_(scene), solver_(solver), files_(files), record_(record), beads_(beads), terminal_(terminal) {}
 
   /// Solves for those behind the solver's load. Ctrl-C ends this after a Newton step; a second one ends the process.
+  /// @param repetitions of all solves once more from where they began, for their time without what a program does once
   /// @throw Error when a file cannot be written
-  [[nodiscard]] Outcome run(const std::vector<double>& compressions);
+  [[nodiscard]] Outcome run(const std::vector<double>& compressions, int repetitions);
 
  private:
+  [[nodiscard]] Outcome repeat(const fem::SolverState& beginning, std::span<StepRecord> steps, int repetitions);
   [[nodiscard]] Outcome stop() const;
-  /// Prints and writes an equilibrium.
-  void finish(double compression, const fem::NewtonResult& result, double seconds);
+  /// Prints and writes an equilibrium. @param newton the steps that led to it
+  void finish(double compression, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton);
   /// Writes the last equilibrium on the way, and says what stopped the run.
   [[nodiscard]] Outcome fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last,
                              double seconds);

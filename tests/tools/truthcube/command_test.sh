@@ -155,11 +155,24 @@ case $rule in
       fail 'beads as above'
     keys() { grep -oE "^ {$1}\"[A-Za-z_]+\"" o/p/run.json | tr -d ' "' | tr '\n' ' '; }
     [[ $(keys 2) == 'nodes tets bytes device command setup_seconds settings steps ' ]] || fail "keys $(keys 2)"
-    step='compression newton_iterations pcg_iterations residual energy smallest_J reaction reaction_estimate error_estimate seconds '
+    step='compression newton_iterations pcg_iterations residual energy smallest_J reaction reaction_estimate error_estimate seconds warm_seconds newton '
     [[ $(keys 6) == "$step$step" ]] || fail "keys of steps $(keys 6)"
+    # A line for each Newton step that was printed, those of coarser meshes too.
+    printed=$(grep -cE '^ +[0-9]+ +[0-9.e+-]+ +[0-9]+ ' out)
+    (($(number_of coarser_by o/p/run.json | wc -l) == printed && printed > 2)) || fail "not $printed Newton steps"
     [[ $(number_of nodes o/p/run.json) == 125 && $(number_of tets o/p/run.json) == 384 ]] || fail 'other sizes'
     expect o/p/run.json '"device": "cpu"'
     expect o/p/run.json '"command": "truthcube --cells 4 .*--out o/p"' ;;
+  repetitions_are_timed_and_change_nothing)
+    expect_exit 0 "${small[@]}" --compress 0.05 0.125 --out once
+    expect once/run.json '"warm_seconds": null'
+    expect_exit 0 "${small[@]}" --compress 0.05 0.125 --repeat 2 --out twice
+    expect out 'compression 0.125, repeated 2 times: [0-9.]+ s at best, [0-9.]+ s the first time'
+    (($(number_of warm_seconds twice/run.json | grep -cE '^[0-9.e-]+$') == 2)) || fail 'not two warm times'
+    cmp once/beads.csv twice/beads.csv || fail 'other beads'
+    for key in residual energy reaction; do
+      [[ $(number_of $key once/run.json) == "$(number_of $key twice/run.json)" ]] || fail "another $key"
+    done ;;
   a_folder_that_cannot_be_written_is_said)
     touch file
     expect_exit 1 "${small[@]}" --out file

@@ -8,17 +8,30 @@
 
 namespace physgen::truthcube {
 
+struct NewtonRecord {
+  int coarser_by = 0;  ///< levels of mesh; 0 is the finest
+  int pcg_iterations = 0;
+  double residual = 0;    ///< relative, after the step, as energy and smallest_J are
+  double energy = 0;      ///< [J]
+  double smallest_J = 0;  // NOLINT(readability-identifier-naming): as in the file
+  double seconds = 0;
+  bool operator==(const NewtonRecord&) const = default;
+};
+
 struct StepRecord {
   double compression = 0;  ///< plate travel over side
   int newton_iterations = 0;
-  int pcg_iterations = 0;  ///< of all Newton iterations together
-  double residual = 0;     ///< relative
-  double energy = 0;       ///< [J]
-  double smallest_J = 0;   // NOLINT(readability-identifier-naming): as in the file
-  double reaction = 0;     ///< force on the top plate along z [N]; negative under compression
+  int pcg_iterations = 0;        ///< of all Newton iterations together
+  double residual = 0;           ///< relative
+  double energy = 0;             ///< [J]
+  double smallest_J = 0;         // NOLINT(readability-identifier-naming): as in the file
+  double reaction = 0;           ///< force on the top plate along z [N]; negative under compression
   double reaction_estimate = 0;  ///< of a mesh of vanishing size, extrapolated [N]; NaN without a coarser equilibrium
   double error_estimate = 0;     ///< RMS of the displacements' error [m]; NaN without a coarser equilibrium
   double seconds = 0;            ///< wall time of the solve, without set-up and output
+  double warm_seconds = 0;       ///< the shortest of its repetitions; NaN where it was not repeated
+  /// Every Newton step in the order in which it was done, on coarser meshes too.
+  std::vector<NewtonRecord> newton{};
   bool operator==(const StepRecord&) const = default;
 };
 
