@@ -18,11 +18,16 @@ __global__ void tell_whether_done(Done done, int* is_done) {
   *is_done = done() ? 1 : 0;
 }
 
+template <class Count>
+__global__ void begin_rounds(Count* rounds_left, Count most) {
+  *rounds_left = most;
+}
+
 template <class Done>
-__global__ void decide_to_go_on(cudaGraphConditionalHandle go_on, Done done, int most, int* rounds) {
-  const int n = *rounds + 1;
-  *rounds = n;
-  cudaGraphSetConditional(go_on, !done() && n < most ? 1 : 0);
+__global__ void decide_to_go_on(cudaGraphConditionalHandle go_on, Done done, int* rounds_left) {
+  const int left = *rounds_left - 1;
+  *rounds_left = left;
+  cudaGraphSetConditional(go_on, !done() && left > 0 ? 1 : 0);
 }
 
 }  // namespace cuda
@@ -82,14 +87,17 @@ class CudaExecutor {
     parallel_reduce(Cuda{}, 0, n, kernel, fold, then, workspace_, stream_);
   }
 
+  /// @param most rounds, of this call
   /// @param body is called once, when the loop is recorded: it must run the same steps each time
   /// @param done a function object of what arrays hold, which the device calls
   /// @throw Error when the steps cannot be recorded or launched
   template <class Body, class Done>
   void repeat(Loop& loop, int most, const Body& body, const Done& done) {
+    if (most <= 0) return;
     if (loops_on_host_) return repeat_on_host(most, body, done);
-    if (loop.graph_ == nullptr) record(loop, most, body, done);
-    cuda::check(cudaMemsetAsync(rounds_.data(), 0, sizeof(int), stream_), "beginning a loop");
+    if (loop.graph_ == nullptr) record(loop, body, done);
+    cuda::begin_rounds<<<1, 1, 0, stream_>>>(rounds_left(), most);
+    cuda::check(cudaGetLastError(), "beginning a loop");
     cuda::check(cudaGraphLaunch(loop.graph_, stream_), "launching a loop");
   }
 
@@ -126,7 +134,7 @@ class CudaExecutor {
   }
 
   template <class Body, class Done>
-  void record(Loop& loop, int most, const Body& body, const Done& done) {
+  void record(Loop& loop, const Body& body, const Done& done) {
     struct Graph {
       cudaGraph_t graph = nullptr;
       ~Graph() {
@@ -153,7 +161,7 @@ class CudaExecutor {
                 "recording a loop");
     try {
       body();
-      cuda::decide_to_go_on<<<1, 1, 0, stream_>>>(go_on, done, most, reinterpret_cast<int*>(rounds_.data()));
+      cuda::decide_to_go_on<<<1, 1, 0, stream_>>>(go_on, done, rounds_left());
       cuda::check(cudaGetLastError(), "recording a loop");
     } catch (...) {
       cudaGraph_t abandoned = nullptr;
@@ -164,6 +172,8 @@ class CudaExecutor {
     cuda::check(cudaStreamEndCapture(stream_, &captured), "recording a loop");
     cuda::check(cudaGraphInstantiate(&loop.graph_, outer.graph, 0), "recording a loop");
   }
+
+  [[nodiscard]] int* rounds_left() { return reinterpret_cast<int*>(rounds_.data()); }
 
   static constexpr index_t most_object_bytes = 4096;
   ReduceWorkspace workspace_;
