@@ -48,7 +48,7 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
 void require_memory_for(const Options& options, const RunBytes& bytes) {
   const std::string who = options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh";
   const std::string remedy = (options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
-                             "--volume tets or --precision half need less";
+                             "--volume tets, --precision half or --product matrix-free need less";
   if (options.solver.device == fem::Device::cuda) {
     require_memory(who, bytes.solver + bytes.stresses, "the GPU", cuda_memory(), remedy);
     require_memory("setting up " + who, bytes.lists, "this machine", host_memory(), remedy);
@@ -116,6 +116,7 @@ Outcome run(Options options, const std::string& command) {
   record.tets = static_cast<std::int64_t>(finest.mesh.tets.size());
   record.bytes = solver->bytes();
   record.device = fem::device_name(options.solver.device);
+  record.layout = built_layout();
   record.command = command;
   record.settings = options.settings_json();
   record.setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();

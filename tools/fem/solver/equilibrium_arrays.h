@@ -19,23 +19,30 @@ struct PatchArrays {
   quasistatic::PatchNodesArray<Real, Space> nodes;
   quasistatic::PatchParentArray<Real, Space> parents;  ///< where there is a coarser level
   PatchTetRows<Space> patch_tets;
-  IncidenceRows<Space> edge_patches;
+  IncidenceRows<Space> edge_patches, node_patches;  ///< as TangentLists says, the other without rows
   quasistatic::VolumePatchArray<double, Space> volumes;
   quasistatic::PatchTangentArray<Real, Space> tangent;
+  quasistatic::PatchChangeArray<Real, Space> changes;  ///< on the CPU, of products without blocks of edges
 
-  PatchArrays(const MeshLevel& level, const EdgeParts& parts, bool injects)
+  PatchArrays(const MeshLevel& level, const EdgeParts& parts, bool injects, TangentLists lists)
       : tet_patches(moved_to<decltype(tet_patches)>(host_tet_patches(level.patches))),
         nodes(moved_to<decltype(nodes)>(host_nodes(level.patches))),
         patch_tets(host_patch_tets(level)),
-        edge_patches(incidence_rows<IncidenceRows<Host>>(parts.edge_patches, index_t(level.patches.nodes.size()))),
         volumes(index_t(level.patches.nodes.size())),
         tangent(volumes.size()) {
     if (injects) parents = moved_to<decltype(parents)>(host_parents(level));
+    const index_t patches = volumes.size();
+    if (lists == TangentLists::of_edges) {
+      edge_patches = IncidenceRows<Space>(incidence_rows<IncidenceRows<Host>>(parts.edge_patches, patches));
+    } else if (lists == TangentLists::of_nodes) {
+      node_patches = IncidenceRows<Space>(incidence_rows<IncidenceRows<Host>>(make_node_patches(level), patches));
+      if constexpr (Space::kind == SpaceKind::host) changes = decltype(changes)(patches);
+    }
   }
 
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tet_patches, nodes, parents, patch_tets.ranges(), patch_tets.entries(), edge_patches.ranges(),
-                    edge_patches.entries(), volumes, tangent);
+                    edge_patches.entries(), node_patches.ranges(), node_patches.entries(), volumes, tangent, changes);
   }
 
  private:
@@ -73,7 +80,7 @@ struct EquilibriumArrays {
   using Space = Space_;
 
   elasticity::TetArray<Real, Space> tets;
-  IncidenceRows<Space> node_tets, edge_tets;
+  IncidenceRows<Space> node_tets, edge_tets;          ///< of edges where TangentLists are
   std::unique_ptr<PatchArrays<Real, Space>> patches;  ///< where volumes are averaged
 
   elasticity::NodePositionArray<double, Space> rest;
@@ -91,8 +98,10 @@ struct EquilibriumArrays {
   double spacing = 0;  ///< the mean distance of neighbours at rest, or about that [m]
 
   /// @param injects whether equilibrium is solved on the next coarser mesh, too, whose pressures patches begin with
-  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects)
-      : EquilibriumArrays(level, graph, injects, make_edge_parts(level, graph)) {}
+  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects,
+                    TangentLists lists = TangentLists::of_edges)
+      : EquilibriumArrays(level, graph, injects, lists,
+                          lists == TangentLists::of_edges ? make_edge_parts(level, graph) : EdgeParts{}) {}
 
   [[nodiscard]] index_t nodes() const { return rest.size(); }
   [[nodiscard]] index_t bytes() const {
@@ -103,12 +112,12 @@ struct EquilibriumArrays {
   [[nodiscard]] index_t tet_count() const { return tets.size(); }
 
  private:
-  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, const EdgeParts& parts)
+  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, TangentLists lists,
+                    const EdgeParts& parts)
       : tets(moved_to<decltype(tets)>(host_tets(level))),
         node_tets(incidence_rows<IncidenceRows<Host>>(level.mesh.node_tets, index_t(level.mesh.tets.size()))),
-        edge_tets(incidence_rows<IncidenceRows<Host>>(parts.edge_tets, index_t(level.mesh.tets.size()))),
         patches(level.patches.nodes.empty() ? nullptr
-                                            : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects)),
+                                            : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects, lists)),
         rest(moved_to<decltype(rest)>(host_positions(level))),
         positions(moved_to<decltype(positions)>(rest)),
         trial(moved_to<decltype(trial)>(rest)),
@@ -121,7 +130,10 @@ struct EquilibriumArrays {
         tangent(tets.size()),
         increment(graph.nodes),
         state(1),
-        spacing(mean_spacing(level)) {}
+        spacing(mean_spacing(level)) {
+    if (lists != TangentLists::of_edges) return;
+    edge_tets = IncidenceRows<Space>(incidence_rows<IncidenceRows<Host>>(parts.edge_tets, tets.size()));
+  }
 
   /// The side of a cube as large as the six tets that a node has on average.
   static double mean_spacing(const MeshLevel& level) {
