@@ -32,13 +32,12 @@ Built: every material, precision and treatment of volume, on the CPU)"
 #ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
     " and on CUDA"
 #endif
-    ", in the layout " PHYSGEN_TRUTHCUBE_LAYOUT
-    " (another is another build: -DPHYSGEN_LAYOUT=schema, aos, aos_padded, "
-    "soa or aosoa);\nwith products assembled, under every preconditioner, or matrix-free, under block-jacobi and none"
+    ",\nin the layout " PHYSGEN_TRUTHCUBE_LAYOUT
+    ", with products assembled (under every preconditioner) or matrix-free (under block-jacobi and none)"
 #ifndef PHYSGEN_TRUTHCUBE_HAS_GMSH
     "; without Gmsh's library, so --mesh is refused"
 #endif
-    ".";
+    ".\nAnother layout is another build: cmake -DPHYSGEN_LAYOUT=schema, aos, aos_padded, soa or aosoa.";
 
 const Names<VolumeTreatment> volumes{{"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}};
 const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};

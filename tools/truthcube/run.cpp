@@ -23,10 +23,11 @@ using Clock = std::chrono::steady_clock;
 void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, const Options& options,
                  const Terminal& terminal) {
   terminal.text("  level        nodes         tets        edges            bytes");
+  const bool assembled = options.solver.newton.product == fem::Product::assembled;
   for (std::size_t l = 0; l < bytes.levels.size(); ++l) {
     const LevelCounts& c = levels[l];
     terminal.line("  %5zu %12lld %12lld %12lld %16lld", l, static_cast<long long>(c.nodes),
-                  static_cast<long long>(c.tets), static_cast<long long>(c.edges),
+                  static_cast<long long>(c.tets), static_cast<long long>(assembled ? c.edges : 0),
                   static_cast<long long>(bytes.levels[l]));
   }
   const auto total = static_cast<double>(bytes.solver);
