@@ -1,6 +1,6 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
-#define PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
+#ifndef PHYSGEN_QUASISTATIC_H_BF6185F2D2FC6D37
+#define PHYSGEN_QUASISTATIC_H_BF6185F2D2FC6D37
 
 #include <physgen/runtime.h>
 
@@ -1410,6 +1410,99 @@ static_assert(physgen::is_sound_record<PatchTangentObject, float, PatchTangentFo
 static_assert(physgen::is_sound_record<PatchTangentObject, double, PatchTangentFormats<physgen::Host>>(
     200, 8, {0, 192}));
 
+// ---- PatchChange ----------------------------------------------------------------------------------------------------
+
+/// What a patch's forces change by along a displacement, on the CPU in a product without blocks of edges.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PatchChange {
+  /// k g . dx [N/m^2]
+  Real change;
+};
+
+/// How the fields of one PatchChange are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of PatchChangeArray.
+template <class Space>
+struct PatchChangeFormats {
+  using change = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one PatchChange [bytes].
+template <class Real, class Formats>
+struct PatchChangeRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::change, Real>(),
+  }});
+  static constexpr int change = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PatchChange of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PatchChangeRef {
+  using Record = PatchChangeRecord<Real, Formats>;
+
+ public:
+  using Value = PatchChange<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PatchChangeRef(const Cursor& cursor) : at_(cursor) {}
+  PatchChangeRef(const PatchChangeRef&) = default;
+  PatchChangeRef& operator=(const PatchChangeRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PatchChangeRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// k g . dx [N/m^2]
+  PHYSGEN_FUNCTION decltype(auto) change() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::change, Real>(Record::change);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.change = change();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { change() = value.change; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PatchChange.
+struct PatchChangeObject {
+  static constexpr std::string_view name = "quasistatic::PatchChange";
+  template <class Real>
+  using Value = PatchChange<Real>;
+  template <class Real, class Formats>
+  using Record = PatchChangeRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PatchChangeRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::change, Real>(
+        "change", "N/m^2", PatchChangeRecord<Real, Formats>::change, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PatchChangeFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PatchChangeObject, Space>>
+using PatchChangeView = physgen::View<PatchChangeObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PatchChangeObject, Space>>
+using PatchChangeArray = physgen::Array<PatchChangeObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PatchChangeObject, float, PatchChangeFormats<physgen::Host>>(4, 4, {0}));
+static_assert(physgen::is_sound_record<PatchChangeObject, double, PatchChangeFormats<physgen::Host>>(8, 8, {0}));
+
 // ---- LinearSolve ----------------------------------------------------------------------------------------------------
 
 /// Conjugate gradients; in double.
@@ -1955,4 +2048,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
+#endif  // PHYSGEN_QUASISTATIC_H_BF6185F2D2FC6D37

@@ -82,6 +82,11 @@ struct PHYSGEN_OBJECT() PatchTangent {
   PHYSGEN(unit("N/m^5")) Scalar k;      ///< U''(T) / volume, or its linearised form
 };
 
+/// What a patch's forces change by along a displacement, on the CPU in a product without blocks of edges.
+struct PHYSGEN_OBJECT() PatchChange {
+  PHYSGEN(unit("N/m^2")) Scalar change;  ///< k g . dx
+};
+
 // ---- One object each: numbers that kernels leave for kernels ----
 
 /// Conjugate gradients; in double.

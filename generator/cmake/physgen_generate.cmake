@@ -1,18 +1,19 @@
 # physgen_generate(): makes accessor classes from schemas as a part of a build. Used by physgen's own tree and, through
 # find_package(physgen), by every other project.
 #
-#   physgen_generate(TARGET name SCHEMAS a.h b.h [OUTPUT_DIR dir] [CHECKED_IN dir])
+#   physgen_generate(TARGET name SCHEMAS a.h b.h [OUTPUT_DIR dir] [LAYOUT layout] [CHECKED_IN dir])
 #
 # Makes the library target `name`. A program that links it finds the headers a.physgen.h and b.physgen.h, is compiled
 # after they are written, and links physgen::runtime. physgen runs again when a schema, a header that a schema includes,
 # or physgen itself has changed; a header whose text stays the same keeps its time, so that nothing that includes it is
-# compiled again. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder). Without a
-# physgen command (it needs LLVM), the headers in CHECKED_IN are used as they are.
+# compiled again. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder). LAYOUT (aos,
+# aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state. Without a physgen command (it
+# needs LLVM), the headers in CHECKED_IN are used as they are, whose layouts cannot be changed.
 include_guard(DIRECTORY)
 cmake_policy(VERSION 3.25)
 
 function(physgen_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIR;CHECKED_IN" "SCHEMAS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIR;LAYOUT;CHECKED_IN" "SCHEMAS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "physgen_generate: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   elseif(NOT arg_TARGET)
@@ -49,6 +50,10 @@ function(physgen_generate)
   target_link_libraries(${arg_TARGET} INTERFACE physgen::runtime)
 
   if(NOT TARGET physgen::physgen)
+    if(arg_LAYOUT)
+      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): there is no physgen command (physgen was built without "
+        "LLVM), which LAYOUT ${arg_LAYOUT} needs")
+    endif()
     _physgen_use_checked_in(${arg_TARGET} "${arg_CHECKED_IN}" "${names}")
     return()
   endif()
@@ -65,12 +70,16 @@ function(physgen_generate)
   # The stamp stands for "physgen has run", with a time of its own: headers keep theirs when their text does not change,
   # and Make would run physgen for ever. The list of schemas is an input, because Make does not compare commands.
   set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${arg_TARGET})
-  file(CONFIGURE OUTPUT ${state}.schemas CONTENT "${schemas}\n${arg_OUTPUT_DIR}\n" @ONLY)
+  file(CONFIGURE OUTPUT ${state}.schemas CONTENT "${schemas}\n${arg_OUTPUT_DIR}\n${arg_LAYOUT}\n" @ONLY)
+  set(layout "")
+  if(arg_LAYOUT)
+    set(layout --layout ${arg_LAYOUT})
+  endif()
   file(RELATIVE_PATH shown ${CMAKE_BINARY_DIR} ${arg_OUTPUT_DIR})
   add_custom_command(
     OUTPUT ${state}.stamp
     BYPRODUCTS ${headers}
-    COMMAND physgen::physgen generate ${schemas} -o ${arg_OUTPUT_DIR} --depfile ${state}.d --stamp ${state}.stamp
+    COMMAND physgen::physgen generate ${schemas} -o ${arg_OUTPUT_DIR} ${layout} --depfile ${state}.d --stamp ${state}.stamp
     DEPENDS ${schemas} ${state}.schemas physgen::physgen
     DEPFILE ${state}.d
     COMMENT "Generating ${names} in ${shown}"

@@ -212,6 +212,42 @@ TEST_F(Command, prints_the_model_as_json) {
   EXPECT_EQ(run("model b.h").out, "");
 }
 
+TEST_F(Command, generates_what_a_schema_would_that_states_the_layout_itself) {
+  struct Case {
+    const char *argument, *host, *cuda;
+  };
+  // In each: an object without a layout, one with others, one that states its own alignment.
+  const auto schema = [](const std::string& first, const std::string& second, const std::string& third) {
+    return schema_of("struct PHYSGEN_OBJECT(" + first + ") A { Scalar x; Matrix<3, 3> F; };\n" +
+                     "struct PHYSGEN_OBJECT(" + second + ") B { Vector<3> v; };\n" + "struct PHYSGEN_OBJECT(" + third +
+                     ") C { A a[2]; Index i; };\n");
+  };
+  for (const Case& one :
+       {Case{"aos", "aos", "aos"}, Case{"aos_padded", "aos_padded", "aos_padded"}, Case{"soa", "soa", "soa"},
+        Case{"aosoa", "aosoa(16)", "aosoa(32)"}, Case{"'aosoa(8)'", "aosoa(8)", "aosoa(8)"}}) {
+    const std::string layouts = "layout(host, " + std::string(one.host) + "), layout(cuda, " + one.cuda + ")";
+    folder.write("given/a.h", schema("", "layout(host, soa), layout(cuda, aos_padded)", "align(64)"));
+    folder.write("stated/a.h", schema(layouts, layouts, layouts + ", align(64)"));
+    const auto outcome = run(std::string("generate given/a.h -o by_option --layout ") + one.argument);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    ASSERT_EQ(run("generate stated/a.h -o by_schema").status, 0);
+    ASSERT_EQ(run("generate given/a.h -o untouched").status, 0);
+    EXPECT_EQ(text_of(folder / "by_option/a.physgen.h"), text_of(folder / "by_schema/a.physgen.h")) << one.argument;
+    EXPECT_NE(text_of(folder / "by_option/a.physgen.h"), text_of(folder / "untouched/a.physgen.h")) << one.argument;
+  }
+}
+
+TEST_F(Command, refuses_layouts_that_do_not_exist_and_says_which_do) {
+  folder.write("a.h", sound);
+  for (const char* layout : {"aoss", "schema", "all", "''", "'soa(4)'"}) {
+    const auto outcome = run(std::string("generate a.h -o out --layout ") + layout);
+    EXPECT_EQ(outcome.status, 2) << layout;
+    EXPECT_NE(outcome.err.find("write aos, aos_padded, soa, 'aosoa(32)' or aosoa"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(run("generate a.h -o out --layout 'aosoa(3)'").status, 2);
+  EXPECT_FALSE(exists("out"));
+}
+
 TEST_F(Command, refuses_wrong_use) {
   folder.write("a.h", sound);
   for (const char* arguments : {"", "generate", "generate a.h", "generate -o out", "a.h", "generate a.h -o out --bogus",

@@ -14,6 +14,7 @@
 #include "files.h"
 #include "frontend/frontend.h"
 #include "layout_picture.h"
+#include "layout_words.h"
 #include "model/json.h"
 #include "model/model.h"
 
@@ -28,6 +29,7 @@ struct Arguments {
   std::string depfile;
   std::string stamp;
   frontend::ParseOptions options;
+  std::optional<std::string> layout_of_all;  // of every object, in place of the schema's
   LayoutRequest layout;
   std::string picture;  // file of the SVG; empty: standard output
   bool svg = false;
@@ -79,11 +81,22 @@ void require_different_headers(const std::vector<std::string>& schemas) {
   }
 }
 
+/// Gives every object of a schema one layout in both spaces. @throws LayoutError
+void set_layouts(model::Schema& schema, const std::string& word) {
+  for (model::Object& object : schema.objects) {
+    object.host_layout = read_layout(word, model::Space::host);
+    object.cuda_layout = read_layout(word, model::Space::cuda);
+  }
+}
+
 int generate(const Arguments& arguments, const Streams& streams) {
   if (arguments.output_dir.empty()) throw UsageError("the folder given with -o is empty; write -o . for this folder");
   require_different_headers(arguments.schemas);
-  const auto parsed = parse_all(arguments, streams.err);
+  if (arguments.layout_of_all) (void)read_layout(*arguments.layout_of_all, model::Space::host);
+  auto parsed = parse_all(arguments, streams.err);
   if (!parsed) return schema_errors;
+  if (arguments.layout_of_all)
+    for (model::Schema& schema : parsed->schemas) set_layouts(schema, *arguments.layout_of_all);
   std::vector<File> files;
   for (const model::Schema& schema : parsed->schemas)
     files.push_back({arguments.output_dir + "/" + model::generated_header(schema.file), emit::accessor_header(schema)});
@@ -177,6 +190,12 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->add_option("-o,--output", arguments.output_dir, "Folder of the generated headers; made if it does not exist")
       ->required()
       ->type_name("DIR");
+  generate
+      ->add_option("--layout", arguments.layout_of_all,
+                   layout_choices_of_a_space() +
+                       ": of the arrays of every object in both spaces, in place of what the "
+                       "schema says; an array whose program names a layout keeps it")
+      ->type_name("LAYOUT");
   auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that gets the present time when all is written")
                     ->type_name("FILE");
   generate->add_option("--depfile", arguments.depfile, "File for what the stamp depends on, in the syntax of Make")

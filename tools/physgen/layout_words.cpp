@@ -25,9 +25,8 @@ std::string counted(long long count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-}  // namespace
-
-model::Layout read_layout(const std::string& word) {
+/// The layout that a word names. @param choices for the error
+model::Layout read(const std::string& word, const std::string& choices) {
   for (const model::LayoutFacts& row : model::layouts()) {
     if (!row.tiled && word == row.word) return {row.key, 0};
     const std::string name(row.word), begin = name + "(";
@@ -41,14 +40,37 @@ model::Layout read_layout(const std::string& word) {
                       "; write '" + model::layout_word({row.key, 16}) + "' or '" + model::layout_word({row.key, 32}) +
                       "'");
   }
-  throw LayoutError("there is no layout '" + word + "'; write " + layout_choices());
+  throw LayoutError("there is no layout '" + word + "'; write " + choices);
 }
 
-std::string layout_choices() {
+/// The layouts as they are written on a command line, the tile in quotes for the shell.
+std::vector<std::string> words_of_layouts() {
   std::vector<std::string> words = model::layout_words("32");
   for (std::string& word : words)
     if (word.ends_with(')')) word.insert(0, 1, '\'').push_back('\'');
+  return words;
+}
+
+}  // namespace
+
+model::Layout read_layout(const std::string& word) { return read(word, layout_choices()); }
+
+model::Layout read_layout(const std::string& word, model::Space space) {
+  const model::Layout standard = model::facts(space).standard;
+  if (model::facts(standard.kind).word == word) return standard;
+  return read(word, layout_choices_of_a_space());
+}
+
+std::string layout_choices() {
+  std::vector<std::string> words = words_of_layouts();
   words.emplace_back("all");
+  return model::joined(words, " or ");
+}
+
+std::string layout_choices_of_a_space() {
+  std::vector<std::string> words = words_of_layouts();
+  for (const model::LayoutFacts& row : model::layouts())
+    if (row.tiled) words.emplace_back(row.word);
   return model::joined(words, " or ");
 }
 

@@ -16,6 +16,13 @@ struct LayoutError : std::runtime_error {
 /// The layout that model::layout_word() writes so. @throws LayoutError
 [[nodiscard]] model::Layout read_layout(const std::string& word);
 
+/// The layout of a word that read_layout() takes, in a space; a tiled one without its tile has that of the space's
+/// standard layout: "aosoa" is aosoa(16) on the host and aosoa(32) on CUDA. @throws LayoutError
+[[nodiscard]] model::Layout read_layout(const std::string& word, model::Space space);
+
+/// What this takes, for messages: "aos, aos_padded, soa, aosoa or 'aosoa(32)'".
+[[nodiscard]] std::string layout_choices_of_a_space();
+
 /// "host, cuda or both".
 [[nodiscard]] std::string space_choices();
 

@@ -32,11 +32,12 @@ Built: every material, precision and treatment of volume, on the CPU)"
 #ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
     " and on CUDA"
 #endif
-    ", in the layouts of the schema"
+    ",\nin the layout " PHYSGEN_TRUTHCUBE_LAYOUT
+    ", with products assembled (under every preconditioner) or matrix-free (under block-jacobi and none)"
 #ifndef PHYSGEN_TRUTHCUBE_HAS_GMSH
     "; without Gmsh's library, so --mesh is refused"
 #endif
-    ".";
+    ".\nAnother layout is another build: cmake -DPHYSGEN_LAYOUT=schema, aos, aos_padded, soa or aosoa.";
 
 const Names<VolumeTreatment> volumes{{"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}};
 const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};
@@ -52,9 +53,7 @@ const Names<fem::Preconditioner> preconditioners{{"multigrid", fem::Precondition
                                                  {"block-jacobi", fem::Preconditioner::block_jacobi},
                                                  {"none", fem::Preconditioner::none}};
 const Names<bool> steppings{{"nested", true}, {"loads", false}};  // whether nested
-/// The layout is a choice of the build: the solver is compiled for this one.
-enum class BuiltLayout { of_schema };
-const Names<BuiltLayout> layouts{{"schema", BuiltLayout::of_schema}};
+const Names<fem::Product> products{{"assembled", fem::Product::assembled}, {"matrix-free", fem::Product::matrix_free}};
 
 Names<std::string> materials() {
   Names<std::string> names;
@@ -77,6 +76,17 @@ CLI::Option* add_choice(CLI::App& app, const std::string& flag, Value& value, co
   return app.add_option_function<std::string>(flag, choose, help)
       ->type_name("{" + joined(words_of(names)) + "}")
       ->default_str(name_of(names, value));
+}
+
+/// @throw Error for a layout that the solver was not compiled for
+void require_built(const std::string& layout) {
+  if (layout == built_layout()) return;
+  const std::vector<std::string> layouts{"schema", "aos", "aos_padded", "soa", "aosoa"};
+  if (std::ranges::find(layouts, layout) == layouts.end()) {
+    throw Error("--layout: " + unknown("layout", layout, layouts) + " This build has " + built_layout());
+  }
+  throw Error("--layout " + layout + ": the layout is a choice of the build, and this one has " + built_layout() +
+              "; configure one with cmake -DPHYSGEN_LAYOUT=" + layout);
 }
 
 /// @throw Error for the first word that looks like a flag and is none
@@ -135,12 +145,20 @@ void check(const Options& options) {
     throw Error("the energy of '" + options.solver.material +
                 "' has no separate part of the volume: write --volume tets, or choose another --material");
   }
+  const fem::NewtonSettings& newton = options.solver.newton;
+  require(newton.product == fem::Product::assembled ||
+              newton.preconditioner.kind == fem::Preconditioner::block_jacobi ||
+              newton.preconditioner.kind == fem::Preconditioner::none,
+          "--product matrix-free goes with --preconditioner block-jacobi or none: the levels of multigrid are formed "
+          "from blocks of edges, which it does without");
   require(!options.restart || !options.out.empty(), "--restart continues what is in --out DIR, which is missing");
   require(options.refinements == 0 || !options.mesh.empty(),
           "--refine is for a mesh of your own: the cube has --cells");
 }
 
 }  // namespace
+
+std::string built_layout() { return PHYSGEN_TRUTHCUBE_LAYOUT; }
 
 std::string Options::settings_json() const {
   nlohmann::json json;
@@ -156,6 +174,7 @@ std::string Options::settings_json() const {
   json["top"] = name_of(tops, top);
   json["precision"] = name_of(precisions, solver.precision);
   json["preconditioner"] = name_of(preconditioners, solver.newton.preconditioner.kind);
+  json["product"] = name_of(products, solver.newton.product);
   json["tolerance"] = solver.newton.tolerance;
   json["stepping"] = solver.nested ? "nested" : "loads";
   json["historical"] = historical;
@@ -196,21 +215,27 @@ Options parse(const std::vector<std::string>& arguments) {
   auto* precision = add_choice(app, "--precision", options.solver.precision, precisions, "precision",
                                "of the tangent and its solver; half: in float, the preconditioner's matrices in half. "
                                "States and forces are in double");
-  BuiltLayout layout = BuiltLayout::of_schema;
-  add_choice(app, "--layout", layout, layouts, "layout",
-             "of all arrays, a choice of the build; schema: as schemas/*.h say, nodes in padded records, elements in "
-             "tiles");
+  app.add_option_function<std::string>(
+         "--layout", require_built,
+         "of all arrays, a choice of the build; schema: as schemas/*.h say, nodes in padded records, elements in tiles")
+      ->type_name("{" + built_layout() + "}")
+      ->default_str(built_layout());
   auto* preconditioner = add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners,
                                     "preconditioner", "of conjugate gradients");
+  auto* product = add_choice(app, "--product", options.solver.newton.product, products, "product",
+                             "of the tangent with vectors: from assembled blocks of nodes and edges, or matrix-free, "
+                             "tet by tet, which takes less memory and no multigrid");
   app.add_option("--tolerance", options.solver.newton.tolerance, "of the residual, 1e-14 to 0.1")->type_name("T");
   auto* stepping =
       add_choice(app, "--stepping", options.solver.nested, steppings, "way of stepping",
                  "nested: each load on coarser meshes first; loads: the plate moves inside the first linear solve");
   app.add_flag("--historical", options.historical,
-               "as in 2005: plain conjugate gradients in float, no line search, no nesting, an absolute tolerance of "
+               "as in 2005: matrix-free plain conjugate gradients in float, no line search, no nesting, an absolute "
+               "tolerance of "
                "1e-3 N or --tolerance times E times the squared height, whichever is smaller")
       ->excludes(precision)
       ->excludes(preconditioner)
+      ->excludes(product)
       ->excludes(stepping);
   app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
       ->type_name("DIR");
@@ -241,6 +266,7 @@ Options parse(const std::vector<std::string>& arguments) {
     options.solver.nested = false;
     options.solver.precision = fem::TangentPrecision::float32;
     options.solver.newton.preconditioner.kind = fem::Preconditioner::none;
+    options.solver.newton.product = fem::Product::matrix_free;
     options.solver.newton.line_search = false;
   }
   check(options);

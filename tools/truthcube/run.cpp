@@ -23,10 +23,11 @@ using Clock = std::chrono::steady_clock;
 void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, const Options& options,
                  const Terminal& terminal) {
   terminal.text("  level        nodes         tets        edges            bytes");
+  const bool assembled = options.solver.newton.product == fem::Product::assembled;
   for (std::size_t l = 0; l < bytes.levels.size(); ++l) {
     const LevelCounts& c = levels[l];
     terminal.line("  %5zu %12lld %12lld %12lld %16lld", l, static_cast<long long>(c.nodes),
-                  static_cast<long long>(c.tets), static_cast<long long>(c.edges),
+                  static_cast<long long>(c.tets), static_cast<long long>(assembled ? c.edges : 0),
                   static_cast<long long>(bytes.levels[l]));
   }
   const auto total = static_cast<double>(bytes.solver);
@@ -48,7 +49,7 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
 void require_memory_for(const Options& options, const RunBytes& bytes) {
   const std::string who = options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh";
   const std::string remedy = (options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
-                             "--volume tets or --precision half need less";
+                             "--volume tets, --precision half or --product matrix-free need less";
   if (options.solver.device == fem::Device::cuda) {
     require_memory(who, bytes.solver + bytes.stresses, "the GPU", cuda_memory(), remedy);
     require_memory("setting up " + who, bytes.lists, "this machine", host_memory(), remedy);
@@ -116,6 +117,7 @@ Outcome run(Options options, const std::string& command) {
   record.tets = static_cast<std::int64_t>(finest.mesh.tets.size());
   record.bytes = solver->bytes();
   record.device = fem::device_name(options.solver.device);
+  record.layout = built_layout();
   record.command = command;
   record.settings = options.settings_json();
   record.setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -15,9 +15,9 @@ namespace physgen::truthcube {
 
 namespace {
 
-constexpr std::array members{&LevelCounts::nodes,     &LevelCounts::tets,      &LevelCounts::edges,
-                             &LevelCounts::tet_edges, &LevelCounts::patches,   &LevelCounts::edge_patches,
-                             &LevelCounts::children,  &LevelCounts::edge_terms};
+constexpr std::array members{&LevelCounts::nodes,        &LevelCounts::tets,     &LevelCounts::edges,
+                             &LevelCounts::tet_edges,    &LevelCounts::patches,  &LevelCounts::edge_patches,
+                             &LevelCounts::node_patches, &LevelCounts::children, &LevelCounts::edge_terms};
 
 /// The polynomial of degree 3 with these values at 1, 2, 3, 4. Exact: it sums multiples of whole numbers.
 std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
@@ -80,52 +80,76 @@ std::int64_t linear_bytes(const LevelCounts& c, const LevelCounts* coarser) {
   return bytes + bytes_of_rows<decltype(Level::edge_terms)>(coarser->edges, c.edge_terms);
 }
 
+/// As LinearLevel::bytes() of one whose stiffness is not assembled.
+template <class Real, class Space, class Stored>
+std::int64_t matrix_free_bytes(const LevelCounts& c, fem::MatrixFree needs) {
+  using Level = fem::LinearLevel<Real, Space, Stored>;
+  const std::int64_t n = c.nodes;
+  return bytes_of<decltype(Level::constraints)>(n) + bytes_of<decltype(Level::scales)>(n) +
+         bytes_of<decltype(Level::residual)>(n) + bytes_of<decltype(Level::correction)>(n) +
+         (needs.blocks ? bytes_of<decltype(Level::node_stiffness)>(n) + bytes_of<decltype(Level::inverse)>(n) : 0) +
+         (needs.coarser ? bytes_of<decltype(Level::parents)>(n) : 0);
+}
+
 /// As EquilibriumArrays::bytes() and KrylovVectors::bytes().
 template <class Real, class Space>
-std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects) {
+std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects, fem::TangentLists lists) {
   using Arrays = fem::EquilibriumArrays<Real, Space>;
   using Patches = fem::PatchArrays<Real, Space>;
   using Vectors = fem::KrylovVectors<Real, Space>;
   const std::int64_t n = c.nodes;
   std::int64_t bytes = bytes_of<decltype(Arrays::tets)>(c.tets) +
-                       bytes_of_rows<decltype(Arrays::node_tets)>(n, 4 * c.tets) +
-                       bytes_of_rows<decltype(Arrays::edge_tets)>(c.edges, 6 * c.tets) +
-                       bytes_of<decltype(Arrays::rest)>(n) + bytes_of<decltype(Arrays::positions)>(n) +
-                       bytes_of<decltype(Arrays::trial)>(n) + bytes_of<decltype(Arrays::kept)>(n) +
-                       bytes_of<decltype(Arrays::loads)>(n) + bytes_of<decltype(Arrays::motion)>(n) +
-                       bytes_of<decltype(Arrays::forces)>(n) + bytes_of<decltype(Arrays::trial_forces)>(n) +
-                       bytes_of<decltype(Arrays::increment)>(n) + bytes_of<decltype(Arrays::state)>(1);
+                       bytes_of_rows<decltype(Arrays::node_tets)>(n, 4 * c.tets) + bytes_of<decltype(Arrays::rest)>(n) +
+                       bytes_of<decltype(Arrays::positions)>(n) + bytes_of<decltype(Arrays::trial)>(n) +
+                       bytes_of<decltype(Arrays::kept)>(n) + bytes_of<decltype(Arrays::loads)>(n) +
+                       bytes_of<decltype(Arrays::motion)>(n) + bytes_of<decltype(Arrays::forces)>(n) +
+                       bytes_of<decltype(Arrays::trial_forces)>(n) + bytes_of<decltype(Arrays::increment)>(n) +
+                       bytes_of<decltype(Arrays::state)>(1);
   bytes += bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
            bytes_of<decltype(Vectors::direction)>(n) + bytes_of<decltype(Vectors::product)>(n) +
            bytes_of<decltype(Vectors::state)>(1);
+  const bool edges = lists == fem::TangentLists::of_edges;
+  if (edges) bytes += bytes_of_rows<decltype(Arrays::edge_tets)>(c.edges, 6 * c.tets);
   if (c.patches == 0) return bytes;
+  if (edges) bytes += bytes_of_rows<decltype(Patches::edge_patches)>(c.edges, c.edge_patches);
+  if (lists == fem::TangentLists::of_nodes) {
+    bytes += bytes_of_rows<decltype(Patches::node_patches)>(n, c.node_patches);
+    if (Space::kind == SpaceKind::host) bytes += bytes_of<decltype(Patches::changes)>(c.patches);
+  }
   bytes += bytes_of<decltype(Patches::tet_patches)>(c.tets) + bytes_of<decltype(Patches::nodes)>(c.patches) +
            bytes_of_rows<decltype(Patches::patch_tets)>(c.patches, c.tets) +
-           bytes_of_rows<decltype(Patches::edge_patches)>(c.edges, c.edge_patches) +
            bytes_of<decltype(Patches::volumes)>(c.patches) + bytes_of<decltype(Patches::tangent)>(c.patches);
   return bytes + (injects ? bytes_of<decltype(Patches::parents)>(c.patches) : 0);
 }
 
 /// As ChunkArrays::bytes().
 template <class Real, class Space>
-std::int64_t chunk_bytes(const LevelCounts& finest) {
+std::int64_t chunk_bytes(const LevelCounts& finest, bool assembled) {
   using Arrays = fem::ChunkArrays<Real, Space>;
-  const std::int64_t tets = std::min(finest.tets, std::int64_t{fem::most_chunk_tets(Space::kind)});
+  const std::int64_t most = fem::most_chunk_tets(Space::kind);
+  const std::int64_t tets = assembled ? std::min(finest.tets, most) : finest.tets;
   return bytes_of<decltype(Arrays::corners)>(tets) + bytes_of<decltype(Arrays::tangent)>(tets);
 }
 
 template <class Real, class Space, class Stored>
 RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
   const bool coarser = settings.newton.preconditioner.kind == fem::Preconditioner::multigrid || settings.nested;
-  const std::size_t used = coarser ? levels.size() : 1;
+  std::size_t used = coarser ? levels.size() : 1;
   const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
   const std::size_t solved = settings.nested && used > kept ? used - kept : 1;
+  const bool assembled = settings.newton.product == fem::Product::assembled;
+  if (!assembled) used = solved;
+  const fem::TangentLists lists = fem::tangent_lists<Space>(settings.newton);
+  const bool blocks = settings.newton.preconditioner.kind != fem::Preconditioner::none;
   RunBytes bytes;
   for (std::size_t l = 0; l < used; ++l) {
-    bytes.levels.push_back(linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr) +
-                           (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved) : 0));
+    const std::int64_t linear =
+        assembled ? linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
+                  : matrix_free_bytes<Real, Space, Stored>(levels[l], {blocks, l + 1 < used});
+    bytes.levels.push_back(linear +
+                           (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved, lists) : 0));
   }
-  bytes.levels.front() += chunk_bytes<Real, Space>(levels.front());
+  bytes.levels.front() += chunk_bytes<Real, Space>(levels.front(), assembled);
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
   bytes.stresses = bytes_of<elasticity::StressArray<double, Space>>(levels.front().tets);
   return bytes;
@@ -151,7 +175,8 @@ std::int64_t bytes_of_list(std::int64_t rows, std::int64_t entries) {
 }
 
 /// A LevelGraph.
-std::int64_t bytes_of_graph(const LevelCounts& c, const LevelCounts* coarser) {
+std::int64_t bytes_of_graph(const LevelCounts& c, const LevelCounts* coarser, bool edges) {
+  if (!edges) return c.nodes + (coarser == nullptr ? 0 : 2 * index_bytes * c.nodes);
   const std::int64_t bytes = 2 * index_bytes * c.edges + bytes_of_list(c.nodes, 2 * c.edges) + c.nodes;
   if (coarser == nullptr) return bytes;
   return bytes + 2 * index_bytes * c.nodes + bytes_of_list(coarser->nodes, c.children) +
@@ -182,10 +207,12 @@ std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels)
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const fem::MeshLevel& level = levels[l];
     const fem::LevelGraph& graph = graphs[l];
-    counts.push_back({graph.nodes, static_cast<std::int64_t>(level.mesh.tets.size()),
-                      static_cast<std::int64_t>(graph.edges.size()), static_cast<std::int64_t>(level.mesh.edges.size()),
-                      static_cast<std::int64_t>(level.patches.nodes.size()), pairs_in_patches(level.patches),
-                      entries(graph.children), entries(graph.edge_terms)});
+    counts.push_back(
+        {graph.nodes, static_cast<std::int64_t>(level.mesh.tets.size()), static_cast<std::int64_t>(graph.edges.size()),
+         static_cast<std::int64_t>(level.mesh.edges.size()), static_cast<std::int64_t>(level.patches.nodes.size()),
+         pairs_in_patches(level.patches),
+         std::accumulate(level.patches.node_counts.begin(), level.patches.node_counts.end(), std::int64_t{0}),
+         entries(graph.children), entries(graph.edge_terms)});
   }
   return counts;
 }
@@ -217,13 +244,16 @@ std::int64_t bytes_of_mesh(const LevelCounts& c) {
 RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
   RunBytes bytes =
       settings.device == fem::Device::cuda ? bytes_in<Cuda>(levels, settings) : bytes_in<Host>(levels, settings);
+  const bool assembled = settings.newton.product == fem::Product::assembled;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     // The solver copies the meshes, and its graphs stay until all arrays are made.
-    bytes.lists +=
-        2 * bytes_of_mesh(levels[l]) + bytes_of_graph(levels[l], l + 1 < levels.size() ? &levels[l + 1] : nullptr);
+    const LevelCounts* coarser = l + 1 < levels.size() ? &levels[l + 1] : nullptr;
+    bytes.lists += 2 * bytes_of_mesh(levels[l]) + bytes_of_graph(levels[l], coarser, assembled);
   }
   const LevelCounts& finest = levels.front();
-  bytes.lists += bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches);
+  bytes.lists += assembled
+                     ? bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches)
+                     : bytes_of_list(finest.nodes, finest.node_patches);
   return bytes;
 }
 

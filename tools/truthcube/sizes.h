@@ -15,6 +15,7 @@ struct LevelCounts {
   std::int64_t nodes = 0, tets = 0, edges = 0;  ///< edges of the stiffness: those of tets and of patches
   std::int64_t tet_edges = 0;                   ///< edges of tets alone
   std::int64_t patches = 0, edge_patches = 0;   ///< volume patches; pairs of an edge and a patch that has it
+  std::int64_t node_patches = 0;                ///< pairs of a node and a patch that has it
   // To the next coarser level; 0 on the coarsest.
   std::int64_t children = 0, edge_terms = 0;
   bool operator==(const LevelCounts&) const = default;

@@ -72,6 +72,29 @@ TEST_F(SolverOnCuda, solves_with_every_material_and_preconditioner_as_the_cpu_do
   }
 }
 
+TEST_F(SolverOnCuda, solves_without_blocks_of_edges_as_the_cpu_does) {
+  for (const bool patches : {false, true}) {
+    for (const Preconditioner kind : {Preconditioner::block_jacobi, Preconditioner::none}) {
+      for (const TangentPrecision precision : {TangentPrecision::float32, TangentPrecision::float64}) {
+        const Body body = make_truth_cube_body(8, patches);
+        SolverSettings settings;
+        settings.poissons_ratio = 0.45;
+        settings.precision = precision;
+        settings.newton.preconditioner.kind = kind;
+        settings.newton.tolerance = 1e-9;
+        const Solved assembled = compress(body, settings, Device::cuda, {0.05, 0.1});
+        settings.newton.product = Product::matrix_free;
+        const Solved cpu = compress(body, settings, Device::cpu, {0.05, 0.1}),
+                     gpu = compress(body, settings, Device::cuda, {0.05, 0.1});
+        ASSERT_EQ(gpu.result.status, NewtonStatus::converged) << patches;
+        EXPECT_NEAR(gpu.result.iterations, cpu.result.iterations, 0.05 * cpu.result.iterations + 3);
+        EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-9) << patches;
+        EXPECT_LE(largest_distance(assembled.positions, gpu.positions), 1e-9) << patches;
+      }
+    }
+  }
+}
+
 TEST_F(SolverOnCuda, goes_on_from_a_state_that_was_kept) {
   const Body body = make_truth_cube_body(8, true);
   SolverSettings settings;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Tests of the command truthcube as its users run it: command_test.sh RULE PROGRAM FOLDER
+# Tests of the command truthcube as its users run it: command_test.sh RULE PROGRAM FOLDER [LAYOUT]
 set -euo pipefail
-rule=$1 program=$2 folder=$3/$1
+rule=$1 program=$2 folder=$3/$1 built=${4:-schema} # the layout
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
@@ -49,8 +49,10 @@ case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
     for flag in cells mesh refine material young poisson volume compress top device precision layout preconditioner \
-      tolerance stepping historical out restart beads threads dry-run quiet; do expect out "--$flag"; done
-    expect out 'layout \{schema\}'
+      product tolerance stepping historical out restart beads threads dry-run quiet; do expect out "--$flag"; done
+    expect out "layout \{$built\}"
+    expect out "in the layout $built, with products assembled .* or matrix-free"
+    expect out 'product \{assembled, matrix-free\}'
     expect out 'neo-hookean, st-venant-kirchhoff'
     expect out '130 interrupted' ;;
   unknown_names_are_refused_with_the_nearest)
@@ -65,8 +67,31 @@ case $rule in
     expect_refused 'This build has tets, patches' --volume nodes
     expect_refused 'This build has multigrid, block-jacobi, none' --preconditioner schwarz ;;
   layouts_that_are_not_built_are_refused)
-    expect_refused 'no layout aos[.] This build has schema' --layout aos
-    expect_exit 0 --layout schema "${small[@]}" --dry-run ;;
+    for layout in schema aos aos_padded soa aosoa; do
+      if [[ $layout == "$built" ]]; then
+        expect_exit 0 --layout $layout "${small[@]}" --compress 0.02 --out o
+        expect o/run.json "\"layout\": \"$layout\""
+      else
+        expect_refused "this one has $built; configure one with cmake -DPHYSGEN_LAYOUT=$layout" --layout $layout
+      fi
+    done
+    expect_refused "no layout saos; did you mean aos[?] This build has $built" --layout saos ;;
+  products_without_blocks_take_fewer_bytes_and_find_the_same_equilibrium)
+    for kind in none block-jacobi; do
+      for product in assembled matrix-free; do
+        flags=("${small[@]}" --preconditioner $kind --product $product --precision double --tolerance 1e-9 --compress 0.05)
+        expect_exit 0 "${flags[@]}" --dry-run
+        [[ $product == assembled ]] || expect out '^ +0 +125 +384 +0 ' # edges
+        said=$(sed -nE 's/^solver: ([0-9]+) bytes, .*/\1/p' out)
+        expect_exit 0 "${flags[@]}" --out $product
+        took=$(number_of bytes $product/run.json)
+        ((20 * said > 19 * took && 20 * said < 21 * took)) || fail "$product: $said bytes said, $took taken"
+        expect $product/run.json "\"product\": \"$product\""
+      done
+      (($(number_of bytes matrix-free/run.json) < $(number_of bytes assembled/run.json))) || fail 'no fewer bytes'
+      awk -v a="$(number_of energy assembled/run.json)" -v b="$(number_of energy matrix-free/run.json)" \
+        'BEGIN { exit !(a > 0 && (a - b) ^ 2 < 1e-20 * a * a) }' || fail 'another energy'
+    done ;;
   values_out_of_range_are_refused)
     expect_refused 'cells: Value 0 not in range' --cells 0
     expect_refused 'cells: Value -4 not in range' --cells -4
@@ -84,12 +109,15 @@ case $rule in
     expect_refused 'restart continues what is in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
-    expect_refused 'excludes' --historical --precision double ;;
+    expect_refused 'excludes' --historical --precision double
+    expect_refused 'excludes' --historical --product assembled
+    expect_refused '--product matrix-free goes with --preconditioner block-jacobi or none' --product matrix-free ;;
   materials_without_a_volume_part_run_by_tets)
     expect_exit 0 "${small[@]}" --material corotated --volume tets --compress 0.02
     expect out 'solved in' ;;
   the_historical_mode_runs)
-    expect_exit 0 "${small[@]}" --historical --compress 0.02
+    expect_exit 0 "${small[@]}" --historical --compress 0.02 --out o
+    expect o/run.json '"product": "matrix-free"'
     expect out 'solved in' ;;
   an_odd_number_of_cells_falls_back_and_says_so)
     expect_exit 0 --cells 5 --threads 1 --compress 0.02

@@ -25,6 +25,7 @@ RunRecord record_of(int steps) {
                 .tets = 1572864,
                 .bytes = 3'000'000'000,
                 .device = "NVIDIA H200",
+                .layout = "schema",
                 .command = "truthcube --cells 64 --out \"a b\"",
                 .settings = R"({"material":"neo_hookean","young":15000.0,"poisson":0.49,"cells":64})",
                 .setup_seconds = 0.1,
@@ -45,12 +46,13 @@ std::vector<std::string> keys_of(const Json& object) {
 TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   write_run_json(path, record_of(2));
   const Json run = Json::parse(read_text(path));
-  EXPECT_EQ(keys_of(run), (std::vector<std::string>{"nodes", "tets", "bytes", "device", "command", "setup_seconds",
-                                                    "settings", "steps"}));
+  EXPECT_EQ(keys_of(run), (std::vector<std::string>{"nodes", "tets", "bytes", "device", "layout", "command",
+                                                    "setup_seconds", "settings", "steps"}));
   EXPECT_EQ(run["nodes"], 274625);
   EXPECT_EQ(run["tets"], 1572864);
   EXPECT_EQ(run["bytes"], 3'000'000'000);
   EXPECT_EQ(run["device"], "NVIDIA H200");
+  EXPECT_EQ(run["layout"], "schema");
   EXPECT_EQ(run["command"], "truthcube --cells 64 --out \"a b\"");
   EXPECT_EQ(run["setup_seconds"], 0.1);
   EXPECT_EQ(run["settings"]["material"], "neo_hookean");

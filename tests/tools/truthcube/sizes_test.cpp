@@ -66,6 +66,23 @@ TEST_P(Bytes, without_coarser_levels_are_those_of_the_solver) {
   EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings).levels.size(), 1U);
 }
 
+TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fewer) {
+  for (const bool nested : {false, true}) {
+    for (const auto kind : {fem::Preconditioner::none, fem::Preconditioner::block_jacobi}) {
+      fem::SolverSettings settings;
+      settings.nested = nested;
+      settings.newton.preconditioner.kind = kind;
+      const std::int64_t assembled = allocated(settings);
+      const RunBytes lists = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings);
+      settings.newton.product = fem::Product::matrix_free;
+      const std::int64_t real = allocated(settings);
+      EXPECT_EQ(predicted(settings), real);
+      EXPECT_LT(real, assembled);
+      EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings).lists, lists.lists);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cubes, Bytes,
                          ::testing::Values(Case{4, false}, Case{4, true}, Case{8, false}, Case{8, true}, Case{9, true},
                                            Case{12, false}, Case{12, true}, Case{16, false}, Case{16, true},

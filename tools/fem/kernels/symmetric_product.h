@@ -32,6 +32,8 @@ struct alignas(16) Contribution {
 /// per topology.
 class EdgeSums {
  public:
+  /// For no mesh.
+  EdgeSums() = default;
   /// @param mesh its edges (m, n) are ascending, as make_tet_mesh() makes them
   /// @param space where the product will run
   /// @param real_bytes of one scalar: sizeof(float) or sizeof(double)

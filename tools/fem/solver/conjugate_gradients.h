@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/multigrid.h>
+#include <fem/solver/tangent_product.h>
 #include <fem/solver/vector_steps.h>
 
 namespace physgen::fem {
@@ -48,10 +49,11 @@ ClearStep(View) -> ClearStep<View>;
 
 /// Solves K dx = -f to sqrt(r . z) <= tolerance times its first value.
 /// @param loop of this level and these vectors
+/// @param a whose tangents are multiplied with where the level's stiffness is not assembled
 /// @param v its residual holds f, 0 in prescribed components; on return dx, and the recurrence's residual
-/// @pre prepare() has been called for this level and its stiffness
-template <class On, class Levels, class Vectors>
-void solve(On& on, typename On::Loop& loop, Levels& levels, std::size_t top, Vectors& v,
+/// @pre prepare() has been called for this level and its stiffness, or prepare_nodes()
+template <class On, class Arrays, class Levels, class Vectors>
+void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
            const PreconditionerSettings& settings, double tolerance, int most_iterations) {
   auto& level = *levels[top];
   const index_t n = level.nodes();
@@ -76,12 +78,17 @@ void solve(On& on, typename On::Loop& loop, Levels& levels, std::size_t top, Vec
   on.repeat(
       loop, most_iterations,
       [&] {
-        on.run(n,
-               TurnDirection{v.state.const_view(), scales, z, level.node_stiffness.const_view(), direction, product});
-        add_edges(on,
-                  SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
-                                   level.edges.const_view(), p, product},
-                  level.sums);
+        if (level.assembled) {
+          on.run(n,
+                 TurnDirection{v.state.const_view(), scales, z, level.node_stiffness.const_view(), direction, product});
+          add_edges(on,
+                    SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                                     level.edges.const_view(), p, product},
+                    level.sums);
+        } else {
+          on.run(n, TurnDirectionAlone{v.state.const_view(), scales, z, direction, product});
+          add_tangents(on, a, p, product);
+        }
         on.reduce(n, Curvature{p, q}, Sum{}, SetLength{state});
         on.run(n, TakeStep{v.state.const_view(), level.constraints.const_view(), scales, p, q, step, residual, scaled});
         precondition(on, levels, top, settings);

@@ -20,23 +20,30 @@ struct PatchArrays {
   quasistatic::PatchNodesArray<Real, Space> nodes;
   quasistatic::PatchParentArray<Real, Space> parents;  ///< where there is a coarser level
   PatchTetRows<Space> patch_tets;
-  PackedRows<Space> edge_patches;
+  PackedRows<Space> edge_patches, node_patches;  ///< as TangentLists says, the other without rows
   quasistatic::VolumePatchArray<double, Space> volumes;
   quasistatic::PatchTangentArray<Real, Space> tangent;
+  quasistatic::PatchChangeArray<Real, Space> changes;  ///< on the CPU, of products without blocks of edges
 
-  PatchArrays(const MeshLevel& level, const EdgeParts& parts, bool injects)
+  PatchArrays(const MeshLevel& level, const EdgeParts& parts, bool injects, TangentLists lists)
       : tet_patches(moved_to<decltype(tet_patches)>(host_tet_patches(level.patches))),
         nodes(moved_to<decltype(nodes)>(host_nodes(level.patches))),
         patch_tets(host_patch_tets(level)),
-        edge_patches(packed_rows<EdgePatchEntry>(parts.edge_patches, index_t(level.patches.nodes.size()), "patches")),
         volumes(index_t(level.patches.nodes.size())),
         tangent(volumes.size()) {
     if (injects) parents = moved_to<decltype(parents)>(host_parents(level));
+    const index_t patches = volumes.size();
+    if (lists == TangentLists::of_edges) {
+      edge_patches = PackedRows<Space>(packed_rows<EdgePatchEntry>(parts.edge_patches, patches, "patches"));
+    } else if (lists == TangentLists::of_nodes) {
+      node_patches = PackedRows<Space>(packed_rows<NodePatchEntry>(make_node_patches(level), patches, "patches"));
+      if constexpr (Space::kind == SpaceKind::host) changes = decltype(changes)(patches);
+    }
   }
 
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tet_patches, nodes, parents, patch_tets.ranges(), patch_tets.entries(), edge_patches.ranges(),
-                    edge_patches.entries(), volumes, tangent);
+                    edge_patches.entries(), node_patches.ranges(), node_patches.entries(), volumes, tangent, changes);
   }
 
  private:
@@ -86,7 +93,7 @@ struct EquilibriumArrays {
   using Space = Space_;
 
   elasticity::TetArray<Real, Space> tets;
-  PackedRows<Space> node_tets, edge_tets;
+  PackedRows<Space> node_tets, edge_tets;  ///< of edges where TangentLists are
   std::vector<TetChunk> chunks;
   std::unique_ptr<PatchArrays<Real, Space>> patches;       ///< where volumes are averaged
   std::shared_ptr<ChunkArrays<Real, Space>> chunk_arrays;  ///< not in bytes()
@@ -106,10 +113,12 @@ struct EquilibriumArrays {
   double spacing = 0;  ///< the mean distance of neighbours at rest, or about that [m]
 
   /// @param injects whether equilibrium is solved on the next coarser mesh, too, whose pressures patches begin with
+  /// @param lists where they are not of edges, all tets are one chunk
   /// @param shared arrays of another mesh, which has as many tets at least; or none
-  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects,
+  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, TangentLists lists,
                     const std::shared_ptr<ChunkArrays<Real, Space>>& shared)
-      : EquilibriumArrays(level, graph, injects, shared, make_edge_parts(level, graph)) {}
+      : EquilibriumArrays(level, graph, injects, lists, shared,
+                          lists == TangentLists::of_edges ? make_edge_parts(level, graph) : EdgeParts{}) {}
 
   [[nodiscard]] index_t nodes() const { return rest.size(); }
   [[nodiscard]] index_t bytes() const {
@@ -120,14 +129,14 @@ struct EquilibriumArrays {
   [[nodiscard]] index_t tet_count() const { return tets.size(); }
 
  private:
-  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects,
+  EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, TangentLists lists,
                     const std::shared_ptr<ChunkArrays<Real, Space>>& shared, const EdgeParts& parts)
       : tets(moved_to<decltype(tets)>(host_tets(level))),
         node_tets(packed_rows<NodeTetEntry>(level.mesh.node_tets, index_t(level.mesh.tets.size()), "tets")),
-        edge_tets(packed_rows<EdgeTetEntry>(parts.edge_tets, index_t(level.mesh.tets.size()), "tets")),
-        chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Space::kind))),
+        chunks(make_tet_chunks(level.mesh, graph.edges,
+                               lists == TangentLists::of_edges ? most_chunk_tets(Space::kind) : tets.size())),
         patches(level.patches.nodes.empty() ? nullptr
-                                            : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects)),
+                                            : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects, lists)),
         chunk_arrays(shared != nullptr ? shared : std::make_shared<ChunkArrays<Real, Space>>(chunks.front().tets())),
         rest(moved_to<decltype(rest)>(host_positions(level))),
         positions(moved_to<decltype(positions)>(rest)),
@@ -139,7 +148,10 @@ struct EquilibriumArrays {
         trial_forces(graph.nodes),
         increment(graph.nodes),
         state(1),
-        spacing(mean_spacing(level)) {}
+        spacing(mean_spacing(level)) {
+    if (lists != TangentLists::of_edges) return;
+    edge_tets = PackedRows<Space>(packed_rows<EdgeTetEntry>(parts.edge_tets, tets.size(), "tets"));
+  }
 
   /// The side of a cube as large as the six tets that a node has on average.
   static double mean_spacing(const MeshLevel& level) {

@@ -144,7 +144,7 @@ void add_galerkin_terms(LevelGraph& fine, const LevelGraph& coarse) {
 
 }  // namespace
 
-std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels) {
+std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels, bool edges) {
   std::vector<LevelGraph> graphs(levels.size());
   std::vector<Pair> inherited;
   for (std::size_t l = 0; l < levels.size(); ++l) {
@@ -158,12 +158,14 @@ std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels) 
                   std::to_string(level.rest.size()) + " positions and " + std::to_string(level.fixed.size()) +
                   " constraints");
     }
-    graph.edges = std::move(inherited);
-    graph.edges.insert(graph.edges.end(), level.mesh.edges.begin(), level.mesh.edges.end());
-    const std::vector<Pair> pairs = patch_pairs(level.patches);
-    graph.edges.insert(graph.edges.end(), pairs.begin(), pairs.end());
-    sort_unique(graph.edges);
-    graph.node_edges = node_edges_of(graph.nodes, graph.edges);
+    if (edges) {
+      graph.edges = std::move(inherited);
+      graph.edges.insert(graph.edges.end(), level.mesh.edges.begin(), level.mesh.edges.end());
+      const std::vector<Pair> pairs = patch_pairs(level.patches);
+      graph.edges.insert(graph.edges.end(), pairs.begin(), pairs.end());
+      sort_unique(graph.edges);
+      graph.node_edges = node_edges_of(graph.nodes, graph.edges);
+    }
     if (l + 1 == levels.size()) break;
     const Index coarse_nodes = levels[l + 1].mesh.nodes;
     const auto outside = [&](const Pair& p) {
@@ -183,6 +185,7 @@ std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels) 
                     " on the next coarser level; prescribe them there, too");
       }
     }
+    if (!edges) continue;
     Lists children(static_cast<std::size_t>(coarse_nodes));
     for (std::size_t a = 0; a < size; ++a) {
       const auto [p, q] = graph.parents[a];
@@ -193,7 +196,7 @@ std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels) 
     inherited.clear();
     add_coarse_pairs(graph.edges, graph.parents, inherited);
   }
-  for (std::size_t l = 0; l + 1 < graphs.size(); ++l) add_galerkin_terms(graphs[l], graphs[l + 1]);
+  for (std::size_t l = 0; edges && l + 1 < graphs.size(); ++l) add_galerkin_terms(graphs[l], graphs[l + 1]);
   return graphs;
 }
 
@@ -218,6 +221,16 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
     }
   }
   return {tets.take(), patches.take()};
+}
+
+IncidenceList make_node_patches(const MeshLevel& level) {
+  Lists patches(static_cast<std::size_t>(level.mesh.nodes));
+  for (std::size_t p = 0; p < level.patches.nodes.size(); ++p) {
+    for (Index slot = 0; slot < level.patches.node_counts[p]; ++slot) {
+      patches.add(level.patches.nodes[p][static_cast<std::size_t>(slot)], static_cast<Index>(p), slot);
+    }
+  }
+  return patches.take();
 }
 
 std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest) {

@@ -41,11 +41,15 @@ struct EdgeParts {
 };
 
 /// Graphs of all levels, finest first.
+/// @param edges whether there are any; else nodes, constraints and parents alone
 /// @throw Error when parents do not fit the coarser mesh, sizes differ, or a list would exceed 2^31 entries
-[[nodiscard]] std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels);
+[[nodiscard]] std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels, bool edges = true);
 
 /// @pre the graph is that of the mesh
 [[nodiscard]] EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph);
+
+/// Per node: patch, slot.
+[[nodiscard]] IncidenceList make_node_patches(const MeshLevel& level);
 
 /// The cube of cells^3 cells in levels of half as many cells each, as long as the number is even and above `coarsest`.
 /// @param side [m]; base in the plane z = 0, corner in the origin

@@ -28,6 +28,12 @@ struct StoredInHalf {
   };
 };
 
+/// What a level needs whose stiffness is not assembled.
+struct MatrixFree {
+  bool blocks;   ///< whether the inverses of nodes' blocks precondition
+  bool coarser;  ///< whether the next coarser level is solved on, too
+};
+
 /// @tparam Real of the stiffness
 /// @tparam Stored StoredAsComputed or StoredInHalf
 template <class Real_, class Space_, class Stored_>
@@ -36,6 +42,7 @@ struct LinearLevel {
   using Space = Space_;
   using Stored = Stored_;
 
+  bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
   quasistatic::NodeConstraintArray<Real, Space> constraints;
   elasticity::EdgeArray<Real, Space> edges;
   PackedRows<Space> node_edges;
@@ -92,7 +99,20 @@ struct LinearLevel {
     edge_terms = PackedRows<Space>(packed_rows<EdgeTermEntry>(graph.edge_terms, blocks, "edges"));
   }
 
-  [[nodiscard]] index_t nodes() const { return node_stiffness.size(); }
+  LinearLevel(const LevelGraph& graph, MatrixFree needs)
+      : assembled(false),
+        constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
+        scales(moved_to<decltype(scales)>(host_unit_scales(graph))),
+        residual(graph.nodes),
+        correction(graph.nodes) {
+    if (needs.blocks) {
+      node_stiffness = decltype(node_stiffness)(graph.nodes);
+      inverse = decltype(inverse)(graph.nodes);
+    }
+    if (needs.coarser) parents = moved_to<decltype(parents)>(host_parents(graph));
+  }
+
+  [[nodiscard]] index_t nodes() const { return constraints.size(); }
   [[nodiscard]] index_t bytes() const {
     return bytes_of(constraints, edges, node_edges.ranges(), node_edges.entries(), node_stiffness, edge_stiffness,
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
@@ -106,6 +126,14 @@ struct LinearLevel {
   static auto host_constraints(const LevelGraph& graph) {
     quasistatic::NodeConstraintArray<Real> array(graph.nodes);
     for (index_t n = 0; n < array.size(); ++n) array.view()[n].fixed() = graph.fixed[std::size_t(n)];
+    return array;
+  }
+  static auto host_unit_scales(const LevelGraph& graph) {
+    quasistatic::NodeScaleArray<Real> array(graph.nodes);
+    for (index_t n = 0; n < array.size(); ++n) {
+      array.view()[n].scale() = Real(1);
+      array.view()[n].inverse() = Real(1);
+    }
     return array;
   }
   static auto host_edges(const LevelGraph& graph) {

@@ -53,24 +53,43 @@ void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator,
                                          level.node_stiffness.view()});
 }
 
-/// Assembles the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.
+/// df = K dx of the tangent of level `top`.
+template <class On, class Arrays, class Level, class DisplacementView, class DifferentialView>
+void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& dx, const DifferentialView& df) {
+  if (level.assembled) {
+    multiply(on,
+             SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                              level.edges.const_view(), dx, df},
+             level.sums);
+  } else {
+    on.run(a.nodes(), ClearDifferentials{df});
+    add_tangents(on, a, dx, df);
+  }
+}
+
+/// Forms the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.
 template <class On, class Arrays, class Levels, class Vectors>
 LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
                         Evaluator<On, Arrays>& evaluator, TangentFilter filter, const NewtonSettings& settings,
                         bool has_increment, bool fresh, double forcing) {
   auto& level = *levels[top];
-  assemble(on, a, level, evaluator, filter);
+  if (level.assembled) {
+    assemble(on, a, level, evaluator, filter);
+  } else {
+    evaluator.evaluate_tangents(on, a, a.chunks.front(), filter);  // which is all tets
+  }
   if (has_increment) {
     on.run(a.nodes(), CastIncrement{a.increment.const_view(), v.direction.view()});
-    multiply(on,
-             SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
-                              level.edges.const_view(), v.direction.const_view(), v.residual.view()},
-             level.sums);
+    multiply_tangent(on, a, level, v.direction.const_view(), v.residual.view());
   }
   on.run(a.nodes(),
          BeginResidual{a.forces.const_view(), level.constraints.const_view(), has_increment, v.residual.view()});
-  prepare(on, levels, top, settings.preconditioner, fresh);
-  solve(on, loop, levels, top, v, settings.preconditioner, forcing, settings.most_iterations);
+  if (level.assembled) {
+    prepare(on, levels, top, settings.preconditioner, fresh);
+  } else {
+    prepare_nodes(on, a, level, settings.preconditioner);
+  }
+  solve(on, loop, a, levels, top, v, settings.preconditioner, forcing, settings.most_iterations);
   return linear_result(on, v);
 }
 

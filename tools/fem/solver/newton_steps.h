@@ -2,11 +2,9 @@
 #pragma once
 
 #include <fem/numerics/scalar.h>
+#include <fem/solver/corner_sums.h>
 #include <fem/solver/free_part.h>
-#include <fem/solver/packed_rows.h>
-#include <fem/solver/tet_chunks.h>
 #include <physgen/kernel.h>
-#include <physgen/rows.h>
 
 namespace physgen::fem {
 
@@ -24,21 +22,9 @@ struct SumForces {
   PHYSGEN_FUNCTION void operator()(index_t i) const {
     using Vector = Vector3<Scalar>;
     const index_t node = chunk.first_node + i;
-    Vector f = chunk.is_first() ? Vector(Vector(loads[node].f().get()) * load) : Vector(forces[node].f().get());
-    node_tets.for_each(node, [&](const auto& entry, bool /*active*/) {
-      const index_t t = NodeTetEntry::element(entry);
-      if (!chunk.has(t)) return;
-      const auto tet = corners[t - chunk.first_tet];
-      const int corner = NodeTetEntry::local(entry);
-      if (corner == 0) {
-        const Matrix3<Scalar> all = tet.G();
-        f -= all.col(0) + all.col(1) + all.col(2);
-      } else {
-        const auto G = tet.G();
-        const int first = 3 * (corner - 1);
-        f += Vector(G[first], G[first + 1], G[first + 2]);
-      }
-    });
+    const Vector before =
+        chunk.is_first() ? Vector(Vector(loads[node].f().get()) * load) : Vector(forces[node].f().get());
+    const Vector f = detail::add_corners<Scalar>(chunk, node_tets, corners, node, before);
     forces[node].f() = f;
   }
 };

@@ -43,6 +43,12 @@ void require_settings(const SolverSettings& settings) {
   require_least("the number of iterations of conjugate gradients", newton.most_iterations, 1);
   require_least("the number of halvings of a step", newton.most_halvings, 0);
   require_least("the number of bisections of an increment", settings.most_bisections, 0);
+  if (newton.product == Product::matrix_free && preconditioner.kind != Preconditioner::block_jacobi &&
+      preconditioner.kind != Preconditioner::none) {
+    throw Error(
+        "the matrix-free product goes with block Jacobi or no preconditioner: levels of multigrid are formed from "
+        "blocks of edges, which it does without");
+  }
   require_least("the degree of the smoother", preconditioner.degree, 1);
   require_least("the number of power iterations", preconditioner.first_power_steps, 1);
   require_least("the number of power iterations", preconditioner.next_power_steps, 1);

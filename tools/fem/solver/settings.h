@@ -23,6 +23,12 @@ struct LinearResult {
 
 enum class Preconditioner { multigrid, block_jacobi, none };
 
+/// How the tangent is multiplied with a vector.
+enum class Product {
+  assembled,    ///< from blocks of nodes and edges, of which the symmetric half is stored
+  matrix_free,  ///< from the tangents of tets and patches themselves: no blocks of edges, nor lists of them
+};
+
 /// What the preconditioner is made of.
 struct PreconditionerSettings {
   Preconditioner kind = Preconditioner::multigrid;
@@ -43,6 +49,7 @@ struct NewtonSettings {
   /// A full step may raise the energy, if no tet is inverted and the next makes up for it.
   bool full_steps_first = true;
   int most_returns = 8;  ///< half the way to rest, where nothing pulls and yet tets are inverted or flat
+  Product product = Product::assembled;
   PreconditionerSettings preconditioner;
 
   // What a solver fills in.

@@ -5,6 +5,7 @@
 #include <fem/mesh/mesh_arrays.h>
 #include <fem/solver/hierarchy.h>
 #include <fem/solver/packed_rows.h>
+#include <fem/solver/settings.h>
 #include <quasistatic.physgen.h>
 
 namespace physgen::fem {
@@ -26,6 +27,19 @@ template <class Array, class From>
 template <class... Arrays>
 [[nodiscard]] index_t bytes_of(const Arrays&... arrays) {
   return (index_t{0} + ... + arrays.bytes());
+}
+
+/// By which lists the parts of the tangent that patches and tets have are summed, beside the tets of each node.
+enum class TangentLists {
+  of_edges,  ///< tets and patches of each edge: the assembled tangent
+  of_nodes,  ///< patches of each node: sums at nodes of a product without blocks of edges, and nodes' blocks
+  none,      ///< such a product by atomics, without nodes' blocks
+};
+template <class Space>
+[[nodiscard]] TangentLists tangent_lists(const NewtonSettings& settings) {
+  if (settings.product == Product::assembled) return TangentLists::of_edges;
+  const bool blocks = settings.preconditioner.kind != Preconditioner::none;
+  return blocks || Space::kind == SpaceKind::host ? TangentLists::of_nodes : TangentLists::none;
 }
 
 }  // namespace physgen::fem

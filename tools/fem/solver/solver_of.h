@@ -38,16 +38,22 @@ class SolverOf final : public QuasistaticSolver {
         evaluator_(make_evaluator<On, Arrays>(settings.material, settings.youngs_modulus, settings.poissons_ratio,
                                               !levels.front().patches.nodes.empty())) {
     const bool coarser = settings.newton.preconditioner.kind == Preconditioner::multigrid || settings.nested;
-    const std::size_t used = coarser ? levels.size() : 1;
-    std::vector<MeshLevel> own(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(used));
-    const std::vector<LevelGraph> graphs = make_level_graphs(own);
+    const bool assembled = settings.newton.product == Product::assembled;
+    std::size_t used = coarser ? levels.size() : 1;
     const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
     solved_ = settings.nested && used > kept ? used - kept : 1;
+    if (!assembled) used = solved_;
+    std::vector<MeshLevel> own(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(used));
+    const std::vector<LevelGraph> graphs = make_level_graphs(own, assembled);
+    const TangentLists lists = tangent_lists<Space>(settings.newton);
+    const bool blocks = settings.newton.preconditioner.kind != Preconditioner::none;
     std::vector<Point> motion = loading.motion, forces = loading.forces;
     for (std::size_t l = 0; l < used; ++l) {
-      linear_.push_back(std::make_unique<Level>(graphs[l], l + 1 < used ? &graphs[l + 1] : nullptr));
+      const LevelGraph* next = l + 1 < used ? &graphs[l + 1] : nullptr;
+      linear_.push_back(assembled ? std::make_unique<Level>(graphs[l], next)
+                                  : std::make_unique<Level>(graphs[l], MatrixFree{blocks, next != nullptr}));
       if (l < solved_) {
-        arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_,
+        arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_, lists,
                                                    l == 0 ? nullptr : arrays_.front()->chunk_arrays));
         vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
         loops_.emplace_back();

@@ -166,6 +166,43 @@ struct TurnDirection {
 template <class... Views>
 TurnDirection(Views...) -> TurnDirection<Views...>;
 
+/// p = s z + beta p, and K p = 0, to which a product is added.
+template <class StateView, class ScaleView, class CorrectionView, class DirectionView, class ProductView>
+struct TurnDirectionAlone {
+  using Scalar = typename DirectionView::Precision;
+  StateView state;             ///< quasistatic::LinearSolve
+  ScaleView scales;            ///< quasistatic::NodeScale: s
+  CorrectionView corrections;  ///< elasticity::NodeDisplacement: z
+  DirectionView direction;     ///< elasticity::NodeDisplacement: p
+  ProductView product;         ///< elasticity::NodeForceDifferential, written
+
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    const double kept = state[index_t{0}].beta();
+    const Vector3<S> z = corrections[i].dx(), p = direction[i].dx();
+    direction[i].dx() = Vector3<S>(z * S(scales[i].scale()) + p * S(static_cast<Scalar>(kept)));
+    product[i].df() = Vector3<S>(Vector3<S>::Constant(S(Scalar(0))));
+  }
+};
+template <class... Views>
+TurnDirectionAlone(Views...) -> TurnDirectionAlone<Views...>;
+
+/// df = 0
+template <class DifferentialView>
+struct ClearDifferentials {
+  using Scalar = typename DifferentialView::Precision;
+  DifferentialView differentials;  ///< elasticity::NodeForceDifferential, written
+
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = lanes_t<Scalar, I>;
+    differentials[i].df() = Vector3<S>(Vector3<S>::Constant(S(Scalar(0))));
+  }
+};
+template <class View>
+ClearDifferentials(View) -> ClearDifferentials<View>;
+
 /// Whether a solve has ended.
 template <class StateView>
 struct HasEnded {

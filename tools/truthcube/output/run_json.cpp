@@ -44,6 +44,7 @@ void visit_run(Record& run, const Visit& visit) {
   visit("tets", run.tets);
   visit("bytes", run.bytes);
   visit("device", run.device);
+  visit("layout", run.layout);
   visit("command", run.command);
   visit("setup_seconds", run.setup_seconds);
 }

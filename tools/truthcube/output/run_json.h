@@ -39,6 +39,7 @@ struct RunRecord {
   std::int64_t nodes = 0, tets = 0;
   std::int64_t bytes = 0;       ///< of all arrays of the solver
   std::string device;           ///< "cpu", or the name of the GPU
+  std::string layout;           ///< of all arrays: "schema", or one for all, such as "aos"
   std::string command;          ///< as it was typed
   std::string settings = "{}";  ///< a JSON object: material, young, poisson, volume, cells, preconditioner, ...
   double setup_seconds = 0;
