@@ -49,6 +49,7 @@ const Names<fem::TangentPrecision> precisions{{"half", fem::TangentPrecision::ha
                                               {"float", fem::TangentPrecision::float32},
                                               {"double", fem::TangentPrecision::float64}};
 const Names<fem::Preconditioner> preconditioners{{"multigrid", fem::Preconditioner::multigrid},
+                                                 {"schwarz", fem::Preconditioner::schwarz},
                                                  {"block-jacobi", fem::Preconditioner::block_jacobi},
                                                  {"none", fem::Preconditioner::none}};
 const Names<bool> steppings{{"nested", true}, {"loads", false}};  // whether nested
@@ -200,8 +201,9 @@ Options parse(const std::vector<std::string>& arguments) {
   add_choice(app, "--layout", layout, layouts, "layout",
              "of all arrays, a choice of the build; schema: as schemas/*.h say, nodes in padded records, elements in "
              "tiles");
-  auto* preconditioner = add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners,
-                                    "preconditioner", "of conjugate gradients");
+  auto* preconditioner =
+      add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners, "preconditioner",
+                 "of conjugate gradients; schwarz: blocks of 32 nodes in levels, for any mesh");
   app.add_option("--tolerance", options.solver.newton.tolerance, "of the residual, 1e-14 to 0.1")->type_name("T");
   auto* stepping =
       add_choice(app, "--stepping", options.solver.nested, steppings, "way of stepping",

@@ -47,6 +47,9 @@ class SolverOf final : public QuasistaticSolver {
     for (std::size_t l = 0; l < used; ++l) {
       linear_.push_back(std::make_unique<Level>(graphs[l], l + 1 < used ? &graphs[l + 1] : nullptr));
       if (l < solved_) {
+        if (settings.newton.preconditioner.kind == Preconditioner::schwarz) {
+          linear_.back()->use_schwarz(graphs[l], own[l].rest);
+        }
         arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_));
         vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
         loops_.emplace_back();
