@@ -87,6 +87,51 @@ struct PHYSGEN_OBJECT() PatchChange {
   PHYSGEN(unit("N/m^2")) Scalar change;  ///< k g . dx
 };
 
+// ---- The multilevel Schwarz preconditioner: blocks of 32 nodes, then of 32 supernodes, level after level ----
+
+/// Where a node stands in the order of blocks.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) SchwarzNode {
+  Index slot;  ///< number of its SchwarzSlot; -1: all its components are prescribed
+};
+
+/// A place in a block: slots 32 b .. 32 b + 31 are those of block b.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) SchwarzSlot {
+  Index source;  ///< which node stands here, or behind the first level which supernode; -1: none
+  Index parent;  ///< the supernode of the next level that it belongs to; -1 on the last level
+};
+
+/// A block of 32 slots.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) SchwarzBlock {
+  Scalar scale;    ///< a power of two, by which the stored factor is smaller than the real one
+  Index parent;    ///< the block of the next level that its supernodes belong to; -1 on the last level
+  Index children;  ///< how many blocks of the level before have this one as their parent
+  Index arrived;   ///< how many of them have handed their forces over; 0 between two applications
+};
+
+/// Nodes that are connected within one block, and move as one on the next level.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Supernode {
+  PHYSGEN(unit("N/m")) Symmetric<3> K;       ///< sum of the stiffness of its nodes and of the edges among them
+  PHYSGEN(unit("N/m")) Vector<3> magnitude;  ///< sum of its nodes' |K_kk|: what rounding is measured against
+};
+
+/// What a supernode, or a pair of them, is summed from.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) SchwarzTerm {
+  Index source;  ///< a node or an edge of the level before
+  Index kind;    ///< of a supernode: 0 a node, 1 an edge inside; of a pair: 0 an edge, 1 an edge the other way round
+};
+
+/// An edge whose two ends stand in one block.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) SchwarzPair {
+  Index edge;    ///< its number
+  Index places;  ///< that of m + 32 that of n
+};
+
+/// A part of W, W^T W being the inverse of a block's -K: 3x3 blocks of the lower triangle, diagonal after diagonal.
+/// Those i + d below, i and, of a distance of 32 - d, i below, i + d - 32 share the 32 objects of d.
+struct PHYSGEN_OBJECT() SchwarzFactor {
+  Matrix<3, 3> W;  ///< of block b in objects 544 b + 32 d + i, d = 0 .. 16
+};
+
 // ---- One object each: numbers that kernels leave for kernels ----
 
 /// Conjugate gradients; in double.

@@ -50,6 +50,7 @@ const Names<fem::TangentPrecision> precisions{{"half", fem::TangentPrecision::ha
                                               {"float", fem::TangentPrecision::float32},
                                               {"double", fem::TangentPrecision::float64}};
 const Names<fem::Preconditioner> preconditioners{{"multigrid", fem::Preconditioner::multigrid},
+                                                 {"schwarz", fem::Preconditioner::schwarz},
                                                  {"block-jacobi", fem::Preconditioner::block_jacobi},
                                                  {"none", fem::Preconditioner::none}};
 const Names<bool> steppings{{"nested", true}, {"loads", false}};  // whether nested
@@ -149,7 +150,8 @@ void check(const Options& options) {
   require(newton.product == fem::Product::assembled ||
               newton.preconditioner.kind == fem::Preconditioner::block_jacobi ||
               newton.preconditioner.kind == fem::Preconditioner::none,
-          "--product matrix-free goes with --preconditioner block-jacobi or none: the levels of multigrid are formed "
+          "--product matrix-free goes with --preconditioner block-jacobi or none: the levels of multigrid and the "
+          "blocks of Schwarz are formed "
           "from blocks of edges, which it does without");
   require(!options.restart || !options.out.empty(), "--restart continues what is in --out DIR, which is missing");
   require(options.refinements == 0 || !options.mesh.empty(),
@@ -220,8 +222,9 @@ Options parse(const std::vector<std::string>& arguments) {
          "of all arrays, a choice of the build; schema: as schemas/*.h say, nodes in padded records, elements in tiles")
       ->type_name("{" + built_layout() + "}")
       ->default_str(built_layout());
-  auto* preconditioner = add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners,
-                                    "preconditioner", "of conjugate gradients");
+  auto* preconditioner =
+      add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners, "preconditioner",
+                 "of conjugate gradients; schwarz: blocks of 32 nodes in levels, for any mesh");
   auto* product = add_choice(app, "--product", options.solver.newton.product, products, "product",
                              "of the tangent with vectors: from assembled blocks of nodes and edges, or matrix-free, "
                              "tet by tet, which takes less memory and no multigrid");

@@ -91,6 +91,25 @@ std::int64_t matrix_free_bytes(const LevelCounts& c, fem::MatrixFree needs) {
          (needs.coarser ? bytes_of<decltype(Level::parents)>(n) : 0);
 }
 
+/// As SchwarzArrays::bytes(), from above: blocks follow a curve through the nodes, so their number is not known before;
+/// what stands here of supernodes and edges is what cubes have.
+template <class Real, class Space, class Stored>
+std::int64_t schwarz_bytes(const LevelCounts& c) {
+  using Arrays = typename decltype(fem::LinearLevel<Real, Space, Stored>::schwarz)::element_type;
+  const std::int64_t blocks = (c.nodes + fem::schwarz_slots - 1) / fem::schwarz_slots;  // if none were prescribed
+  const std::int64_t coarse = blocks > 1 ? 1 + blocks / 18 : 0, all = blocks + coarse;
+  const std::int64_t supernodes = fem::schwarz_slots * coarse, pairs = supernodes * c.edges / c.nodes;
+  const std::int64_t inside = c.edges * 2 / 5, between = c.edges - inside;
+  return bytes_of<decltype(Arrays::nodes)>(c.nodes) + bytes_of<decltype(Arrays::slots)>(fem::schwarz_slots * all) +
+         bytes_of<decltype(Arrays::blocks)>(all) +
+         bytes_of_rows<decltype(Arrays::supernode_terms)>(supernodes, c.nodes + inside) +
+         bytes_of_rows<decltype(Arrays::pair_terms)>(pairs, between) +
+         bytes_of_rows<decltype(Arrays::block_edges)>(all, inside) +
+         bytes_of<decltype(Arrays::supernodes)>(supernodes) + bytes_of<decltype(Arrays::pair_stiffness)>(pairs) +
+         bytes_of<decltype(Arrays::residual)>(supernodes) + bytes_of<decltype(Arrays::correction)>(supernodes) +
+         bytes_of<decltype(Arrays::factors)>(fem::schwarz_factors * all);
+}
+
 /// As EquilibriumArrays::bytes() and KrylovVectors::bytes().
 template <class Real, class Space>
 std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects, fem::TangentLists lists) {
@@ -141,13 +160,15 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
   if (!assembled) used = solved;
   const fem::TangentLists lists = fem::tangent_lists<Space>(settings.newton);
   const bool blocks = settings.newton.preconditioner.kind != fem::Preconditioner::none;
+  const bool schwarz = settings.newton.preconditioner.kind == fem::Preconditioner::schwarz;
   RunBytes bytes;
   for (std::size_t l = 0; l < used; ++l) {
     const std::int64_t linear =
         assembled ? linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
                   : matrix_free_bytes<Real, Space, Stored>(levels[l], {blocks, l + 1 < used});
     bytes.levels.push_back(linear +
-                           (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved, lists) : 0));
+                           (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved, lists) : 0) +
+                           (l < solved && schwarz ? schwarz_bytes<Real, Space, Stored>(levels[l]) : 0));
   }
   bytes.levels.front() += chunk_bytes<Real, Space>(levels.front(), assembled);
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
@@ -251,6 +272,9 @@ RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverS
     bytes.lists += 2 * bytes_of_mesh(levels[l]) + bytes_of_graph(levels[l], coarser, assembled);
   }
   const LevelCounts& finest = levels.front();
+  if (settings.newton.preconditioner.kind == fem::Preconditioner::schwarz) {  // its slots, edges and terms
+    bytes.lists += 2 * index_bytes * (2 * finest.nodes + 2 * finest.edges);
+  }
   bytes.lists += assembled
                      ? bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches)
                      : bytes_of_list(finest.nodes, finest.node_patches);

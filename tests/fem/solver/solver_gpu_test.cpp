@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <physgen/storage.h>
 
+#include <algorithm>
+
 #include "bodies.h"
 
 namespace physgen::fem {
@@ -58,7 +60,8 @@ TEST_F(SolverOnCuda, finds_the_equilibrium_that_the_cpu_finds) {
 
 TEST_F(SolverOnCuda, solves_with_every_material_and_preconditioner_as_the_cpu_does) {
   for (const std::string& material : material_names()) {
-    for (const Preconditioner kind : {Preconditioner::multigrid, Preconditioner::block_jacobi, Preconditioner::none}) {
+    for (const Preconditioner kind :
+         {Preconditioner::multigrid, Preconditioner::schwarz, Preconditioner::block_jacobi, Preconditioner::none}) {
       const Body body = make_truth_cube_body(4, can_average_volume(material));
       SolverSettings settings;
       settings.material = material;
@@ -90,6 +93,37 @@ TEST_F(SolverOnCuda, solves_without_blocks_of_edges_as_the_cpu_does) {
         EXPECT_NEAR(gpu.result.iterations, cpu.result.iterations, 0.05 * cpu.result.iterations + 3);
         EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-9) << patches;
         EXPECT_LE(largest_distance(assembled.positions, gpu.positions), 1e-9) << patches;
+      }
+    }
+  }
+}
+
+TEST_F(SolverOnCuda, schwarz_takes_the_steps_that_it_takes_on_the_cpu_again_and_again) {
+  for (const TangentPrecision precision :
+       {TangentPrecision::half, TangentPrecision::float32, TangentPrecision::float64}) {
+    for (const Index cells : {3, 9, 12}) {  // two levels of blocks, and three
+      const Body body = make_truth_cube_body(cells, true, true);
+      SolverSettings settings;
+      settings.precision = precision;
+      settings.nested = false;
+      settings.newton.preconditioner.kind = Preconditioner::schwarz;
+      const auto cpu = make_solver(body.levels, body.loading, settings);
+      settings.device = Device::cuda;
+      const auto gpu = make_solver(body.levels, body.loading, settings);
+      std::mt19937_64 random(131);
+      std::uniform_real_distribution<double> number(-1, 1);
+      for (int k = 0; k < 3; ++k) {
+        std::vector<Point> forces(body.levels[0].rest.size());
+        for (Point& f : forces) f = {number(random), number(random), number(random)};
+        std::vector<Point> expected, found;
+        const double tolerance = precision == TangentPrecision::float64 ? 1e-10 : 1e-4;
+        const LinearResult on_cpu = cpu->solve_linear(forces, tolerance, &expected);
+        const LinearResult on_gpu = gpu->solve_linear(forces, tolerance, &found);
+        ASSERT_EQ(on_gpu.status, LinearStatus::converged);
+        EXPECT_NEAR(on_gpu.iterations, on_cpu.iterations, 1 + on_cpu.iterations / 50);
+        double largest = 0;
+        for (const Point& x : expected) largest = std::max({largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+        EXPECT_LE(largest_distance(expected, found), 100 * tolerance * largest) << cells;
       }
     }
   }

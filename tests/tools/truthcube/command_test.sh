@@ -65,7 +65,7 @@ case $rule in
     expect_refused 'did you mean bonded[?]' --top bounded
     expect_refused 'no device gpu.* This build has cpu' --device gpu
     expect_refused 'This build has tets, patches' --volume nodes
-    expect_refused 'This build has multigrid, block-jacobi, none' --preconditioner schwarz ;;
+    expect_refused 'did you mean schwarz[?] This build has multigrid, schwarz, block-jacobi, none' --preconditioner schwartz ;;
   layouts_that_are_not_built_are_refused)
     for layout in schema aos aos_padded soa aosoa; do
       if [[ $layout == "$built" ]]; then
@@ -114,6 +114,10 @@ case $rule in
     expect_refused '--product matrix-free goes with --preconditioner block-jacobi or none' --product matrix-free ;;
   materials_without_a_volume_part_run_by_tets)
     expect_exit 0 "${small[@]}" --material corotated --volume tets --compress 0.02
+    expect out 'solved in' ;;
+  schwarz_blocks_precondition_what_has_no_coarser_mesh)
+    expect_exit 0 --cells 5 --threads 1 --compress 0.02 --preconditioner schwarz
+    expect_no out 'note:'
     expect out 'solved in' ;;
   the_historical_mode_runs)
     expect_exit 0 "${small[@]}" --historical --compress 0.02 --out o

@@ -83,6 +83,21 @@ TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fe
   }
 }
 
+TEST_P(Bytes, of_the_schwarz_preconditioner_are_those_of_the_solver) {
+  for (const auto precision : {fem::TangentPrecision::half, fem::TangentPrecision::float64}) {
+    for (const bool nested : {false, true}) {
+      fem::SolverSettings settings;
+      settings.precision = precision;
+      settings.nested = nested;
+      settings.newton.preconditioner.kind = fem::Preconditioner::schwarz;
+      expect_near(settings);
+      fem::SolverSettings without = settings;
+      without.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
+      EXPECT_GT(allocated(settings), allocated(without));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cubes, Bytes,
                          ::testing::Values(Case{4, false}, Case{4, true}, Case{8, false}, Case{8, true}, Case{9, true},
                                            Case{12, false}, Case{12, true}, Case{16, false}, Case{16, true},

@@ -2,29 +2,37 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product.h>
+#include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
 #include <physgen/format/half.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace physgen::fem {
 
 /// Above this the coarsest level is not inverted.
 inline constexpr index_t most_coarse_nodes = 125;
 
-/// How the preconditioner stores the blocks of edges: as it computes them.
+/// How preconditioners store the blocks of edges, and the factors of Schwarz blocks: as they compute them.
 struct StoredAsComputed {
   static constexpr bool rounds = false;
   template <class Space>
   using Edges = physgen::FormatsOf<elasticity::EdgeStiffnessObject, Space>;
+  template <class Space>
+  using Factors = physgen::FormatsOf<quasistatic::SchwarzFactorObject, Space>;
 };
-/// In half. Blocks are scaled to a unit diagonal; what they lose is added to those of nodes (KeepTranslations): without
-/// that, nearly incompressible bodies take a tenth more iterations, with it none.
+/// In half. Blocks of edges are scaled to a unit diagonal; what they lose is added to those of nodes
+/// (KeepTranslations): without that, nearly incompressible bodies take a tenth more iterations, with it none.
 struct StoredInHalf {
   static constexpr bool rounds = true;
   template <class Space>
   struct Edges : elasticity::EdgeStiffnessFormats<Space> {
     using E = format::Half<>;
+  };
+  template <class Space>
+  struct Factors : quasistatic::SchwarzFactorFormats<Space> {
+    using W = format::Half<>;
   };
 };
 
@@ -72,6 +80,8 @@ struct LinearLevel {
   PackedRows<Space> children, edge_terms;
   // Of the coarsest level alone.
   quasistatic::CoarseInverseArray<Real, Space> coarse_inverse;
+  /// Where that preconditioner is used.
+  std::unique_ptr<SchwarzArrays<Real, Space, typename Stored::template Factors<Space>>> schwarz;
 
   LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
       : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
@@ -112,13 +122,19 @@ struct LinearLevel {
     if (needs.coarser) parents = moved_to<decltype(parents)>(host_parents(graph));
   }
 
+  /// @param rest position of each node
+  void use_schwarz(const LevelGraph& graph, const std::vector<Point>& rest) {
+    schwarz =
+        std::make_unique<typename decltype(schwarz)::element_type>(make_schwarz_hierarchy(graph, rest), edge_count());
+  }
+
   [[nodiscard]] index_t nodes() const { return constraints.size(); }
   [[nodiscard]] index_t bytes() const {
     return bytes_of(constraints, edges, node_edges.ranges(), node_edges.entries(), node_stiffness, edge_stiffness,
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
                     parents, children.ranges(), children.entries(), edge_terms.ranges(), edge_terms.entries(),
                     coarse_inverse) +
-           sums.bytes();
+           sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
 

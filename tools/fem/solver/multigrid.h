@@ -1,5 +1,6 @@
 // The preconditioner: one V-cycle of multigrid with Galerkin levels, smoothed by Chebyshev polynomials of block Jacobi;
-// or block Jacobi alone. Programs over an executor, so that they run on the CPU and on CUDA alike.
+// or a multilevel Schwarz preconditioner, or block Jacobi alone. Programs over an executor, so that they run on the CPU
+// and on CUDA alike.
 #pragma once
 
 #include <fem/solver/coarse_inverse.h>
@@ -7,6 +8,7 @@
 #include <fem/solver/linear_level.h>
 #include <fem/solver/power_iteration.h>
 #include <fem/solver/scaled_blocks.h>
+#include <fem/solver/schwarz.h>
 #include <fem/solver/settings.h>
 #include <fem/solver/smoother.h>
 #include <fem/solver/tangent_blocks.h>
@@ -34,7 +36,8 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
   const index_t n = level.nodes();
   const auto scales = level.scales.view();
   const auto inverse = level.inverse.view();
-  on.run(n, ComputeNodeScale{settings.kind == Preconditioner::none, level.node_stiffness.const_view(), scales});
+  const bool unit = settings.kind == Preconditioner::none || settings.kind == Preconditioner::schwarz;
+  on.run(n, ComputeNodeScale{unit, level.node_stiffness.const_view(), scales});
   on.run(n, ScaleNodes{level.node_stiffness.const_view(), level.constraints.const_view(), level.scales.const_view(),
                        level.scaled_nodes.view(), inverse});
   if (settings.kind != Preconditioner::multigrid) return;
@@ -77,6 +80,7 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
 template <class On, class Levels>
 void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings, bool fresh) {
   prepare_level(on, *levels[top], settings, fresh);
+  if (settings.kind == Preconditioner::schwarz) prepare_schwarz(on, *levels[top]);
   if (settings.kind != Preconditioner::multigrid) return;
   for (std::size_t l = top; l + 1 < levels.size(); ++l) {
     auto& fine = *levels[l];
@@ -147,6 +151,8 @@ void precondition(On& on, Levels& levels, std::size_t top, const PreconditionerS
     on.run(n, CopyResidual{level.residual.const_view(), level.correction.view()});
   } else if (settings.kind == Preconditioner::block_jacobi) {
     on.run(n, ApplyBlockJacobi{level.inverse.const_view(), level.residual.const_view(), level.correction.view()});
+  } else if (settings.kind == Preconditioner::schwarz) {
+    apply_schwarz(on, level);
   } else {
     v_cycle(on, levels, top, settings);
   }

@@ -46,7 +46,8 @@ void require_settings(const SolverSettings& settings) {
   if (newton.product == Product::matrix_free && preconditioner.kind != Preconditioner::block_jacobi &&
       preconditioner.kind != Preconditioner::none) {
     throw Error(
-        "the matrix-free product goes with block Jacobi or no preconditioner: levels of multigrid are formed from "
+        "the matrix-free product goes with block Jacobi or no preconditioner: levels of multigrid and blocks of "
+        "Schwarz are formed from "
         "blocks of edges, which it does without");
   }
   require_least("the degree of the smoother", preconditioner.degree, 1);

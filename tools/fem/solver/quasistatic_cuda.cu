@@ -1,6 +1,7 @@
 // The solver on CUDA, in each precision.
 #include <fem/solver/make_evaluator.h>
 #include <fem/solver/product_cuda.h>
+#include <fem/solver/schwarz_cuda.h>
 #include <fem/solver/solver_of.h>
 #include <fem/solver/solvers.h>
 

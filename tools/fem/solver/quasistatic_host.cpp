@@ -1,6 +1,7 @@
 // The solver on the CPU, in each precision.
 #include <fem/solver/make_evaluator.h>
 #include <fem/solver/product_host.h>
+#include <fem/solver/schwarz_host.h>
 #include <fem/solver/solver_of.h>
 #include <fem/solver/solvers.h>
 

@@ -21,7 +21,7 @@ struct LinearResult {
   double reduction = 1;  ///< of sqrt(r . z)
 };
 
-enum class Preconditioner { multigrid, block_jacobi, none };
+enum class Preconditioner { multigrid, schwarz, block_jacobi, none };
 
 /// How the tangent is multiplied with a vector.
 enum class Product {

@@ -53,6 +53,9 @@ class SolverOf final : public QuasistaticSolver {
       linear_.push_back(assembled ? std::make_unique<Level>(graphs[l], next)
                                   : std::make_unique<Level>(graphs[l], MatrixFree{blocks, next != nullptr}));
       if (l < solved_) {
+        if (settings.newton.preconditioner.kind == Preconditioner::schwarz) {
+          linear_.back()->use_schwarz(graphs[l], own[l].rest);
+        }
         arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_, lists,
                                                    l == 0 ? nullptr : arrays_.front()->chunk_arrays));
         vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
