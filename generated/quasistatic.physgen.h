@@ -1,6 +1,6 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
-#define PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
+#ifndef PHYSGEN_QUASISTATIC_H_3E390F36D50C49DF
+#define PHYSGEN_QUASISTATIC_H_3E390F36D50C49DF
 
 #include <physgen/runtime.h>
 
@@ -1789,11 +1789,11 @@ struct Equilibrium {
   Real elastic;
   /// energy of the patches [J]
   Real volumetric;
-  /// potential of the external forces [J]
+  /// potential of the external forces and of rigid planes [J]
   Real loads;
   /// squared length of the forces in free components [N^2]
   Real free_square;
-  /// squared length of the forces in prescribed components: the reactions [N^2]
+  /// squared length of reactions: of prescribed components and of planes [N^2]
   Real fixed_square;
   /// of the forces along a step [J]
   Real work;
@@ -1862,7 +1862,7 @@ class EquilibriumRef {
   PHYSGEN_FUNCTION decltype(auto) volumetric() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::volumetric, Real>(Record::volumetric);
   }
-  /// potential of the external forces [J]
+  /// potential of the external forces and of rigid planes [J]
   PHYSGEN_FUNCTION decltype(auto) loads() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::loads, Real>(Record::loads);
   }
@@ -1870,7 +1870,7 @@ class EquilibriumRef {
   PHYSGEN_FUNCTION decltype(auto) free_square() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::free_square, Real>(Record::free_square);
   }
-  /// squared length of the forces in prescribed components: the reactions [N^2]
+  /// squared length of reactions: of prescribed components and of planes [N^2]
   PHYSGEN_FUNCTION decltype(auto) fixed_square() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::fixed_square, Real>(Record::fixed_square);
   }
@@ -1955,4 +1955,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_7C33168F568CA8CF
+#endif  // PHYSGEN_QUASISTATIC_H_3E390F36D50C49DF

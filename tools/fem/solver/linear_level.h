@@ -2,10 +2,12 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product.h>
+#include <fem/solver/plane_arrays.h>
 #include <fem/solver/solver_arrays.h>
 #include <physgen/format/half.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace physgen::fem {
 
@@ -65,6 +67,7 @@ struct LinearLevel {
   PackedRows<Space> children, edge_terms;
   // Of the coarsest level alone.
   quasistatic::CoarseInverseArray<Real, Space> coarse_inverse;
+  std::unique_ptr<PlaneArrays<Real, Space>> planes;  ///< where the body may touch some
 
   LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
       : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
@@ -98,7 +101,7 @@ struct LinearLevel {
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
                     parents, children.ranges(), children.entries(), edge_terms.ranges(), edge_terms.entries(),
                     coarse_inverse) +
-           sums.bytes();
+           sums.bytes() + (planes == nullptr ? 0 : planes->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
 

@@ -24,6 +24,7 @@ void visit_step(Record& step, const Visit& visit) {
   visit("reaction", step.reaction);
   visit("reaction_estimate", step.reaction_estimate);
   visit("error_estimate", step.error_estimate);
+  visit("past_plates", step.past_plates);
   visit("seconds", step.seconds);
 }
 

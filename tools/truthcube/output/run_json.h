@@ -11,13 +11,14 @@ namespace physgen::truthcube {
 struct StepRecord {
   double compression = 0;  ///< plate travel over side
   int newton_iterations = 0;
-  int pcg_iterations = 0;  ///< of all Newton iterations together
-  double residual = 0;     ///< relative
-  double energy = 0;       ///< [J]
-  double smallest_J = 0;   // NOLINT(readability-identifier-naming): as in the file
-  double reaction = 0;     ///< force on the top plate along z [N]; negative under compression
+  int pcg_iterations = 0;        ///< of all Newton iterations together
+  double residual = 0;           ///< relative
+  double energy = 0;             ///< [J]
+  double smallest_J = 0;         // NOLINT(readability-identifier-naming): as in the file
+  double reaction = 0;           ///< force on the top plate along z [N]; negative under compression
   double reaction_estimate = 0;  ///< of a mesh of vanishing size, extrapolated [N]; NaN without a coarser equilibrium
   double error_estimate = 0;     ///< RMS of the displacements' error [m]; NaN without a coarser equilibrium
+  double past_plates = 0;        ///< how far the body reaches past the plates at most [m]
   double seconds = 0;            ///< wall time of the solve, without set-up and output
   bool operator==(const StepRecord&) const = default;
 };
