@@ -1,6 +1,6 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_8C1B580FA099DD4B
-#define PHYSGEN_QUASISTATIC_H_8C1B580FA099DD4B
+#ifndef PHYSGEN_QUASISTATIC_H_72F74F2D9A4A844B
+#define PHYSGEN_QUASISTATIC_H_72F74F2D9A4A844B
 
 #include <physgen/runtime.h>
 
@@ -2619,11 +2619,11 @@ struct Equilibrium {
   Real elastic;
   /// energy of the patches [J]
   Real volumetric;
-  /// potential of the external forces [J]
+  /// potential of the external forces and of rigid planes [J]
   Real loads;
   /// squared length of the forces in free components [N^2]
   Real free_square;
-  /// squared length of the forces in prescribed components: the reactions [N^2]
+  /// squared length of reactions: of prescribed components and of planes [N^2]
   Real fixed_square;
   /// of the forces along a step [J]
   Real work;
@@ -2692,7 +2692,7 @@ class EquilibriumRef {
   PHYSGEN_FUNCTION decltype(auto) volumetric() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::volumetric, Real>(Record::volumetric);
   }
-  /// potential of the external forces [J]
+  /// potential of the external forces and of rigid planes [J]
   PHYSGEN_FUNCTION decltype(auto) loads() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::loads, Real>(Record::loads);
   }
@@ -2700,7 +2700,7 @@ class EquilibriumRef {
   PHYSGEN_FUNCTION decltype(auto) free_square() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::free_square, Real>(Record::free_square);
   }
-  /// squared length of the forces in prescribed components: the reactions [N^2]
+  /// squared length of reactions: of prescribed components and of planes [N^2]
   PHYSGEN_FUNCTION decltype(auto) fixed_square() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::fixed_square, Real>(Record::fixed_square);
   }
@@ -2785,4 +2785,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_8C1B580FA099DD4B
+#endif  // PHYSGEN_QUASISTATIC_H_72F74F2D9A4A844B

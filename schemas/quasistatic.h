@@ -159,9 +159,9 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Smoother {
 struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Equilibrium {
   PHYSGEN(unit("J")) Scalar elastic;         ///< energy of the tets
   PHYSGEN(unit("J")) Scalar volumetric;      ///< energy of the patches
-  PHYSGEN(unit("J")) Scalar loads;           ///< potential of the external forces
+  PHYSGEN(unit("J")) Scalar loads;           ///< potential of the external forces and of rigid planes
   PHYSGEN(unit("N^2")) Scalar free_square;   ///< squared length of the forces in free components
-  PHYSGEN(unit("N^2")) Scalar fixed_square;  ///< squared length of the forces in prescribed components: the reactions
+  PHYSGEN(unit("N^2")) Scalar fixed_square;  ///< squared length of reactions: of prescribed components and of planes
   PHYSGEN(unit("J")) Scalar work;            ///< of the forces along a step
   PHYSGEN(unit("1")) Scalar smallest_ratio;  ///< the smallest J
 };

@@ -16,8 +16,11 @@ struct Estimates {
   double error_max = std::numeric_limits<double>::quiet_NaN();  ///< of displacements [m]
 };
 
-/// Force on the upper plate along z [N], from the forces on a level's nodes. Negative under compression.
-[[nodiscard]] double plate_reaction(const fem::MeshLevel& level, std::span<const fem::Point> forces);
+/// Force on the upper plate along z [N], from the forces on a level's nodes and what planes push. Negative under
+/// compression.
+/// @param planes the upper one last; none where there is no contact
+[[nodiscard]] double plate_reaction(const fem::MeshLevel& level, std::span<const fem::Point> forces,
+                                    std::span<const fem::PlaneContact> planes);
 
 /// @param levels finest first, two at least
 /// @param reaction on the finest mesh [N]

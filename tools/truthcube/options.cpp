@@ -24,8 +24,11 @@ residual |force on free components| / |force on prescribed ones|, iterations of 
 smallest current over rest volume of a tet, and the time.)";
 
 constexpr const char* footer =
-    R"(There is no contact yet: free sides fold past the plates near bonded edges, on fine meshes from a compression of about
-0.1 on, in a zone of 1 to 2 mm of the cube; each step says how far.
+    R"(Free sides bulge towards the plates near bonded edges. With --plates held they fold past them, on fine meshes from a
+compression of about 0.1 on, in a zone of 1 to 2 mm of the cube. With --plates contact the plates are rigid and without
+friction: a node that is past one by d is pushed back by k d per area of the surface at rest, so that the body stays past
+it by its pressure over k. --plate-stiffness F gives k = F E / h [Pa/m], E being Young's modulus and h the mean spacing of
+nodes: where the pressure is E/10 and F is 100, by a thousandth of h. Each step says how far the sides reach past.
 Exit status: 0 done, 1 a file or the memory failed, 2 wrong use, 3 no convergence, 130 interrupted; whatever steps were
 done are then written.
 Built: every material, precision and treatment of volume, on the CPU)"
@@ -41,6 +44,7 @@ Built: every material, precision and treatment of volume, on the CPU)"
 
 const Names<VolumeTreatment> volumes{{"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}};
 const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};
+const Names<Plates> plate_kinds{{"held", Plates::held}, {"contact", Plates::contact}};
 const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
 #ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
                                  {"cuda", fem::Device::cuda}
@@ -135,6 +139,9 @@ void check(const Options& options) {
   const double tolerance = options.solver.newton.tolerance;
   require(tolerance >= 1e-14 && tolerance <= 0.1,
           "--tolerance " + number(tolerance) + ": the residual's tolerance is a number from 1e-14 to 0.1");
+  const double stiffness = options.solver.plane_stiffness;
+  require(stiffness >= 1e-3 && stiffness <= 1e6,
+          "--plate-stiffness " + number(stiffness) + ": the stiffness of plates is a number from 0.001 to 1e6");
   double before = 0;
   for (const double c : options.compressions) {
     require(std::isfinite(c) && c > before && c < 1,
@@ -153,6 +160,9 @@ void check(const Options& options) {
           "--product matrix-free goes with --preconditioner block-jacobi or none: the levels of multigrid and the "
           "blocks of Schwarz are formed "
           "from blocks of edges, which it does without");
+  require(options.plates == Plates::held || newton.product == fem::Product::assembled,
+          "--plates contact goes with --product assembled: the other one, which --historical takes too, has the "
+          "stiffness of tets alone");
   require(!options.restart || !options.out.empty(), "--restart continues what is in --out DIR, which is missing");
   require(options.refinements == 0 || !options.mesh.empty(),
           "--refine is for a mesh of your own: the cube has --cells");
@@ -174,6 +184,8 @@ std::string Options::settings_json() const {
   json["poisson"] = solver.poissons_ratio;
   json["volume"] = name_of(volumes, volume);
   json["top"] = name_of(tops, top);
+  json["plates"] = name_of(plate_kinds, plates);
+  if (plates == Plates::contact) json["plate_stiffness"] = solver.plane_stiffness;
   json["precision"] = name_of(precisions, solver.precision);
   json["preconditioner"] = name_of(preconditioners, solver.newton.preconditioner.kind);
   json["product"] = name_of(products, solver.newton.product);
@@ -210,6 +222,12 @@ Options parse(const std::vector<std::string>& arguments) {
   add_choice(app, "--volume", options.volume, volumes, "treatment of volume",
              "change of volume by tets, which lock near 0.5, or averaged over patches of about six");
   add_choice(app, "--top", options.top, tops, "plate", "how the upper plate holds the body; the lower is bonded");
+  add_choice(app, "--plates", options.plates, plate_kinds, "kind of plates",
+             "held: they act on the nodes that they hold alone; contact: they also push back sides that reach them");
+  const auto* plate_stiffness =
+      app.add_option("--plate-stiffness", options.solver.plane_stiffness,
+                     "with --plates contact: stiffness per area, in E over the mean spacing of nodes")
+          ->type_name("F");
   app.add_option("--compress", options.compressions, "plate travel over height, a step each, ascending")
       ->expected(1, -1)
       ->type_name("C");
@@ -265,6 +283,8 @@ Options parse(const std::vector<std::string>& arguments) {
   } catch (const CLI::ParseError& error) {
     throw Error(error.what());
   }
+  require(plate_stiffness->count() == 0 || options.plates == Plates::contact,
+          "--plate-stiffness is that of --plates contact, which is missing");
   if (options.historical) {
     options.solver.nested = false;
     options.solver.precision = fem::TangentPrecision::float32;

@@ -11,6 +11,8 @@ namespace physgen::truthcube {
 
 enum class VolumeTreatment { tets, patches };
 enum class TopPlate { bonded, frictionless };
+/// What plates do to the sides of the body: nothing, or they push back what reaches them.
+enum class Plates { held, contact };
 
 struct Options {
   int cells = 16;
@@ -18,6 +20,7 @@ struct Options {
   int refinements = 0;         ///< of that mesh
   VolumeTreatment volume = VolumeTreatment::patches;
   TopPlate top = TopPlate::bonded;
+  Plates plates = Plates::held;
   std::vector<double> compressions{0.05, 0.125, 0.1825};  ///< plate travel over height, ascending
   fem::SolverSettings solver;
   bool historical = false;    ///< whether the tolerance is an absolute force, which the height of the body decides

@@ -77,7 +77,7 @@ Outcome run(Options options, const std::string& command) {
                                               : count_levels(scene.levels);
   append(notes, choose_preconditioner(options, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
-  const RunBytes bytes = bytes_of_run(counts, options.solver);
+  const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0);
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;

@@ -126,6 +126,10 @@ Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
       throw Error(
           "the plates hold every node, so that nothing is left to solve for: the mesh needs nodes between them");
     }
+    if (options.plates == Plates::contact) {
+      scene.loading.planes.push_back({{0, 0, 1}, scene.low, 0});
+      scene.loading.planes.push_back({{0, 0, -1}, -high[2], scene.height});
+    }
     scene.loading.motion.assign(level.rest.size(), fem::Point{});
     for (const Index n : top) scene.loading.motion[static_cast<std::size_t>(n)][2] = -scene.height;
   }

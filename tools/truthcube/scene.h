@@ -22,7 +22,7 @@ namespace physgen::truthcube {
 
 struct Scene {
   std::vector<fem::MeshLevel> levels;  ///< finest first
-  fem::Loading loading;                ///< at a compression of 1
+  fem::Loading loading;                ///< at a compression of 1; its planes, if any, are the lower and the upper plate
   double low = 0, height = 0;          ///< of the body along z [m]
 };
 

@@ -150,8 +150,18 @@ std::int64_t chunk_bytes(const LevelCounts& finest, bool assembled) {
   return bytes_of<decltype(Arrays::corners)>(tets) + bytes_of<decltype(Arrays::tangent)>(tets);
 }
 
+/// As PlaneArrays::bytes().
+template <class Real, class Space>
+std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved) {
+  using Planes = fem::PlaneArrays<Real, Space>;
+  if (planes == 0) return 0;
+  const std::int64_t bytes = bytes_of<decltype(Planes::stiffness)>(c.nodes);
+  return !solved ? bytes
+                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes);
+}
+
 template <class Real, class Space, class Stored>
-RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
+RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes) {
   const bool coarser = settings.newton.preconditioner.kind == fem::Preconditioner::multigrid || settings.nested;
   std::size_t used = coarser ? levels.size() : 1;
   const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
@@ -168,7 +178,8 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
                   : matrix_free_bytes<Real, Space, Stored>(levels[l], {blocks, l + 1 < used});
     bytes.levels.push_back(linear +
                            (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved, lists) : 0) +
-                           (l < solved && schwarz ? schwarz_bytes<Real, Space, Stored>(levels[l]) : 0));
+                           (l < solved && schwarz ? schwarz_bytes<Real, Space, Stored>(levels[l]) : 0) +
+                           plane_bytes<Real, Space>(levels[l], planes, l < solved));
   }
   bytes.levels.front() += chunk_bytes<Real, Space>(levels.front(), assembled);
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
@@ -177,16 +188,16 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
 }
 
 template <class Space>
-RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
+RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes) {
   switch (settings.precision) {
     case fem::TangentPrecision::half:
-      return bytes_in<float, Space, fem::StoredInHalf>(levels, settings);
+      return bytes_in<float, Space, fem::StoredInHalf>(levels, settings, planes);
     case fem::TangentPrecision::float32:
-      return bytes_in<float, Space, fem::StoredAsComputed>(levels, settings);
+      return bytes_in<float, Space, fem::StoredAsComputed>(levels, settings, planes);
     case fem::TangentPrecision::float64:
       break;
   }
-  return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings);
+  return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings, planes);
 }
 
 constexpr std::int64_t index_bytes = sizeof(fem::Index), entry_bytes = sizeof(fem::IncidenceEntry);
@@ -262,9 +273,10 @@ std::int64_t bytes_of_mesh(const LevelCounts& c) {
   return bytes;
 }
 
-RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings) {
-  RunBytes bytes =
-      settings.device == fem::Device::cuda ? bytes_in<Cuda>(levels, settings) : bytes_in<Host>(levels, settings);
+RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
+                      std::int64_t planes) {
+  RunBytes bytes = settings.device == fem::Device::cuda ? bytes_in<Cuda>(levels, settings, planes)
+                                                        : bytes_in<Host>(levels, settings, planes);
   const bool assembled = settings.newton.product == fem::Product::assembled;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     // The solver copies the meshes, and its graphs stay until all arrays are made.

@@ -38,7 +38,9 @@ struct RunBytes {
   std::int64_t stresses = 0;         ///< in the same memory while a step is written
   std::int64_t lists = 0;            ///< meshes and graphs in the host's memory while the solver is set up
 };
-[[nodiscard]] RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings);
+/// @param planes fem::Loading::planes, their number
+[[nodiscard]] RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
+                                    std::int64_t planes);
 
 /// What a mesh of a level takes in the host's memory.
 [[nodiscard]] std::int64_t bytes_of_mesh(const LevelCounts& level);

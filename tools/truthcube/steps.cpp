@@ -168,13 +168,15 @@ Outcome Steps::stop() const {
 void Steps::finish(double compression, const fem::NewtonResult& result, double seconds,
                    std::vector<NewtonRecord> newton) {
   const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
-  const double reaction = plate_reaction(scene_.levels.front(), forces);
+  const std::vector<fem::PlaneContact> contacts = solver_.plane_contacts();
+  const double reaction = plate_reaction(scene_.levels.front(), forces, contacts);
+  const double reach = reach_past_plates(scene_, compression, positions);
   Estimates estimates;
   if (const auto coarser = solver_.coarser_equilibrium()) {
     estimates = make_estimates(scene_.levels, reaction, positions, *coarser);
   }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
-                           result.smallest_J, reaction, estimates.reaction, estimates.error_rms, seconds,
+                           result.smallest_J, reaction, estimates.reaction, estimates.error_rms, reach, seconds,
                            std::numeric_limits<double>::quiet_NaN(), std::move(newton)});
   const std::string coarse = result.coarse_steps == 0
                                  ? ""
@@ -188,8 +190,11 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
         "ever finer mesh %.6g N",
         1e3 * estimates.error_rms, 1e3 * estimates.error_max, estimates.reaction);
   }
-  if (const double reach = reach_past_plates(scene_, compression, positions); reach > 1e-6 * scene_.height) {
-    terminal_.line("  free sides reach %.3f mm past the plates: there is no contact", 1e3 * reach);
+  if (!contacts.empty() && contacts.back().force > 0) {
+    terminal_.line("  free sides reach %.4f mm past the plates; the upper one pushes them back with %.4g N",
+                   1e3 * reach, contacts.back().force);
+  } else if (reach > 1e-6 * scene_.height) {
+    terminal_.line("  free sides reach %.3f mm past the plates: --plates contact pushes them back", 1e3 * reach);
   }
   if (result.smallest_J <= 0) terminal_.text("  some tets are inverted: this equilibrium is none of a real body");
   compare(compression, positions);

@@ -54,6 +54,13 @@ inline Body make_truth_cube_body(Index cells, bool patches, bool frictionless = 
       [=](const Point& x) { return x[2] == side ? Point{0, 0, -side} : Point{}; });
 }
 
+/// The same between its plates as rigid planes, which its free sides may touch.
+inline Body with_contact(Body body) {
+  constexpr double side = 0.08;
+  body.loading.planes = {{{0, 0, 1}, 0, 0}, {{0, 0, -1}, -side, side}};
+  return body;
+}
+
 inline SolverSettings exact_settings(const std::string& material, double poissons_ratio) {
   SolverSettings settings;
   settings.material = material;

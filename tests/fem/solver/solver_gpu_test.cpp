@@ -129,6 +129,33 @@ TEST_F(SolverOnCuda, schwarz_takes_the_steps_that_it_takes_on_the_cpu_again_and_
   }
 }
 
+TEST_F(SolverOnCuda, touches_rigid_planes_as_on_the_cpu) {
+  for (const TangentPrecision precision :
+       {TangentPrecision::half, TangentPrecision::float32, TangentPrecision::float64}) {
+    const Body body = with_contact(make_truth_cube_body(8, true));
+    SolverSettings settings;
+    settings.poissons_ratio = 0.49;
+    settings.precision = precision;
+    settings.newton.tolerance = 1e-9;
+    std::vector<std::vector<PlaneContact>> contacts;
+    std::vector<std::vector<Point>> positions;
+    for (const Device device : {Device::cpu, Device::cuda}) {
+      settings.device = device;
+      const auto solver = make_solver(body.levels, body.loading, settings);
+      ASSERT_EQ(solver->solve_to(0.4, {}).status, NewtonStatus::converged);
+      contacts.push_back(solver->plane_contacts());
+      positions.push_back(solver->positions());
+    }
+    EXPECT_LE(largest_distance(positions[0], positions[1]), 1e-9);
+    ASSERT_EQ(contacts[1].size(), 2U);
+    for (std::size_t p = 0; p < 2; ++p) {
+      EXPECT_GT(contacts[0][p].force, 0);
+      EXPECT_NEAR(contacts[1][p].force / contacts[0][p].force, 1, 1e-5);
+      EXPECT_NEAR(contacts[1][p].depth / contacts[0][p].depth, 1, 1e-5);
+    }
+  }
+}
+
 TEST_F(SolverOnCuda, goes_on_from_a_state_that_was_kept) {
   const Body body = make_truth_cube_body(8, true);
   SolverSettings settings;

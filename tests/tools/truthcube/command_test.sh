@@ -48,12 +48,14 @@ small=(--cells 4 --threads 1)
 case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
-    for flag in cells mesh refine material young poisson volume compress top device precision layout preconditioner \
-      product tolerance stepping historical out restart beads threads dry-run quiet; do expect out "--$flag"; done
+    for flag in cells mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
+      product tolerance stepping historical out restart beads threads repeat dry-run quiet; do expect out "--$flag"; done
     expect out "layout \{$built\}"
     expect out "in the layout $built, with products assembled .* or matrix-free"
     expect out 'product \{assembled, matrix-free\}'
     expect out 'neo-hookean, st-venant-kirchhoff'
+    expect out 'With --plates contact the plates are rigid'
+    expect out 'stiffness per area, in E over the mean spacing'
     expect out '130 interrupted' ;;
   unknown_names_are_refused_with_the_nearest)
     expect_refused 'no flag --cels; did you mean --cells[?]' --cels 4
@@ -63,6 +65,7 @@ case $rule in
     expect_refused 'no material neo-hokean; did you mean neo-hookean[?]' --material neo-hokean
     expect_refused 'This build has half, float, double' --precision quad
     expect_refused 'did you mean bonded[?]' --top bounded
+    expect_refused 'no kind of plates contct; did you mean contact[?] This build has held, contact' --plates contct
     expect_refused 'no device gpu.* This build has cpu' --device gpu
     expect_refused 'This build has tets, patches' --volume nodes
     expect_refused 'did you mean schwarz[?] This build has multigrid, schwarz, block-jacobi, none' --preconditioner schwartz ;;
@@ -103,14 +106,17 @@ case $rule in
     expect_refused '--compress .* 1 does not fit behind 0' --compress 1
     expect_refused '--compress .* 0.05 does not fit behind 0.1' --compress 0.1 0.05
     expect_refused '--compress .* does not fit' --compress nan
+    expect_refused '--plate-stiffness 0: .* from 0.001 to 1e6' --plates contact --plate-stiffness 0
     expect_refused '--tolerance 0: ' --tolerance 0 ;;
   flags_that_do_not_go_together_are_refused)
     expect_refused 'corotated.* no separate part of the volume: write --volume tets' --material corotated
     expect_refused 'restart continues what is in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
+    expect_refused 'plate-stiffness is that of --plates contact' --plate-stiffness 10
     expect_refused 'excludes' --historical --precision double
     expect_refused 'excludes' --historical --product assembled
+    expect_refused '--plates contact goes with --product assembled' --plates contact --historical
     expect_refused '--product matrix-free goes with --preconditioner block-jacobi or none' --product matrix-free ;;
   materials_without_a_volume_part_run_by_tets)
     expect_exit 0 "${small[@]}" --material corotated --volume tets --compress 0.02
@@ -144,6 +150,25 @@ case $rule in
     expect out 'free sides reach [0-9.]+ mm past the plates'
     expect_exit 0 --cells 8 --threads 1 --top frictionless --compress 0.05
     expect_no out 'free sides reach' ;;
+  plates_with_contact_push_sides_back)
+    expect_exit 0 --cells 8 --threads 1 --compress 0.4 --out held
+    expect_exit 0 --cells 8 --threads 1 --compress 0.4 --plates contact --out contact
+    expect out 'free sides reach 0[.]0[0-9]+ mm past the plates; the upper one pushes them back with [0-9.]+ N'
+    awk -v a="$(number_of past_plates held/run.json)" -v b="$(number_of past_plates contact/run.json)" \
+      'BEGIN { exit !(b > 0 && b < 1e-4 && b < a / 10) }' || fail 'past the plates'
+    awk -v a="$(number_of reaction held/run.json)" -v b="$(number_of reaction contact/run.json)" \
+      'BEGIN { exit !(b < a && b > 1.1 * a) }' || fail 'reaction'
+    expect contact/run.json '"plates": "contact"'
+    expect contact/run.json '"plate_stiffness": 100'
+    expect held/run.json '"plates": "held"'
+    expect_exit 0 --cells 8 --threads 1 --compress 0.4 --plates contact --plate-stiffness 1000 --out stiff
+    awk -v a="$(number_of past_plates contact/run.json)" -v b="$(number_of past_plates stiff/run.json)" \
+      'BEGIN { exit !(b < a / 2) }' || fail 'stiffness'
+    expect_exit 1 --cells 8 --threads 1 --compress 0.4 0.45 --out contact --restart
+    expect err 'plates: .*contact.*, .*held'
+    expect_exit 0 --cells 8 --threads 1 --compress 0.4 0.45 --plates contact --out contact --restart
+    expect_exit 0 --cells 8 --threads 1 --compress 0.4 0.45 --plates contact --out whole
+    for file in beads.csv checkpoint.h5; do expect_same whole/$file contact/$file; done ;;
   quiet_prints_nothing)
     for flags in "--quiet --out o" "-q --dry-run" "-q --restart --out o"; do
       # shellcheck disable=SC2086
@@ -187,7 +212,7 @@ case $rule in
       fail 'beads as above'
     keys() { grep -oE "^ {$1}\"[A-Za-z_]+\"" o/p/run.json | tr -d ' "' | tr '\n' ' '; }
     [[ $(keys 2) == 'nodes tets bytes device command setup_seconds settings steps ' ]] || fail "keys $(keys 2)"
-    step='compression newton_iterations pcg_iterations residual energy smallest_J reaction reaction_estimate error_estimate seconds warm_seconds newton '
+    step='compression newton_iterations pcg_iterations residual energy smallest_J reaction reaction_estimate error_estimate past_plates seconds warm_seconds newton '
     [[ $(keys 6) == "$step$step" ]] || fail "keys of steps $(keys 6)"
     # A line for each Newton step that was printed, those of coarser meshes too.
     printed=$(grep -cE '^ +[0-9]+ +[0-9.e+-]+ +[0-9]+ ' out)

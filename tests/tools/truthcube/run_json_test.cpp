@@ -31,7 +31,7 @@ RunRecord record_of(int steps) {
                 .setup_seconds = 0.1,
                 .steps = {}};
   for (int s = 0; s < steps; ++s) {
-    run.steps.push_back({0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, -1.05, 1e-4, 0.04, 0.03, {}});
+    run.steps.push_back({0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, -1.05, 1e-4, 2e-5, 0.04, 0.03, {}});
     run.steps.back().newton = {{2, 9, 0.3, 0.9, 0.8, 0.001}, {0, 11 + s, 1e-4 / 3, 0.7, 0.94, 0.02}};
   }
   return run;
@@ -58,9 +58,10 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(run["settings"]["material"], "neo_hookean");
   ASSERT_EQ(run["steps"].size(), 2U);
   const Json& step = run["steps"][1];
-  EXPECT_EQ(keys_of(step), (std::vector<std::string>{"compression", "newton_iterations", "pcg_iterations", "residual",
-                                                     "energy", "smallest_J", "reaction", "reaction_estimate",
-                                                     "error_estimate", "seconds", "warm_seconds", "newton"}));
+  EXPECT_EQ(keys_of(step),
+            (std::vector<std::string>{"compression", "newton_iterations", "pcg_iterations", "residual", "energy",
+                                      "smallest_J", "reaction", "reaction_estimate", "error_estimate", "past_plates",
+                                      "seconds", "warm_seconds", "newton"}));
   EXPECT_EQ(step["compression"], 0.1);
   EXPECT_EQ(step["newton_iterations"], 5);
   EXPECT_EQ(step["pcg_iterations"], 61);
@@ -68,6 +69,7 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(step["energy"], 0.7);
   EXPECT_EQ(step["smallest_J"], 0.94);
   EXPECT_EQ(step["reaction"], -1.1);
+  EXPECT_EQ(step["past_plates"], 2e-5);
   EXPECT_EQ(step["seconds"], 0.04);
 }
 

@@ -26,25 +26,29 @@ struct Case {
 
 class Bytes : public ::testing::TestWithParam<Case> {
  protected:
-  // The bottom and the top are held; nothing is solved.
-  static std::int64_t allocated(const fem::SolverSettings& settings) {
+  // The bottom and the top are held, and planes where there are some; nothing is solved.
+  static std::int64_t allocated(const fem::SolverSettings& settings, std::int64_t planes) {
     std::vector<fem::MeshLevel> levels = fem::make_cube_levels(GetParam().cells, 0.08, GetParam().patches);
     for (fem::MeshLevel& level : levels) {
       for (std::size_t n = 0; n < level.rest.size(); ++n) {
         if (level.rest[n][2] == 0 || level.rest[n][2] == 0.08) level.fixed[n] = 7;
       }
     }
-    const fem::Loading loading{std::vector<fem::Point>(levels.front().rest.size(), fem::Point{}), {}};
+    fem::Loading loading{std::vector<fem::Point>(levels.front().rest.size(), fem::Point{}), {}};
+    loading.planes.assign(static_cast<std::size_t>(planes), {{0, 0, 1}, 0, 0});
     return fem::make_solver(levels, loading, settings)->bytes();
   }
-  static std::int64_t predicted(const fem::SolverSettings& settings) {
-    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings);
+  static std::int64_t predicted(const fem::SolverSettings& settings, std::int64_t planes) {
+    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, planes);
     EXPECT_EQ(std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0}), bytes.solver);
     return bytes.solver;
   }
   static void expect_near(const fem::SolverSettings& settings) {
-    const auto real = static_cast<double>(allocated(settings));
-    EXPECT_NEAR(static_cast<double>(predicted(settings)), real, 0.05 * real);
+    const auto real = static_cast<double>(allocated(settings, 0));
+    EXPECT_NEAR(static_cast<double>(predicted(settings, 0)), real, 0.05 * real);
+    const std::int64_t of_contact = allocated(settings, 2) - allocated(settings, 0);
+    EXPECT_GT(of_contact, 0);
+    EXPECT_EQ(predicted(settings, 2) - predicted(settings, 0), of_contact);
   }
 };
 
@@ -63,7 +67,7 @@ TEST_P(Bytes, without_coarser_levels_are_those_of_the_solver) {
   settings.nested = false;
   settings.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
   expect_near(settings);
-  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings).levels.size(), 1U);
+  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, 0).levels.size(), 1U);
 }
 
 TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fewer) {
@@ -126,7 +130,7 @@ TEST(Sizes, of_lists_contain_the_meshes_of_all_levels_twice) {
   const auto counts = count_cube(8, true);
   std::int64_t meshes = 0;
   for (const LevelCounts& level : counts) meshes += bytes_of_mesh(level);
-  EXPECT_GT(bytes_of_run(counts, {}).lists, 2 * meshes);
+  EXPECT_GT(bytes_of_run(counts, {}, 0).lists, 2 * meshes);
 }
 
 }  // namespace

@@ -19,6 +19,18 @@ void add(Force& force, const Point& direction, double factor) {
   for (std::size_t k = 0; k < 3; ++k) force[k] += factor * direction[k];
 }
 
+/// @param who what an error names
+Point twice_area_of(const char* who, std::size_t number, const Face& face, std::span<const Point> rest) {
+  for (const Index node : face) {
+    if (node < 0 || static_cast<std::size_t>(node) >= rest.size()) {
+      throw Error(std::string(who) + ": face " + std::to_string(number) + " names node " + std::to_string(node) +
+                  " of " + std::to_string(rest.size()));
+    }
+  }
+  const auto x = [&](std::size_t corner) -> const Point& { return rest[static_cast<std::size_t>(face[corner])]; };
+  return cross(difference(x(1), x(0)), difference(x(2), x(0)));
+}
+
 }  // namespace
 
 std::vector<Face> boundary_faces(const TetMesh& mesh) {
@@ -61,17 +73,20 @@ std::vector<Index> nodes_on_plane(std::span<const Point> rest, int axis, double 
 std::vector<Force> pressure_loads(std::span<const Point> rest, std::span<const Face> faces, double pressure) {
   std::vector<Force> forces(rest.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (const Index node : faces[f]) {
-      if (node < 0 || static_cast<std::size_t>(node) >= rest.size()) {
-        throw Error("pressure loads: face " + std::to_string(f) + " names node " + std::to_string(node) + " of " +
-                    std::to_string(rest.size()));
-      }
-    }
-    const auto x = [&](std::size_t corner) -> const Point& { return rest[static_cast<std::size_t>(faces[f][corner])]; };
-    const Point twice_area = cross(difference(x(1), x(0)), difference(x(2), x(0)));
+    const Point twice_area = twice_area_of("pressure loads", f, faces[f], rest);
     for (const Index node : faces[f]) add(forces[static_cast<std::size_t>(node)], twice_area, -pressure / 6);
   }
   return forces;
+}
+
+std::vector<double> surface_areas(std::span<const Point> rest, std::span<const Face> faces) {
+  std::vector<double> areas(rest.size(), 0.0);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Point twice_area = twice_area_of("areas of the surface", f, faces[f], rest);
+    const double third = std::hypot(twice_area[0], twice_area[1], twice_area[2]) / 6;
+    for (const Index node : faces[f]) areas[static_cast<std::size_t>(node)] += third;
+  }
+  return areas;
 }
 
 std::vector<Force> gravity_loads(const TetMesh& mesh, std::span<const Point> rest, double density,

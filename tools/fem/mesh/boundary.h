@@ -33,6 +33,11 @@ using Force = std::array<double, 3>;
 [[nodiscard]] std::vector<Force> pressure_loads(std::span<const Point> rest, std::span<const Face> faces,
                                                 double pressure);
 
+/// What each point carries of the faces' areas: a third of those that it is a corner of. Sums in the order of the
+/// faces.
+/// @throws Error when a face names no point
+[[nodiscard]] std::vector<double> surface_areas(std::span<const Point> rest, std::span<const Face> faces);
+
 /// Forces of gravity on nodes: each corner of a tet gets density V acceleration / 4, density in [kg/m^3], V the signed
 /// volume at rest, acceleration as a vector [m/s^2]. Sums in the order of the tets.
 /// @return one force per node

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product.h>
+#include <fem/solver/plane_arrays.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
 #include <physgen/format/half.h>
@@ -82,6 +83,7 @@ struct LinearLevel {
   quasistatic::CoarseInverseArray<Real, Space> coarse_inverse;
   /// Where that preconditioner is used.
   std::unique_ptr<SchwarzArrays<Real, Space, typename Stored::template Factors<Space>>> schwarz;
+  std::unique_ptr<PlaneArrays<Real, Space>> planes;  ///< where the body may touch some
 
   LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
       : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
@@ -134,7 +136,7 @@ struct LinearLevel {
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
                     parents, children.ranges(), children.entries(), edge_terms.ranges(), edge_terms.entries(),
                     coarse_inverse) +
-           sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes());
+           sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) + (planes == nullptr ? 0 : planes->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
 

@@ -7,6 +7,7 @@
 #include <fem/solver/galerkin.h>
 #include <fem/solver/linear_level.h>
 #include <fem/solver/power_iteration.h>
+#include <fem/solver/rigid_planes.h>
 #include <fem/solver/scaled_blocks.h>
 #include <fem/solver/schwarz.h>
 #include <fem/solver/settings.h>
@@ -89,6 +90,10 @@ void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettin
                                                      fine.edge_stiffness.const_view(), coarse.edge_stiffness.view()});
     on.run(coarse.nodes(), SumNodeStiffness{coarse.node_edges.const_view(), coarse.edge_stiffness.const_view(),
                                             coarse.node_stiffness.view()});
+    if (fine.planes != nullptr) {
+      on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), fine.planes->stiffness.const_view(),
+                                                   coarse.planes->stiffness.view(), coarse.node_stiffness.view()});
+    }
     prepare_level(on, coarse, settings, fresh);
   }
   invert_coarsest(on, *levels.back());

@@ -16,18 +16,25 @@ namespace physgen::fem {
 /// @param restart patches begin their linearised pressure anew
 template <class On, class Arrays, class Level, class Positions, class Forces>
 auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
-                    const Forces& forces, double load, bool restart) {
+                    const Forces& forces, const AtLoad& at, bool restart) {
   const auto state = a.state.view();
   evaluator.evaluate_patches(on, a, positions, restart);
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_forces(on, a, chunk, positions);
-    on.run(chunk.nodes(), SumForces{chunk, load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
+    on.run(chunk.nodes(), SumForces{chunk, at.load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
                                     a.loads.const_view(), forces});
   }
-  on.reduce(
-      a.nodes(),
-      MeasureForces{load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(), positions, forces},
-      Sum{}, StoreForces{state});
+  const auto measure = [&](const auto& planes) {
+    on.reduce(a.nodes(),
+              MeasureForces{at.load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(),
+                            positions, forces, planes},
+              Sum{}, StoreForces{state});
+  };
+  if (level.planes == nullptr) {
+    measure(NoPlanes{});
+  } else {
+    measure(level.planes->at(at));
+  }
   on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
             StoreSmallestRatio{state});
   return on.value(a.state);
@@ -71,10 +78,15 @@ void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& d
 template <class On, class Arrays, class Levels, class Vectors>
 LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
                         Evaluator<On, Arrays>& evaluator, TangentFilter filter, const NewtonSettings& settings,
-                        bool has_increment, bool fresh, double forcing) {
+                        const AtLoad& at, bool has_increment, bool fresh, double forcing) {
   auto& level = *levels[top];
   if (level.assembled) {
     assemble(on, a, level, evaluator, filter);
+    if (level.planes != nullptr) {
+      on.run(a.nodes(),
+             AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
+                               level.planes->stiffness.view(), level.node_stiffness.view()});
+    }
   } else {
     evaluator.evaluate_tangents(on, a, a.chunks.front(), filter);  // which is all tets
   }
@@ -112,7 +124,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
   const auto forces = a.forces.view();
   const auto trial_forces = a.trial_forces.view();
 
-  auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, restart);
+  AtLoad at(load, has_increment ? settings.start_load : load);
+  auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, restart);
   double before = free_of(state), forcing = settings.least_forcing;
   bool risky = false, fresh = true;
   // Forces are measured against those on prescribed components, now or at the last equilibrium: they may vanish.
@@ -148,7 +161,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       // Nothing pulls, and yet tets are flat or inverted: a saddle or another minimum, such as a body in one point.
       ++result.returns;
       on.run(n, ReturnHalfway{a.rest.const_view(), level.constraints.const_view(), positions});
-      state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, true);
+      state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, true);
       before = free_of(state);
       fresh = true;
     }
@@ -161,8 +174,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       on.run(n, ClearStep{v.step.view()});
       linear = {0, LinearStatus::converged, 0};
     } else {
-      linear = solve_step(on, loop, a, levels, top, v, evaluator, TangentFilter::none, settings, has_increment, fresh,
-                          forcing);
+      linear = solve_step(on, loop, a, levels, top, v, evaluator, TangentFilter::none, settings, at, has_increment,
+                          fresh, forcing);
     }
     fresh = false;
     step.iterations = linear.iterations;
@@ -171,8 +184,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     };
     // Where the energy is not convex: once more with a tangent that is.
     const auto solve_filtered = [&] {
-      (void)evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, load, false);
-      linear = solve_step(on, loop, a, levels, top, v, evaluator, TangentFilter::absolute, settings, has_increment,
+      (void)evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, false);
+      linear = solve_step(on, loop, a, levels, top, v, evaluator, TangentFilter::absolute, settings, at, has_increment,
                           true, forcing);
       step.filtered = true;
       step.iterations += linear.iterations;
@@ -235,6 +248,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
                                        std::min(settings.most_forcing, 0.9 * (free / before) * (free / before)));
     before = free;
     has_increment = false;
+    at = load;
     step.residual = residual_of(state);
     step.energy = energy_of(state);
     step.smallest_J = state.smallest_ratio;

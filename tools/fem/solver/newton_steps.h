@@ -4,6 +4,7 @@
 #include <fem/numerics/scalar.h>
 #include <fem/solver/corner_sums.h>
 #include <fem/solver/free_part.h>
+#include <fem/solver/rigid_planes.h>
 #include <physgen/kernel.h>
 
 namespace physgen::fem {
@@ -31,8 +32,9 @@ struct SumForces {
 template <class... Views>
 SumForces(TetChunk, double, Views...) -> SumForces<Views...>;
 
-/// Returns |f|^2 over free and over prescribed components, and the load's potential, -load . (x - rest).
-template <class LoadView, class ConstraintView, class RestView, class PositionView, class ForceView>
+/// f takes in what planes push the node with. Returns |f|^2 over free components, and of the forces that hold the body,
+/// those on prescribed components and of planes; and the load's potential, -load . (x - rest), with that of planes.
+template <class LoadView, class ConstraintView, class RestView, class PositionView, class ForceView, class Planes>
 struct MeasureForces {
   using Scalar = typename ForceView::Precision;
   double load;                 ///< what `loads` are multiplied by
@@ -40,16 +42,24 @@ struct MeasureForces {
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
   RestView rest;               ///< elasticity::NodePosition
   PositionView positions;      ///< elasticity::NodePosition
-  ForceView forces;            ///< elasticity::NodeForce
+  ForceView forces;            ///< elasticity::NodeForce: planes' are added
+  Planes planes;               ///< RigidPlanes or NoPlanes
 
   PHYSGEN_FUNCTION Vector3<Scalar> operator()(index_t node) const {
     using Vector = Vector3<Scalar>;
-    const Vector f = forces[node].f();
+    Vector f = forces[node].f(), more = Vector::Zero();  // more: what planes add to what is returned
+    const Vector x = positions[node].x();
+    if constexpr (Planes::push) {
+      const PlanePush push = planes.on_node(node, x, constraints[node]);
+      f += push.force;
+      forces[node].f() = f;
+      more = Vector(0, dot3<Scalar>(push.force, push.force), push.energy);
+    }
     const Vector free = detail::free_part<Scalar>(f, constraints[node]);
     const Vector fixed = f - free;
     const Vector own = Vector(loads[node].f().get()) * load;
-    const Vector moved = Vector(positions[node].x().get()) - Vector(rest[node].x().get());
-    return {dot3<Scalar>(free, free), dot3<Scalar>(fixed, fixed), -dot3<Scalar>(own, moved)};
+    const Vector moved = x - Vector(rest[node].x().get());
+    return Vector(dot3<Scalar>(free, free), dot3<Scalar>(fixed, fixed), -dot3<Scalar>(own, moved)) + more;
   }
 };
 template <class... Views>

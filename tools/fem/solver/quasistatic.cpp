@@ -34,6 +34,7 @@ void require_settings(const SolverSettings& settings) {
   require_positive("the tolerance", newton.tolerance);
   require_positive("the least tolerance of linear solves", newton.least_forcing);
   require_positive("the largest tolerance of linear solves", newton.most_forcing);
+  require_positive("the stiffness of rigid planes", settings.plane_stiffness);
   require_positive("the lower end of the smoother's interval", preconditioner.low);
   if (!(preconditioner.low < 1)) {
     throw Error("the lower end of the smoother's interval is " + std::to_string(preconditioner.low) +
@@ -67,6 +68,20 @@ void require_vectors(const char* what, const std::vector<Point>& vectors, std::s
   }
 }
 
+void require_planes(const std::vector<RigidPlane>& planes) {
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const RigidPlane& plane = planes[p];
+    const std::string which = "rigid plane " + std::to_string(p);
+    const double length = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
+    if (!(std::abs(length - 1) <= 1e-9)) {
+      throw Error(which + ": its normal has a length of " + std::to_string(length) + " and must have 1");
+    }
+    if (!std::isfinite(plane.offset) || !std::isfinite(plane.travel)) {
+      throw Error(which + ": its offset or travel is not finite");
+    }
+  }
+}
+
 }  // namespace
 
 std::string device_name(Device device) {
@@ -85,6 +100,10 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
   const auto nodes = static_cast<std::size_t>(levels.front().mesh.nodes);
   require_vectors("the motion of prescribed components", loading.motion, nodes);
   if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
+  require_planes(loading.planes);
+  if (!loading.planes.empty() && settings.newton.product == Product::matrix_free) {
+    throw Error("rigid planes go with the assembled product: the matrix-free one has the stiffness of tets alone");
+  }
   const bool patches = !levels.front().patches.nodes.empty();
   for (const MeshLevel& level : levels) {
     if (level.patches.nodes.empty() == patches) throw Error("either all levels have patches, or none");

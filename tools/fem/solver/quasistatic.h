@@ -14,11 +14,27 @@
 
 namespace physgen::fem {
 
+/// A plane, frictionless and rigid, that the body's surface cannot pass without force: a node behind it by d has the
+/// energy k A d^2 / 2, k being SolverSettings::plane_stiffness and A its share of the surface at rest. Nodes that
+/// cannot move along the normal are not pushed.
+struct RigidPlane {
+  Point normal;       ///< of length 1, towards the body
+  double offset = 0;  ///< normal . x of its points at a load of 0 [m]
+  double travel = 0;  ///< along the normal at a load of 1, in proportion to the load [m]
+};
+
+/// What a plane and the body do to each other.
+struct PlaneContact {
+  double force = 0;  ///< on the body along the normal [N]
+  double depth = 0;  ///< how far the surface is behind the plane at most [m]; 0 where it does not touch
+};
+
 /// What is prescribed and what acts on the nodes of the finest mesh, at a load of 1; both grow in proportion to the
 /// load. Which components are prescribed is MeshLevel::fixed.
 struct Loading {
   std::vector<Point> motion;  ///< of prescribed components from their rest positions [m]; one per node
   std::vector<Point> forces;  ///< external [N]; one per node, or none
+  std::vector<RigidPlane> planes = {};
 };
 
 /// Positions of all levels on which equilibrium is solved, finest first: all that a solve goes on from.
@@ -31,6 +47,7 @@ struct SolverState {
 struct NodeState {
   std::vector<Point> positions;  ///< [m]
   std::vector<Point> forces;     ///< as of QuasistaticSolver::forces() [N]
+  std::vector<PlaneContact> planes;
 };
 
 /// Solves for one body, along growing loads.
@@ -47,13 +64,15 @@ class QuasistaticSolver {
 
   [[nodiscard]] virtual double load() const = 0;
   [[nodiscard]] virtual std::vector<Point> positions() const = 0;  ///< of the finest mesh [m]
-  /// Forces on the finest mesh's nodes at their positions [N], elastic and external: in equilibrium 0 to tolerance in
-  /// free components, and minus the reaction in prescribed ones.
+  /// Forces on the finest mesh's nodes at their positions [N], elastic, external and of planes: in equilibrium 0 to
+  /// tolerance in free components, and minus the reaction in prescribed ones.
   [[nodiscard]] virtual std::vector<Point> forces() = 0;
   /// The same load's equilibrium on the next coarser mesh, where nested iteration has found one: how far it is from the
   /// finest mesh's is an estimate of the error of the finest (linear tets converge with first order at edges of
   /// plates).
   [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() = 0;
+  /// Of each plane with the finest mesh at its positions.
+  [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() = 0;
   /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch.
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used

@@ -38,7 +38,9 @@ struct PreconditionerSettings {
 };
 
 struct NewtonSettings {
-  double tolerance = 1e-4;        ///< of |force on free components| / |force on prescribed components|, now or before
+  /// Of |force on free components| / |forces that hold the body|, those on prescribed components and of rigid planes,
+  /// now or at the last equilibrium.
+  double tolerance = 1e-4;
   double absolute_tolerance = 0;  ///< [N]; where above 0, in place of the relative one
   int most_steps = 60;            ///< of Newton's method, in one load increment
   int most_iterations = 20000;    ///< of conjugate gradients, in one step
@@ -53,7 +55,8 @@ struct NewtonSettings {
   PreconditionerSettings preconditioner;
 
   // What a solver fills in.
-  double last_reaction = 0;     ///< [N]: |force on prescribed components| at the last equilibrium
+  double start_load = 0;        ///< of the equilibrium that a first linear solve with an increment goes on from
+  double last_reaction = 0;     ///< [N]: |forces that hold the body| at the last equilibrium
   double rounding_force = 0;    ///< [N]: what positions' rounding makes of the forces on all nodes
   bool all_prescribed = false;  ///< no component is free
 };
@@ -61,7 +64,7 @@ struct NewtonSettings {
 /// What one Newton step did.
 struct NewtonStep {
   int number = 0;         ///< from 1
-  double residual = 0;    ///< |force on free components| / |force on prescribed components| after it
+  double residual = 0;    ///< |force on free components| / |forces that hold the body| after it
   double energy = 0;      ///< [J] after it
   double smallest_J = 0;  ///< after it
   int iterations = 0;     ///< of conjugate gradients
@@ -79,7 +82,7 @@ struct NewtonResult {
   int returns = 0;                                            ///< half the way to rest
   int bisections = 0;                                         ///< of the load's increment
   double residual = 0, energy = 0, smallest_J = 0;
-  double reaction = 0;  ///< |force on prescribed components| [N]
+  double reaction = 0;  ///< |forces that hold the body| [N]
 };
 
 enum class Device { cpu, cuda };
@@ -100,6 +103,9 @@ struct SolverSettings {
   bool nested = true;       ///< equilibrium on coarser meshes first, where there are
   int coarsest_nested = 2;  ///< levels that are never solved on, from the coarsest
   int most_bisections = 6;
+  /// Of rigid planes, per area, in Young's moduli over the mean spacing of a level's nodes. The surface stays behind a
+  /// plane by the pressure over Young's modulus times that spacing over this.
+  double plane_stiffness = 100;
   NewtonSettings newton;
 };
 

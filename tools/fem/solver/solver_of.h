@@ -61,10 +61,12 @@ class SolverOf final : public QuasistaticSolver {
         vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
         loops_.emplace_back();
         store_loading(*arrays_.back(), own[l], motion, forces);
-        rounding_forces_.push_back(rounding_force(own[l], motion, arrays_.back()->spacing));
-        prescribes_.push_back(std::ranges::any_of(own[l].fixed, [](std::uint8_t fixed) { return fixed != 0; }));
+        rounding_forces_.push_back(rounding_force(own[l], motion, !loading.planes.empty(), arrays_.back()->spacing));
+        moves_.push_back(std::ranges::any_of(own[l].fixed, [](std::uint8_t fixed) { return fixed != 0; }) ||
+                         !loading.planes.empty());
         all_prescribed_.push_back(std::ranges::all_of(own[l].fixed, [](std::uint8_t fixed) { return fixed == 7; }));
       }
+      if (!loading.planes.empty()) linear_.back()->planes = make_planes(l, own[l], loading.planes);
       if (l + 1 < solved_) coarsen_loading(own[l], own[l + 1].mesh.nodes, motion, forces);
     }
     on_->wait();
@@ -109,7 +111,7 @@ class SolverOf final : public QuasistaticSolver {
     if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
     const Arrays& coarser = *arrays_[1];
     (void)evaluate_now(1);
-    return NodeState{points(coarser.positions), forces_of(coarser)};
+    return NodeState{points(coarser.positions), forces_of(coarser), plane_contacts_of(1)};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     (void)evaluate_now();
@@ -124,6 +126,7 @@ class SolverOf final : public QuasistaticSolver {
     }
     return result;
   }
+  [[nodiscard]] std::vector<PlaneContact> plane_contacts() override { return plane_contacts_of(0); }
   [[nodiscard]] index_t bytes() const override {
     index_t sum = arrays_.front()->chunk_arrays->bytes();
     for (const auto& level : linear_) sum += level->bytes();
@@ -169,8 +172,8 @@ class SolverOf final : public QuasistaticSolver {
     NewtonSettings settings = settings_.newton;
     settings.most_iterations = std::max(settings.most_iterations, 100000);
     typename On::Loop loop;
-    const LinearResult result =
-        solve_step(*on_, loop, a, linear_, 0, v, *evaluator_, TangentFilter::none, settings, false, true, tolerance);
+    const LinearResult result = solve_step(*on_, loop, a, linear_, 0, v, *evaluator_, TangentFilter::none, settings,
+                                           load_, false, true, tolerance);
     if (step != nullptr) {
       const auto found = moved_to<elasticity::NodeDisplacementArray<Real>>(v.step);
       step->resize(force.size());
@@ -223,8 +226,9 @@ class SolverOf final : public QuasistaticSolver {
                  InjectPressure{a.patches->parents.const_view(), arrays_[l + 1]->patches->volumes.const_view(),
                                 a.patches->volumes.view()});
       }
-      const bool increment = coarsest && prescribes_[l] && (load != load_ || !reached_);
+      const bool increment = coarsest && moves_[l] && (load != load_ || !reached_);
       NewtonSettings newton = settings_.newton;
+      newton.start_load = load_;
       newton.last_reaction = last_reaction_;
       newton.rounding_force = rounding_forces_[l];
       newton.all_prescribed = all_prescribed_[l];
@@ -268,6 +272,17 @@ class SolverOf final : public QuasistaticSolver {
       for (int k = 0; k < 3; ++k) result[std::size_t(n)][std::size_t(k)] = host.const_view()[n].f()[k];
     }
     return result;
+  }
+  [[nodiscard]] std::vector<PlaneContact> plane_contacts_of(std::size_t level) {
+    if (linear_[level]->planes == nullptr) return {};
+    return measure_planes(*on_, *linear_[level], arrays_[level]->positions.const_view(), load_);
+  }
+  [[nodiscard]] std::unique_ptr<PlaneArrays<Real, Space>> make_planes(std::size_t l, const MeshLevel& level,
+                                                                      const std::vector<RigidPlane>& planes) const {
+    using Planes = PlaneArrays<Real, Space>;
+    if (l >= solved_) return std::make_unique<Planes>(level.mesh.nodes);
+    const double per_area = settings_.plane_stiffness * settings_.youngs_modulus / arrays_[l]->spacing;
+    return std::make_unique<Planes>(level, planes, per_area);
   }
 
   template <class Array>
@@ -315,14 +330,16 @@ class SolverOf final : public QuasistaticSolver {
   }
 
   /// Rounding of positions, eps |x|, times the stiffness of a node, with a factor for few numbers that add up.
-  [[nodiscard]] double rounding_force(const MeshLevel& level, const std::vector<Point>& motion, double spacing) const {
+  [[nodiscard]] double rounding_force(const MeshLevel& level, const std::vector<Point>& motion, bool planes,
+                                      double spacing) const {
     double farthest = 0;
     for (std::size_t n = 0; n < level.rest.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) {
         farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
       }
     }
-    const double modulus = settings_.youngs_modulus / (1 - 2 * std::min(settings_.poissons_ratio, 0.4999));
+    const double modulus = settings_.youngs_modulus * (1 / (1 - 2 * std::min(settings_.poissons_ratio, 0.4999)) +
+                                                       (planes ? settings_.plane_stiffness : 0.0));
     return 32 * std::numeric_limits<double>::epsilon() * farthest * modulus * spacing *
            std::sqrt(double(level.rest.size()));
   }
@@ -352,8 +369,8 @@ class SolverOf final : public QuasistaticSolver {
   std::vector<std::unique_ptr<Arrays>> arrays_;  ///< of the levels on which equilibrium is solved
   std::vector<std::unique_ptr<Vectors>> vectors_;
   std::deque<typename On::Loop> loops_;
-  std::vector<double> rounding_forces_;            ///< per level on which equilibrium is solved [N]
-  std::vector<bool> prescribes_, all_prescribed_;  ///< any component, every component
+  std::vector<double> rounding_forces_;       ///< per level on which equilibrium is solved [N]
+  std::vector<bool> moves_, all_prescribed_;  ///< any component or plane is moved by the load; every component is
   std::size_t solved_ = 1;
   double last_reaction_ = 0;  ///< at the last equilibrium [N]
   double load_ = 0;

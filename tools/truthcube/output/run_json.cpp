@@ -34,6 +34,7 @@ void visit_step(Record& step, const Visit& visit) {
   visit("reaction", step.reaction);
   visit("reaction_estimate", step.reaction_estimate);
   visit("error_estimate", step.error_estimate);
+  visit("past_plates", step.past_plates);
   visit("seconds", step.seconds);
   visit("warm_seconds", step.warm_seconds);
 }

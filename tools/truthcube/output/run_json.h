@@ -28,6 +28,7 @@ struct StepRecord {
   double reaction = 0;           ///< force on the top plate along z [N]; negative under compression
   double reaction_estimate = 0;  ///< of a mesh of vanishing size, extrapolated [N]; NaN without a coarser equilibrium
   double error_estimate = 0;     ///< RMS of the displacements' error [m]; NaN without a coarser equilibrium
+  double past_plates = 0;        ///< how far the body reaches past the plates at most [m]
   double seconds = 0;            ///< wall time of the solve, without set-up and output
   double warm_seconds = 0;       ///< the shortest of its repetitions; NaN where it was not repeated
   /// Every Newton step in the order in which it was done, on coarser meshes too.

@@ -1,0 +1,76 @@
+// What a level keeps of the rigid planes that its body may touch; made only where there are planes.
+#pragma once
+
+#include <contact.physgen.h>
+#include <fem/mesh/boundary.h>
+#include <fem/solver/quasistatic.h>
+#include <fem/solver/rigid_planes.h>
+#include <fem/solver/solver_arrays.h>
+#include <physgen/reduce.h>
+
+#include <vector>
+
+namespace physgen::fem {
+
+template <class Real, class Space>
+struct PlaneArrays {
+  contact::RigidPlaneArray<double, Space> planes;
+  contact::NodeAreaArray<double, Space> areas;            ///< empty where equilibrium is not solved
+  elasticity::NodeStiffnessArray<Real, Space> stiffness;  ///< the part of the nodes' blocks that planes have
+  double per_area = 0;                                    ///< stiffness [Pa/m]
+
+  /// Of a level on which equilibrium is solved.
+  /// @param stiffness_per_area [Pa/m]
+  PlaneArrays(const MeshLevel& level, const std::vector<RigidPlane>& given, double stiffness_per_area)
+      : planes(moved_to<decltype(planes)>(host_planes(given))),
+        areas(moved_to<decltype(areas)>(host_areas(level))),
+        stiffness(level.mesh.nodes),
+        per_area(stiffness_per_area) {}
+
+  /// Of a level of the preconditioner alone.
+  explicit PlaneArrays(index_t nodes) : stiffness(nodes) {}
+
+  [[nodiscard]] index_t bytes() const { return bytes_of(planes, areas, stiffness); }
+
+  /// For kernels. @pre equilibrium is solved on the level
+  [[nodiscard]] auto at(const AtLoad& load) const {
+    return RigidPlanes{per_area, load, planes.const_view(), areas.const_view()};
+  }
+
+ private:
+  static auto host_planes(const std::vector<RigidPlane>& given) {
+    contact::RigidPlaneArray<double> array(index_t(given.size()));
+    for (index_t p = 0; p < array.size(); ++p) {
+      const RigidPlane& plane = given[std::size_t(p)];
+      for (int k = 0; k < 3; ++k) array.view()[p].normal()[k] = plane.normal[std::size_t(k)];
+      array.view()[p].offset() = plane.offset;
+      array.view()[p].travel() = plane.travel;
+    }
+    return array;
+  }
+  static auto host_areas(const MeshLevel& level) {
+    const std::vector<double> shares = surface_areas(level.rest, boundary_faces(level.mesh));
+    contact::NodeAreaArray<double> array(index_t(shares.size()));
+    for (index_t n = 0; n < array.size(); ++n) array.view()[n].area() = shares[std::size_t(n)];
+    return array;
+  }
+};
+
+/// Force and depth of each plane with a level's nodes. @pre equilibrium is solved on it, and it has planes
+template <class On, class Level, class PositionView>
+[[nodiscard]] std::vector<PlaneContact> measure_planes(On& on, const Level& level, const PositionView& positions,
+                                                       double load) {
+  const auto planes = level.planes->at(load);
+  const auto constraints = level.constraints.const_view();
+  contact::PlaneContactArray<double, typename On::Space> contact(1);
+  std::vector<PlaneContact> contacts;
+  for (index_t p = 0; p < planes.planes.size(); ++p) {
+    on.reduce(level.nodes(), PlaneForce{p, planes, positions, constraints}, Sum{}, StorePlaneForce{contact.view()});
+    on.reduce(level.nodes(), PlaneDepth{p, planes, positions, constraints}, Max{}, StorePlaneDepth{contact.view()});
+    const auto found = on.value(contact);
+    contacts.push_back({found.force, found.depth});
+  }
+  return contacts;
+}
+
+}  // namespace physgen::fem
