@@ -76,13 +76,13 @@ TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fe
       fem::SolverSettings settings;
       settings.nested = nested;
       settings.newton.preconditioner.kind = kind;
-      const std::int64_t assembled = allocated(settings);
-      const RunBytes lists = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings);
+      const std::int64_t assembled = allocated(settings, 0);
+      const RunBytes lists = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, 0);
       settings.newton.product = fem::Product::matrix_free;
-      const std::int64_t real = allocated(settings);
-      EXPECT_EQ(predicted(settings), real);
+      const std::int64_t real = allocated(settings, 0);
+      EXPECT_EQ(predicted(settings, 0), real);
       EXPECT_LT(real, assembled);
-      EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings).lists, lists.lists);
+      EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, 0).lists, lists.lists);
     }
   }
 }
@@ -97,7 +97,7 @@ TEST_P(Bytes, of_the_schwarz_preconditioner_are_those_of_the_solver) {
       expect_near(settings);
       fem::SolverSettings without = settings;
       without.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-      EXPECT_GT(allocated(settings), allocated(without));
+      EXPECT_GT(allocated(settings, 0), allocated(without, 0));
     }
   }
 }

@@ -127,7 +127,9 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
   AtLoad at(load, has_increment ? settings.start_load : load);
   auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, restart);
   double before = free_of(state), forcing = settings.least_forcing;
-  bool risky = false, fresh = true;
+  // A full step may raise the energy where the one behind it makes up for that; if it does not, none may any more.
+  bool risky = false, may_risk = true, fresh = true;
+  double risked_energy = 0, risked_free = 0;
   // Forces are measured against those on prescribed components, now or at the last equilibrium: they may vanish.
   const auto scale_of = [&](const auto& s) { return std::max(std::sqrt(s.fixed_square), settings.last_reaction); };
   const auto residual_of = [&](const auto& s) {
@@ -218,9 +220,13 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       const double rounding = 1e-13 * (std::abs(state.elastic) + std::abs(state.volumetric) + std::abs(state.loads));
       const bool falls = energy_of(next) <= energy_of(state) - 1e-4 * length * work + rounding;
       const bool closer = free_of(next) <= 0.9 * free_of(state);
-      const bool may_rise = settings.full_steps_first && step.halvings == 0 && !risky && next.smallest_ratio > 0;
+      const bool may_rise =
+          settings.full_steps_first && step.halvings == 0 && may_risk && !risky && next.smallest_ratio > 0;
       if (finite && (has_increment || !settings.line_search || falls || closer || may_rise)) {
+        if (risky) may_risk = energy_of(next) < risked_energy || free_of(next) <= 0.9 * risked_free;
         risky = !has_increment && !falls && !closer;
+        risked_energy = energy_of(state);
+        risked_free = free_of(state);
         state = next;
         break;
       }

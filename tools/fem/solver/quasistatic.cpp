@@ -32,6 +32,7 @@ void require_settings(const SolverSettings& settings) {
   const NewtonSettings& newton = settings.newton;
   const PreconditionerSettings& preconditioner = newton.preconditioner;
   require_positive("the tolerance", newton.tolerance);
+  require_positive("the tolerance on coarser meshes", settings.coarser_tolerance);
   require_positive("the least tolerance of linear solves", newton.least_forcing);
   require_positive("the largest tolerance of linear solves", newton.most_forcing);
   require_positive("the stiffness of rigid planes", settings.plane_stiffness);

@@ -100,7 +100,9 @@ struct SolverSettings {
   double poissons_ratio = 0.45;
   Device device = Device::cpu;
   TangentPrecision precision = TangentPrecision::half;
-  bool nested = true;       ///< equilibrium on coarser meshes first, where there are
+  bool nested = true;  ///< equilibrium on coarser meshes first, where there are
+  /// Of the residual on coarser meshes, where newton.tolerance is smaller: the next finer mesh changes more than that.
+  double coarser_tolerance = 1e-2;
   int coarsest_nested = 2;  ///< levels that are never solved on, from the coarsest
   int most_bisections = 6;
   /// Of rigid planes, per area, in Young's moduli over the mean spacing of a level's nodes. The surface stays behind a

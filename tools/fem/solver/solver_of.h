@@ -230,6 +230,7 @@ class SolverOf final : public QuasistaticSolver {
       NewtonSettings newton = settings_.newton;
       newton.start_load = load_;
       newton.last_reaction = last_reaction_;
+      if (l > 0) newton.tolerance = std::max(newton.tolerance, settings_.coarser_tolerance);
       newton.rounding_force = rounding_forces_[l];
       newton.all_prescribed = all_prescribed_[l];
       const NewtonResult result = find_equilibrium(*on_, loops_[l], a, linear_, l, *vectors_[l], *evaluator_, newton,
