@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "fields.h"
 
@@ -66,6 +67,8 @@ class LastEquilibrium {
 
   void see(std::size_t level, const fem::NewtonStep& step) {
     look();
+    newton_.push_back(
+        {static_cast<int>(level), step.iterations, step.residual, step.energy, step.smallest_J, step.seconds});
     if (level > 0) return;
     now_.steps += 1;
     now_.iterations += step.iterations;
@@ -80,17 +83,26 @@ class LastEquilibrium {
     return last_;
   }
 
+  /// Every Newton step up to that equilibrium.
+  [[nodiscard]] std::vector<NewtonRecord> newton() {
+    look();
+    return {newton_.begin(), newton_.begin() + static_cast<std::ptrdiff_t>(last_count_)};
+  }
+
  private:
   void look() {
     if (solver_.load() == load_) return;
     load_ = solver_.load();
     last_ = now_;
+    last_count_ = newton_.size();
   }
 
   const fem::QuasistaticSolver& solver_;
   double load_;
   fem::NewtonResult now_;
   std::optional<fem::NewtonResult> last_;
+  std::vector<NewtonRecord> newton_;
+  std::size_t last_count_ = 0;  // of newton_, up to last_
 };
 
 MeasuredBeads::MeasuredBeads(const std::filesystem::path& file, const fem::MeshLevel& level)
@@ -117,7 +129,7 @@ Outcome Steps::run(const std::vector<double>& compressions) {
     }
     const double seconds = seconds_since(begin);
     if (result.status != fem::NewtonStatus::converged) return fail(compression, result, last, seconds);
-    finish(compression, result, seconds);
+    finish(compression, result, seconds, last.newton());
   }
   return Outcome::done;
 }
@@ -127,12 +139,13 @@ Outcome Steps::stop() const {
   return Outcome::interrupted;
 }
 
-void Steps::finish(double compression, const fem::NewtonResult& result, double seconds) {
+void Steps::finish(double compression, const fem::NewtonResult& result, double seconds,
+                   std::vector<NewtonRecord> newton) {
   const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
   double reaction = 0;
   for (const fem::Index n : scene_.top) reaction -= forces[static_cast<std::size_t>(n)][2];
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
-                           result.smallest_J, reaction, seconds});
+                           result.smallest_J, reaction, seconds, std::move(newton)});
   const std::string coarse = result.coarse_steps == 0
                                  ? ""
                                  : ", " + std::to_string(result.coarse_steps) + " and " +
@@ -151,7 +164,7 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
   const double reached = solver_.load();
   if (const std::optional<fem::NewtonResult>& found = last.result(); found.has_value()) {
     terminal_.line("compression %g, on the way", reached);
-    finish(reached, *found, seconds);
+    finish(reached, *found, seconds, last.newton());
   }
   std::fprintf(
       stderr,

@@ -41,8 +41,8 @@ class Steps {
 
  private:
   [[nodiscard]] Outcome stop() const;
-  /// Prints and writes an equilibrium.
-  void finish(double compression, const fem::NewtonResult& result, double seconds);
+  /// Prints and writes an equilibrium. @param newton the steps that led to it
+  void finish(double compression, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton);
   /// Writes the last equilibrium on the way, and says what stopped the run.
   [[nodiscard]] Outcome fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last,
                              double seconds);

@@ -29,7 +29,10 @@ RunRecord record_of(int steps) {
                 .settings = R"({"material":"neo_hookean","young":15000.0,"poisson":0.49,"cells":64})",
                 .setup_seconds = 0.1,
                 .steps = {}};
-  for (int s = 0; s < steps; ++s) run.steps.push_back({0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, 0.04});
+  for (int s = 0; s < steps; ++s) {
+    run.steps.push_back({0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, 0.04, {}});
+    run.steps.back().newton = {{2, 9, 0.3, 0.9, 0.8, 0.001}, {0, 11 + s, 1e-4 / 3, 0.7, 0.94, 0.02}};
+  }
   return run;
 }
 
@@ -54,7 +57,7 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   ASSERT_EQ(run["steps"].size(), 2U);
   const Json& step = run["steps"][1];
   EXPECT_EQ(keys_of(step), (std::vector<std::string>{"compression", "newton_iterations", "pcg_iterations", "residual",
-                                                     "energy", "smallest_J", "reaction", "seconds"}));
+                                                     "energy", "smallest_J", "reaction", "seconds", "newton"}));
   EXPECT_EQ(step["compression"], 0.1);
   EXPECT_EQ(step["newton_iterations"], 5);
   EXPECT_EQ(step["pcg_iterations"], 61);
@@ -63,6 +66,22 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(step["smallest_J"], 0.94);
   EXPECT_EQ(step["reaction"], -1.1);
   EXPECT_EQ(step["seconds"], 0.04);
+}
+
+TEST_F(RunJson, has_every_newton_step_in_order) {
+  write_run_json(path, record_of(2));
+  const Json newton = Json::parse(read_text(path))["steps"][1]["newton"];
+  ASSERT_EQ(newton.size(), 2U);
+  EXPECT_EQ(keys_of(newton[0]),
+            (std::vector<std::string>{"coarser_by", "pcg_iterations", "residual", "energy", "smallest_J", "seconds"}));
+  EXPECT_EQ(newton[0]["coarser_by"], 2);
+  EXPECT_EQ(newton[0]["residual"], 0.3);
+  EXPECT_EQ(newton[1]["coarser_by"], 0);
+  EXPECT_EQ(newton[1]["pcg_iterations"], 12);
+  EXPECT_EQ(newton[1]["residual"], 1e-4 / 3);
+  EXPECT_EQ(newton[1]["energy"], 0.7);
+  EXPECT_EQ(newton[1]["smallest_J"], 0.94);
+  EXPECT_EQ(newton[1]["seconds"], 0.02);
 }
 
 TEST_F(RunJson, without_steps_has_an_empty_list) {
@@ -120,6 +139,11 @@ TEST_F(RunJson, files_that_are_none_are_refused) {
   run["steps"][0].erase("reaction");
   testing::put_text(path, run.dump());
   expect_error(read, path.string(), "reaction");
+  write_run_json(path, record_of(1));
+  run = Json::parse(read_text(path));
+  run["steps"][0]["newton"][1].erase("residual");
+  testing::put_text(path, run.dump());
+  expect_error(read, path.string(), "residual");
 }
 
 TEST_F(RunJson, kill_or_full_disk_at_any_write_leaves_the_old_or_the_new_one) {

@@ -14,6 +14,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 template <class Record, class Visit>
+void visit_newton(Record& step, const Visit& visit) {
+  visit("coarser_by", step.coarser_by);
+  visit("pcg_iterations", step.pcg_iterations);
+  visit("residual", step.residual);
+  visit("energy", step.energy);
+  visit("smallest_J", step.smallest_J);
+  visit("seconds", step.seconds);
+}
+
+template <class Record, class Visit>
 void visit_step(Record& step, const Visit& visit) {
   visit("compression", step.compression);
   visit("newton_iterations", step.newton_iterations);
@@ -57,6 +67,11 @@ void write_run_json(const std::filesystem::path& file, const RunRecord& record) 
   for (const StepRecord& step : record.steps) {
     Json entry;
     visit_step(step, [&entry](const char* key, const auto& value) { entry[key] = value; });
+    entry["newton"] = Json::array();
+    for (const NewtonRecord& newton : step.newton) {
+      Json& line = entry["newton"].emplace_back();
+      visit_newton(newton, [&line](const char* key, const auto& value) { line[key] = value; });
+    }
     run["steps"].push_back(entry);
   }
   // Names of files in a command need not be UTF-8, which JSON is.
@@ -72,7 +87,11 @@ RunRecord read_run_json(const std::filesystem::path& file) {
     visit_run(record, [&run](const char* key, auto& value) { take(run, key, value); });
     record.settings = run.at("settings").dump();
     for (const Json& entry : run.at("steps")) {
-      visit_step(record.steps.emplace_back(), [&entry](const char* key, auto& value) { take(entry, key, value); });
+      StepRecord& step = record.steps.emplace_back();
+      visit_step(step, [&entry](const char* key, auto& value) { take(entry, key, value); });
+      for (const Json& line : entry.at("newton")) {
+        visit_newton(step.newton.emplace_back(), [&line](const char* key, auto& value) { take(line, key, value); });
+      }
     }
     return record;
   } catch (const Json::exception& error) {

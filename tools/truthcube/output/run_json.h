@@ -8,6 +8,16 @@
 
 namespace physgen::truthcube {
 
+struct NewtonRecord {
+  int coarser_by = 0;  ///< levels of mesh; 0 is the finest
+  int pcg_iterations = 0;
+  double residual = 0;    ///< relative, after the step, as energy and smallest_J are
+  double energy = 0;      ///< [J]
+  double smallest_J = 0;  // NOLINT(readability-identifier-naming): as in the file
+  double seconds = 0;
+  bool operator==(const NewtonRecord&) const = default;
+};
+
 struct StepRecord {
   double compression = 0;  ///< plate travel over side
   int newton_iterations = 0;
@@ -17,6 +27,8 @@ struct StepRecord {
   double smallest_J = 0;   // NOLINT(readability-identifier-naming): as in the file
   double reaction = 0;     ///< force on the top plate along z [N]; negative under compression
   double seconds = 0;      ///< wall time of the solve, without set-up and output
+  /// Every Newton step in the order in which it was done, on coarser meshes too.
+  std::vector<NewtonRecord> newton{};
   bool operator==(const StepRecord&) const = default;
 };
 
