@@ -5,6 +5,7 @@ the checked-in reference (tests/fem/solver/oracle). Each is a program of its own
 run is done twice, so that no other waits for files and drivers to be loaded. Needs nothing but Python."""
 import argparse
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -98,7 +99,8 @@ def machine(options):
         return ""
     name = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
     threads = f"{options.threads} thread{'s' * (options.threads != 1)}" if options.threads else "all threads"
-    return f"{name[1].strip() if name else 'CPU'}, {threads}"
+    busy = ", beside other work" if os.getloadavg()[0] > 1 else ""  # before the first run: times are then too long
+    return f"{name[1].strip() if name else 'CPU'}, {threads}{busy}"
 
 
 def main():
@@ -113,6 +115,7 @@ def main():
     parser.add_argument("--repeats", type=int, default=1, help="runs of a kind, of which the fastest counts")
     options = parser.parse_args()
     options.cells = options.cells or ([8, 16, 32, 64] if options.errors else [64])
+    where = machine(options)
     runs, place = [], ["--device", options.device, *(["--threads", str(options.threads)] if options.threads else [])]
     for arguments in (error_runs if options.errors else table_runs)(options):
         if not runs:
@@ -120,7 +123,7 @@ def main():
         runs.append(fastest(options, [*place, *arguments]))
         outcome = [[step["seconds"], step.get("beads", {}).get("rms_mm", "")] for step in runs[-1].get("steps", [])]
         print(runs[-1]["command"], *outcome, runs[-1].get("failed", ""), flush=True)
-    file = {"sources": sources.text(sources.hashes(groups=MEASURED)), "machine": machine(options), "runs": runs}
+    file = {"sources": sources.text(sources.hashes(groups=MEASURED)), "machine": where, "runs": runs}
     pathlib.Path(options.output).write_text(json.dumps(file, indent=1) + "\n")
     return 1 if any("failed" in run for run in runs) else 0
 

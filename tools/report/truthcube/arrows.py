@@ -18,7 +18,7 @@ def draw(run, step, reference=None, reference_name=""):
     """One step: all beads in perspective, those of the middle plane, and there `reference` less the run, magnified."""
     beads = _Arrays(at_compression(run.beads, step.compression))
     columns = 2 if reference is None else 3
-    figure = Plot(figsize=(WIDTH, 3.9 if columns == 3 else 4.2), layout="constrained")
+    figure = Plot(figsize=(WIDTH, 3.75 if columns == 3 else 4.2), layout="constrained")
     grid = figure.subplots(1, columns)
     _in_space(grid[0], run, step, beads)
     _in_plane(grid[1], run, beads)
@@ -27,7 +27,7 @@ def draw(run, step, reference=None, reference_name=""):
     if reference is not None:
         difference = np.array(beads.table.less(reference))
         _differences(figure, grid[2], run, beads, difference, reference_name)
-    figure.get_layout_engine().set(rect=(0, 0, 0.99, 1))
+    figure.get_layout_engine().set(rect=(0, 0, 1, 0.95))
     figure.suptitle(f"{len(beads.rest)} beads, {percent(step.compression)}: {run.title()}", fontsize=8.5, x=0.01, ha="left")
     return figure
 
@@ -109,9 +109,9 @@ def _differences(figure, axes, run, beads, difference, reference_name):
     mm = 1e3 * difference
     factor = _round_down(8 / max(lengths(mm[chosen]).max(), 1e-9))
     _arrows(axes, start, factor * mm[chosen][:, [0, 2]], _colours(difference, ERROR).to_rgba(lengths(mm[chosen])), 0.55)
-    all_beads = f"of all: RMS {rms_mm(difference):.3f} mm, largest {largest_mm(difference):.3f} mm"
-    _plane(axes, run, f"run less {reference_name}, {names.significant(factor, 1)} times as long\n{all_beads}")
-    _bar(figure, [axes], _colours(difference, ERROR), "difference [mm]")
+    _plane(axes, run, f"run less {reference_name}, {names.significant(factor, 1)} times as long")
+    label = f"difference [mm]: RMS {rms_mm(difference):.3f}, largest {largest_mm(difference):.3f}"
+    _bar(figure, [axes], _colours(difference, ERROR), label)
 
 
 def _round_down(value):

@@ -21,11 +21,12 @@ class Quantity:
     unit: str
     colours: matplotlib.colors.Colormap
     values: object  # (run, step) -> values of the nodes
+    share: float  # of the nodes that the colours' range has
 
     def range(self, run, steps):
-        """From 0 to what 99.5 % of all nodes stay below: the stress at bonded edges has no largest value."""
+        """@return the least, the largest of the colours, and the largest of all"""
         every = np.concatenate([self.values(run, step) for step in steps])
-        return 0.0, float(np.quantile(every, 0.995)) if self.unit == "kPa" else float(every.max()), float(every.max())
+        return 0.0, float(np.quantile(every, self.share)), float(every.max())
 
 
 def shades(name, begin, end):
@@ -34,8 +35,13 @@ def shades(name, begin, end):
     return matplotlib.colors.ListedColormap(colours, name)
 
 
-DISPLACEMENT = Quantity("displacement", "mm", shades("YlGnBu", 0, 0.84), lambda run, step: 1e3 * lengths(step.displacement))
-VON_MISES = Quantity("von Mises stress", "kPa", shades("YlOrRd", 0, 0.97), lambda run, step: 1e-3 * run.at_nodes(step.von_mises))
+DISPLACEMENT = Quantity(
+    "displacement", "mm", shades("YlGnBu", 0, 0.84), lambda run, step: 1e3 * lengths(step.displacement), 1.0
+)
+# At bonded edges the stress has no largest value: finer meshes find larger ones.
+VON_MISES = Quantity(
+    "von Mises stress", "kPa", shades("YlOrRd", 0, 0.97), lambda run, step: 1e-3 * run.at_nodes(step.von_mises), 0.995
+)
 
 
 def percent(compression):
@@ -50,8 +56,7 @@ class View:
         self.edges, self.share, self.triangles, self.closed = edges, share, triangles, closed
         low, high = run.points.min(axis=0), run.points.max(axis=0)
         self.low, self.distance = low, render.round_distance((high - low).max())
-        self.rest = self.corners(run.points)
-        every = [self.rest] + [self.corners(run.points + step.displacement) for step in run.steps]
+        every = [self.corners(run.points)] + [self.corners(run.points + step.displacement) for step in run.steps]
         flat = np.concatenate([camera.project(points)[0] for points in every])
         margin = 0.02 * np.ptp(flat, axis=0).max()
         left, bottom = flat.min(axis=0) - margin

@@ -1,4 +1,5 @@
 """Reads what truthcube wrote into a folder: run.json, cube.vtkhdf and beads.csv."""
+import functools
 import os
 import pathlib
 from dataclasses import dataclass
@@ -29,12 +30,17 @@ class Run:
 
     def at_nodes(self, values):
         """Values of tets, averaged over those at each node by their volume at rest."""
+        nodes, weights, total = self._weights
+        return np.bincount(nodes, weights * np.repeat(values, 4), len(self.points)) / total
+
+    @functools.cached_property
+    def _weights(self):
+        """For each corner of each tet its node and the tet's volume; and their sums at nodes, 1 where there are none."""
         corners = self.points[self.tets]
-        volume = np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1]))
-        nodes, weights = self.tets.ravel(), np.repeat(volume, 4)
-        sums = np.bincount(nodes, weights * np.repeat(values, 4), len(self.points))
+        nodes = self.tets.ravel()
+        weights = np.repeat(np.abs(np.linalg.det(corners[:, 1:] - corners[:, :1])), 4)
         total = np.bincount(nodes, weights, len(self.points))
-        return sums / np.where(total > 0, total, 1)
+        return nodes, weights, np.where(total > 0, total, 1)
 
     def title(self):
         """What was solved, in words."""
