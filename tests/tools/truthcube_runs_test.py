@@ -113,7 +113,11 @@ class RunsTest(unittest.TestCase):
         path = self.folder / "some_failed.json"
         path.write_text(json.dumps(content))
         title = error_against_time.draw(path)._suptitle.get_text()
-        self.assertIn(content["machine"], title)
+        self.assertIn(f"{content['machine']}: numbers", title)
+        content["repeats"] = 4
+        path.write_text(json.dumps(content))
+        title = error_against_time.draw(path)._suptitle.get_text()
+        self.assertIn(f"{content['machine']}, fastest of 4 runs: numbers", title)
         self.assertIn("; 1 run failed", title)
 
     def test_files_of_runs_that_are_none_are_refused_with_the_place(self):

@@ -48,7 +48,8 @@ def read(path):
         raise RunError(f"{path}: runs of {' and '.join(sorted(set(machines)))}: their times do not compare; {AGAIN}")
     if not points:
         raise RunError(f"{path}: all runs failed; {AGAIN}")
-    return points, machines[0], failed
+    repeats = content.get("repeats", 1)
+    return points, machines[0] + (f", fastest of {repeats} runs" if repeats != 1 else ""), failed
 
 
 def _points(run, place):
