@@ -62,10 +62,11 @@ def svg(figure):
     return stream.getvalue()
 
 
-def png(figure):
-    """The figure as a PNG file, 160 pixels per inch."""
+def png(figure, description=None, dpi=160):
+    """The figure as a PNG file, `dpi` pixels per inch; the description stands in the file."""
     stream = io.BytesIO()
-    figure.savefig(stream, format="png", dpi=160, metadata={"Software": None})
+    metadata = {"Software": None, "Description": description}
+    figure.savefig(stream, format="png", dpi=dpi, metadata=metadata, pil_kwargs={"optimize": True})
     return stream.getvalue()
 
 
@@ -162,8 +163,9 @@ def bars_height(groups, bar=0.165, gap=1.1):
     return 0.75 + bar * (sum(len(bars) for _, bars in groups) + gap * len(groups))
 
 
-def key(axes, names):
-    """Names with a dot of their colour, in one line above the axes: [(name, colour)]."""
+def key(axes, names, in_layout=True):
+    """Names with a dot of their colour, in one line above the axes: [(name, colour)]. `in_layout`: room is made for it
+    where it is wider than the axes."""
     parts = [
         offsetbox.HPacker(
             pad=0,
@@ -175,14 +177,14 @@ def key(axes, names):
         )
         for name, colour in names
     ]
-    axes.add_artist(
-        offsetbox.AnchoredOffsetbox(
-            "lower left",
-            child=offsetbox.HPacker(pad=0, sep=14, children=parts),
-            frameon=False,
-            bbox_to_anchor=(0, 1),
-            bbox_transform=axes.transAxes,
-            borderpad=0.3,
-            pad=0,
-        )
+    box = offsetbox.AnchoredOffsetbox(
+        "lower left",
+        child=offsetbox.HPacker(pad=0, sep=14, children=parts),
+        frameon=False,
+        bbox_to_anchor=(0, 1),
+        bbox_transform=axes.transAxes,
+        borderpad=0.3,
+        pad=0,
     )
+    box.set_in_layout(in_layout)
+    axes.add_artist(box)

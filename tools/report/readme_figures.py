@@ -7,8 +7,12 @@
 
 A figure is found by the names of rows, `kernel/layout/storage/space/objects[/set]`, where `*` stands for anything
 within a part (`File` in readme_numbers.py)."""
+import importlib
 import json
 from dataclasses import dataclass
+
+import rows
+from truthcube import linear_solves, records
 
 READMES = ["README.md", "tools/fem/README.md", "tools/physbench/README.md", "tools/examples/kernels.md"]
 
@@ -140,12 +144,19 @@ def _truthcube(text):
     return _lines(head, body)
 
 
+def _linear_solves(text):
+    """Rows of the program linear_solves: one line for each body and machine."""
+    name = "linear_solves.json"
+    return _lines(*linear_solves.lines(records.parse(text, name), name))
+
+
 TABLES = {
     "kernels": _kernels,
     "errors": _errors,
     "storage": _storage,
     "packages": _packages,
     "truthcube": _truthcube,
+    "linear_solves": _linear_solves,
 }
 
 
@@ -419,16 +430,31 @@ SENTENCES = [
 # ---- Pictures --------------------------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class Picture:
-    """The first plot of a section of the report, plots/`plot`.py, made from some files of results."""
+    """A plot, made from some files of results."""
 
     path: str
     files: tuple
-    plot: str
+    draw: object  # paths of the files -> matplotlib's figure, or None where they have no rows for it
+
+
+def _of_page(plot):
+    """The first plot of a section of the report, plots/`plot`.py."""
+
+    def draw(paths):
+        section = importlib.import_module(f"plots.{plot}").section(rows.load(paths))  # only drawing needs matplotlib
+        return next((block.plot for block in section.blocks if hasattr(block, "plot")), None)
+
+    return draw
+
+
+def _error_against_time(paths):
+    return importlib.import_module("truthcube.error_against_time").draw(*paths)
 
 
 PICTURES = [
-    Picture("tools/report/results/h200_pareto.svg", ("h200.json", "h200_storage.json"), "pareto"),
-    Picture("tools/report/results/h200_gathered.svg", ("h200_gathers.json",), "gathered"),
+    Picture("tools/report/results/h200_pareto.svg", ("h200.json", "h200_storage.json"), _of_page("pareto")),
+    Picture("tools/report/results/h200_gathered.svg", ("h200_gathers.json",), _of_page("gathered")),
+    Picture("tools/report/results/truthcube/error_against_time.svg", ("truthcube/errors.json",), _error_against_time),
 ]
 
 # ---- What is from elsewhere ------------------------------------------------------------------------------------------

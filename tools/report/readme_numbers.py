@@ -13,6 +13,7 @@ from dataclasses import dataclass
 sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
 import readme_figures  # noqa: E402
 import rows  # noqa: E402
+from truthcube import records  # noqa: E402
 
 HELP = """Compares the figures of READMEs with the checked-in results (--check), or writes them anew (--write): tables
 between <!-- figures: NAME, from FILE.json --> and <!-- end of figures -->, figures in sentences, and pictures; and the
@@ -158,7 +159,7 @@ class Checkout:
                     f"{LIST}, under SENTENCES or, with where it is from, under ELSEWHERE"
                 )
         for picture in readme_figures.PICTURES:
-            if self._source(picture) not in self.text(picture.path):
+            if not self._is_drawn(picture):
                 found.append(f"{picture.path}: not drawn from the present {' and '.join(picture.files)}")
         return found
 
@@ -171,28 +172,27 @@ class Checkout:
                 text = text[: edit.begin] + edit.wanted + text[edit.end :]
             texts[readme] = text
         for picture in readme_figures.PICTURES:
-            if self._source(picture) not in self.text(picture.path):
+            if not self._is_drawn(picture):
                 texts[picture.path] = self._draw(picture)
-        changed = [name for name, text in texts.items() if text != self.text(name)]
+        changed = [name for name, text in texts.items() if not (self.root / name).exists() or text != self.text(name)]
         for name in changed:
             (self.root / name).write_bytes(texts[name].encode())
         return changed
+
+    def _is_drawn(self, picture):
+        return (self.root / picture.path).exists() and self._source(picture) in self.text(picture.path)
 
     def _source(self, picture):
         of = [(name, (self.root / RESULTS / name).read_bytes()) for name in picture.files]
         return "\n".join(f"<!-- of {name}, sha256 {hashlib.sha256(content).hexdigest()} -->" for name, content in of)
 
     def _draw(self, picture):
-        import importlib  # here, since only writing needs matplotlib
+        import drawing  # here, since only writing needs matplotlib
 
-        import drawing
-
-        results = rows.load([str(self.root / RESULTS / name) for name in picture.files])
-        section = importlib.import_module(f"plots.{picture.plot}").section(results)
-        figure = next((block for block in section.blocks if hasattr(block, "plot")), None)
+        figure = picture.draw([str(self.root / RESULTS / name) for name in picture.files])
         if figure is None:
             raise FiguresError(f"{' and '.join(picture.files)} have no rows for {picture.path}")
-        head, rest = drawing.svg(figure.plot).split("\n", 1)
+        head, rest = drawing.svg(figure).split("\n", 1)
         return f"{head}\n{self._source(picture)}\n{rest}"
 
 
@@ -243,7 +243,7 @@ def main(arguments=None):
             for name in checkout.write():
                 print(name)
         differences = checkout.differences()
-    except (FiguresError, rows.ResultsError) as error:
+    except (FiguresError, rows.ResultsError, records.RunError) as error:
         return _fail(error)
     except ImportError as error:
         return _fail(f"{error}; on Debian: apt install python3-matplotlib")

@@ -1,56 +1,135 @@
 #!/usr/bin/env python3
-"""Runs truthcube for the table of the README and collects what each run wrote: truthcube_runs.py PROGRAM -o FILE.json
-[--device cpu|cuda] [--cells N ...]"""
+"""Runs truthcube and collects what each run wrote into one file of JSON: runs for the table of the README, or, with
+--errors, for the plot of error against time: each solves from rest to one compression, and its beads are compared with
+the checked-in reference (tests/fem/solver/oracle). Each is a program of its own, so the first solve counts; the first
+run is done twice, so that no other waits for files and drivers to be loaded. Needs nothing but Python."""
 import argparse
 import json
+import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 sys.dont_write_bytecode = True
 import sources  # noqa: E402
+from truthcube import beads, records  # noqa: E402
 
 # What the figures depend on.
 MEASURED = ("runtime", "generated", "tools/fem", "tools/truthcube")
-# Poisson's ratio and the treatment of the volume.
+# Poisson's ratio and the treatment of the volume, for the table.
 BODIES = (("0.45", "tets"), ("0.49", "patches"), ("0.499", "patches"))
 # How the load is reached: at once, from coarser meshes; or in the paper's three steps.
 STEPPINGS = {"nested": ["0.1825"], "loads": ["0.05", "0.125", "0.1825"]}
+# For the errors: those of which the reference has beads.
+COMPRESSIONS = ("0.05", "0.125", "0.1825")
+VOLUMES = ("tets", "patches")
+PRECONDITIONERS = ("multigrid", "schwarz", "block-jacobi")
 
 
-def run(program, arguments):
-    """One run, as its run.json has it, with its command. Each is a program of its own, so the first solve counts."""
+def table_runs(options):
+    """Arguments of each run."""
+    for cells in options.cells:
+        for poisson, volume in BODIES:
+            for stepping, loads in STEPPINGS.items():
+                for preconditioner in options.preconditioners or ["multigrid"]:
+                    yield [
+                        "--cells", str(cells), "--poisson", poisson, "--volume", volume, "--stepping", stepping,
+                        "--preconditioner", preconditioner, "--compress", *loads,
+                    ]  # fmt: skip
+
+
+def error_runs(options):
+    for preconditioner in options.preconditioners or offered(options.program):
+        for volume in VOLUMES:
+            for cells in options.cells:
+                for compression in COMPRESSIONS:
+                    yield [
+                        "--cells", str(cells), "--poisson", "0.49", "--volume", volume, "--stepping", "nested",
+                        "--preconditioner", preconditioner, "--compress", compression,
+                    ]  # fmt: skip
+
+
+def offered(program):
+    """Those of PRECONDITIONERS that the program has."""
+    text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
+    names = re.search(r"--preconditioner \{([^}]*)\}", text)
+    if names is None:
+        sys.exit(f"truthcube_runs.py: {program} --help lists no preconditioners: is it truthcube?")
+    return [name for name in PRECONDITIONERS if name in re.split(r",\s*", names[1])]
+
+
+def fastest(options, arguments):
+    """Of options.repeats equal runs the one that solved fastest; one that failed, if any did."""
+    runs = [run(options.program, arguments, options.errors) for _ in range(options.repeats)]
+    return min(runs, key=lambda run: sum(step["seconds"] for step in run.get("steps", [])))
+
+
+def run(program, arguments, with_beads):
+    """One run, as its run.json has it without Newton steps, with its command; or why it failed."""
+    command = {"command": " ".join(["truthcube", *arguments])}
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, *arguments, "--quiet"]
-        done = subprocess.run([*command, "--out", folder], capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            [program, *arguments, "--quiet", "--out", folder], capture_output=True, text=True, check=False
+        )
         if done.returncode != 0:
-            return {"command": " ".join(["truthcube", *arguments]), "failed": done.stderr.strip(), "status": done.returncode}
-        record = json.loads((pathlib.Path(folder) / "run.json").read_text())
-        record["command"] = " ".join(["truthcube", *arguments])
+            return {**command, "failed": done.stderr.strip(), "status": done.returncode}
+        record = {**records.read_record(pathlib.Path(folder) / "run.json"), **command}
+        for step in record["steps"]:
+            del step["newton"]
+            if with_beads:
+                step["beads"] = errors(record["settings"], step["compression"], pathlib.Path(folder) / "beads.csv")
         return record
+
+
+def errors(settings, compression, table):
+    """How far the run's beads are from those of the reference."""
+    name = beads.oracle_name(settings, compression)
+    here, there = (
+        beads.at_compression(beads.read_beads(file), compression) for file in (table, beads.ROOT / name)
+    )
+    difference = here.less(there)
+    return {"reference": name, "rms_mm": beads.rms_mm(difference), "max_mm": beads.largest_mm(difference)}
+
+
+def machine(options):
+    """What a time on the CPU is of; a GPU is named in each run."""
+    if options.device == "cuda":
+        return ""
+    name = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())
+    threads = f"{options.threads} thread{'s' * (options.threads != 1)}" if options.threads else "all threads"
+    busy = ", beside other work" if os.getloadavg()[0] > 1 else ""  # before the first run: times are then too long
+    return f"{name[1].strip() if name else 'CPU'}, {threads}{busy}"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
-    parser.add_argument("-o", "--output", required=True)
+    parser.add_argument("-o", "--output", required=True, metavar="FILE.json")
+    parser.add_argument("--errors", action="store_true", help="runs for the plot of error against time")
     parser.add_argument("--device", default="cuda", choices=["cpu", "cuda"])
-    parser.add_argument("--cells", type=int, nargs="+", default=[64])
-    parser.add_argument("--preconditioners", nargs="+", default=["multigrid"])
+    parser.add_argument("--threads", type=int, default=0, help="on the CPU; 0: all")
+    parser.add_argument("--cells", type=int, nargs="+", help="64; with --errors 8 16 32 64")
+    parser.add_argument("--preconditioners", nargs="+", help="multigrid; with --errors those that the program has")
+    parser.add_argument("--repeats", type=int, default=1, help="runs of a kind, of which the fastest counts")
     options = parser.parse_args()
-    runs = []
-    for cells in options.cells:
-        for poisson, volume in BODIES:
-            for stepping, loads in STEPPINGS.items():
-                for preconditioner in options.preconditioners:
-                    arguments = ["--device", options.device, "--cells", str(cells), "--poisson", poisson]
-                    arguments += ["--volume", volume, "--stepping", stepping, "--preconditioner", preconditioner]
-                    runs.append(run(options.program, [*arguments, "--compress", *loads]))
-                    print(runs[-1]["command"], [step["seconds"] for step in runs[-1].get("steps", [])], flush=True)
-    text = json.dumps({"sources": sources.text(sources.hashes(groups=MEASURED)), "runs": runs}, indent=1)
-    pathlib.Path(options.output).write_text(text + "\n")
+    options.cells = options.cells or ([8, 16, 32, 64] if options.errors else [64])
+    where = machine(options)
+    runs, place = [], ["--device", options.device, *(["--threads", str(options.threads)] if options.threads else [])]
+    for arguments in (error_runs if options.errors else table_runs)(options):
+        if not runs:
+            run(options.program, [*place, *arguments], options.errors)
+        runs.append(fastest(options, [*place, *arguments]))
+        outcome = [[step["seconds"], step.get("beads", {}).get("rms_mm", "")] for step in runs[-1].get("steps", [])]
+        print(runs[-1]["command"], *outcome, runs[-1].get("failed", ""), flush=True)
+    file = {"sources": sources.text(sources.hashes(groups=MEASURED)), "machine": where, "repeats": options.repeats, "runs": runs}
+    pathlib.Path(options.output).write_text(json.dumps(file, indent=1) + "\n")
+    return 1 if any("failed" in run for run in runs) else 0
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        sys.exit(main())
+    except records.RunError as error:
+        sys.exit(f"truthcube_runs.py: {error}")

@@ -1,0 +1,98 @@
+"""The ratio table: times of one linear solve of the Truth Cube by several methods, to equal residuals. Its file holds a
+list `rows` of objects {cells, poisson, volume, method, setup_seconds, solve_seconds, iterations, residual, device}; they
+may also have compression, norm, tolerance, precision and status, as those of the program linear_solves do."""
+from . import records
+from .records import RunError
+
+METHODS = {
+    "multigrid": "multigrid",
+    "schwarz": "Schwarz",
+    "block-jacobi": "block Jacobi",
+    "none": "no preconditioner",
+    "vendor": "vendor's library",
+}
+AGAIN = "measure again with linear_solves"
+CONVERGED = "converged"
+EQUAL = 10  # residuals of one tolerance differ by less than this factor: a method ends at an iteration, not between
+_KINDS = {"cells": int, "poisson": float, "volume": str, "method": str, "setup_seconds": float, "solve_seconds": float,
+          "iterations": int, "residual": float, "device": str}  # fmt: skip
+_BODY = ("device", "cells", "poisson", "volume", "compression", "norm", "tolerance")
+
+
+def groups(content, name):
+    """Rows of one body, residual and machine: [{method: row}], in the order of the file; of several precisions the
+    fastest. @param name of the file. @throws RunError naming the row"""
+    rows = content.get("rows") if isinstance(content, dict) else None
+    if not isinstance(rows, list) or not rows:
+        raise RunError(f"{name}: no list of 'rows'; {AGAIN}")
+    found = {}
+    for number, row in enumerate(rows):
+        _check(row, f"{name}: rows[{number}]")
+        group = found.setdefault(tuple(row.get(key) for key in _BODY), {})
+        other = group.setdefault(row["method"], row)
+        if other is not row and other.get("precision") == row.get("precision"):
+            raise RunError(f"{name}: rows[{number}]: '{row['method']}' of this body is there already; leave one of them")
+        if _solves(row) and (not _solves(other) or row["solve_seconds"] < other["solve_seconds"]):
+            group[row["method"]] = row
+    for group in found.values():
+        _check_group(group, name)
+    return list(found.values())
+
+
+def _check(row, place):
+    records.require(row, _KINDS, place, AGAIN)
+    if row["method"] not in METHODS:
+        raise RunError(f"{place}: the method '{row['method']}' is none of {', '.join(METHODS)}")
+    for key in ("setup_seconds", "solve_seconds", "residual"):
+        least = 0 if key == "setup_seconds" else 1e-300
+        if _solves(row) and (row[key] is None or row[key] < least):
+            raise RunError(f"{place}: '{key}' is {row[key]}, which is no positive number; {AGAIN}")
+
+
+def _check_group(group, name):
+    first = next(iter(group.values()))
+    body = f"{name}: {first['cells']} cells, nu {first['poisson']:g}, {first['volume']} on {first['device']}"
+    if "multigrid" not in group or not _solves(group["multigrid"]):
+        raise RunError(f"{body}: no solve by multigrid, to which the others are compared; {AGAIN}")
+    residuals = [row["residual"] for row in group.values() if _solves(row)]
+    if max(residuals) > EQUAL * min(residuals):
+        raise RunError(
+            f"{body}: residuals from {min(residuals):.1e} to {max(residuals):.1e} are not equal ones; "
+            "measure all methods to the same tolerance"
+        )
+
+
+def _solves(row):
+    return row.get("status", CONVERGED) == CONVERGED
+
+
+def lines(content, name):
+    """Header and rows of the table: ratios of times over multigrid's, to solve and with the set-up of the method; then
+    for each method the time to solve, and its iterations."""
+    table, present = [], groups(content, name)
+    methods = [method for method in METHODS if any(method in group for group in present)]
+    for group in present:
+        first = group["multigrid"]
+        residuals = [row["residual"] for row in group.values() if _solves(row)]
+        table.append(
+            [f"{first['cells']}³", f"{first['poisson']:g}, {first['volume']}"]
+            + [_ratios(group, methods, lambda row: row["solve_seconds"])]
+            + [_ratios(group, methods, lambda row: row["setup_seconds"] + row["solve_seconds"])]
+            + [_cell(group[method]) if method in group else "–" for method in methods]
+            + [f"{min(residuals):.1e} to {max(residuals):.1e}", first["device"]]
+        )
+    named = [f"{METHODS[method]} [ms]" for method in methods]
+    ratio = " : ".join(METHODS[method] for method in methods)
+    return ["cells", "nu, volume by", ratio, "with set-up", *named, "residual", "device"], table
+
+
+def _ratios(group, methods, seconds):
+    least = seconds(group["multigrid"])
+    return " : ".join(
+        f"{seconds(group[method]) / least:.2f}" if method in group and _solves(group[method]) else "–"
+        for method in methods
+    )
+
+
+def _cell(row):
+    return f"{1e3 * row['solve_seconds']:.3g} in {row['iterations']}" if _solves(row) else row["status"]
