@@ -9,7 +9,7 @@
 
 namespace physgen::truthcube {
 
-enum class VolumeTreatment { tets, patches };
+enum class VolumeTreatment { tets, patches, nodes };
 enum class TopPlate { bonded, frictionless };
 
 struct Options {

@@ -28,9 +28,10 @@ using Vectors = std::vector<Eigen::Vector3d>;
 
 /// An irregular cube, compressed, sheared and with every node moved at random.
 struct Scene {
-  explicit Scene(bool patches)
-      : levels(make_levels(tets(), 0, patches,
-                           [](const Point& x) -> std::uint8_t { return x[2] == 0 ? 7 : (x[0] == 0 ? 1 : 0); })),
+  explicit Scene(Volume volume)
+      : levels(with(volume,
+                    make_levels(tets(), 0, volume == Volume::patches,
+                                [](const Point& x) -> std::uint8_t { return x[2] == 0 ? 7 : (x[0] == 0 ? 1 : 0); }))),
         graph(make_level_graphs(levels)[0]),
         arrays(levels[0], graph, false, nullptr),
         level(graph, nullptr) {
@@ -49,10 +50,12 @@ struct Scene {
     return once;
   }
 
-  /// The evaluation of positions, with its tangent; all arrays follow it.
-  void evaluate(Evaluator<HostExecutor, Arrays>& evaluator, const Vectors& x) {
+  /// The evaluation of positions, with its tangent; all arrays follow it. @return the energy [J]
+  double evaluate(Evaluator<HostExecutor, Arrays>& evaluator, const Vectors& x) {
     for (std::size_t n = 0; n < x.size(); ++n) arrays.positions.view()[index_t(n)].x() = x[n];
-    (void)evaluate_state(on, arrays, level, evaluator, arrays.positions.const_view(), arrays.forces.view(), 0.0, true);
+    const auto state =
+        evaluate_state(on, arrays, level, evaluator, arrays.positions.const_view(), arrays.forces.view(), 0.0, true);
+    return state.elastic + state.volumetric;
   }
   [[nodiscard]] Vectors forces() const {
     Vectors result;
@@ -131,9 +134,9 @@ double largest_difference(const Vectors& a, const Vectors& b) {
 
 template <class Material>
 void expect_equal_products(const char* name) {
-  Scene scene(false);
+  Scene scene(Volume::tets);
   const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, 1, 0.45, false);
-  scene.evaluate(*evaluator, scene.at);
+  (void)scene.evaluate(*evaluator, scene.at);
   const Vectors assembled = assembled_product(scene, *evaluator);
   const Vectors by_tets = element_product(scene, Material::from(1, 0.45));
   const double size = largest(by_tets), error = largest_difference(assembled, by_tets);
@@ -148,31 +151,64 @@ TEST(MatrixFree, product_by_tets_is_that_of_the_assembled_blocks) {
   expect_equal_products<MooneyRivlin<double>>("mooney-rivlin");
 }
 
-TEST(MatrixFree, product_is_the_change_of_the_forces_of_tets_and_of_patches) {
+/// A function's change at 0 over its argument, by a difference of fourth order. @pre its values can be added and scaled
+template <class Function>
+auto change(const Function& function, double h) {
+  const auto a = function(h), b = function(-h), c = function(2 * h), d = function(-2 * h);
+  return decltype(a)((8 * (a - b) - (c - d)) / (12 * h));
+}
+
+/// body(scene, evaluator, name of material and volume) for each material that each treatment of volume admits.
+void for_each_scene(const std::function<void(Scene&, Evaluator<HostExecutor, Arrays>&, const std::string&)>& body) {
   for (const std::string& name : material_names()) {
-    for (const bool patches : {false, true}) {
-      if (patches && !can_average_volume(name)) continue;
-      Scene scene(patches);
-      const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, 1, 0.45, patches);
-      const auto forces_at = [&](double length) {
-        Vectors x = scene.at;
-        for (std::size_t n = 0; n < x.size(); ++n) x[n] += length * scene.direction[n];
-        scene.evaluate(*evaluator, x);
-        return scene.forces();
-      };
-      constexpr double h = 2e-5 * side;  // of a fourth-order difference
-      const Vectors a = forces_at(h), b = forces_at(-h), c = forces_at(2 * h), d = forces_at(-2 * h);
-      Vectors expected;
-      for (std::size_t n = 0; n < a.size(); ++n) {
-        expected.emplace_back((8 * (a[n] - b[n]) - (c[n] - d[n])) / (12 * h));
-      }
-      scene.evaluate(*evaluator, scene.at);
-      const Vectors assembled = assembled_product(scene, *evaluator);
-      const double error = largest_difference(assembled, expected) / largest(expected);
-      std::printf("%s, %s: %.1e\n", name.c_str(), patches ? "patches" : "tets", error);
-      EXPECT_LE(error, 1e-9) << name << " " << patches;
+    for (const Volume volume : volumes) {
+      const bool averages = volume != Volume::tets;
+      if (averages && !can_average_volume(name)) continue;
+      Scene scene(volume);
+      const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, 1, 0.45, averages);
+      body(scene, *evaluator, name + ", " + name_of(volume));
     }
   }
+}
+
+/// The scene's positions, moved along its direction.
+Vectors moved(const Scene& scene, double length) {
+  Vectors x = scene.at;
+  for (std::size_t n = 0; n < x.size(); ++n) x[n] += length * scene.direction[n];
+  return x;
+}
+
+TEST(MatrixFree, product_is_the_change_of_the_forces_of_tets_patches_and_nodes) {
+  for_each_scene([](Scene& scene, auto& evaluator, const std::string& name) {
+    const auto forces_at = [&](double length) {
+      (void)scene.evaluate(evaluator, moved(scene, length));
+      Eigen::VectorXd all(3 * index_t(scene.at.size()));
+      const Vectors forces = scene.forces();
+      for (std::size_t n = 0; n < forces.size(); ++n) all.segment<3>(3 * index_t(n)) = forces[n];
+      return all;
+    };
+    const Eigen::VectorXd differences = change(forces_at, 2e-5 * side);
+    Vectors expected;
+    for (index_t n = 0; n < index_t(scene.at.size()); ++n) expected.emplace_back(differences.segment<3>(3 * n));
+    (void)scene.evaluate(evaluator, scene.at);
+    const double error = largest_difference(assembled_product(scene, evaluator), expected) / largest(expected);
+    std::printf("%s: %.1e\n", name.c_str(), error);
+    EXPECT_LE(error, 1e-9) << name;
+  });
+}
+
+TEST(MatrixFree, forces_are_the_fall_of_the_energy_of_tets_patches_and_nodes) {
+  for_each_scene([](Scene& scene, auto& evaluator, const std::string& name) {
+    const double slope =
+        change([&](double length) { return scene.evaluate(evaluator, moved(scene, length)); }, 5e-5 * side);
+    (void)scene.evaluate(evaluator, scene.at);
+    const Vectors forces = scene.forces();
+    double work = 0;
+    for (std::size_t n = 0; n < forces.size(); ++n) work += forces[n].dot(scene.direction[n]);
+    const double error = std::abs(slope + work) / std::abs(work);
+    std::printf("%s: %.1e\n", name.c_str(), error);
+    EXPECT_LE(error, 1e-9) << name;
+  });
 }
 
 }  // namespace

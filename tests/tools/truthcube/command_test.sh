@@ -62,7 +62,7 @@ case $rule in
     expect_refused 'This build has half, float, double' --precision quad
     expect_refused 'did you mean bonded[?]' --top bounded
     expect_refused 'no device gpu.* This build has cpu' --device gpu
-    expect_refused 'This build has tets, patches' --volume nodes
+    expect_refused 'This build has tets, patches, nodes' --volume cells
     expect_refused 'This build has multigrid, block-jacobi, none' --preconditioner schwarz ;;
   layouts_that_are_not_built_are_refused)
     expect_refused 'no layout aos[.] This build has schema' --layout aos
@@ -81,6 +81,7 @@ case $rule in
     expect_refused '--tolerance 0: ' --tolerance 0 ;;
   flags_that_do_not_go_together_are_refused)
     expect_refused 'corotated.* no separate part of the volume: write --volume tets' --material corotated
+    expect_refused 'corotated.* no separate part of the volume: write --volume tets' --material corotated --volume nodes
     expect_refused 'restart continues what is in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1

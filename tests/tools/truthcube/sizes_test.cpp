@@ -10,25 +10,36 @@
 namespace physgen::truthcube {
 namespace {
 
+std::vector<fem::MeshLevel> levels_of(int cells, VolumeTreatment volume) {
+  auto levels = fem::make_cube_levels(cells, 0.08, volume == VolumeTreatment::patches);
+  for (fem::MeshLevel& level : levels) level.averages_at_nodes = volume == VolumeTreatment::nodes;
+  return levels;
+}
+
+std::string name_of(VolumeTreatment volume) {
+  if (volume == VolumeTreatment::nodes) return "nodes";
+  return volume == VolumeTreatment::patches ? "patches" : "tets";
+}
+
 TEST(Sizes, of_cubes_are_those_of_their_meshes) {
-  for (const bool patches : {false, true}) {
+  for (const VolumeTreatment volume : {VolumeTreatment::tets, VolumeTreatment::patches, VolumeTreatment::nodes}) {
     for (const int cells : {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 18}) {
-      EXPECT_EQ(count_cube(cells, patches), count_levels(fem::make_cube_levels(cells, 0.08, patches)))
-          << cells << " cells, patches " << patches;
+      EXPECT_EQ(count_cube(cells, volume), count_levels(levels_of(cells, volume)))
+          << cells << " cells, " << name_of(volume);
     }
   }
 }
 
 struct Case {
   int cells;
-  bool patches;
+  VolumeTreatment volume;
 };
 
 class Bytes : public ::testing::TestWithParam<Case> {
  protected:
   // The bottom and the top are held; nothing is solved.
   static std::int64_t allocated(const fem::SolverSettings& settings) {
-    std::vector<fem::MeshLevel> levels = fem::make_cube_levels(GetParam().cells, 0.08, GetParam().patches);
+    std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, GetParam().volume);
     for (fem::MeshLevel& level : levels) {
       for (std::size_t n = 0; n < level.rest.size(); ++n) {
         if (level.rest[n][2] == 0 || level.rest[n][2] == 0.08) level.fixed[n] = 7;
@@ -38,7 +49,7 @@ class Bytes : public ::testing::TestWithParam<Case> {
     return fem::make_solver(levels, loading, settings)->bytes();
   }
   static std::int64_t predicted(const fem::SolverSettings& settings) {
-    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings);
+    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings);
     EXPECT_EQ(std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0}), bytes.solver);
     return bytes.solver;
   }
@@ -63,35 +74,43 @@ TEST_P(Bytes, without_coarser_levels_are_those_of_the_solver) {
   settings.nested = false;
   settings.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
   expect_near(settings);
-  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings).levels.size(), 1U);
+  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings).levels.size(), 1U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cubes, Bytes,
-                         ::testing::Values(Case{4, false}, Case{4, true}, Case{8, false}, Case{8, true}, Case{9, true},
-                                           Case{12, false}, Case{12, true}, Case{16, false}, Case{16, true},
-                                           Case{24, false}, Case{24, true}),
+                         ::testing::Values(Case{4, VolumeTreatment::tets}, Case{4, VolumeTreatment::patches},
+                                           Case{4, VolumeTreatment::nodes}, Case{8, VolumeTreatment::tets},
+                                           Case{8, VolumeTreatment::patches}, Case{8, VolumeTreatment::nodes},
+                                           Case{9, VolumeTreatment::patches}, Case{9, VolumeTreatment::nodes},
+                                           Case{12, VolumeTreatment::tets}, Case{12, VolumeTreatment::patches},
+                                           Case{16, VolumeTreatment::tets}, Case{16, VolumeTreatment::patches},
+                                           Case{16, VolumeTreatment::nodes}, Case{24, VolumeTreatment::tets},
+                                           Case{24, VolumeTreatment::patches}),
                          [](const auto& info) {
-                           return std::to_string(info.param.cells) + (info.param.patches ? "_patches" : "_tets");
+                           return std::to_string(info.param.cells) + "_" + name_of(info.param.volume);
                          });
 
 TEST(Sizes, of_a_cube_beyond_32_bits_are_still_right) {
   constexpr std::int64_t cells = 50000;
-  const LevelCounts finest = count_cube(cells, true).front();
+  const LevelCounts finest = count_cube(cells, VolumeTreatment::patches).front();
   EXPECT_EQ(finest.nodes, (cells + 1) * (cells + 1) * (cells + 1));
   EXPECT_EQ(finest.tets, 6 * cells * cells * cells);
   // 3 edges along the axes, 6 diagonals of faces and 4 of the cell.
   EXPECT_EQ(finest.edges,
             3 * cells * (cells + 1) * (cells + 1) + 6 * cells * cells * (cells + 1) + 4 * cells * cells * cells);
-  EXPECT_GT(largest_number(count_cube(cells, true)), std::int64_t{std::numeric_limits<fem::Index>::max()});
+  EXPECT_GT(largest_number(count_cube(cells, VolumeTreatment::patches)),
+            std::int64_t{std::numeric_limits<fem::Index>::max()});
 }
 
 TEST(Sizes, reach_the_largest_mesh_that_can_be_numbered) {
-  EXPECT_LE(largest_number(count_cube(274, true)), std::int64_t{std::numeric_limits<fem::Index>::max()});
-  EXPECT_GT(largest_number(count_cube(276, true)), std::int64_t{std::numeric_limits<fem::Index>::max()});
+  EXPECT_LE(largest_number(count_cube(274, VolumeTreatment::patches)),
+            std::int64_t{std::numeric_limits<fem::Index>::max()});
+  EXPECT_GT(largest_number(count_cube(276, VolumeTreatment::patches)),
+            std::int64_t{std::numeric_limits<fem::Index>::max()});
 }
 
 TEST(Sizes, of_lists_contain_the_meshes_of_all_levels_twice) {
-  const auto counts = count_cube(8, true);
+  const auto counts = count_cube(8, VolumeTreatment::patches);
   std::int64_t meshes = 0;
   for (const LevelCounts& level : counts) meshes += bytes_of_mesh(level);
   EXPECT_GT(bytes_of_run(counts, {}).lists, 2 * meshes);

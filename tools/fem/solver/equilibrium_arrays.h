@@ -2,6 +2,7 @@
 // tangent.
 #pragma once
 
+#include <fem/solver/ring_arrays.h>
 #include <fem/solver/solver_arrays.h>
 #include <fem/solver/tet_chunks.h>
 
@@ -21,7 +22,6 @@ struct PatchArrays {
   quasistatic::PatchParentArray<Real, Space> parents;  ///< where there is a coarser level
   PatchTetRows<Space> patch_tets;
   PackedRows<Space> edge_patches;
-  quasistatic::VolumePatchArray<double, Space> volumes;
   quasistatic::PatchTangentArray<Real, Space> tangent;
 
   PatchArrays(const MeshLevel& level, const EdgeParts& parts, bool injects)
@@ -29,14 +29,13 @@ struct PatchArrays {
         nodes(moved_to<decltype(nodes)>(host_nodes(level.patches))),
         patch_tets(host_patch_tets(level)),
         edge_patches(packed_rows<EdgePatchEntry>(parts.edge_patches, index_t(level.patches.nodes.size()), "patches")),
-        volumes(index_t(level.patches.nodes.size())),
-        tangent(volumes.size()) {
+        tangent(index_t(level.patches.nodes.size())) {
     if (injects) parents = moved_to<decltype(parents)>(host_parents(level));
   }
 
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tet_patches, nodes, parents, patch_tets.ranges(), patch_tets.entries(), edge_patches.ranges(),
-                    edge_patches.entries(), volumes, tangent);
+                    edge_patches.entries(), tangent);
   }
 
  private:
@@ -88,7 +87,9 @@ struct EquilibriumArrays {
   elasticity::TetArray<Real, Space> tets;
   PackedRows<Space> node_tets, edge_tets;
   std::vector<TetChunk> chunks;
-  std::unique_ptr<PatchArrays<Real, Space>> patches;       ///< where volumes are averaged
+  std::unique_ptr<PatchArrays<Real, Space>> patches;       ///< where volumes are averaged over them
+  std::unique_ptr<RingArrays<Real, Space>> rings;          ///< where volumes are averaged at nodes
+  quasistatic::MeanVolumeArray<double, Space> volumes;     ///< per patch or node; none where they are those of tets
   std::shared_ptr<ChunkArrays<Real, Space>> chunk_arrays;  ///< not in bytes()
 
   elasticity::NodePositionArray<double, Space> rest;
@@ -114,8 +115,8 @@ struct EquilibriumArrays {
   [[nodiscard]] index_t nodes() const { return rest.size(); }
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tets, node_tets.ranges(), node_tets.entries(), edge_tets.ranges(), edge_tets.entries(), rest,
-                    positions, trial, kept, loads, motion, forces, trial_forces, increment, state) +
-           (patches == nullptr ? 0 : patches->bytes());
+                    positions, trial, kept, loads, motion, forces, trial_forces, increment, state, volumes) +
+           (patches == nullptr ? 0 : patches->bytes()) + (rings == nullptr ? 0 : rings->bytes());
   }
   [[nodiscard]] index_t tet_count() const { return tets.size(); }
 
@@ -128,6 +129,8 @@ struct EquilibriumArrays {
         chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Space::kind))),
         patches(level.patches.nodes.empty() ? nullptr
                                             : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects)),
+        rings(level.averages_at_nodes ? std::make_unique<RingArrays<Real, Space>>(level.mesh) : nullptr),
+        volumes(level.averages_at_nodes ? index_t{graph.nodes} : index_t(level.patches.nodes.size())),
         chunk_arrays(shared != nullptr ? shared : std::make_shared<ChunkArrays<Real, Space>>(chunks.front().tets())),
         rest(moved_to<decltype(rest)>(host_positions(level))),
         positions(moved_to<decltype(positions)>(rest)),

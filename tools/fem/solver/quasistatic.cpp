@@ -78,9 +78,12 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
   const auto nodes = static_cast<std::size_t>(levels.front().mesh.nodes);
   require_vectors("the motion of prescribed components", loading.motion, nodes);
   if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
-  const bool patches = !levels.front().patches.nodes.empty();
+  const bool patches = !levels.front().patches.nodes.empty(), nodes_average = levels.front().averages_at_nodes;
   for (const MeshLevel& level : levels) {
     if (level.patches.nodes.empty() == patches) throw Error("either all levels have patches, or none");
+    if (level.averages_at_nodes != nodes_average)
+      throw Error("volumes are averaged at nodes on all levels, or on none");
+    if (patches && nodes_average) throw Error("volumes are averaged over patches or at nodes, and not both");
   }
   for (std::size_t l = 0; patches && l + 1 < levels.size(); ++l) {
     const auto& parents = levels[l].patch_parents;
@@ -92,7 +95,7 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
                   " patches of the next coarser level, or none has one");
     }
   }
-  if (!can_average_volume(settings.material) && patches) refuse_patches(settings.material);
+  if (!can_average_volume(settings.material) && (patches || nodes_average)) refuse_averages(settings.material);
   if (settings.device == Device::cpu) return make_host_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   return make_cuda_solver(levels, loading, settings);

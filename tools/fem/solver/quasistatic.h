@@ -54,7 +54,8 @@ class QuasistaticSolver {
   /// finest mesh's is an estimate of the error of the finest (linear tets converge with first order at edges of
   /// plates).
   [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() = 0;
-  /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch.
+  /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch or of its
+  /// nodes where volumes are averaged.
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used
 
