@@ -1,6 +1,6 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_72F74F2D9A4A844B
-#define PHYSGEN_QUASISTATIC_H_72F74F2D9A4A844B
+#ifndef PHYSGEN_QUASISTATIC_H_66462A25A38814E1
+#define PHYSGEN_QUASISTATIC_H_66462A25A38814E1
 
 #include <physgen/runtime.h>
 
@@ -662,7 +662,7 @@ static_assert(physgen::is_sound_record<TetTangentObject, double, TetTangentForma
 /// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct TetPatch {
-  /// number of its VolumePatch
+  /// its number
   physgen::same_lanes_t<Real, std::int32_t> patch;
 };
 
@@ -698,7 +698,7 @@ class TetPatchRef {
   template <physgen::ReadsAs<Value> Other>
   PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
-  /// number of its VolumePatch
+  /// its number
   PHYSGEN_FUNCTION decltype(auto) patch() const {
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::patch);
   }
@@ -752,7 +752,7 @@ static_assert(physgen::is_sound_record<TetPatchObject, double, TetPatchFormats<p
 /// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct PatchParent {
-  /// number of a VolumePatch of the coarser level
+  /// its number on the coarser level
   physgen::same_lanes_t<Real, std::int32_t> patch;
 };
 
@@ -790,7 +790,7 @@ class PatchParentRef {
   template <physgen::ReadsAs<Value> Other>
   PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
-  /// number of a VolumePatch of the coarser level
+  /// its number on the coarser level
   PHYSGEN_FUNCTION decltype(auto) patch() const {
     return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::patch);
   }
@@ -1033,12 +1033,12 @@ using PatchTetArray = physgen::Array<PatchTetObject, Real, Space, Layout, Format
 static_assert(physgen::is_sound_record<PatchTetObject, float, PatchTetFormats<physgen::Host>>(8, 4, {0, 4}));
 static_assert(physgen::is_sound_record<PatchTetObject, double, PatchTetFormats<physgen::Host>>(8, 4, {0, 4}));
 
-// ---- VolumePatch ----------------------------------------------------------------------------------------------------
+// ---- MeanVolume -----------------------------------------------------------------------------------------------------
 
-/// The volume of a patch and what resists its change.
+/// The volume of a patch, or the mean one of the tets of a node, and what resists its change.
 /// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
-struct VolumePatch {
+struct MeanVolume {
   /// at rest [m^3]
   Real volume;
   /// T: current over rest volume [1]
@@ -1055,10 +1055,10 @@ struct VolumePatch {
   Real full;
 };
 
-/// How the fields of one VolumePatch are stored in a memory space. To store some otherwise, derive from it, declare
-/// those anew, and name the derived struct as the last argument of VolumePatchArray.
+/// How the fields of one MeanVolume are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of MeanVolumeArray.
 template <class Space>
-struct VolumePatchFormats {
+struct MeanVolumeFormats {
   using volume = physgen::format::Native;
   using ratio = physgen::format::Native;
   using pressure = physgen::format::Native;
@@ -1068,9 +1068,9 @@ struct VolumePatchFormats {
   using full = physgen::format::Native;
 };
 
-/// Where each field begins in the record of one VolumePatch [bytes].
+/// Where each field begins in the record of one MeanVolume [bytes].
 template <class Real, class Formats>
-struct VolumePatchRecord {
+struct MeanVolumeRecord {
   static constexpr auto plan_ = physgen::plan_record<7>({{
     physgen::slot<physgen::shape::Scalar, typename Formats::volume, Real>(),
     physgen::slot<physgen::shape::Scalar, typename Formats::ratio, Real>(),
@@ -1091,18 +1091,18 @@ struct VolumePatchRecord {
   static constexpr int alignment = plan_.alignment;
 };
 
-/// One VolumePatch of an array, or those under a SIMD index: fields by name, all of them by get and put.
+/// One MeanVolume of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class VolumePatchRef {
-  using Record = VolumePatchRecord<Real, Formats>;
+class MeanVolumeRef {
+  using Record = MeanVolumeRecord<Real, Formats>;
 
  public:
-  using Value = VolumePatch<typename Cursor::template Lanes<Real>>;
+  using Value = MeanVolume<typename Cursor::template Lanes<Real>>;
 
-  PHYSGEN_FUNCTION explicit VolumePatchRef(const Cursor& cursor) : at_(cursor) {}
-  VolumePatchRef(const VolumePatchRef&) = default;
-  VolumePatchRef& operator=(const VolumePatchRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const VolumePatchRef&& other) const& {
+  PHYSGEN_FUNCTION explicit MeanVolumeRef(const Cursor& cursor) : at_(cursor) {}
+  MeanVolumeRef(const MeanVolumeRef&) = default;
+  MeanVolumeRef& operator=(const MeanVolumeRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const MeanVolumeRef&& other) const& {
     return physgen::assign(*this, other);
   }
   template <physgen::ReadsAs<Value> Other>
@@ -1163,51 +1163,250 @@ class VolumePatchRef {
   Cursor at_;
 };
 
-/// What the runtime knows of VolumePatch.
-struct VolumePatchObject {
-  static constexpr std::string_view name = "quasistatic::VolumePatch";
+/// What the runtime knows of MeanVolume.
+struct MeanVolumeObject {
+  static constexpr std::string_view name = "quasistatic::MeanVolume";
   template <class Real>
-  using Value = VolumePatch<Real>;
+  using Value = MeanVolume<Real>;
   template <class Real, class Formats>
-  using Record = VolumePatchRecord<Real, Formats>;
+  using Record = MeanVolumeRecord<Real, Formats>;
   template <class Real, class Formats, class Cursor>
-  using Ref = VolumePatchRef<Real, Formats, Cursor>;
+  using Ref = MeanVolumeRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 7> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::volume, Real>(
-        "volume", "m^3", VolumePatchRecord<Real, Formats>::volume, 1, 0.0),
+        "volume", "m^3", MeanVolumeRecord<Real, Formats>::volume, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::ratio, Real>(
-        "ratio", "1", VolumePatchRecord<Real, Formats>::ratio, 1, 0.0),
+        "ratio", "1", MeanVolumeRecord<Real, Formats>::ratio, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::pressure, Real>(
-        "pressure", "Pa", VolumePatchRecord<Real, Formats>::pressure, 1, 0.0),
+        "pressure", "Pa", MeanVolumeRecord<Real, Formats>::pressure, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::linearised, Real>(
-        "linearised", "Pa", VolumePatchRecord<Real, Formats>::linearised, 1, 0.0),
+        "linearised", "Pa", MeanVolumeRecord<Real, Formats>::linearised, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::tangent_pressure, Real>(
-        "tangent_pressure", "Pa", VolumePatchRecord<Real, Formats>::tangent_pressure, 1, 0.0),
+        "tangent_pressure", "Pa", MeanVolumeRecord<Real, Formats>::tangent_pressure, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::before, Real>(
-        "before", "Pa", VolumePatchRecord<Real, Formats>::before, 1, 0.0),
+        "before", "Pa", MeanVolumeRecord<Real, Formats>::before, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::full, Real>(
-        "full", "Pa", VolumePatchRecord<Real, Formats>::full, 1, 0.0),
+        "full", "Pa", MeanVolumeRecord<Real, Formats>::full, 1, 0.0),
   }};
   template <class Space>
-  using Formats = VolumePatchFormats<physgen::Host>;
+  using Formats = MeanVolumeFormats<physgen::Host>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
-          class Formats = physgen::FormatsOf<VolumePatchObject, Space>>
-using VolumePatchView = physgen::View<VolumePatchObject, Real, Layout, Formats, Space>;
+          class Formats = physgen::FormatsOf<MeanVolumeObject, Space>>
+using MeanVolumeView = physgen::View<MeanVolumeObject, Real, Layout, Formats, Space>;
 template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
-          class Formats = physgen::FormatsOf<VolumePatchObject, Space>>
-using VolumePatchArray = physgen::Array<VolumePatchObject, Real, Space, Layout, Formats>;
+          class Formats = physgen::FormatsOf<MeanVolumeObject, Space>>
+using MeanVolumeArray = physgen::Array<MeanVolumeObject, Real, Space, Layout, Formats>;
 
 // Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
 // alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
 // lies inside its tile.
-static_assert(physgen::is_sound_record<VolumePatchObject, float, VolumePatchFormats<physgen::Host>>(
+static_assert(physgen::is_sound_record<MeanVolumeObject, float, MeanVolumeFormats<physgen::Host>>(
     28, 4, {0, 4, 8, 12, 16, 20, 24}));
-static_assert(physgen::is_sound_record<VolumePatchObject, double, VolumePatchFormats<physgen::Host>>(
+static_assert(physgen::is_sound_record<MeanVolumeObject, double, MeanVolumeFormats<physgen::Host>>(
     56, 8, {0, 8, 16, 24, 32, 40, 48}));
+
+// ---- RingNode -------------------------------------------------------------------------------------------------------
+
+/// One of a node's ring: a neighbour, or the node itself. Neighbours are in each other's rings.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct RingNode {
+  /// its number
+  physgen::same_lanes_t<Real, std::int32_t> node;
+  /// change of its mean volume with the node whose ring it is in [m^2]
+  Eigen::Matrix<Real, 3, 1> g;
+};
+
+/// How the fields of one RingNode are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of RingNodeArray.
+template <class Space>
+struct RingNodeFormats {
+  using g = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one RingNode [bytes].
+template <class Real, class Formats>
+struct RingNodeRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::g, Real>(),
+  }});
+  static constexpr int node = plan_.offset[0];
+  static constexpr int g = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One RingNode of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class RingNodeRef {
+  using Record = RingNodeRecord<Real, Formats>;
+
+ public:
+  using Value = RingNode<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit RingNodeRef(const Cursor& cursor) : at_(cursor) {}
+  RingNodeRef(const RingNodeRef&) = default;
+  RingNodeRef& operator=(const RingNodeRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const RingNodeRef&& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// its number
+  PHYSGEN_FUNCTION decltype(auto) node() const {
+    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::node);
+  }
+  /// change of its mean volume with the node whose ring it is in [m^2]
+  PHYSGEN_FUNCTION decltype(auto) g() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::g, Real>(Record::g);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.node = node();
+    value.g = g().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    node() = value.node;
+    g() = value.g;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of RingNode.
+struct RingNodeObject {
+  static constexpr std::string_view name = "quasistatic::RingNode";
+  template <class Real>
+  using Value = RingNode<Real>;
+  template <class Real, class Formats>
+  using Record = RingNodeRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = RingNodeRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+        "node", "", RingNodeRecord<Real, Formats>::node, 1, 0.0),
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::g, Real>(
+        "g", "m^2", RingNodeRecord<Real, Formats>::g, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = RingNodeFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<RingNodeObject, Space>>
+using RingNodeView = physgen::View<RingNodeObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<RingNodeObject, Space>>
+using RingNodeArray = physgen::Array<RingNodeObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<RingNodeObject, float, RingNodeFormats<physgen::Host>>(16, 4, {0, 4}));
+static_assert(physgen::is_sound_record<RingNodeObject, double, RingNodeFormats<physgen::Host>>(28, 8, {24, 0}));
+
+// ---- NodeVolumeTangent ----------------------------------------------------------------------------------------------
+
+/// What resists the change of a node's mean volume: k of its k g g^T in the tangent.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct NodeVolumeTangent {
+  /// U''(T) / volume, or its linearised form [N/m^5]
+  Real k;
+};
+
+/// How the fields of one NodeVolumeTangent are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of NodeVolumeTangentArray.
+template <class Space>
+struct NodeVolumeTangentFormats {
+  using k = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one NodeVolumeTangent [bytes].
+template <class Real, class Formats>
+struct NodeVolumeTangentRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Scalar, typename Formats::k, Real>(),
+  }});
+  static constexpr int k = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One NodeVolumeTangent of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class NodeVolumeTangentRef {
+  using Record = NodeVolumeTangentRecord<Real, Formats>;
+
+ public:
+  using Value = NodeVolumeTangent<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit NodeVolumeTangentRef(const Cursor& cursor) : at_(cursor) {}
+  NodeVolumeTangentRef(const NodeVolumeTangentRef&) = default;
+  NodeVolumeTangentRef& operator=(const NodeVolumeTangentRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const NodeVolumeTangentRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// U''(T) / volume, or its linearised form [N/m^5]
+  PHYSGEN_FUNCTION decltype(auto) k() const {
+    return at_.template field<physgen::shape::Scalar, typename Formats::k, Real>(Record::k);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.k = k();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { k() = value.k; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of NodeVolumeTangent.
+struct NodeVolumeTangentObject {
+  static constexpr std::string_view name = "quasistatic::NodeVolumeTangent";
+  template <class Real>
+  using Value = NodeVolumeTangent<Real>;
+  template <class Real, class Formats>
+  using Record = NodeVolumeTangentRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = NodeVolumeTangentRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Scalar, typename Formats::k, Real>(
+        "k", "N/m^5", NodeVolumeTangentRecord<Real, Formats>::k, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = NodeVolumeTangentFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<NodeVolumeTangentObject, Space>>
+using NodeVolumeTangentView = physgen::View<NodeVolumeTangentObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<NodeVolumeTangentObject, Space>>
+using NodeVolumeTangentArray = physgen::Array<NodeVolumeTangentObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<NodeVolumeTangentObject, float, NodeVolumeTangentFormats<physgen::Host>>(
+    4, 4, {0}));
+static_assert(physgen::is_sound_record<NodeVolumeTangentObject, double, NodeVolumeTangentFormats<physgen::Host>>(
+    8, 8, {0}));
 
 // ---- CoarseInverse --------------------------------------------------------------------------------------------------
 
@@ -2617,7 +2816,7 @@ template <class Real>
 struct Equilibrium {
   /// energy of the tets [J]
   Real elastic;
-  /// energy of the patches [J]
+  /// energy of the mean volumes [J]
   Real volumetric;
   /// potential of the external forces and of rigid planes [J]
   Real loads;
@@ -2688,7 +2887,7 @@ class EquilibriumRef {
   PHYSGEN_FUNCTION decltype(auto) elastic() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::elastic, Real>(Record::elastic);
   }
-  /// energy of the patches [J]
+  /// energy of the mean volumes [J]
   PHYSGEN_FUNCTION decltype(auto) volumetric() const {
     return at_.template field<physgen::shape::Scalar, typename Formats::volumetric, Real>(Record::volumetric);
   }
@@ -2785,4 +2984,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_72F74F2D9A4A844B
+#endif  // PHYSGEN_QUASISTATIC_H_66462A25A38814E1

@@ -30,7 +30,7 @@ struct PHYSGEN_OBJECT() NodeInverse {
   Symmetric<3> D;  ///< -K^-1 over the free components, 0 in prescribed ones
 };
 
-// ---- Per tet and per patch ----
+// ---- Per tet, and per patch or ring ----
 
 /// The tangent of one tet: the blocks of its edges are formed from it where they are summed.
 struct PHYSGEN_OBJECT() TetTangent {
@@ -42,12 +42,12 @@ struct PHYSGEN_OBJECT() TetTangent {
 
 /// Which patch a tet's volume is averaged over.
 struct PHYSGEN_OBJECT() TetPatch {
-  Index patch;  ///< number of its VolumePatch
+  Index patch;  ///< its number
 };
 
 /// The patch of the next coarser level where a patch lies.
 struct PHYSGEN_OBJECT() PatchParent {
-  Index patch;  ///< number of a VolumePatch of the coarser level
+  Index patch;  ///< its number on the coarser level
 };
 
 /// The nodes of a patch of tets.
@@ -61,14 +61,25 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) PatchTet {
   Index slots;  ///< which of the patch's nodes its corners are: 3 bits each, corner i lowest
 };
 
-/// The volume of a patch and what resists its change.
-struct PHYSGEN_OBJECT() VolumePatch {
+/// The volume of a patch, or the mean one of the tets of a node, and what resists its change.
+struct PHYSGEN_OBJECT() MeanVolume {
   PHYSGEN(unit("m^3")) Scalar volume;           ///< at rest
   PHYSGEN(unit("1")) Scalar ratio;              ///< T: current over rest volume
   PHYSGEN(unit("Pa")) Scalar pressure;          ///< U'(T): of the forces
   PHYSGEN(unit("Pa")) Scalar linearised;        ///< pi, which converges to U'(T) T or, of a quadratic law, to U'(T)
   PHYSGEN(unit("Pa")) Scalar tangent_pressure;  ///< of the tangent
   PHYSGEN(unit("Pa")) Scalar before, full;      ///< pi before a Newton step, and after all of it
+};
+
+/// One of a node's ring: a neighbour, or the node itself. Neighbours are in each other's rings.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) RingNode {
+  Index node;                        ///< its number
+  PHYSGEN(unit("m^2")) Vector<3> g;  ///< change of its mean volume with the node whose ring it is in
+};
+
+/// What resists the change of a node's mean volume: k of its k g g^T in the tangent.
+struct PHYSGEN_OBJECT() NodeVolumeTangent {
+  PHYSGEN(unit("N/m^5")) Scalar k;  ///< U''(T) / volume, or its linearised form
 };
 
 /// A block of the inverse of the coarsest level's stiffness, which is dense.
@@ -158,7 +169,7 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Smoother {
 /// Energy and residual of a state; in double.
 struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Equilibrium {
   PHYSGEN(unit("J")) Scalar elastic;         ///< energy of the tets
-  PHYSGEN(unit("J")) Scalar volumetric;      ///< energy of the patches
+  PHYSGEN(unit("J")) Scalar volumetric;      ///< energy of the mean volumes
   PHYSGEN(unit("J")) Scalar loads;           ///< potential of the external forces and of rigid planes
   PHYSGEN(unit("N^2")) Scalar free_square;   ///< squared length of the forces in free components
   PHYSGEN(unit("N^2")) Scalar fixed_square;  ///< squared length of reactions: of prescribed components and of planes

@@ -42,7 +42,8 @@ Built: every material, precision and treatment of volume, on the CPU)"
 #endif
     ".\nAnother layout is another build: cmake -DPHYSGEN_LAYOUT=schema, aos, aos_padded, soa or aosoa.";
 
-const Names<VolumeTreatment> volumes{{"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}};
+const Names<VolumeTreatment> volumes{
+    {"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}, {"nodes", VolumeTreatment::nodes}};
 const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};
 const Names<Plates> plate_kinds{{"held", Plates::held}, {"contact", Plates::contact}};
 const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
@@ -119,12 +120,11 @@ void require(bool holds, const std::string& what) {
 }
 
 void check_cells(const Options& options) {
-  const bool patches = options.volume == VolumeTreatment::patches;
   constexpr std::int64_t most = std::numeric_limits<fem::Index>::max();
-  const std::int64_t largest = largest_number(count_cube(options.cells, patches));
+  const std::int64_t largest = largest_number(count_cube(options.cells, options.volume));
   if (largest <= most) return;
   int fitting = options.cells;
-  while (largest_number(count_cube(fitting, patches)) > most) fitting -= fitting > 1000 ? fitting / 2 : 1;
+  while (largest_number(count_cube(fitting, options.volume)) > most) fitting -= fitting > 1000 ? fitting / 2 : 1;
   throw Error("--cells " + std::to_string(options.cells) + ": the solver's lists would need numbers up to " +
               std::to_string(largest) + ", and those of 32 bits reach " + std::to_string(most) +
               "; the largest cube has --cells " + std::to_string(fitting));
@@ -149,7 +149,7 @@ void check(const Options& options) {
                 " does not fit behind " + number(before));
     before = c;
   }
-  if (options.volume == VolumeTreatment::patches && !fem::can_average_volume(options.solver.material)) {
+  if (options.volume != VolumeTreatment::tets && !fem::can_average_volume(options.solver.material)) {
     throw Error("the energy of '" + options.solver.material +
                 "' has no separate part of the volume: write --volume tets, or choose another --material");
   }
@@ -160,6 +160,9 @@ void check(const Options& options) {
           "--product matrix-free goes with --preconditioner block-jacobi or none: the levels of multigrid and the "
           "blocks of Schwarz are formed "
           "from blocks of edges, which it does without");
+  require(options.volume != VolumeTreatment::nodes || newton.product == fem::Product::assembled,
+          "--volume nodes goes with --product assembled: the other one, which --historical takes too, has the tangents "
+          "of tets and patches alone");
   require(options.plates == Plates::held || newton.product == fem::Product::assembled,
           "--plates contact goes with --product assembled: the other one, which --historical takes too, has the "
           "stiffness of tets alone");
@@ -219,8 +222,10 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_option("--young", options.solver.youngs_modulus, "Young's modulus [Pa]")->type_name("E");
   app.add_option("--poisson", options.solver.poissons_ratio, "Poisson's ratio, above -1 and below 0.5")
       ->type_name("NU");
-  add_choice(app, "--volume", options.volume, volumes, "treatment of volume",
-             "change of volume by tets, which lock near 0.5, or averaged over patches of about six");
+  add_choice(
+      app, "--volume", options.volume, volumes, "treatment of volume",
+      "change of volume by tets, which lock near 0.5, or averaged: over patches of about six tets, or at nodes, over "
+      "the tets of each, which takes more memory and is less accurate");
   add_choice(app, "--top", options.top, tops, "plate", "how the upper plate holds the body; the lower is bonded");
   add_choice(app, "--plates", options.plates, plate_kinds, "kind of plates",
              "held: they act on the nodes that they hold alone; contact: they also push back sides that reach them");

@@ -9,7 +9,7 @@
 
 namespace physgen::truthcube {
 
-enum class VolumeTreatment { tets, patches };
+enum class VolumeTreatment { tets, patches, nodes };
 enum class TopPlate { bonded, frictionless };
 /// What plates do to the sides of the body: nothing, or they push back what reaches them.
 enum class Plates { held, contact };

@@ -72,9 +72,8 @@ Outcome run(Options options, const std::string& command) {
   std::vector<std::string> notes;
   Scene scene;
   if (!options.is_cube()) scene = make_scene(options, read_levels(options, notes));
-  const std::vector<LevelCounts> counts = options.is_cube()
-                                              ? count_cube(options.cells, options.volume == VolumeTreatment::patches)
-                                              : count_levels(scene.levels);
+  const std::vector<LevelCounts> counts =
+      options.is_cube() ? count_cube(options.cells, options.volume) : count_levels(scene.levels);
   append(notes, choose_preconditioner(options, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
   const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0);

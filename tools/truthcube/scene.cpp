@@ -108,6 +108,7 @@ std::vector<MeshLevel> make_cube(const Options& options) {
 
 Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
   Scene scene;
+  for (MeshLevel& level : levels) level.averages_at_nodes = options.volume == VolumeTreatment::nodes;
   scene.levels = std::move(levels);
   for (std::size_t l = 0; l < scene.levels.size(); ++l) {
     MeshLevel& level = scene.levels[l];

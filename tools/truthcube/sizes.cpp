@@ -15,9 +15,10 @@ namespace physgen::truthcube {
 
 namespace {
 
-constexpr std::array members{&LevelCounts::nodes,        &LevelCounts::tets,     &LevelCounts::edges,
-                             &LevelCounts::tet_edges,    &LevelCounts::patches,  &LevelCounts::edge_patches,
-                             &LevelCounts::node_patches, &LevelCounts::children, &LevelCounts::edge_terms};
+constexpr std::array members{&LevelCounts::nodes,        &LevelCounts::tets,       &LevelCounts::edges,
+                             &LevelCounts::tet_edges,    &LevelCounts::patches,    &LevelCounts::edge_patches,
+                             &LevelCounts::node_patches, &LevelCounts::ring_nodes, &LevelCounts::children,
+                             &LevelCounts::edge_terms};
 
 /// The polynomial of degree 3 with these values at 1, 2, 3, 4. Exact: it sums multiples of whole numbers.
 std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
@@ -29,12 +30,13 @@ std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
 }
 
 /// Counts of the finest level of cubes with 1 to 4 cells of a side, or with 2, 4, 6 and 8 and a coarser level.
-std::array<LevelCounts, 4> small_cubes(bool patches, bool coarser) {
+std::array<LevelCounts, 4> small_cubes(VolumeTreatment volume, bool coarser) {
   std::array<LevelCounts, 4> counts;
   for (int m = 1; m <= 4; ++m) {
     const int cells = coarser ? 2 * m : m, coarsest = coarser ? m : cells + 1;
-    counts[static_cast<std::size_t>(m - 1)] =
-        count_levels(fem::make_cube_levels(cells, 1.0, patches, coarsest)).front();
+    auto levels = fem::make_cube_levels(cells, 1.0, volume == VolumeTreatment::patches, coarsest);
+    for (fem::MeshLevel& level : levels) level.averages_at_nodes = volume == VolumeTreatment::nodes;
+    counts[static_cast<std::size_t>(m - 1)] = count_levels(levels).front();
   }
   return counts;
 }
@@ -129,6 +131,11 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects, fem::TangentL
            bytes_of<decltype(Vectors::state)>(1);
   const bool edges = lists == fem::TangentLists::of_edges;
   if (edges) bytes += bytes_of_rows<decltype(Arrays::edge_tets)>(c.edges, 6 * c.tets);
+  if (c.ring_nodes > 0) {
+    using Rings = fem::RingArrays<Real, Space>;
+    return bytes + bytes_of_rows<typename Rings::Rows>(n, c.ring_nodes) + bytes_of<decltype(Rings::tangent)>(n) +
+           bytes_of<decltype(Arrays::volumes)>(n);
+  }
   if (c.patches == 0) return bytes;
   if (edges) bytes += bytes_of_rows<decltype(Patches::edge_patches)>(c.edges, c.edge_patches);
   if (lists == fem::TangentLists::of_nodes) {
@@ -137,7 +144,7 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects, fem::TangentL
   }
   bytes += bytes_of<decltype(Patches::tet_patches)>(c.tets) + bytes_of<decltype(Patches::nodes)>(c.patches) +
            bytes_of_rows<decltype(Patches::patch_tets)>(c.patches, c.tets) +
-           bytes_of<decltype(Patches::volumes)>(c.patches) + bytes_of<decltype(Patches::tangent)>(c.patches);
+           bytes_of<decltype(Arrays::volumes)>(c.patches) + bytes_of<decltype(Patches::tangent)>(c.patches);
   return bytes + (injects ? bytes_of<decltype(Patches::parents)>(c.patches) : 0);
 }
 
@@ -217,8 +224,8 @@ std::int64_t bytes_of_graph(const LevelCounts& c, const LevelCounts* coarser, bo
 
 }  // namespace
 
-std::vector<LevelCounts> count_cube(int cells, bool patches) {
-  const auto alone = small_cubes(patches, false), above = small_cubes(patches, true);
+std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume) {
+  const auto alone = small_cubes(volume, false), above = small_cubes(volume, true);
   std::vector<LevelCounts> levels;
   for (int n = cells;; n /= 2) {
     const bool last = n % 2 != 0 || n / 2 < 2;
@@ -244,6 +251,7 @@ std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels)
          static_cast<std::int64_t>(level.mesh.edges.size()), static_cast<std::int64_t>(level.patches.nodes.size()),
          pairs_in_patches(level.patches),
          std::accumulate(level.patches.node_counts.begin(), level.patches.node_counts.end(), std::int64_t{0}),
+         level.averages_at_nodes ? graph.nodes + 2 * static_cast<std::int64_t>(level.mesh.edges.size()) : 0,
          entries(graph.children), entries(graph.edge_terms)});
   }
   return counts;
@@ -254,7 +262,7 @@ std::int64_t largest_number(const std::vector<LevelCounts>& levels) {
   std::int64_t largest = 0;
   for (const LevelCounts& c : levels) {
     // make_tet_mesh() keeps room for the incidences of tets without common edges: 12 each.
-    largest = std::max({largest, 12 * c.tets, 2 * c.edges, c.edge_patches, c.children, c.edge_terms,
+    largest = std::max({largest, 12 * c.tets, 2 * c.edges, c.edge_patches, c.ring_nodes, c.children, c.edge_terms,
                         packed(c.tets, fem::EdgeTetEntry::bits), packed(c.edges, fem::NodeEdgeEntry::bits),
                         packed(c.patches, fem::EdgePatchEntry::bits), packed(c.nodes, fem::ChildEntry::bits)});
     if (c.edge_terms > 0) largest = std::max(largest, packed(c.edges, fem::EdgeTermEntry::bits));
@@ -290,6 +298,10 @@ RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverS
   bytes.lists += assembled
                      ? bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches)
                      : bytes_of_list(finest.nodes, finest.node_patches);
+  if (finest.ring_nodes > 0) {  // as plain numbers, and as the host's objects of them
+    bytes.lists += index_bytes * (finest.nodes + 1 + finest.ring_nodes) +
+                   bytes_of<quasistatic::RingNodeArray<float>>(finest.ring_nodes);
+  }
   return bytes;
 }
 

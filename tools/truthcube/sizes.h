@@ -8,14 +8,17 @@
 #include <cstdint>
 #include <vector>
 
+#include "options.h"
+
 namespace physgen::truthcube {
 
 /// Numbers of objects of one level, and of the entries of its lists.
 struct LevelCounts {
-  std::int64_t nodes = 0, tets = 0, edges = 0;  ///< edges of the stiffness: those of tets and of patches
+  std::int64_t nodes = 0, tets = 0, edges = 0;  ///< edges of the stiffness: of tets, patches and rings
   std::int64_t tet_edges = 0;                   ///< edges of tets alone
   std::int64_t patches = 0, edge_patches = 0;   ///< volume patches; pairs of an edge and a patch that has it
   std::int64_t node_patches = 0;                ///< pairs of a node and a patch that has it
+  std::int64_t ring_nodes = 0;                  ///< of the rings of all nodes, where volumes are averaged at nodes
   // To the next coarser level; 0 on the coarsest.
   std::int64_t children = 0, edge_terms = 0;
   bool operator==(const LevelCounts&) const = default;
@@ -23,7 +26,7 @@ struct LevelCounts {
 
 /// Of the levels that make_cube_levels(cells, ...) would make, without making them: each count is a polynomial of
 /// degree 3 in the cells of a side, whose coefficients come from four small cubes. @pre cells >= 1
-[[nodiscard]] std::vector<LevelCounts> count_cube(int cells, bool patches);
+[[nodiscard]] std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume);
 
 /// Of given levels. Takes about a third of the solver's set-up.
 [[nodiscard]] std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels);

@@ -16,6 +16,24 @@ struct Body {
   Loading loading;
 };
 
+/// Of what the change of volume is that of.
+enum class Volume { tets, patches, nodes };
+inline constexpr std::array volumes{Volume::tets, Volume::patches, Volume::nodes};
+inline const char* name_of(Volume volume) {
+  if (volume == Volume::nodes) return "nodes";
+  return volume == Volume::patches ? "patches" : "tets";
+}
+
+/// The same with volumes averaged at nodes, where these are asked for; patches are made with the levels.
+inline std::vector<MeshLevel> with(Volume volume, std::vector<MeshLevel> levels) {
+  for (MeshLevel& level : levels) level.averages_at_nodes = volume == Volume::nodes;
+  return levels;
+}
+inline Body with(Volume volume, Body body) {
+  body.levels = with(volume, std::move(body.levels));
+  return body;
+}
+
 /// A cube; fixed and motion are given for each rest position.
 /// @param jitter of nodes inside, and inside of faces, as a part of a cell; one level then
 inline Body make_cube(Index cells, double side, bool patches, double jitter,

@@ -95,6 +95,32 @@ TEST(Result, of_a_load_that_is_already_reached_tells_of_its_state) {
   EXPECT_DOUBLE_EQ(again.energy, first.energy);
 }
 
+TEST(BadInput, volumes_averaged_in_two_ways_or_on_some_levels_only_are_refused) {
+  const Body patches = make_truth_cube_body(8, true), tets = make_truth_cube_body(8, false);
+  EXPECT_THROW((void)make_solver(with(Volume::nodes, patches.levels), patches.loading, SolverSettings{}), Error);
+  auto some = tets.levels;
+  some[1].averages_at_nodes = true;
+  EXPECT_THROW((void)make_solver(some, tets.loading, SolverSettings{}), Error);
+  some = with(Volume::nodes, tets.levels);
+  some[1].averages_at_nodes = false;
+  EXPECT_THROW((void)make_solver(some, tets.loading, SolverSettings{}), Error);
+}
+
+TEST(BadInput, materials_whose_volume_cannot_be_averaged_at_nodes_are_refused_with_those_that_can) {
+  const Body body = with(Volume::nodes, make_truth_cube_body(4, false));
+  SolverSettings settings;
+  settings.material = "st-venant-kirchhoff";
+  try {
+    (void)make_solver(body.levels, body.loading, settings);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    for (const char* word : {"st-venant-kirchhoff", "nodes", "neo-hookean", "mooney-rivlin", "tets"}) {
+      EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
+    }
+  }
+}
+
 TEST(BadInput, patch_parents_that_do_not_fit_are_refused) {
   const Body body = make_truth_cube_body(8, true);
   auto fewer = body.levels, outside = body.levels;

@@ -102,9 +102,9 @@ struct Errors {
   double l2, h1;  ///< of the displacement [m^(5/2)], of its gradient [m^(3/2)]
 };
 
-Errors solve(Index cells, bool patches, double poissons_ratio, bool loaded = true) {
+Errors solve(Index cells, Volume volume, double poissons_ratio, bool loaded = true) {
   Body body = make_cube(
-      cells, 1, patches, 0,
+      cells, 1, volume == Volume::patches, 0,
       [](const Point& x) -> std::uint8_t {
         const bool outside = x[0] == 0 || x[1] == 0 || x[2] == 0 || x[0] == 1 || x[1] == 1 || x[2] == 1;
         return outside ? 7 : 0;
@@ -113,6 +113,7 @@ Errors solve(Index cells, bool patches, double poissons_ratio, bool loaded = tru
         const Vector u = exact({x[0], x[1], x[2]});
         return Point{u[0], u[1], u[2]};
       });
+  body = with(volume, std::move(body));
   const MeshLevel& level = body.levels[0];
   if (loaded) body.loading.forces = loads(level, poissons_ratio);
   SolverSettings settings;
@@ -172,12 +173,12 @@ TEST(Manufactured, quadrature_is_exact_to_degree_5) {
   }
 }
 
-void expect_slopes(bool patches, double poissons_ratio) {
+void expect_slopes(Volume volume, double poissons_ratio) {
   Errors before{};
   for (const Index cells : {4, 8, 16}) {
-    const Errors errors = solve(cells, patches, poissons_ratio);
-    std::printf("nu %g, %s, %2d cells: L2 %.3e, H1 %.3e", poissons_ratio, patches ? "patches" : "tets", int(cells),
-                errors.l2, errors.h1);
+    const Errors errors = solve(cells, volume, poissons_ratio);
+    std::printf("nu %g, %s, %2d cells: L2 %.3e, H1 %.3e", poissons_ratio, name_of(volume), int(cells), errors.l2,
+                errors.h1);
     if (before.l2 > 0) {
       const double l2 = std::log2(before.l2 / errors.l2), h1 = std::log2(before.h1 / errors.h1);
       std::printf(", slopes %.2f and %.2f", l2, h1);
@@ -190,15 +191,19 @@ void expect_slopes(bool patches, double poissons_ratio) {
 }
 
 TEST(Manufactured, tets_converge_to_a_smooth_solution_by_second_order_and_their_gradients_by_first) {
-  expect_slopes(false, 0.3);
+  expect_slopes(Volume::tets, 0.3);
 }
 
 TEST(Manufactured, patches_converge_to_a_smooth_solution_by_second_order_and_their_gradients_by_first) {
-  expect_slopes(true, 0.45);
+  expect_slopes(Volume::patches, 0.45);
+}
+
+TEST(Manufactured, volumes_averaged_at_nodes_converge_by_second_order_and_their_gradients_by_first) {
+  expect_slopes(Volume::nodes, 0.45);
 }
 
 TEST(Manufactured, without_its_loads_the_solution_is_another_one) {
-  const Errors with = solve(8, false, 0.3), without = solve(8, false, 0.3, false);
+  const Errors with = solve(8, Volume::tets, 0.3), without = solve(8, Volume::tets, 0.3, false);
   EXPECT_GE(without.l2, 10 * with.l2);
 }
 

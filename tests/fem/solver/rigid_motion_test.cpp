@@ -27,9 +27,10 @@ Point carried(const Point& x) {
   return {y[0] + translation[0], y[1] + translation[1], y[2] + translation[2]};
 }
 
-std::vector<MeshLevel> bonded_cube(bool patches) {
+std::vector<MeshLevel> bonded_cube(Volume volume) {
   static const Tets box = irregular_box({4, 4, 4}, {side, side, side}, 0.2, 17);
-  return make_levels(box, 0, patches, [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; });
+  return with(volume, make_levels(box, 0, volume == Volume::patches,
+                                  [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; }));
 }
 
 SolverSettings own_settings(const std::string& material) {
@@ -40,8 +41,8 @@ SolverSettings own_settings(const std::string& material) {
 }
 
 /// The top pressed down by a tenth and sheared, then both plates turned and carried, or not.
-void expect_turned_equilibrium(const std::string& material, bool patches) {
-  const auto levels = bonded_cube(patches);
+void expect_turned_equilibrium(const std::string& material, Volume volume) {
+  const auto levels = bonded_cube(volume);
   const auto pressed = [](const Point& x) { return x[2] == side ? Point{x[0] + 0.05 * side, x[1], 0.9 * x[2]} : x; };
   Loading still, moved;
   for (const Point& x : levels[0].rest) {
@@ -54,8 +55,8 @@ void expect_turned_equilibrium(const std::string& material, bool patches) {
   const NewtonResult one = first->solve_to(1, {}), other = second->solve_to(1, {});
   ASSERT_EQ(one.status, NewtonStatus::converged) << material;
   ASSERT_EQ(other.status, NewtonStatus::converged) << material;
-  std::printf("%s, %s: %d Newton steps, and turned %d with %d bisections\n", material.c_str(),
-              patches ? "patches" : "tets", one.steps, other.steps, other.bisections);
+  std::printf("%s, %s: %d Newton steps, and turned %d with %d bisections\n", material.c_str(), name_of(volume),
+              one.steps, other.steps, other.bisections);
   EXPECT_GT(one.energy, 0);
   EXPECT_NEAR(other.energy, one.energy, 1e-10 * one.energy) << material;
   EXPECT_NEAR(other.reaction, one.reaction, 1e-9 * one.reaction) << material;
@@ -66,7 +67,7 @@ void expect_turned_equilibrium(const std::string& material, bool patches) {
 
 TEST(RigidMotion, of_both_plates_turns_the_compressed_cube_and_keeps_its_energy) {
   for (const std::string material : {"neo-hookean", "fixed-corotated"}) {
-    for (const bool patches : {false, true}) expect_turned_equilibrium(material, patches);
+    for (const Volume volume : volumes) expect_turned_equilibrium(material, volume);
   }
 }
 
@@ -80,9 +81,9 @@ double largest_force(QuasistaticSolver& solver, const std::vector<Point>& positi
 TEST(RigidMotion, gives_no_force_in_any_material) {
   constexpr double eps = 0x1p-52, mu = 1 / (2 * 1.45);
   for (const std::string& material : material_names()) {
-    for (const bool patches : {false, true}) {
-      if (patches && !can_average_volume(material)) continue;
-      auto levels = bonded_cube(patches);
+    for (const Volume volume : volumes) {
+      if (volume != Volume::tets && !can_average_volume(material)) continue;
+      auto levels = bonded_cube(volume);
       for (Point& x : levels[0].rest) {
         for (double& number : x) number = std::round(number * 0x1p20) * 0x1p-20;
       }
@@ -97,13 +98,13 @@ TEST(RigidMotion, gives_no_force_in_any_material) {
       const double rounded = largest_force(*solver, at_nodes(rest, carried));
       const double unit = eps * mu * side * side;
       std::printf("%s, %s: forces up to %.2f eps mu area of the cube's face, and %.2f where positions are rounded\n",
-                  material.c_str(), patches ? "patches" : "tets", exact / unit, rounded / unit);
-      EXPECT_LE(exact, 4 * unit) << material << " " << patches;
-      EXPECT_LE(rounded, 32 * unit) << material << " " << patches;
+                  material.c_str(), name_of(volume), exact / unit, rounded / unit);
+      EXPECT_LE(exact, 4 * unit) << material << " " << name_of(volume);
+      EXPECT_LE(rounded, 32 * unit) << material << " " << name_of(volume);
       // A stretch that is hardly more than rounding shows, so forces are not just 0.
       const double stretched = largest_force(
           *solver, at_nodes(rest, [](const Point& x) { return carried({x[0], x[1], (1 + 1e-12) * x[2]}); }));
-      EXPECT_GE(stretched, 32 * unit) << material << " " << patches;
+      EXPECT_GE(stretched, 32 * unit) << material << " " << name_of(volume);
     }
   }
 }

@@ -36,8 +36,8 @@ class SolverOnCuda : public ::testing::Test {
 TEST_F(SolverOnCuda, finds_the_equilibrium_that_the_cpu_finds) {
   for (const TangentPrecision precision :
        {TangentPrecision::half, TangentPrecision::float32, TangentPrecision::float64}) {
-    for (const bool patches : {false, true}) {
-      const Body body = make_truth_cube_body(8, patches);
+    for (const Volume volume : volumes) {
+      const Body body = with(volume, make_truth_cube_body(8, volume == Volume::patches));
       SolverSettings settings;
       settings.poissons_ratio = 0.49;
       settings.precision = precision;
@@ -49,7 +49,7 @@ TEST_F(SolverOnCuda, finds_the_equilibrium_that_the_cpu_finds) {
       EXPECT_NEAR(gpu.result.steps, cpu.result.steps, 1);
       EXPECT_NEAR(gpu.result.iterations, cpu.result.iterations, 3);
       EXPECT_NEAR(gpu.result.energy / cpu.result.energy, 1, 1e-12);
-      EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-10) << patches;
+      EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-10) << name_of(volume);
       EXPECT_LE(largest_distance(cpu.forces, gpu.forces), 1e-9 * cpu.result.reaction);
       for (std::size_t t = 0; t < cpu.stresses.size(); ++t) {
         for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(cpu.stresses[t][k], gpu.stresses[t][k], 1e-6) << t << " " << k;

@@ -1,4 +1,5 @@
-// Meshes as users bring them, refined twice: multigrid over their levels with greedy patches, and nested iteration.
+// Meshes as users bring them, refined twice: multigrid over their levels with volumes averaged over
+// greedy patches or at nodes, and nested iteration.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,18 +78,18 @@ int iterations(const std::vector<MeshLevel>& levels, double poissons_ratio, Prec
 
 TEST(Unstructured, multigrid_takes_few_iterations_on_refined_meshes_and_no_more_after_a_further_refinement) {
   for (const Case& body : cases()) {
-    for (const bool patches : {false, true}) {
-      const double poissons_ratio = patches ? .49 : .45;
+    for (const Volume volume : volumes) {
+      const double poissons_ratio = volume == Volume::tets ? .45 : .49;
       std::vector<int> multigrid, jacobi;
       for (const int refinements : {1, 2}) {
-        const auto levels = make_levels(body.tets, refinements, patches, body.fixed);
+        const auto levels = with(volume, make_levels(body.tets, refinements, volume == Volume::patches, body.fixed));
         multigrid.push_back(iterations(levels, poissons_ratio, Preconditioner::multigrid));
         jacobi.push_back(iterations(levels, poissons_ratio, Preconditioner::block_jacobi));
         std::printf("%s, %s, nu %g, %zu tets, coarsest %d nodes: %d iterations by multigrid, %d by block Jacobi\n",
-                    body.name, patches ? "patches" : "tets", poissons_ratio, levels[0].mesh.tets.size(),
+                    body.name, name_of(volume), poissons_ratio, levels[0].mesh.tets.size(),
                     int(levels.back().mesh.nodes), multigrid.back(), jacobi.back());
       }
-      EXPECT_LE(multigrid[1], patches ? 24 : 12) << body.name;
+      EXPECT_LE(multigrid[1], volume == Volume::tets ? 12 : 24) << body.name;
       EXPECT_LE(multigrid[1], multigrid[0] * 5 / 4 + 2) << body.name;
       EXPECT_GE(jacobi[1], 4 * multigrid[1]) << body.name;
     }
@@ -97,8 +98,8 @@ TEST(Unstructured, multigrid_takes_few_iterations_on_refined_meshes_and_no_more_
 
 TEST(Unstructured, multigrid_and_block_jacobi_and_nested_and_load_steps_lead_to_the_same_state) {
   for (const Case& body : cases()) {
-    for (const bool patches : {false, true}) {
-      const auto levels = make_levels(body.tets, 2, patches, body.fixed);
+    for (const Volume volume : volumes) {
+      const auto levels = with(volume, make_levels(body.tets, 2, volume == Volume::patches, body.fixed));
       const Loading loading{at_nodes(levels[0].rest, body.motion), {}};
       const struct {
         const char* name;
@@ -110,7 +111,7 @@ TEST(Unstructured, multigrid_and_block_jacobi_and_nested_and_load_steps_lead_to_
                   {"block Jacobi, three load steps", Preconditioner::block_jacobi, false, {0.05, 0.1, 0.15}}};
       std::vector<std::vector<Point>> found;
       for (const auto& way : ways) {
-        SolverSettings settings = settings_of(patches ? .49 : .45, way.kind);
+        SolverSettings settings = settings_of(volume == Volume::tets ? .45 : .49, way.kind);
         settings.nested = way.nested;
         const auto solver = make_solver(levels, loading, settings);
         int steps = 0, iterations = 0, coarse = 0;
@@ -125,7 +126,7 @@ TEST(Unstructured, multigrid_and_block_jacobi_and_nested_and_load_steps_lead_to_
         EXPECT_EQ(coarse > 0, way.nested);
         EXPECT_LE(steps, way.nested ? 6 : 18) << body.name;  // the coarser levels led near
         std::printf("%s, %s, %s: %d Newton steps, %d iterations, %d steps on coarser levels\n", body.name,
-                    patches ? "patches" : "tets", way.name, steps, iterations, coarse);
+                    name_of(volume), way.name, steps, iterations, coarse);
         found.push_back(solver->positions());
       }
       EXPECT_GT(largest_distance(found[0], levels[0].rest), 0.1 * side);

@@ -67,7 +67,7 @@ case $rule in
     expect_refused 'did you mean bonded[?]' --top bounded
     expect_refused 'no kind of plates contct; did you mean contact[?] This build has held, contact' --plates contct
     expect_refused 'no device gpu.* This build has cpu' --device gpu
-    expect_refused 'This build has tets, patches' --volume nodes
+    expect_refused 'This build has tets, patches, nodes' --volume cells
     expect_refused 'did you mean schwarz[?] This build has multigrid, schwarz, block-jacobi, none' --preconditioner schwartz ;;
   layouts_that_are_not_built_are_refused)
     for layout in schema aos aos_padded soa aosoa; do
@@ -110,6 +110,7 @@ case $rule in
     expect_refused '--tolerance 0: ' --tolerance 0 ;;
   flags_that_do_not_go_together_are_refused)
     expect_refused 'corotated.* no separate part of the volume: write --volume tets' --material corotated
+    expect_refused 'corotated.* no separate part of the volume: write --volume tets' --material corotated --volume nodes
     expect_refused 'restart continues what is in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
@@ -117,6 +118,7 @@ case $rule in
     expect_refused 'excludes' --historical --precision double
     expect_refused 'excludes' --historical --product assembled
     expect_refused '--plates contact goes with --product assembled' --plates contact --historical
+    expect_refused '--volume nodes goes with --product assembled' --volume nodes --historical
     expect_refused '--product matrix-free goes with --preconditioner block-jacobi or none' --product matrix-free ;;
   materials_without_a_volume_part_run_by_tets)
     expect_exit 0 "${small[@]}" --material corotated --volume tets --compress 0.02

@@ -1,6 +1,7 @@
 // What truthcube says of sizes and bytes before anything is allocated, against what is allocated then.
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
+#include <physgen/error.h>
 #include <truthcube/sizes.h>
 
 #include <limits>
@@ -10,25 +11,36 @@
 namespace physgen::truthcube {
 namespace {
 
+std::vector<fem::MeshLevel> levels_of(int cells, VolumeTreatment volume) {
+  auto levels = fem::make_cube_levels(cells, 0.08, volume == VolumeTreatment::patches);
+  for (fem::MeshLevel& level : levels) level.averages_at_nodes = volume == VolumeTreatment::nodes;
+  return levels;
+}
+
+std::string name_of(VolumeTreatment volume) {
+  if (volume == VolumeTreatment::nodes) return "nodes";
+  return volume == VolumeTreatment::patches ? "patches" : "tets";
+}
+
 TEST(Sizes, of_cubes_are_those_of_their_meshes) {
-  for (const bool patches : {false, true}) {
+  for (const VolumeTreatment volume : {VolumeTreatment::tets, VolumeTreatment::patches, VolumeTreatment::nodes}) {
     for (const int cells : {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 18}) {
-      EXPECT_EQ(count_cube(cells, patches), count_levels(fem::make_cube_levels(cells, 0.08, patches)))
-          << cells << " cells, patches " << patches;
+      EXPECT_EQ(count_cube(cells, volume), count_levels(levels_of(cells, volume)))
+          << cells << " cells, " << name_of(volume);
     }
   }
 }
 
 struct Case {
   int cells;
-  bool patches;
+  VolumeTreatment volume;
 };
 
 class Bytes : public ::testing::TestWithParam<Case> {
  protected:
   // The bottom and the top are held, and planes where there are some; nothing is solved.
   static std::int64_t allocated(const fem::SolverSettings& settings, std::int64_t planes) {
-    std::vector<fem::MeshLevel> levels = fem::make_cube_levels(GetParam().cells, 0.08, GetParam().patches);
+    std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, GetParam().volume);
     for (fem::MeshLevel& level : levels) {
       for (std::size_t n = 0; n < level.rest.size(); ++n) {
         if (level.rest[n][2] == 0 || level.rest[n][2] == 0.08) level.fixed[n] = 7;
@@ -39,7 +51,7 @@ class Bytes : public ::testing::TestWithParam<Case> {
     return fem::make_solver(levels, loading, settings)->bytes();
   }
   static std::int64_t predicted(const fem::SolverSettings& settings, std::int64_t planes) {
-    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, planes);
+    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, planes);
     EXPECT_EQ(std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0}), bytes.solver);
     return bytes.solver;
   }
@@ -67,7 +79,7 @@ TEST_P(Bytes, without_coarser_levels_are_those_of_the_solver) {
   settings.nested = false;
   settings.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
   expect_near(settings);
-  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, 0).levels.size(), 1U);
+  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, 0).levels.size(), 1U);
 }
 
 TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fewer) {
@@ -77,12 +89,16 @@ TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fe
       settings.nested = nested;
       settings.newton.preconditioner.kind = kind;
       const std::int64_t assembled = allocated(settings, 0);
-      const RunBytes lists = bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, 0);
+      const RunBytes lists = bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, 0);
       settings.newton.product = fem::Product::matrix_free;
+      if (GetParam().volume == VolumeTreatment::nodes) {
+        EXPECT_THROW((void)allocated(settings, 0), Error);
+        continue;
+      }
       const std::int64_t real = allocated(settings, 0);
       EXPECT_EQ(predicted(settings, 0), real);
       EXPECT_LT(real, assembled);
-      EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().patches), settings, 0).lists, lists.lists);
+      EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, 0).lists, lists.lists);
     }
   }
 }
@@ -103,31 +119,39 @@ TEST_P(Bytes, of_the_schwarz_preconditioner_are_those_of_the_solver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cubes, Bytes,
-                         ::testing::Values(Case{4, false}, Case{4, true}, Case{8, false}, Case{8, true}, Case{9, true},
-                                           Case{12, false}, Case{12, true}, Case{16, false}, Case{16, true},
-                                           Case{24, false}, Case{24, true}),
+                         ::testing::Values(Case{4, VolumeTreatment::tets}, Case{4, VolumeTreatment::patches},
+                                           Case{4, VolumeTreatment::nodes}, Case{8, VolumeTreatment::tets},
+                                           Case{8, VolumeTreatment::patches}, Case{8, VolumeTreatment::nodes},
+                                           Case{9, VolumeTreatment::patches}, Case{9, VolumeTreatment::nodes},
+                                           Case{12, VolumeTreatment::tets}, Case{12, VolumeTreatment::patches},
+                                           Case{16, VolumeTreatment::tets}, Case{16, VolumeTreatment::patches},
+                                           Case{16, VolumeTreatment::nodes}, Case{24, VolumeTreatment::tets},
+                                           Case{24, VolumeTreatment::patches}),
                          [](const auto& info) {
-                           return std::to_string(info.param.cells) + (info.param.patches ? "_patches" : "_tets");
+                           return std::to_string(info.param.cells) + "_" + name_of(info.param.volume);
                          });
 
 TEST(Sizes, of_a_cube_beyond_32_bits_are_still_right) {
   constexpr std::int64_t cells = 50000;
-  const LevelCounts finest = count_cube(cells, true).front();
+  const LevelCounts finest = count_cube(cells, VolumeTreatment::patches).front();
   EXPECT_EQ(finest.nodes, (cells + 1) * (cells + 1) * (cells + 1));
   EXPECT_EQ(finest.tets, 6 * cells * cells * cells);
   // 3 edges along the axes, 6 diagonals of faces and 4 of the cell.
   EXPECT_EQ(finest.edges,
             3 * cells * (cells + 1) * (cells + 1) + 6 * cells * cells * (cells + 1) + 4 * cells * cells * cells);
-  EXPECT_GT(largest_number(count_cube(cells, true)), std::int64_t{std::numeric_limits<fem::Index>::max()});
+  EXPECT_GT(largest_number(count_cube(cells, VolumeTreatment::patches)),
+            std::int64_t{std::numeric_limits<fem::Index>::max()});
 }
 
 TEST(Sizes, reach_the_largest_mesh_that_can_be_numbered) {
-  EXPECT_LE(largest_number(count_cube(274, true)), std::int64_t{std::numeric_limits<fem::Index>::max()});
-  EXPECT_GT(largest_number(count_cube(276, true)), std::int64_t{std::numeric_limits<fem::Index>::max()});
+  EXPECT_LE(largest_number(count_cube(274, VolumeTreatment::patches)),
+            std::int64_t{std::numeric_limits<fem::Index>::max()});
+  EXPECT_GT(largest_number(count_cube(276, VolumeTreatment::patches)),
+            std::int64_t{std::numeric_limits<fem::Index>::max()});
 }
 
 TEST(Sizes, of_lists_contain_the_meshes_of_all_levels_twice) {
-  const auto counts = count_cube(8, true);
+  const auto counts = count_cube(8, VolumeTreatment::patches);
   std::int64_t meshes = 0;
   for (const LevelCounts& level : counts) meshes += bytes_of_mesh(level);
   EXPECT_GT(bytes_of_run(counts, {}, 0).lists, 2 * meshes);

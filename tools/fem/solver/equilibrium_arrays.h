@@ -2,6 +2,7 @@
 // tangent.
 #pragma once
 
+#include <fem/solver/ring_arrays.h>
 #include <fem/solver/solver_arrays.h>
 #include <fem/solver/tet_chunks.h>
 
@@ -21,7 +22,6 @@ struct PatchArrays {
   quasistatic::PatchParentArray<Real, Space> parents;  ///< where there is a coarser level
   PatchTetRows<Space> patch_tets;
   PackedRows<Space> edge_patches, node_patches;  ///< as TangentLists says, the other without rows
-  quasistatic::VolumePatchArray<double, Space> volumes;
   quasistatic::PatchTangentArray<Real, Space> tangent;
   quasistatic::PatchChangeArray<Real, Space> changes;  ///< on the CPU, of products without blocks of edges
 
@@ -29,10 +29,9 @@ struct PatchArrays {
       : tet_patches(moved_to<decltype(tet_patches)>(host_tet_patches(level.patches))),
         nodes(moved_to<decltype(nodes)>(host_nodes(level.patches))),
         patch_tets(host_patch_tets(level)),
-        volumes(index_t(level.patches.nodes.size())),
-        tangent(volumes.size()) {
+        tangent(index_t(level.patches.nodes.size())) {
     if (injects) parents = moved_to<decltype(parents)>(host_parents(level));
-    const index_t patches = volumes.size();
+    const index_t patches = tangent.size();
     if (lists == TangentLists::of_edges) {
       edge_patches = PackedRows<Space>(packed_rows<EdgePatchEntry>(parts.edge_patches, patches, "patches"));
     } else if (lists == TangentLists::of_nodes) {
@@ -43,7 +42,7 @@ struct PatchArrays {
 
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tet_patches, nodes, parents, patch_tets.ranges(), patch_tets.entries(), edge_patches.ranges(),
-                    edge_patches.entries(), node_patches.ranges(), node_patches.entries(), volumes, tangent, changes);
+                    edge_patches.entries(), node_patches.ranges(), node_patches.entries(), tangent, changes);
   }
 
  private:
@@ -95,7 +94,9 @@ struct EquilibriumArrays {
   elasticity::TetArray<Real, Space> tets;
   PackedRows<Space> node_tets, edge_tets;  ///< of edges where TangentLists are
   std::vector<TetChunk> chunks;
-  std::unique_ptr<PatchArrays<Real, Space>> patches;       ///< where volumes are averaged
+  std::unique_ptr<PatchArrays<Real, Space>> patches;       ///< where volumes are averaged over them
+  std::unique_ptr<RingArrays<Real, Space>> rings;          ///< where volumes are averaged at nodes
+  quasistatic::MeanVolumeArray<double, Space> volumes;     ///< per patch or node; none where they are those of tets
   std::shared_ptr<ChunkArrays<Real, Space>> chunk_arrays;  ///< not in bytes()
 
   elasticity::NodePositionArray<double, Space> rest;
@@ -123,8 +124,8 @@ struct EquilibriumArrays {
   [[nodiscard]] index_t nodes() const { return rest.size(); }
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tets, node_tets.ranges(), node_tets.entries(), edge_tets.ranges(), edge_tets.entries(), rest,
-                    positions, trial, kept, loads, motion, forces, trial_forces, increment, state) +
-           (patches == nullptr ? 0 : patches->bytes());
+                    positions, trial, kept, loads, motion, forces, trial_forces, increment, state, volumes) +
+           (patches == nullptr ? 0 : patches->bytes()) + (rings == nullptr ? 0 : rings->bytes());
   }
   [[nodiscard]] index_t tet_count() const { return tets.size(); }
 
@@ -137,6 +138,8 @@ struct EquilibriumArrays {
                                lists == TangentLists::of_edges ? most_chunk_tets(Space::kind) : tets.size())),
         patches(level.patches.nodes.empty() ? nullptr
                                             : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects, lists)),
+        rings(level.averages_at_nodes ? std::make_unique<RingArrays<Real, Space>>(level.mesh) : nullptr),
+        volumes(level.averages_at_nodes ? index_t{graph.nodes} : index_t(level.patches.nodes.size())),
         chunk_arrays(shared != nullptr ? shared : std::make_shared<ChunkArrays<Real, Space>>(chunks.front().tets())),
         rest(moved_to<decltype(rest)>(host_positions(level))),
         positions(moved_to<decltype(positions)>(rest)),

@@ -4,6 +4,7 @@
 #include <fem/solver/equilibrium_arrays.h>
 #include <fem/solver/evaluate_tets.h>
 #include <fem/solver/material_split.h>
+#include <fem/solver/node_volume.h>
 #include <fem/solver/patch_volume.h>
 #include <fem/solver/tet_stress.h>
 #include <physgen/reduce.h>
@@ -26,7 +27,7 @@ struct AddElastic {
 template <class StateView>
 AddElastic(StateView, bool) -> AddElastic<StateView>;
 
-/// Leaves the energy of the patches in quasistatic::Equilibrium.
+/// Leaves the energy of the mean volumes in quasistatic::Equilibrium.
 template <class StateView>
 struct StoreVolumetric {
   StateView state;
@@ -46,9 +47,9 @@ class Evaluator {
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
   virtual ~Evaluator() = default;
-  /// Volumes and pressures of the patches at `positions`, where the arrays have patches: all else follows them.
-  /// @param restart patches begin their linearised pressure anew
-  virtual void evaluate_patches(On& on, Arrays& arrays, const PositionView& positions, bool restart) = 0;
+  /// Mean volumes and their pressures at `positions`, where the arrays have patches or rings: all else follows them.
+  /// @param restart linearised pressures begin anew
+  virtual void evaluate_volumes(On& on, Arrays& arrays, const PositionView& positions, bool restart) = 0;
   /// Leaves in `corners` the forces of a chunk of tets at `positions`, and their energy in the arrays' state.
   virtual void evaluate_forces(On& on, Arrays& arrays, const TetChunk& chunk, const PositionView& positions) = 0;
   /// Leaves in `tangent` the tangents of a chunk of tets at the arrays' positions.
@@ -64,51 +65,58 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
   using typename Evaluator<On, Arrays>::PositionView;
   using typename Evaluator<On, Arrays>::Stresses;
 
-  /// @param patches whether these average the volume. @pre then the material's volume can be split off
-  MaterialEvaluator(const Material& material, bool patches) : material_(material) {
+  /// @param averages whether volumes are averaged. @pre then the material's volume can be split off
+  MaterialEvaluator(const Material& material, bool averages) : material_(material) {
     if constexpr (splits_volume<Material>) {
-      if (patches) volume_ = split_volume(material_);
+      if (averages) volume_ = split_volume(material_);
     }
   }
-  void evaluate_patches(On& on, Arrays& a, const PositionView& positions, bool restart) override {
-    if (a.patches == nullptr) return;
-    auto& p = *a.patches;
-    on.reduce(p.volumes.size(),
-              EvaluatePatches{volume_.law, volume_.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),
-                              a.rest.const_view(), positions, p.volumes.view(), p.tangent.view()},
-              Sum{}, StoreVolumetric{a.state.view()});
+  void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) override {
+    const auto evaluate = [&](const auto& kernel) {
+      on.reduce(a.volumes.size(), kernel, Sum{}, StoreVolumetric{a.state.view()});
+    };
+    if (a.patches != nullptr) {
+      auto& p = *a.patches;
+      evaluate(EvaluatePatches{volume_.law, volume_.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),
+                               a.rest.const_view(), positions, a.volumes.view(), p.tangent.view()});
+    } else if (a.rings != nullptr) {
+      evaluate(EvaluateNodeVolumes{volume_.law, volume_.modulus, restart, a.node_tets.const_view(), a.tets.const_view(),
+                                   a.rest.const_view(), positions, a.volumes.view(), a.rings->nodes.view(),
+                                   a.rings->tangent.view()});
+    }
   }
   void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const PositionView& positions) override {
-    with_patches(a, [&](const auto& patches) {
+    with_pressures(a, [&](const auto& pressures) {
       on.reduce(chunk.tets(),
-                ComputeTetForces{chunk, material_, patches, a.tets.const_view(), a.rest.const_view(), positions,
+                ComputeTetForces{chunk, material_, pressures, a.tets.const_view(), a.rest.const_view(), positions,
                                  a.chunk_arrays->corners.view()},
                 Sum{}, AddElastic{a.state.view(), chunk.is_first()});
     });
   }
   void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) override {
-    with_patches(a, [&](const auto& patches) {
+    with_pressures(a, [&](const auto& pressures) {
       on.run(chunk.tets(),
-             ComputeTetTangents{chunk, filter, material_, patches, a.tets.const_view(), a.rest.const_view(),
+             ComputeTetTangents{chunk, filter, material_, pressures, a.tets.const_view(), a.rest.const_view(),
                                 a.positions.const_view(), a.chunk_arrays->tangent.view()});
     });
   }
   void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override {
-    with_patches(a, [&](const auto& patches) {
-      on.run(a.tet_count(), EvaluateStress{material_, patches, a.tets.const_view(), a.rest.const_view(),
+    with_pressures(a, [&](const auto& pressures) {
+      on.run(a.tet_count(), EvaluateStress{material_, pressures, a.tets.const_view(), a.rest.const_view(),
                                            a.positions.const_view(), stresses.view()});
     });
   }
   [[nodiscard]] VolumeTerm volume() const override { return volume_; }
 
  private:
-  /// Calls body with what tells kernels of tets about patches.
+  /// Calls body with what tells kernels of tets the pressures of mean volumes.
   template <class Body>
-  static void with_patches(Arrays& a, const Body& body) {
+  static void with_pressures(Arrays& a, const Body& body) {
     if constexpr (splits_volume<Material>) {
       if (a.patches != nullptr) {
-        return body(PatchPressures{a.patches->tet_patches.const_view(), a.patches->volumes.const_view()});
+        return body(PatchPressures{a.patches->tet_patches.const_view(), a.volumes.const_view()});
       }
+      if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
     }
     body(NoPatches{});
   }
@@ -120,6 +128,6 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
 /// @throw Error when constants are out of range
 template <class On, class Arrays>
 [[nodiscard]] std::unique_ptr<Evaluator<On, Arrays>> make_evaluator(const std::string& material, double youngs_modulus,
-                                                                    double poissons_ratio, bool patches);
+                                                                    double poissons_ratio, bool averages);
 
 }  // namespace physgen::fem

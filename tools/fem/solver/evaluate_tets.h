@@ -17,13 +17,27 @@ struct NoPatches {
   static constexpr bool averages = false;
 };
 
+/// The pressure of a tet whose volume is averaged with others.
+template <class S>
+struct TetPressure {
+  S pressure;          ///< of the forces [Pa]
+  S tangent_pressure;  ///< of the tangent [Pa]
+};
+
 /// The volume's part of the material is that of patches: the material given has none (lambda or kappa is 0), and each
 /// tet has the pressure of its patch.
-template <class TetPatchView, class VolumePatchView>
+template <class TetPatchView, class MeanVolumeView>
 struct PatchPressures {
   static constexpr bool averages = true;
-  TetPatchView tets;        ///< quasistatic::TetPatch
-  VolumePatchView patches;  ///< quasistatic::VolumePatch
+  TetPatchView tets;       ///< quasistatic::TetPatch
+  MeanVolumeView volumes;  ///< quasistatic::MeanVolume, per patch
+
+  template <class S, class I>
+  PHYSGEN_FUNCTION TetPressure<S> of(I tet) const {
+    const lanes_t<std::int32_t, I> p = tets[tet].patch();
+    const S pressure = volumes[p].pressure(), tangent_pressure = volumes[p].tangent_pressure();
+    return {pressure, tangent_pressure};
+  }
 };
 template <class... Views>
 PatchPressures(Views...) -> PatchPressures<Views...>;
@@ -109,14 +123,14 @@ PHYSGEN_FUNCTION inline Vector3<S> with_pressure(Vector3<S> g, const S& pressure
 
 }  // namespace detail
 
-/// Forces of a chunk of tets on their corners. Returns the tets' energy [J]: of the shear alone where patches average
-/// the volume. Called with the objects 0 .. chunk.tets() - 1 of `forces`.
+/// Forces of a chunk of tets on their corners. Returns the tets' energy [J]: of the shear alone where volumes are
+/// averaged. Called with the objects 0 .. chunk.tets() - 1 of `forces`.
 template <class Material, class Patches, class TetView, class RestView, class PositionView, class CornerView>
 struct ComputeTetForces {
   using Scalar = typename CornerView::Precision;
   TetChunk chunk;
   Material material;       ///< in Scalar
-  Patches patches;         ///< NoPatches or PatchPressures
+  Patches patches;         ///< NoPatches, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
@@ -129,8 +143,7 @@ struct ComputeTetForces {
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Patches::averages) {
-      const lanes_t<std::int32_t, I> p = patches.tets[t].patch();
-      const S pressure = patches.patches[p].pressure();
+      const S pressure = patches.template of<S>(t).pressure;
       g = detail::with_pressure<S>(g, pressure, tet.f.s);
     }
     const S minus_volume = -tet.shape.volume;
@@ -151,7 +164,7 @@ struct ComputeTetTangents {
   TetChunk chunk;
   TangentFilter filter;
   Material material;       ///< in Scalar
-  Patches patches;         ///< NoPatches or PatchPressures
+  Patches patches;         ///< NoPatches, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
@@ -165,8 +178,7 @@ struct ComputeTetTangents {
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     PrincipalDerivative<S> d = material.derivative(tet.f.s);
     if constexpr (Patches::averages) {
-      const lanes_t<std::int32_t, I> p = patches.tets[t].patch();
-      const S pressure = patches.patches[p].tangent_pressure();
+      const S pressure = patches.template of<S>(t).tangent_pressure;
       d = detail::with_pressure<S>(d, pressure, tet.f.s);
     }
     if (filter == TangentFilter::absolute) d = AbsoluteEigenvalues{}(d);

@@ -1,4 +1,5 @@
 #include <fem/mesh/refine.h>
+#include <fem/mesh/rings.h>
 #include <fem/solver/galerkin_block.h>
 #include <fem/solver/hierarchy.h>
 #include <physgen/error.h>
@@ -161,7 +162,8 @@ std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels, 
     if (edges) {
       graph.edges = std::move(inherited);
       graph.edges.insert(graph.edges.end(), level.mesh.edges.begin(), level.mesh.edges.end());
-      const std::vector<Pair> pairs = patch_pairs(level.patches);
+      const std::vector<Pair> pairs =
+          level.averages_at_nodes ? pairs_in_rings(make_rings(level.mesh)) : patch_pairs(level.patches);
       graph.edges.insert(graph.edges.end(), pairs.begin(), pairs.end());
       sort_unique(graph.edges);
       graph.node_edges = node_edges_of(graph.nodes, graph.edges);

@@ -16,16 +16,18 @@ struct MeshLevel {
   TetMesh mesh;
   std::vector<Point> rest;                    ///< [m]
   std::vector<std::uint8_t> fixed;            ///< per node: bit k is set where component k is prescribed
-  VolumePatches patches;                      ///< none where the volume is not averaged
+  VolumePatches patches;                      ///< none where the volume is not averaged over them
   std::vector<std::array<Index, 2>> parents;  ///< per node, on the next coarser level; none on the coarsest
+  bool averages_at_nodes = false;             ///< the volume, in place of patches
   std::vector<Index> patch_parents;           ///< per patch: that of the next coarser level where it lies; or none
 };
 
 /// The nodes and edges of a level as its stiffness has them, and the way to the next coarser level.
 struct LevelGraph {
   Index nodes = 0;
-  std::vector<std::array<Index, 2>> edges;  ///< (m, n), m < n, ascending: those of tets, of patches and of finer levels
-  IncidenceList node_edges;                 ///< edge, side
+  std::vector<std::array<Index, 2>>
+      edges;                 ///< (m, n), m < n, ascending: those of tets, patches, rings and finer levels
+  IncidenceList node_edges;  ///< edge, side
   std::vector<std::uint8_t> fixed;
 
   // To the next coarser level; empty on the coarsest.

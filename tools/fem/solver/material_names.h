@@ -22,6 +22,6 @@ void for_each_material(const Visit& visit) {
 /// @throw Error naming the materials there are, and the nearest
 [[noreturn]] void refuse_material(const std::string& name);
 /// @throw Error naming the materials whose volume can be averaged
-[[noreturn]] void refuse_patches(const std::string& name);
+[[noreturn]] void refuse_averages(const std::string& name);
 
 }  // namespace physgen::fem

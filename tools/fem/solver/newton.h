@@ -4,6 +4,7 @@
 
 #include <fem/solver/conjugate_gradients.h>
 #include <fem/solver/evaluate.h>
+#include <fem/solver/mean_pressures.h>
 #include <fem/solver/newton_steps.h>
 
 #include <chrono>
@@ -18,7 +19,7 @@ template <class On, class Arrays, class Level, class Positions, class Forces>
 auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
                     const Forces& forces, const AtLoad& at, bool restart) {
   const auto state = a.state.view();
-  evaluator.evaluate_patches(on, a, positions, restart);
+  evaluator.evaluate_volumes(on, a, positions, restart);
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_forces(on, a, chunk, positions);
     on.run(chunk.nodes(), SumForces{chunk, at.load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
@@ -55,6 +56,10 @@ void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator,
     } else {
       sum(NoEdgePatches{});
     }
+  }
+  if (a.rings != nullptr) {
+    on.run(level.edge_count(), AddNodeVolumeStiffness{level.edges.const_view(), a.rings->nodes.const_view(),
+                                                      a.rings->tangent.const_view(), edges});
   }
   on.run(level.nodes(), SumNodeStiffness{level.node_edges.const_view(), level.edge_stiffness.const_view(),
                                          level.node_stiffness.view()});
@@ -107,7 +112,7 @@ LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& leve
 
 /// Seeks the equilibrium of level `top` at a load, from a.positions, and leaves it there. Where prescribed components
 /// are not yet where the load takes them (a.increment), the first linear solve moves them.
-/// @param restart whether patches begin with the pressure of their volume; else with the linearised one they have
+/// @param restart whether linearised pressures begin anew, at those of the forces; else they are kept
 /// @param report called after every step
 template <class On, class Arrays, class Levels, class Vectors>
 NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
@@ -205,15 +210,10 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
                         a.increment.const_view(), level.constraints.const_view(), trial},
                 Sum{}, StoreWork{a.state.view()});
       const double work = on.value(a.state).work;
-      if (a.patches != nullptr) {
-        auto& p = *a.patches;
-        const VolumeTerm volume = evaluator.volume();
-        if (step.halvings == 0) {
-          on.run(p.volumes.size(), AdvancePatches{volume.law, volume.modulus, p.volumes.view(), p.nodes.const_view(),
-                                                  p.tangent.const_view(), v.step.const_view()});
-        } else {
-          on.run(p.volumes.size(), ShortenPatches{length, p.volumes.view()});
-        }
+      if (step.halvings == 0) {
+        advance_pressures(on, a, evaluator.volume(), v.step.const_view());
+      } else {
+        shorten_pressures(on, a, length);
       }
       const auto next = evaluate_state(on, a, level, evaluator, a.trial.const_view(), trial_forces, load, false);
       const bool finite = std::isfinite(energy_of(next)) && std::isfinite(next.free_square);
@@ -232,7 +232,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       }
       if (has_increment) return finish(NewtonStatus::not_finite);
       if (!step.filtered) {  // conjugate gradients have not met the negative curvature that there may be
-        if (a.patches != nullptr) on.run(a.patches->volumes.size(), ShortenPatches{0.0, a.patches->volumes.view()});
+        shorten_pressures(on, a, 0.0);
         solve_filtered();
         if (linear.status == LinearStatus::not_finite || linear.iterations == 0) {
           return finish(NewtonStatus::linear_solver);

@@ -105,9 +105,17 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
   if (!loading.planes.empty() && settings.newton.product == Product::matrix_free) {
     throw Error("rigid planes go with the assembled product: the matrix-free one has the stiffness of tets alone");
   }
-  const bool patches = !levels.front().patches.nodes.empty();
+  const bool patches = !levels.front().patches.nodes.empty(), nodes_average = levels.front().averages_at_nodes;
+  if (nodes_average && settings.newton.product == Product::matrix_free) {
+    throw Error(
+        "volumes averaged at nodes go with the assembled product: the matrix-free one has the tangents of tets and "
+        "patches alone");
+  }
   for (const MeshLevel& level : levels) {
     if (level.patches.nodes.empty() == patches) throw Error("either all levels have patches, or none");
+    if (level.averages_at_nodes != nodes_average)
+      throw Error("volumes are averaged at nodes on all levels, or on none");
+    if (patches && nodes_average) throw Error("volumes are averaged over patches or at nodes, and not both");
   }
   for (std::size_t l = 0; patches && l + 1 < levels.size(); ++l) {
     const auto& parents = levels[l].patch_parents;
@@ -119,7 +127,7 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
                   " patches of the next coarser level, or none has one");
     }
   }
-  if (!can_average_volume(settings.material) && patches) refuse_patches(settings.material);
+  if (!can_average_volume(settings.material) && (patches || nodes_average)) refuse_averages(settings.material);
   if (settings.device == Device::cpu) return make_host_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   return make_cuda_solver(levels, loading, settings);

@@ -73,7 +73,8 @@ class QuasistaticSolver {
   [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() = 0;
   /// Of each plane with the finest mesh at its positions.
   [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() = 0;
-  /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch.
+  /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch or of its
+  /// nodes where volumes are averaged.
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used
 

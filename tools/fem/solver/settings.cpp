@@ -5,10 +5,10 @@ namespace physgen::fem {
 
 namespace {
 
-std::string list(bool patches) {
+std::string list(bool averages) {
   std::string text;
   for (const std::string& name : material_names()) {
-    if (patches && !can_average_volume(name)) continue;
+    if (averages && !can_average_volume(name)) continue;
     text += (text.empty() ? "" : ", ") + name;
   }
   return text;
@@ -40,9 +40,10 @@ void refuse_material(const std::string& name) {
   throw Error("there is no material '" + name + "': it is one of " + list(false));
 }
 
-void refuse_patches(const std::string& name) {
-  throw Error("the energy of '" + name + "' has no separate part of the volume, which patches would average: use " +
-              list(true) + ", or volume by tets");
+void refuse_averages(const std::string& name) {
+  throw Error("the energy of '" + name +
+              "' has no separate part of the volume, which patches or nodes would average: use " + list(true) +
+              ", or volume by tets");
 }
 
 }  // namespace physgen::fem

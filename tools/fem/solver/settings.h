@@ -113,7 +113,7 @@ struct SolverSettings {
 
 /// Names of the materials, as SolverSettings has them.
 [[nodiscard]] const std::vector<std::string>& material_names();
-/// Whether a material's volume can be averaged over patches. @throw Error when there is no such material
+/// Whether a material's volume can be averaged, over patches or at nodes. @throw Error when there is no such material
 [[nodiscard]] bool can_average_volume(const std::string& material);
 
 }  // namespace physgen::fem

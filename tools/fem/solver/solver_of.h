@@ -35,8 +35,9 @@ class SolverOf final : public QuasistaticSolver {
   SolverOf(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
       : settings_(settings),
         on_(make_executor<On>(index_t(levels.front().mesh.tets.size()))),
-        evaluator_(make_evaluator<On, Arrays>(settings.material, settings.youngs_modulus, settings.poissons_ratio,
-                                              !levels.front().patches.nodes.empty())) {
+        evaluator_(
+            make_evaluator<On, Arrays>(settings.material, settings.youngs_modulus, settings.poissons_ratio,
+                                       levels.front().averages_at_nodes || !levels.front().patches.nodes.empty())) {
     const bool coarser = settings.newton.preconditioner.kind == Preconditioner::multigrid || settings.nested;
     const bool assembled = settings.newton.product == Product::assembled;
     std::size_t used = coarser ? levels.size() : 1;
@@ -220,12 +221,8 @@ class SolverOf final : public QuasistaticSolver {
                ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(), level.constraints.const_view(),
                                 a.positions.const_view(), a.increment.view()});
       if (!coarsest) on_->run(a.nodes(), MovePrescribed{a.increment.const_view(), a.positions.view()});
-      const bool injects = !coarsest && a.patches != nullptr && a.patches->parents.size() != 0;
-      if (injects) {
-        on_->run(a.patches->volumes.size(),
-                 InjectPressure{a.patches->parents.const_view(), arrays_[l + 1]->patches->volumes.const_view(),
-                                a.patches->volumes.view()});
-      }
+      const bool injects =
+          !coarsest && inject_pressures(*on_, std::as_const(*arrays_[l + 1]), a, level.parents.const_view());
       const bool increment = coarsest && moves_[l] && (load != load_ || !reached_);
       NewtonSettings newton = settings_.newton;
       newton.start_load = load_;

@@ -245,7 +245,7 @@ void add_tangents(On& on, Arrays& a, const DisplacementView& dx, const Different
     on.run(a.tet_count(), AddTetDifferentials{tets, tangent, dx, df});
     if (a.patches == nullptr) return;
     const auto& p = *a.patches;
-    on.run(p.volumes.size(), AddPatchDifferentials{p.nodes.const_view(), p.tangent.const_view(), dx, df});
+    on.run(a.volumes.size(), AddPatchDifferentials{p.nodes.const_view(), p.tangent.const_view(), dx, df});
   } else {
     on.run(a.tet_count(), ComputeTetDifferentials{tets, tangent, dx, a.chunk_arrays->corners.view()});
     const auto node_tets = a.node_tets.const_view();
@@ -256,7 +256,7 @@ void add_tangents(On& on, Arrays& a, const DisplacementView& dx, const Different
     }
     auto& p = *a.patches;
     const auto patches = p.tangent.const_view();
-    on.run(p.volumes.size(), ComputePatchChanges{p.nodes.const_view(), patches, dx, p.changes.view()});
+    on.run(a.volumes.size(), ComputePatchChanges{p.nodes.const_view(), patches, dx, p.changes.view()});
     on.run(a.nodes(),
            SumDifferentials{a.chunks.front(), node_tets, corners,
                             NodePatchChanges{p.node_patches.const_view(), patches, p.changes.const_view()}, df});

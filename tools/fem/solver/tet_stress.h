@@ -5,12 +5,12 @@
 
 namespace physgen::fem {
 
-/// P = dpsi/dF, with the pressure of the tet's patch where patches average the volume.
+/// P = dpsi/dF, with the pressure of the tet where volumes are averaged.
 template <class Material, class Patches, class TetView, class RestView, class PositionView, class StressView>
 struct EvaluateStress {
   using Scalar = typename StressView::Precision;
   Material material;       ///< in Scalar
-  Patches patches;         ///< NoPatches or PatchPressures
+  Patches patches;         ///< NoPatches, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
@@ -21,8 +21,7 @@ struct EvaluateStress {
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, i);
     Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Patches::averages) {
-      const index_t p = patches.tets[i].patch();
-      const S pressure = patches.patches[p].pressure();
+      const S pressure = patches.template of<S>(i).pressure;
       g = detail::with_pressure<S>(g, pressure, tet.f.s);
     }
     Matrix3<S> ug;  // U diag(g)

@@ -1,0 +1,44 @@
+// Linearised pressures of volumes that are averaged over patches or at nodes: along a Newton step, and from a coarser
+// level. None of these does anything where volumes are those of tets.
+#pragma once
+
+#include <fem/solver/node_volume.h>
+#include <fem/solver/patch_volume.h>
+
+namespace physgen::fem {
+
+/// Along with a step dx from the state that was evaluated last. @param dx view of elasticity::NodeDisplacement
+template <class On, class Arrays, class Displacements>
+void advance_pressures(On& on, Arrays& a, const VolumeTerm& volume, const Displacements& dx) {
+  if (a.patches != nullptr) {
+    on.run(a.volumes.size(), AdvancePatches{volume.law, volume.modulus, a.volumes.view(), a.patches->nodes.const_view(),
+                                            a.patches->tangent.const_view(), dx});
+  } else if (a.rings != nullptr) {
+    on.run(a.volumes.size(),
+           AdvanceNodeVolumes{volume.law, volume.modulus, a.volumes.view(), a.rings->nodes.const_view(), dx});
+  }
+}
+
+/// Along with a part of the step, 0 to 1. @pre advance_pressures() for all of it
+template <class On, class Arrays>
+void shorten_pressures(On& on, Arrays& a, double length) {
+  if (a.volumes.size() != 0) on.run(a.volumes.size(), ShortenPressures{length, a.volumes.view()});
+}
+
+/// To begin with, those that a coarser level has found. @return whether there are any
+/// @param parents view of quasistatic::NodeParents, to the coarser level
+template <class On, class Arrays, class Parents>
+[[nodiscard]] bool inject_pressures(On& on, const Arrays& coarse, Arrays& a, const Parents& parents) {
+  if (a.patches != nullptr && a.patches->parents.size() != 0) {
+    on.run(a.volumes.size(),
+           InjectPatchPressures{a.patches->parents.const_view(), coarse.volumes.const_view(), a.volumes.view()});
+    return true;
+  }
+  if (a.rings != nullptr) {
+    on.run(a.volumes.size(), InjectNodePressures{parents, coarse.volumes.const_view(), a.volumes.view()});
+    return true;
+  }
+  return false;
+}
+
+}  // namespace physgen::fem
