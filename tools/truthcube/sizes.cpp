@@ -101,7 +101,7 @@ std::int64_t schwarz_bytes(const LevelCounts& c) {
   const std::int64_t blocks = (c.nodes + fem::schwarz_slots - 1) / fem::schwarz_slots;  // if none were prescribed
   const std::int64_t coarse = blocks > 1 ? 1 + blocks / 18 : 0, all = blocks + coarse;
   const std::int64_t supernodes = fem::schwarz_slots * coarse, pairs = supernodes * c.edges / c.nodes;
-  const std::int64_t inside = c.edges * 2 / 5, between = c.edges - inside;
+  const std::int64_t inside = c.edges * 9 / 20, between = c.edges - inside;
   return bytes_of<decltype(Arrays::nodes)>(c.nodes) + bytes_of<decltype(Arrays::slots)>(fem::schwarz_slots * all) +
          bytes_of<decltype(Arrays::blocks)>(all) +
          bytes_of_rows<decltype(Arrays::supernode_terms)>(supernodes, c.nodes + inside) +

@@ -103,9 +103,10 @@ __device__ inline Vector3<S> of_lane(const Vector3<S>& v, int lane) {
 /// @param factor (d) this lane's block of diagonal d
 template <class S, class Factor>
 __device__ inline Vector3<S> apply_factor(const Factor& factor, int lane, const Vector3<S>& r) {
+  constexpr int unrolled = sizeof(S) == 4 ? 16 : 1;  // what is kept in registers needs constant numbers
   const Vector3<S> zero = Vector3<S>::Zero();
   Vector3<S> y = multiply_add<S>(factor(0), r, zero);
-#pragma unroll
+#pragma unroll(unrolled)
   for (int d = 1; d <= 16; ++d) {
     const bool is_column = lane + d < 32, takes = lane >= d;
     const Vector3<S> other = of_lane(r, (lane + d) % 32);
@@ -116,7 +117,7 @@ __device__ inline Vector3<S> apply_factor(const Factor& factor, int lane, const 
     for (int k = 0; k < 3; ++k) y[k] += (is_column ? S(0) : product[k]) + (takes ? taken[k] : S(0));
   }
   Vector3<S> z = multiply_add<S>(Matrix3<S>(factor(0).transpose()), y, zero);
-#pragma unroll
+#pragma unroll(unrolled)
   for (int d = 1; d <= 16; ++d) {
     const bool is_column = lane + d < 32, takes = lane < d;
     const Vector3<S> other = of_lane(y, (lane + d) % 32);
@@ -190,15 +191,12 @@ __global__ void __launch_bounds__(128) apply_schwarz_blocks(const Product produc
     const S scale = product.blocks[block].scale();
     const Vector3<S> scaled = r * scale;
     Vector3<S> z;
-    bool goes_on = false;
     if constexpr (sizeof(S) == 4) {  // the factor is read once, all of it at a time
       Matrix3<S> kept[17];
 #pragma unroll
       for (int d = 0; d <= 16; ++d) kept[d] = load(d);
-      goes_on = hand_over(product, block, lane, parent, r);
       z = apply_factor<S>([&](int d) -> const Matrix3<S>& { return kept[d]; }, lane, scaled);
     } else {
-      goes_on = hand_over(product, block, lane, parent, r);
       z = apply_factor<S>(load, lane, scaled);
     }
     z *= scale;
@@ -209,7 +207,7 @@ __global__ void __launch_bounds__(128) apply_schwarz_blocks(const Product produc
         product.supernode_corrections[source].dx() = z;
       }
     }
-    if (!goes_on) return;
+    if (!hand_over(product, block, lane, parent, r)) return;
     block = product.blocks[block].parent();
   }
 }
