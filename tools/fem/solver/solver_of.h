@@ -220,6 +220,7 @@ class SolverOf final : public QuasistaticSolver {
       const bool increment = coarsest && moves_[l] && (load != load_ || !reached_);
       NewtonSettings newton = settings_.newton;
       newton.start_load = load_;
+      newton.start_is_given = l == 0 && !reached_;
       newton.last_reaction = last_reaction_;
       newton.rounding_force = rounding_forces_[l];
       newton.all_prescribed = all_prescribed_[l];
