@@ -185,24 +185,24 @@ TEST(Restart, goes_on_bit_for_bit) {
   EXPECT_EQ(later->forces(), whole->forces());
 }
 
-enum class Recovered { rest, folded, no };
-
-/// A cube that nothing holds is put somewhere. At rest it is itself again, wherever and however it is turned; folded,
-/// it is in another equilibrium without inverted tets, as where a row of tets winds twice around an edge.
-Recovered recover(const std::string& material, std::uint64_t seed,
-                  const std::function<Point(const Point&, std::mt19937_64&)>& start) {
+/// Whether a cube that is put somewhere is itself again after a solve, wherever and however it is turned then.
+/// @param held the base stays where it is; else nothing holds the cube
+bool returns(const std::string& material, bool held, std::uint64_t seed,
+             const std::function<Point(const Point&, std::mt19937_64&)>& start) {
   constexpr double side = 0.08;
+  const auto is_held = [=](const Point& x) { return held && x[2] == 0; };
   const Body body = make_cube(
-      4, side, false, 0, [](const Point&) -> std::uint8_t { return 0; }, [](const Point&) { return Point{}; });
+      4, side, false, 0, [=](const Point& x) -> std::uint8_t { return is_held(x) ? 7 : 0; },
+      [](const Point&) { return Point{}; });
   SolverSettings settings = exact_settings(material, 0.45);
   settings.nested = false;
   settings.newton.preconditioner.kind = Preconditioner::block_jacobi;
-  settings.newton.most_steps = 1000;
+  settings.newton.most_steps = 40;
   settings.newton.tolerance = 1e-9;
   const auto solver = make_solver(body.levels, body.loading, settings);
   std::mt19937_64 random(seed);
   std::vector<Point> positions;
-  for (const Point& x : body.levels[0].rest) positions.push_back(start(x, random));
+  for (const Point& x : body.levels[0].rest) positions.push_back(is_held(x) ? x : start(x, random));
   solver->set_positions(positions);
   const NewtonResult result = solver->solve_to(0, {});
   const auto found = solver->positions();
@@ -216,41 +216,45 @@ Recovered recover(const std::string& material, std::uint64_t seed,
       largest = std::max(largest, std::abs(distance(found) - distance(rest)));
     }
   }
-  std::printf("  %d Newton steps, %d shortened, %d filtered, %d returned; energy %.3e, smallest J %.4f\n", result.steps,
+  EXPECT_GE(result.returns, 1);
+  std::printf("  %d Newton steps, %d shortened, %d filtered, %d returns; energy %.3e, smallest J %.4f\n", result.steps,
               result.halvings, result.filtered, result.returns, result.energy, result.smallest_J);
-  if (result.status != NewtonStatus::converged || !(result.smallest_J > 0)) return Recovered::no;
-  return largest <= 1e-6 * side ? Recovered::rest : Recovered::folded;
+  return result.status == NewtonStatus::converged && largest <= 1e-6 * side;
 }
 
-TEST(Recovery, flattened_and_collapsed_cubes_return_to_rest) {
+/// From where Newton's method alone ends in other equilibria, without inverted tets, in 9 of 12 cases.
+TEST(Recovery, flattened_collapsed_inverted_and_random_cubes_return_to_rest) {
   for (const std::string material : {"stable-neo-hookean", "fixed-corotated"}) {
-    std::printf("%s, flattened:\n", material.c_str());
-    EXPECT_EQ(recover(material, 0, [](const Point& x, auto&) { return Point{x[0], x[1], 0}; }), Recovered::rest);
-    std::printf("%s, collapsed:\n", material.c_str());
-    EXPECT_EQ(recover(material, 0, [](const Point&, auto&) { return Point{0.04, 0.04, 0.04}; }), Recovered::rest);
-  }
-}
-
-TEST(Recovery, random_and_inverted_cubes_find_an_equilibrium_without_inverted_tets) {
-  int folded = 0, all = 0;
-  const auto count = [&](Recovered recovered) {
-    EXPECT_NE(recovered, Recovered::no);
-    folded += recovered == Recovered::folded ? 1 : 0;
-    ++all;
-  };
-  for (const std::string material : {"stable-neo-hookean", "fixed-corotated"}) {
-    std::printf("%s, inverted:\n", material.c_str());
-    count(recover(material, 0, [](const Point& x, auto&) { return Point{x[0], x[1], -x[2]}; }));
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      std::printf("%s, random, seed %d:\n", material.c_str(), int(seed));
-      count(recover(material, seed, [](const Point&, auto& random) {
-        std::uniform_real_distribution<double> at(0, 0.08);
-        const double a = at(random), b = at(random), c = at(random);
-        return Point{a, b, c};
-      }));
+    for (const bool held : {false, true}) {
+      std::printf("%s%s: flattened, collapsed, inverted, random with seeds 1 to 5\n", material.c_str(),
+                  held ? ", held" : "");
+      EXPECT_TRUE(returns(material, held, 0, [](const Point& x, auto&) { return Point{x[0], x[1], 0}; }));
+      EXPECT_TRUE(returns(material, held, 0, [](const Point&, auto&) { return Point{0.04, 0.04, 0.04}; }));
+      EXPECT_TRUE(returns(material, held, 0, [](const Point& x, auto&) { return Point{x[0], x[1], -x[2]}; }));
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        EXPECT_TRUE(returns(material, held, seed, [](const Point&, auto& random) {
+          std::uniform_real_distribution<double> at(0, 0.08);
+          const double a = at(random), b = at(random), c = at(random);
+          return Point{a, b, c};
+        })) << seed;
+      }
     }
   }
-  std::printf("%d of %d starts end folded instead of at rest\n", folded, all);
+}
+
+/// A start without inverted tets is not changed, however far from rest it is.
+TEST(Recovery, from_a_start_without_inverted_tets_begins_there) {
+  const Body body = make_truth_cube_body(4, false);
+  SolverSettings settings = exact_settings("stable-neo-hookean", 0.45);
+  settings.nested = false;
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  auto positions = body.levels[0].rest;
+  for (Point& x : positions) x[2] *= 0.2;
+  solver->set_positions(positions);
+  const NewtonResult result = solver->solve_to(0, {});
+  EXPECT_EQ(result.status, NewtonStatus::converged);
+  EXPECT_EQ(result.returns, 0);
+  EXPECT_LE(largest_distance(solver->positions(), body.levels[0].rest), 1e-9);
 }
 
 TEST(BadInput, is_refused_with_its_name_value_and_remedy) {

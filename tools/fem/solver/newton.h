@@ -6,6 +6,7 @@
 #include <fem/solver/evaluate.h>
 #include <fem/solver/mean_pressures.h>
 #include <fem/solver/newton_steps.h>
+#include <fem/solver/return_to_rest.h>
 
 #include <chrono>
 #include <cmath>
@@ -131,6 +132,12 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
 
   AtLoad at(load, has_increment ? settings.start_load : load);
   auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, restart);
+  const auto begin_nearer_to_rest = [&] {
+    ++result.returns;
+    return_to_rest(on, a, level, v);
+    state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, true);
+  };
+  if (settings.start_is_given && !(state.smallest_ratio > 0)) begin_nearer_to_rest();
   double before = free_of(state), forcing = settings.least_forcing;
   // A full step may raise the energy where the one behind it makes up for that; if it does not, none may any more.
   bool risky = false, may_risk = true, fresh = true;
@@ -165,10 +172,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     if (!has_increment && has_converged(state)) {
       const bool inverted = !(state.smallest_ratio > 0) && state.fixed_square == 0;
       if (!inverted || result.returns == settings.most_returns) return finish(NewtonStatus::converged);
-      // Nothing pulls, and yet tets are flat or inverted: a saddle or another minimum, such as a body in one point.
-      ++result.returns;
-      on.run(n, ReturnHalfway{a.rest.const_view(), level.constraints.const_view(), positions});
-      state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, true);
+      // Nothing pulls, and yet tets are flat or inverted: a saddle, or another minimum.
+      begin_nearer_to_rest();
       before = free_of(state);
       fresh = true;
     }

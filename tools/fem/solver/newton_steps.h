@@ -199,23 +199,6 @@ struct ComputeIncrement {
 template <class... Arguments>
 ComputeIncrement(double, Arguments...) -> ComputeIncrement<Arguments...>;
 
-/// Moves free components half the way back to rest.
-template <class RestView, class ConstraintView, class PositionView>
-struct ReturnHalfway {
-  using Scalar = typename PositionView::Precision;
-  RestView rest;               ///< elasticity::NodePosition
-  ConstraintView constraints;  ///< quasistatic::NodeConstraint
-  PositionView positions;      ///< elasticity::NodePosition
-
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
-    using Vector = Vector3<Scalar>;
-    const Vector way = Vector(rest[node].x().get()) - Vector(positions[node].x().get());
-    positions[node].x() += detail::free_part<Scalar>(Vector(way * Scalar(0.5)), constraints[node]);
-  }
-};
-template <class... Views>
-ReturnHalfway(Views...) -> ReturnHalfway<Views...>;
-
 /// x += d
 template <class IncrementView, class PositionView>
 struct MovePrescribed {

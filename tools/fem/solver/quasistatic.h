@@ -82,7 +82,9 @@ class QuasistaticSolver {
   /// @throw Error when the state is not of these meshes
   virtual void restore(const SolverState& state) = 0;
 
-  /// Moves the free nodes of the finest mesh, such as to random places. @throw Error when sizes differ
+  /// Moves the free nodes of the finest mesh, such as to random places. The next solve begins there; where tets are
+  /// inverted or flat there, on the straight way from rest, before the first of them is flat.
+  /// @throw Error when sizes differ
   virtual void set_positions(std::span<const Point> positions) = 0;
 
   /// One linear solve with the tangent at the current positions and a right-hand side [N] on the finest level, for

@@ -50,7 +50,7 @@ struct NewtonSettings {
   int most_halvings = 12;  ///< of a step, until the energy falls
   /// A full step may raise the energy, if no tet is inverted and the next makes up for it.
   bool full_steps_first = true;
-  int most_returns = 8;  ///< half the way to rest, where nothing pulls and yet tets are inverted or flat
+  int most_returns = 8;  ///< towards rest, where nothing pulls and yet tets are inverted or flat
   Product product = Product::assembled;
   PreconditionerSettings preconditioner;
 
@@ -59,6 +59,7 @@ struct NewtonSettings {
   double last_reaction = 0;     ///< [N]: |forces that hold the body| at the last equilibrium
   double rounding_force = 0;    ///< [N]: what positions' rounding makes of the forces on all nodes
   bool all_prescribed = false;  ///< no component is free
+  bool start_is_given = false;  ///< positions were set from outside; where tets are inverted, it begins nearer to rest
 };
 
 /// What one Newton step did.
@@ -79,7 +80,7 @@ struct NewtonResult {
   NewtonStatus status = NewtonStatus::converged;
   int steps = 0, iterations = 0, halvings = 0, filtered = 0;  ///< of the finest level
   int coarse_steps = 0, coarse_iterations = 0;                ///< of all coarser levels
-  int returns = 0;                                            ///< half the way to rest
+  int returns = 0;                                            ///< towards rest, from inverted or flat tets
   int bisections = 0;                                         ///< of the load's increment
   double residual = 0, energy = 0, smallest_J = 0;
   double reaction = 0;  ///< |forces that hold the body| [N]

@@ -226,6 +226,7 @@ class SolverOf final : public QuasistaticSolver {
       const bool increment = coarsest && moves_[l] && (load != load_ || !reached_);
       NewtonSettings newton = settings_.newton;
       newton.start_load = load_;
+      newton.start_is_given = l == 0 && !reached_;
       newton.last_reaction = last_reaction_;
       if (l > 0) newton.tolerance = std::max(newton.tolerance, settings_.coarser_tolerance);
       newton.rounding_force = rounding_forces_[l];
