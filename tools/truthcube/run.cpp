@@ -74,7 +74,7 @@ Outcome run(Options options, const std::string& command) {
   const std::vector<LevelCounts> counts = options.is_cube()
                                               ? count_cube(options.cells, options.volume == VolumeTreatment::patches)
                                               : count_levels(scene.levels);
-  append(notes, choose_preconditioner(options, counts));
+  append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
   const RunBytes bytes = bytes_of_run(counts, options.solver);
   if (options.dry_run) {

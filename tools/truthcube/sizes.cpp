@@ -15,9 +15,9 @@ namespace physgen::truthcube {
 
 namespace {
 
-constexpr std::array members{&LevelCounts::nodes,     &LevelCounts::tets,      &LevelCounts::edges,
-                             &LevelCounts::tet_edges, &LevelCounts::patches,   &LevelCounts::edge_patches,
-                             &LevelCounts::children,  &LevelCounts::edge_terms};
+constexpr std::array members{&LevelCounts::nodes,     &LevelCounts::tets,       &LevelCounts::edges,
+                             &LevelCounts::tet_edges, &LevelCounts::patches,    &LevelCounts::edge_patches,
+                             &LevelCounts::children,  &LevelCounts::edge_terms, &LevelCounts::grid_parents};
 
 /// The polynomial of degree 3 with these values at 1, 2, 3, 4. Exact: it sums multiples of whole numbers.
 std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
@@ -71,11 +71,13 @@ std::int64_t linear_bytes(const LevelCounts& c, const LevelCounts* coarser) {
                        bytes_of<decltype(Level::scaled_nodes)>(n) + bytes_of<decltype(Level::scaled_edges)>(c.edges) +
                        bytes_of<decltype(Level::inverse)>(n) + bytes_of<decltype(Level::smoother)>(1) +
                        bytes_of<decltype(Level::residual)>(n) + bytes_of<decltype(Level::correction)>(n) +
-                       bytes_of<decltype(Level::direction)>(n) + bytes_of<decltype(Level::power)>(n) + sums;
+                       bytes_of<decltype(Level::direction)>(n) + bytes_of<decltype(Level::power)>(n) +
+                       bytes_of<decltype(Level::translations)>(c.tets == 0 ? n : c.grid_parents) + sums;
   if (coarser == nullptr) {
     return bytes + (n <= fem::most_coarse_nodes ? bytes_of<decltype(Level::coarse_inverse)>(n * n) : 0);
   }
-  bytes += bytes_of<decltype(Level::parents)>(n);
+  bytes += bytes_of<decltype(Level::parents)>(n - c.grid_parents);
+  bytes += bytes_of<decltype(Level::grid_parents)>(c.grid_parents);
   bytes += bytes_of_rows<decltype(Level::children)>(coarser->nodes, c.children);
   return bytes + bytes_of_rows<decltype(Level::edge_terms)>(coarser->edges, c.edge_terms);
 }
@@ -112,7 +114,9 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
   const bool coarser = settings.newton.preconditioner.kind == fem::Preconditioner::multigrid || settings.nested;
   const std::size_t used = coarser ? levels.size() : 1;
   const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
-  const std::size_t solved = settings.nested && used > kept ? used - kept : 1;
+  const auto meshes = static_cast<std::size_t>(
+      std::ranges::count_if(levels, [](const LevelCounts& level) { return level.tets > 0; }));  // the rest are grids
+  const std::size_t solved = settings.nested && used > kept ? std::min(used - kept, meshes) : 1;
   RunBytes bytes;
   for (std::size_t l = 0; l < used; ++l) {
     bytes.levels.push_back(linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr) +
@@ -136,6 +140,13 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
   return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings);
 }
 
+/// Parents of a level's nodes in a MeshLevel, or in a LevelGraph.
+std::int64_t bytes_of_parents(const LevelCounts& c) {
+  if (c.children == 0) return 0;
+  return c.grid_parents * std::int64_t{sizeof(fem::GridLocation)} +
+         (c.nodes - c.grid_parents) * 2 * std::int64_t{sizeof(fem::Index)};
+}
+
 constexpr std::int64_t index_bytes = sizeof(fem::Index), entry_bytes = sizeof(fem::IncidenceEntry);
 
 std::int64_t bytes_of_list(std::int64_t rows, std::int64_t entries) {
@@ -146,7 +157,7 @@ std::int64_t bytes_of_list(std::int64_t rows, std::int64_t entries) {
 std::int64_t bytes_of_graph(const LevelCounts& c, const LevelCounts* coarser) {
   const std::int64_t bytes = 2 * index_bytes * c.edges + bytes_of_list(c.nodes, 2 * c.edges) + c.nodes;
   if (coarser == nullptr) return bytes;
-  return bytes + 2 * index_bytes * c.nodes + bytes_of_list(coarser->nodes, c.children) +
+  return bytes + bytes_of_parents(c) + bytes_of_list(coarser->nodes, c.children) +
          bytes_of_list(coarser->edges, c.edge_terms);
 }
 
@@ -177,7 +188,8 @@ std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels)
     counts.push_back({graph.nodes, static_cast<std::int64_t>(level.mesh.tets.size()),
                       static_cast<std::int64_t>(graph.edges.size()), static_cast<std::int64_t>(level.mesh.edges.size()),
                       static_cast<std::int64_t>(level.patches.nodes.size()), pairs_in_patches(level.patches),
-                      entries(graph.children), entries(graph.edge_terms)});
+                      entries(graph.children), entries(graph.edge_terms),
+                      static_cast<std::int64_t>(graph.grid_parents.size())});
   }
   return counts;
 }
@@ -195,7 +207,7 @@ std::int64_t bytes_of_mesh(const LevelCounts& c) {
   const std::int64_t real = sizeof(double);
   std::int64_t bytes = 4 * index_bytes * c.tets + 2 * index_bytes * c.tet_edges + bytes_of_list(c.nodes, 4 * c.tets) +
                        bytes_of_list(c.nodes, 2 * c.tet_edges) + bytes_of_list(c.tet_edges, 6 * c.tets) +
-                       3 * real * c.nodes + c.nodes + (c.children > 0 ? 2 * index_bytes * c.nodes : 0);
+                       3 * real * c.nodes + c.nodes + bytes_of_parents(c);
   if (c.patches > 0) {
     bytes += 10 * index_bytes * c.patches + (index_bytes + 4) * c.tets + bytes_of_list(c.patches, c.tets);
   }

@@ -4,7 +4,6 @@
 
 #include <fem/solver/solver_arrays.h>
 
-#include <cmath>
 #include <memory>
 
 namespace physgen::fem {
@@ -121,21 +120,8 @@ struct EquilibriumArrays {
         tangent(tets.size()),
         increment(graph.nodes),
         state(1),
-        spacing(mean_spacing(level)) {}
+        spacing(mean_spacing(level.mesh, level.rest)) {}
 
-  /// The side of a cube as large as the six tets that a node has on average.
-  static double mean_spacing(const MeshLevel& level) {
-    double six_volumes = 0;
-    for (const auto& tet : level.mesh.tets) {
-      const auto at = [&](std::size_t c, std::size_t k) {
-        return level.rest[std::size_t(tet[c])][k] - level.rest[std::size_t(tet[0])][k];
-      };
-      six_volumes += std::abs(at(1, 0) * (at(2, 1) * at(3, 2) - at(2, 2) * at(3, 1)) +
-                              at(1, 1) * (at(2, 2) * at(3, 0) - at(2, 0) * at(3, 2)) +
-                              at(1, 2) * (at(2, 0) * at(3, 1) - at(2, 1) * at(3, 0)));
-    }
-    return std::cbrt(six_volumes / double(level.mesh.tets.size()));
-  }
   static auto host_tets(const MeshLevel& level) {
     elasticity::TetArray<Real> array(index_t(level.mesh.tets.size()));
     store_tets(level.mesh, array.view());

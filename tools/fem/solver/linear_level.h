@@ -9,9 +9,6 @@
 
 namespace physgen::fem {
 
-/// Above this the coarsest level is not inverted.
-inline constexpr index_t most_coarse_nodes = 125;
-
 /// How the preconditioner stores the blocks of edges: as it computes them.
 struct StoredAsComputed {
   static constexpr bool rounds = false;
@@ -62,7 +59,11 @@ struct LinearLevel {
 
   // To the next coarser level; empty on the coarsest.
   quasistatic::NodeParentsArray<Real, Space> parents;
+  quasistatic::GridParentsArray<Real, Space> grid_parents;  ///< in place of `parents`, to a background grid
   IncidenceRows<Space> children, edge_terms;
+  /// Of levels of a background grid, and of the mesh on it.
+  quasistatic::TranslationStiffnessArray<Real, Space> translations;
+  bool is_grid;  ///< a level of a background grid
   // Of the coarsest level alone.
   quasistatic::CoarseInverseArray<Real, Space> coarse_inverse;
 
@@ -81,12 +82,18 @@ struct LinearLevel {
         residual(graph.nodes),
         correction(graph.nodes),
         direction(graph.nodes),
-        power(graph.nodes) {
+        power(graph.nodes),
+        translations(graph.is_grid || !graph.grid_parents.empty() ? graph.nodes : 0),
+        is_grid(graph.is_grid) {
     if (coarser == nullptr) {
       if (nodes() <= most_coarse_nodes) coarse_inverse = decltype(coarse_inverse)(nodes() * nodes());
       return;
     }
-    parents = moved_to<decltype(parents)>(host_parents(graph));
+    if (graph.grid_parents.empty()) {
+      parents = moved_to<decltype(parents)>(host_parents(graph));
+    } else {
+      grid_parents = moved_to<decltype(grid_parents)>(host_grid_parents(graph));
+    }
     const auto blocks = std::max(index_t{graph.nodes}, index_t(graph.edges.size()));
     children = IncidenceRows<Space>(incidence_rows<IncidenceRows<Host>>(graph.children, graph.nodes));
     edge_terms = IncidenceRows<Space>(incidence_rows<IncidenceRows<Host>>(graph.edge_terms, blocks));
@@ -96,8 +103,8 @@ struct LinearLevel {
   [[nodiscard]] index_t bytes() const {
     return bytes_of(constraints, edges, node_edges.ranges(), node_edges.entries(), node_stiffness, edge_stiffness,
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
-                    parents, children.ranges(), children.entries(), edge_terms.ranges(), edge_terms.entries(),
-                    coarse_inverse) +
+                    parents, grid_parents, children.ranges(), children.entries(), edge_terms.ranges(),
+                    edge_terms.entries(), translations, coarse_inverse) +
            sums.bytes();
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
@@ -119,6 +126,17 @@ struct LinearLevel {
     quasistatic::NodeParentsArray<Real> array(graph.nodes);
     for (index_t n = 0; n < array.size(); ++n) {
       for (int k = 0; k < 2; ++k) array.view()[n].nodes()[k] = graph.parents[std::size_t(n)][std::size_t(k)];
+    }
+    return array;
+  }
+  static auto host_grid_parents(const LevelGraph& graph) {
+    quasistatic::GridParentsArray<Real> array(graph.nodes);
+    for (index_t n = 0; n < array.size(); ++n) {
+      const GridLocation& location = graph.grid_parents[std::size_t(n)];
+      for (int k = 0; k < 4; ++k) {
+        array.view()[n].nodes()[k] = location.nodes[std::size_t(k)];
+        array.view()[n].weights()[k] = static_cast<Real>(location.weights[std::size_t(k)]);
+      }
     }
     return array;
   }

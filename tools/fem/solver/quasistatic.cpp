@@ -80,7 +80,8 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
   if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
   const bool patches = !levels.front().patches.nodes.empty();
   for (const MeshLevel& level : levels) {
-    if (level.patches.nodes.empty() == patches) throw Error("either all levels have patches, or none");
+    if (!level.is_grid() && level.patches.nodes.empty() == patches)
+      throw Error("either all levels have patches, or none");
   }
   for (std::size_t l = 0; patches && l + 1 < levels.size(); ++l) {
     const auto& parents = levels[l].patch_parents;

@@ -42,7 +42,8 @@ class SolverOf final : public QuasistaticSolver {
     std::vector<MeshLevel> own(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(used));
     const std::vector<LevelGraph> graphs = make_level_graphs(own);
     const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
-    solved_ = settings.nested && used > kept ? used - kept : 1;
+    const auto meshes = static_cast<std::size_t>(std::ranges::find_if(own, &MeshLevel::is_grid) - own.begin());
+    solved_ = settings.nested && used > kept ? std::min(used - kept, meshes) : 1;
     std::vector<Point> motion = loading.motion, forces = loading.forces;
     for (std::size_t l = 0; l < used; ++l) {
       linear_.push_back(std::make_unique<Level>(graphs[l], l + 1 < used ? &graphs[l + 1] : nullptr));
@@ -198,8 +199,8 @@ class SolverOf final : public QuasistaticSolver {
       if (!coarsest) {
         const Arrays& coarse = *arrays_[l + 1];
         on_->run(a.nodes(),
-                 InterpolateMotion{level.parents.const_view(), coarse.kept.const_view(), coarse.positions.const_view(),
-                                   level.constraints.const_view(), a.positions.view()});
+                 InterpolateMotion{HalfWay{level.parents.const_view()}, coarse.kept.const_view(),
+                                   coarse.positions.const_view(), level.constraints.const_view(), a.positions.view()});
       }
       on_->run(a.nodes(),
                ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(), level.constraints.const_view(),
