@@ -1,6 +1,6 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_66462A25A38814E1
-#define PHYSGEN_QUASISTATIC_H_66462A25A38814E1
+#ifndef PHYSGEN_QUASISTATIC_H_FFF5F22CDEF2EEA9
+#define PHYSGEN_QUASISTATIC_H_FFF5F22CDEF2EEA9
 
 #include <physgen/runtime.h>
 
@@ -191,6 +191,112 @@ using NodeParentsArray = physgen::Array<NodeParentsObject, Real, Space, Layout, 
 // lies inside its tile.
 static_assert(physgen::is_sound_record<NodeParentsObject, float, NodeParentsFormats<physgen::Host>>(8, 4, {0}));
 static_assert(physgen::is_sound_record<NodeParentsObject, double, NodeParentsFormats<physgen::Host>>(8, 4, {0}));
+
+// ---- GridParents ----------------------------------------------------------------------------------------------------
+
+/// The tet of a background grid in which a node lies: linear interpolation between its corners.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct GridParents {
+  /// numbers on the coarser level; a corner without weight repeats the first
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
+  /// they add up to 1 [1]
+  Eigen::Matrix<Real, 4, 1> weights;
+};
+
+/// How the fields of one GridParents are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of GridParentsArray.
+template <class Space>
+struct GridParentsFormats {
+  using weights = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one GridParents [bytes].
+template <class Real, class Formats>
+struct GridParentsRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::weights, Real>(),
+  }});
+  static constexpr int nodes = plan_.offset[0];
+  static constexpr int weights = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One GridParents of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class GridParentsRef {
+  using Record = GridParentsRecord<Real, Formats>;
+
+ public:
+  using Value = GridParents<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit GridParentsRef(const Cursor& cursor) : at_(cursor) {}
+  GridParentsRef(const GridParentsRef&) = default;
+  GridParentsRef& operator=(const GridParentsRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const GridParentsRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// numbers on the coarser level; a corner without weight repeats the first
+  PHYSGEN_FUNCTION decltype(auto) nodes() const {
+    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
+  }
+  /// they add up to 1 [1]
+  PHYSGEN_FUNCTION decltype(auto) weights() const {
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::weights, Real>(Record::weights);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.nodes = nodes().get();
+    value.weights = weights().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    nodes() = value.nodes;
+    weights() = value.weights;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of GridParents.
+struct GridParentsObject {
+  static constexpr std::string_view name = "quasistatic::GridParents";
+  template <class Real>
+  using Value = GridParents<Real>;
+  template <class Real, class Formats>
+  using Record = GridParentsRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = GridParentsRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+        "nodes", "", GridParentsRecord<Real, Formats>::nodes, 1, 0.0),
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::weights, Real>(
+        "weights", "1", GridParentsRecord<Real, Formats>::weights, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = GridParentsFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<GridParentsObject, Space>>
+using GridParentsView = physgen::View<GridParentsObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<GridParentsObject, Space>>
+using GridParentsArray = physgen::Array<GridParentsObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<GridParentsObject, float, GridParentsFormats<physgen::Host>>(32, 4, {0, 16}));
+static_assert(physgen::is_sound_record<GridParentsObject, double, GridParentsFormats<physgen::Host>>(48, 8, {32, 0}));
 
 // ---- NodeScale ------------------------------------------------------------------------------------------------------
 
@@ -389,6 +495,100 @@ using NodeInverseArray = physgen::Array<NodeInverseObject, Real, Space, Layout, 
 // lies inside its tile.
 static_assert(physgen::is_sound_record<NodeInverseObject, float, NodeInverseFormats<physgen::Host>>(24, 4, {0}));
 static_assert(physgen::is_sound_record<NodeInverseObject, double, NodeInverseFormats<physgen::Host>>(48, 8, {0}));
+
+// ---- TranslationStiffness -------------------------------------------------------------------------------------------
+
+/// How stiffness without its prescribed components resists a translation of all nodes: its rows, summed.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct TranslationStiffness {
+  /// sum of df(v)/dx(w) over all nodes w; 0 far from what is prescribed [N/m]
+  Eigen::Matrix<Real, 3, 3> T;
+};
+
+/// How the fields of one TranslationStiffness are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of TranslationStiffnessArray.
+template <class Space>
+struct TranslationStiffnessFormats {
+  using T = physgen::format::Native;
+};
+
+/// Where each field begins in the record of one TranslationStiffness [bytes].
+template <class Real, class Formats>
+struct TranslationStiffnessRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::T, Real>(),
+  }});
+  static constexpr int T = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One TranslationStiffness of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class TranslationStiffnessRef {
+  using Record = TranslationStiffnessRecord<Real, Formats>;
+
+ public:
+  using Value = TranslationStiffness<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit TranslationStiffnessRef(const Cursor& cursor) : at_(cursor) {}
+  TranslationStiffnessRef(const TranslationStiffnessRef&) = default;
+  TranslationStiffnessRef& operator=(const TranslationStiffnessRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const TranslationStiffnessRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// sum of df(v)/dx(w) over all nodes w; 0 far from what is prescribed [N/m]
+  PHYSGEN_FUNCTION decltype(auto) T() const {
+    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::T, Real>(Record::T);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.T = T().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { T() = value.T; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of TranslationStiffness.
+struct TranslationStiffnessObject {
+  static constexpr std::string_view name = "quasistatic::TranslationStiffness";
+  template <class Real>
+  using Value = TranslationStiffness<Real>;
+  template <class Real, class Formats>
+  using Record = TranslationStiffnessRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = TranslationStiffnessRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::T, Real>(
+        "T", "N/m", TranslationStiffnessRecord<Real, Formats>::T, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = TranslationStiffnessFormats<physgen::Host>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<TranslationStiffnessObject, Space>>
+using TranslationStiffnessView = physgen::View<TranslationStiffnessObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<TranslationStiffnessObject, Space>>
+using TranslationStiffnessArray = physgen::Array<TranslationStiffnessObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<TranslationStiffnessObject, float, TranslationStiffnessFormats<physgen::Host>>(
+    36, 4, {0}));
+static_assert(physgen::is_sound_record<TranslationStiffnessObject, double, TranslationStiffnessFormats<physgen::Host>>(
+    72, 8, {0}));
 
 // ---- TetTangent -----------------------------------------------------------------------------------------------------
 
@@ -2984,4 +3184,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_66462A25A38814E1
+#endif  // PHYSGEN_QUASISTATIC_H_FFF5F22CDEF2EEA9

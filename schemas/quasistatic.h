@@ -19,6 +19,12 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) NodeParents {
   Vector<2, Index> nodes;  ///< numbers on the coarser level
 };
 
+/// The tet of a background grid in which a node lies: linear interpolation between its corners.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) GridParents {
+  Vector<4, Index> nodes;                ///< numbers on the coarser level; a corner without weight repeats the first
+  PHYSGEN(unit("1")) Vector<4> weights;  ///< they add up to 1
+};
+
 /// The scale of a node's unknowns inside the preconditioner, a power of two, so that scaling rounds nothing.
 struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) NodeScale {
   Scalar scale;    ///< the largest entry on the diagonal of scale^2 K is in [1/2, 2)
@@ -28,6 +34,11 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) NodeScale {
 /// The inverse of a node's diagonal block: block Jacobi.
 struct PHYSGEN_OBJECT() NodeInverse {
   Symmetric<3> D;  ///< -K^-1 over the free components, 0 in prescribed ones
+};
+
+/// How stiffness without its prescribed components resists a translation of all nodes: its rows, summed.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) TranslationStiffness {
+  PHYSGEN(unit("N/m")) Matrix<3, 3> T;  ///< sum of df(v)/dx(w) over all nodes w; 0 far from what is prescribed
 };
 
 // ---- Per tet, and per patch or ring ----

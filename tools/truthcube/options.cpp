@@ -215,7 +215,7 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(cells)
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,
-                 "cut each tet of the mesh into 8, so many times; multigrid needs 1 at least")
+                 "cut each tet of the mesh into 8, so many times; --stepping nested needs 1 at least")
       ->check(CLI::Range(0, 6))
       ->type_name("N");
   add_choice(app, "--material", options.solver.material, materials(), "material", "law of elasticity");

@@ -74,7 +74,7 @@ Outcome run(Options options, const std::string& command) {
   if (!options.is_cube()) scene = make_scene(options, read_levels(options, notes));
   const std::vector<LevelCounts> counts =
       options.is_cube() ? count_cube(options.cells, options.volume) : count_levels(scene.levels);
-  append(notes, choose_preconditioner(options, counts));
+  append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
   const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0);
   if (options.dry_run) {

@@ -3,7 +3,7 @@
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/check.h>
 #include <fem/mesh/refine.h>
-#include <fem/solver/linear_level.h>
+#include <fem/solver/background_grid.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -85,23 +85,6 @@ std::vector<MeshLevel> read_levels([[maybe_unused]] const Options& options,
 #endif
 }
 
-std::vector<std::string> choose_preconditioner(Options& options, const std::vector<LevelCounts>& levels) {
-  if (options.solver.newton.preconditioner.kind != fem::Preconditioner::multigrid) return {};
-  const std::int64_t coarsest = levels.back().nodes;
-  if (coarsest <= fem::most_coarse_nodes) return {};  // which is solved exactly
-  if (levels.size() == 1) {
-    options.solver.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-    return {options.is_cube() ? "an odd number of cells has no coarser mesh: block Jacobi in place of multigrid; " +
-                                    std::to_string(options.cells + 1) + " cells would have one"
-                              : "a mesh by itself has no coarser one: block Jacobi in place of multigrid; --refine 1 "
-                                "gives the mesh as the coarse one"};
-  }
-  return {"the coarsest mesh has " + std::to_string(coarsest) + " nodes, and more than " +
-          std::to_string(fem::most_coarse_nodes) + " are smoothed, not solved" +
-          (options.is_cube() ? ": powers of two, or three times them, are faster"
-                             : ": a coarser mesh, refined more often, is faster")};
-}
-
 std::vector<MeshLevel> make_cube(const Options& options) {
   return fem::make_cube_levels(options.cells, cube_side, options.volume == VolumeTreatment::patches);
 }
@@ -134,7 +117,34 @@ Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
     scene.loading.motion.assign(level.rest.size(), fem::Point{});
     for (const Index n : top) scene.loading.motion[static_cast<std::size_t>(n)][2] = -scene.height;
   }
+  if (!options.is_cube() && options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
+    scene.grid = fem::add_background_grid(scene.levels);
+  }
   return scene;
+}
+
+std::vector<std::string> adapt_solver(Options& options, const Scene& scene, const std::vector<LevelCounts>& levels) {
+  if (options.solver.newton.preconditioner.kind != fem::Preconditioner::multigrid) return {};
+  if (scene.grid[0] > 0) {
+    std::vector<std::string> notes{"multigrid over a background grid of " + std::to_string(scene.grid[0]) + " x " +
+                                   std::to_string(scene.grid[1]) + " x " + std::to_string(scene.grid[2]) + " cells"};
+    if (options.refinements == 0 && options.solver.nested) {
+      options.solver.nested = false;
+      notes.back() +=
+          ", and load steps: nested ones need a coarser mesh of the body, which --refine would make of this one";
+    }
+    return notes;
+  }
+  const std::int64_t coarsest = levels.back().nodes;
+  if (coarsest <= fem::most_coarse_nodes) return {};  // which is solved exactly
+  if (levels.size() == 1) {
+    options.solver.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
+    return {"an odd number of cells has no coarser mesh: block Jacobi in place of multigrid; " +
+            std::to_string(options.cells + 1) + " cells would have one"};
+  }
+  return {"the coarsest mesh has " + std::to_string(coarsest) + " nodes, and more than " +
+          std::to_string(fem::most_coarse_nodes) +
+          " are smoothed, not solved: powers of two, or three times them, are faster"};
 }
 
 double reach_past_plates(const Scene& scene, double compression, const std::vector<fem::Point>& positions) {

@@ -3,6 +3,7 @@
 
 #include <fem/solver/quasistatic.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -16,22 +17,25 @@ namespace physgen::truthcube {
 /// @throw Error when it cannot be read or is not sound, naming places and remedy, or refined would not fit the memory
 [[nodiscard]] std::vector<fem::MeshLevel> read_levels(const Options& options, std::vector<std::string>& notes);
 
-/// Where the levels do not allow the preconditioner that is asked for, chooses block Jacobi.
-/// @return what a user should know of it
-[[nodiscard]] std::vector<std::string> choose_preconditioner(Options& options, const std::vector<LevelCounts>& levels);
-
 struct Scene {
   std::vector<fem::MeshLevel> levels;  ///< finest first
   fem::Loading loading;                ///< at a compression of 1; its planes, if any, are the lower and the upper plate
   double low = 0, height = 0;          ///< of the body along z [m]
+  std::array<fem::Index, 3> grid{};    ///< cells along x, y, z of the background grid; zeros where there is none
 };
 
 /// The cube of options.cells^3 cells, in levels.
 [[nodiscard]] std::vector<fem::MeshLevel> make_cube(const Options& options);
 
-/// Levels between plates at their lowest and highest nodes.
+/// Levels between plates at their lowest and highest nodes. A mesh of the user's that has many nodes gets a background
+/// grid for multigrid.
 /// @throw Error when fewer than three nodes lie on a plate, or the plates hold every node
 [[nodiscard]] Scene make_scene(const Options& options, std::vector<fem::MeshLevel> levels);
+
+/// Where the levels do not allow the preconditioner or the way of stepping that is asked for, chooses another.
+/// @return what a user should know of it
+[[nodiscard]] std::vector<std::string> adapt_solver(Options& options, const Scene& scene,
+                                                    const std::vector<LevelCounts>& levels);
 
 /// How far the body reaches past the planes of the plates at a compression [m].
 [[nodiscard]] double reach_past_plates(const Scene& scene, double compression,

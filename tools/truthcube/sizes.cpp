@@ -15,10 +15,10 @@ namespace physgen::truthcube {
 
 namespace {
 
-constexpr std::array members{&LevelCounts::nodes,        &LevelCounts::tets,       &LevelCounts::edges,
-                             &LevelCounts::tet_edges,    &LevelCounts::patches,    &LevelCounts::edge_patches,
-                             &LevelCounts::node_patches, &LevelCounts::ring_nodes, &LevelCounts::children,
-                             &LevelCounts::edge_terms};
+constexpr std::array members{&LevelCounts::nodes,        &LevelCounts::tets,        &LevelCounts::edges,
+                             &LevelCounts::tet_edges,    &LevelCounts::patches,     &LevelCounts::edge_patches,
+                             &LevelCounts::node_patches, &LevelCounts::ring_nodes,  &LevelCounts::children,
+                             &LevelCounts::edge_terms,   &LevelCounts::grid_parents};
 
 /// The polynomial of degree 3 with these values at 1, 2, 3, 4. Exact: it sums multiples of whole numbers.
 std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
@@ -73,11 +73,13 @@ std::int64_t linear_bytes(const LevelCounts& c, const LevelCounts* coarser) {
                        bytes_of<decltype(Level::scaled_nodes)>(n) + bytes_of<decltype(Level::scaled_edges)>(c.edges) +
                        bytes_of<decltype(Level::inverse)>(n) + bytes_of<decltype(Level::smoother)>(1) +
                        bytes_of<decltype(Level::residual)>(n) + bytes_of<decltype(Level::correction)>(n) +
-                       bytes_of<decltype(Level::direction)>(n) + bytes_of<decltype(Level::power)>(n) + sums;
+                       bytes_of<decltype(Level::direction)>(n) + bytes_of<decltype(Level::power)>(n) +
+                       bytes_of<decltype(Level::translations)>(c.tets == 0 ? n : c.grid_parents) + sums;
   if (coarser == nullptr) {
     return bytes + (n <= fem::most_coarse_nodes ? bytes_of<decltype(Level::coarse_inverse)>(n * n) : 0);
   }
-  bytes += bytes_of<decltype(Level::parents)>(n);
+  bytes += bytes_of<decltype(Level::parents)>(n - c.grid_parents);
+  bytes += bytes_of<decltype(Level::grid_parents)>(c.grid_parents);
   bytes += bytes_of_rows<decltype(Level::children)>(coarser->nodes, c.children);
   return bytes + bytes_of_rows<decltype(Level::edge_terms)>(coarser->edges, c.edge_terms);
 }
@@ -152,16 +154,16 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects, fem::TangentL
 template <class Real, class Space>
 std::int64_t chunk_bytes(const LevelCounts& finest, bool assembled) {
   using Arrays = fem::ChunkArrays<Real, Space>;
-  const std::int64_t most = fem::most_chunk_tets(Space::kind);
-  const std::int64_t tets = assembled ? std::min(finest.tets, most) : finest.tets;
-  return bytes_of<decltype(Arrays::corners)>(tets) + bytes_of<decltype(Arrays::tangent)>(tets);
+  const std::int64_t chunk = std::min(finest.tets, std::int64_t{fem::most_chunk_tets(Space::kind)});
+  return bytes_of<decltype(Arrays::corners)>(chunk) +
+         bytes_of<decltype(Arrays::tangent)>(assembled ? chunk : finest.tets);
 }
 
 /// As PlaneArrays::bytes().
 template <class Real, class Space>
 std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved) {
   using Planes = fem::PlaneArrays<Real, Space>;
-  if (planes == 0) return 0;
+  if (planes == 0 || c.tets == 0) return 0;  // or of a background grid
   const std::int64_t bytes = bytes_of<decltype(Planes::stiffness)>(c.nodes);
   return !solved ? bytes
                  : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes);
@@ -172,7 +174,9 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
   const bool coarser = settings.newton.preconditioner.kind == fem::Preconditioner::multigrid || settings.nested;
   std::size_t used = coarser ? levels.size() : 1;
   const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
-  const std::size_t solved = settings.nested && used > kept ? used - kept : 1;
+  const auto meshes = static_cast<std::size_t>(
+      std::ranges::count_if(levels, [](const LevelCounts& level) { return level.tets > 0; }));  // the rest are grids
+  const std::size_t solved = settings.nested && used > kept ? std::min(used - kept, meshes) : 1;
   const bool assembled = settings.newton.product == fem::Product::assembled;
   if (!assembled) used = solved;
   const fem::TangentLists lists = fem::tangent_lists<Space>(settings.newton);
@@ -207,6 +211,13 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
   return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings, planes);
 }
 
+/// Parents of a level's nodes in a MeshLevel, or in a LevelGraph.
+std::int64_t bytes_of_parents(const LevelCounts& c) {
+  if (c.children == 0) return 0;
+  return c.grid_parents * std::int64_t{sizeof(fem::GridLocation)} +
+         (c.nodes - c.grid_parents) * 2 * std::int64_t{sizeof(fem::Index)};
+}
+
 constexpr std::int64_t index_bytes = sizeof(fem::Index), entry_bytes = sizeof(fem::IncidenceEntry);
 
 std::int64_t bytes_of_list(std::int64_t rows, std::int64_t entries) {
@@ -218,7 +229,7 @@ std::int64_t bytes_of_graph(const LevelCounts& c, const LevelCounts* coarser, bo
   if (!edges) return c.nodes + (coarser == nullptr ? 0 : 2 * index_bytes * c.nodes);
   const std::int64_t bytes = 2 * index_bytes * c.edges + bytes_of_list(c.nodes, 2 * c.edges) + c.nodes;
   if (coarser == nullptr) return bytes;
-  return bytes + 2 * index_bytes * c.nodes + bytes_of_list(coarser->nodes, c.children) +
+  return bytes + bytes_of_parents(c) + bytes_of_list(coarser->nodes, c.children) +
          bytes_of_list(coarser->edges, c.edge_terms);
 }
 
@@ -252,7 +263,7 @@ std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels)
          pairs_in_patches(level.patches),
          std::accumulate(level.patches.node_counts.begin(), level.patches.node_counts.end(), std::int64_t{0}),
          level.averages_at_nodes ? graph.nodes + 2 * static_cast<std::int64_t>(level.mesh.edges.size()) : 0,
-         entries(graph.children), entries(graph.edge_terms)});
+         entries(graph.children), entries(graph.edge_terms), static_cast<std::int64_t>(graph.grid_parents.size())});
   }
   return counts;
 }
@@ -274,7 +285,7 @@ std::int64_t bytes_of_mesh(const LevelCounts& c) {
   const std::int64_t real = sizeof(double);
   std::int64_t bytes = 4 * index_bytes * c.tets + 2 * index_bytes * c.tet_edges + bytes_of_list(c.nodes, 4 * c.tets) +
                        bytes_of_list(c.nodes, 2 * c.tet_edges) + bytes_of_list(c.tet_edges, 6 * c.tets) +
-                       3 * real * c.nodes + c.nodes + (c.children > 0 ? 2 * index_bytes * c.nodes : 0);
+                       3 * real * c.nodes + c.nodes + bytes_of_parents(c);
   if (c.patches > 0) {
     bytes += 10 * index_bytes * c.patches + (index_bytes + 4) * c.tets + bytes_of_list(c.patches, c.tets);
   }

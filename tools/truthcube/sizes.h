@@ -14,13 +14,14 @@ namespace physgen::truthcube {
 
 /// Numbers of objects of one level, and of the entries of its lists.
 struct LevelCounts {
-  std::int64_t nodes = 0, tets = 0, edges = 0;  ///< edges of the stiffness: of tets, patches and rings
+  std::int64_t nodes = 0, tets = 0, edges = 0;  ///< a background grid has no tets; edges are those of the stiffness
   std::int64_t tet_edges = 0;                   ///< edges of tets alone
   std::int64_t patches = 0, edge_patches = 0;   ///< volume patches; pairs of an edge and a patch that has it
   std::int64_t node_patches = 0;                ///< pairs of a node and a patch that has it
   std::int64_t ring_nodes = 0;                  ///< of the rings of all nodes, where volumes are averaged at nodes
   // To the next coarser level; 0 on the coarsest.
   std::int64_t children = 0, edge_terms = 0;
+  std::int64_t grid_parents = 0;  ///< nodes with parents in a background grid: all or none
   bool operator==(const LevelCounts&) const = default;
 };
 

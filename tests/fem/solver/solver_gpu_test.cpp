@@ -1,10 +1,12 @@
 // The solver on CUDA against the solver on the CPU, and against itself.
+#include <fem/solver/background_grid.h>
 #include <gtest/gtest.h>
 #include <physgen/storage.h>
 
 #include <algorithm>
 
 #include "bodies.h"
+#include "irregular.h"
 
 namespace physgen::fem {
 namespace {
@@ -152,6 +154,35 @@ TEST_F(SolverOnCuda, touches_rigid_planes_as_on_the_cpu) {
       EXPECT_GT(contacts[0][p].force, 0);
       EXPECT_NEAR(contacts[1][p].force / contacts[0][p].force, 1, 1e-5);
       EXPECT_NEAR(contacts[1][p].depth / contacts[0][p].depth, 1, 1e-5);
+    }
+  }
+}
+
+TEST_F(SolverOnCuda, solves_over_a_background_grid_as_the_cpu_does) {
+  for (const TangentPrecision precision :
+       {TangentPrecision::half, TangentPrecision::float32, TangentPrecision::float64}) {
+    for (const bool patches : {false, true}) {
+      // Held by a bone inside and by the base, so that no face of the grid is.
+      constexpr double side = 0.08;
+      const auto fixed = [](const Point& x) -> std::uint8_t {
+        return std::hypot(x[0] - 0.4 * side, x[1] - 0.4 * side) < 0.15 * side ? 7 : (x[2] == side ? 4 : 0);
+      };
+      const auto motion = [&](const Point& x) { return fixed(x) == 4 ? Point{0, 0, -side} : Point{}; };
+      Body body{make_levels(shuffled(irregular_box({12, 12, 12}, {side, side, side}, 0.2, 53), 59), 0, patches, fixed),
+                {}};
+      body.loading.motion = at_nodes(body.levels[0].rest, motion);
+      (void)add_background_grid(body.levels);
+      SolverSettings settings;
+      settings.poissons_ratio = 0.45;
+      settings.precision = precision;
+      settings.newton.tolerance = 1e-9;
+      const Solved cpu = compress(body, settings, Device::cpu, {0.1});
+      const Solved gpu = compress(body, settings, Device::cuda, {0.1});
+      ASSERT_EQ(cpu.result.status, NewtonStatus::converged);
+      ASSERT_EQ(gpu.result.status, NewtonStatus::converged);
+      EXPECT_NEAR(gpu.result.steps, cpu.result.steps, 1);
+      EXPECT_NEAR(gpu.result.iterations, cpu.result.iterations, 0.1 * cpu.result.iterations);
+      EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-9) << patches;
     }
   }
 }

@@ -73,7 +73,7 @@ Vectors product(TangentScene<Real>& scene, Evaluator<HostExecutor, typename Tang
   if (scene.level.assembled) {
     assemble(scene.on, scene.arrays, scene.level, evaluator, TangentFilter::none);
   } else {
-    evaluator.evaluate_tangents(scene.on, scene.arrays, scene.arrays.chunks.front(), TangentFilter::none);
+    evaluator.evaluate_tangents(scene.on, scene.arrays, scene.arrays.all_tets(), TangentFilter::none);
   }
   elasticity::NodeDisplacementArray<Real> dx(scene.arrays.nodes());
   elasticity::NodeForceDifferentialArray<Real> df(scene.arrays.nodes());

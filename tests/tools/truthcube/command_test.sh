@@ -344,8 +344,7 @@ case $rule in
   a_mesh_takes_the_place_of_the_cube)
     write_mesh 5 >m.msh
     expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --out o
-    expect out 'note: a mesh by itself has no coarser one: block Jacobi .* --refine 1'
-    expect out '750 tets, 216 nodes, 1 levels'
+    expect out '750 tets, 216 nodes, 2 levels'
     [[ -s o/cube.vtkhdf && ! -e o/beads.csv ]] || fail 'other files'
     expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --dry-run
     ((10 * $(sed -nE 's/^solver: ([0-9]+) bytes.*/\1/p' out) - 10 * $(number_of bytes o/run.json) == 0)) || fail 'other bytes'
@@ -355,6 +354,25 @@ case $rule in
     expect_exit 0 --cells 5 "${flags[@]}" --out b
     awk -v a="$(number_of reaction a/run.json)" -v b="$(number_of reaction b/run.json)" \
       'BEGIN { exit !(a < 0 && (a - b) ^ 2 < 1e-14 * a * a) }' || fail 'another reaction' ;;
+  a_mesh_by_itself_has_multigrid_over_a_background_grid)
+    write_mesh 9 >m.msh
+    expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --out a
+    expect out 'note: multigrid over a background grid of 4 x 4 x 4 cells, and load steps: nested ones need .* --refine'
+    expect out '4374 tets, 1000 nodes, 2 levels'
+    expect a/run.json 'stepping.*loads'
+    expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --preconditioner block-jacobi --out b
+    expect_no out 'note'
+    expect out '4374 tets, 1000 nodes, 1 levels'
+    ((4 * $(number_of pcg_iterations a/run.json) < $(number_of pcg_iterations b/run.json))) || fail 'many iterations'
+    for flags in "" "--volume tets --precision double" "--refine 1 --precision float"; do
+      # shellcheck disable=SC2086
+      expect_exit 0 --mesh m.msh --threads 1 --compress 0.01 --out o $flags
+      # shellcheck disable=SC2086
+      expect_exit 0 --mesh m.msh --threads 1 --compress 0.01 --dry-run $flags
+      said=$(sed -nE 's/^solver: ([0-9]+) bytes.*/\1/p' out)
+      took=$(number_of bytes o/run.json)
+      ((said == took)) || fail "$flags: $said bytes said, $took taken"
+    done ;;
   a_refined_mesh_has_multigrid)
     write_mesh 2 >m.msh
     expect_exit 0 --mesh m.msh --refine 2 --threads 1 --compress 0.05

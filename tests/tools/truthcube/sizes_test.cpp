@@ -1,4 +1,5 @@
 // What truthcube says of sizes and bytes before anything is allocated, against what is allocated then.
+#include <fem/solver/background_grid.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
@@ -133,6 +134,32 @@ INSTANTIATE_TEST_SUITE_P(Cubes, Bytes,
                          [](const auto& info) {
                            return std::to_string(info.param.cells) + "_" + name_of(info.param.volume);
                          });
+
+TEST(Sizes, of_a_mesh_on_a_background_grid_are_those_of_the_solver) {
+  for (const bool patches : {false, true}) {
+    for (const int levels_of_meshes : {1, 2}) {
+      std::vector<fem::MeshLevel> levels = fem::make_cube_levels(14, 0.08, patches);
+      if (levels_of_meshes == 1) {
+        levels.resize(1);
+        levels[0].parents.clear();
+        levels[0].patch_parents.clear();
+      }
+      for (fem::MeshLevel& level : levels) {
+        for (std::size_t n = 0; n < level.rest.size(); ++n) level.fixed[n] = level.rest[n][2] == 0 ? 7 : 0;
+      }
+      (void)fem::add_background_grid(levels);
+      ASSERT_GT(static_cast<int>(levels.size()), levels_of_meshes);
+      const fem::Loading loading{std::vector<fem::Point>(levels.front().rest.size(), fem::Point{}), {}};
+      for (const auto precision : {fem::TangentPrecision::half, fem::TangentPrecision::float64}) {
+        fem::SolverSettings settings;
+        settings.precision = precision;
+        settings.coarsest_nested = 0;
+        EXPECT_EQ(bytes_of_run(count_levels(levels), settings).solver,
+                  fem::make_solver(levels, loading, settings)->bytes());
+      }
+    }
+  }
+}
 
 TEST(Sizes, of_a_cube_beyond_32_bits_are_still_right) {
   constexpr std::int64_t cells = 50000;

@@ -6,7 +6,6 @@
 #include <fem/solver/solver_arrays.h>
 #include <fem/solver/tet_chunks.h>
 
-#include <cmath>
 #include <memory>
 
 namespace physgen::fem {
@@ -82,7 +81,8 @@ struct ChunkArrays {
   quasistatic::TetTangentArray<Real, Space> tangent;
 
   /// @param tets in the largest chunk
-  explicit ChunkArrays(index_t tets) : corners(tets), tangent(tets) {}
+  /// @param tangents how many are kept: of a chunk, or of all tets
+  ChunkArrays(index_t tets, index_t tangents) : corners(tets), tangent(tangents) {}
   [[nodiscard]] index_t bytes() const { return bytes_of(corners, tangent); }
 };
 
@@ -114,7 +114,7 @@ struct EquilibriumArrays {
   double spacing = 0;  ///< the mean distance of neighbours at rest, or about that [m]
 
   /// @param injects whether equilibrium is solved on the next coarser mesh, too, whose pressures patches begin with
-  /// @param lists where they are not of edges, all tets are one chunk
+  /// @param lists where they are not of edges, the tangents of all tets are kept
   /// @param shared arrays of another mesh, which has as many tets at least; or none
   EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, TangentLists lists,
                     const std::shared_ptr<ChunkArrays<Real, Space>>& shared)
@@ -128,19 +128,23 @@ struct EquilibriumArrays {
            (patches == nullptr ? 0 : patches->bytes()) + (rings == nullptr ? 0 : rings->bytes());
   }
   [[nodiscard]] index_t tet_count() const { return tets.size(); }
+  /// As one chunk. @pre the tangents of all tets are kept
+  [[nodiscard]] TetChunk all_tets() const { return {0, tet_count(), 0, nodes(), 0, 0}; }
 
  private:
   EquilibriumArrays(const MeshLevel& level, const LevelGraph& graph, bool injects, TangentLists lists,
                     const std::shared_ptr<ChunkArrays<Real, Space>>& shared, const EdgeParts& parts)
       : tets(moved_to<decltype(tets)>(host_tets(level))),
         node_tets(packed_rows<NodeTetEntry>(level.mesh.node_tets, index_t(level.mesh.tets.size()), "tets")),
-        chunks(make_tet_chunks(level.mesh, graph.edges,
-                               lists == TangentLists::of_edges ? most_chunk_tets(Space::kind) : tets.size())),
+        chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Space::kind))),
         patches(level.patches.nodes.empty() ? nullptr
                                             : std::make_unique<PatchArrays<Real, Space>>(level, parts, injects, lists)),
         rings(level.averages_at_nodes ? std::make_unique<RingArrays<Real, Space>>(level.mesh) : nullptr),
         volumes(level.averages_at_nodes ? index_t{graph.nodes} : index_t(level.patches.nodes.size())),
-        chunk_arrays(shared != nullptr ? shared : std::make_shared<ChunkArrays<Real, Space>>(chunks.front().tets())),
+        chunk_arrays(shared != nullptr ? shared
+                                       : std::make_shared<ChunkArrays<Real, Space>>(
+                                             chunks.front().tets(),
+                                             lists == TangentLists::of_edges ? chunks.front().tets() : tets.size())),
         rest(moved_to<decltype(rest)>(host_positions(level))),
         positions(moved_to<decltype(positions)>(rest)),
         trial(moved_to<decltype(trial)>(rest)),
@@ -151,24 +155,11 @@ struct EquilibriumArrays {
         trial_forces(graph.nodes),
         increment(graph.nodes),
         state(1),
-        spacing(mean_spacing(level)) {
+        spacing(mean_spacing(level.mesh, level.rest)) {
     if (lists != TangentLists::of_edges) return;
     edge_tets = PackedRows<Space>(packed_rows<EdgeTetEntry>(parts.edge_tets, tets.size(), "tets"));
   }
 
-  /// The side of a cube as large as the six tets that a node has on average.
-  static double mean_spacing(const MeshLevel& level) {
-    double six_volumes = 0;
-    for (const auto& tet : level.mesh.tets) {
-      const auto at = [&](std::size_t c, std::size_t k) {
-        return level.rest[std::size_t(tet[c])][k] - level.rest[std::size_t(tet[0])][k];
-      };
-      six_volumes += std::abs(at(1, 0) * (at(2, 1) * at(3, 2) - at(2, 2) * at(3, 1)) +
-                              at(1, 1) * (at(2, 2) * at(3, 0) - at(2, 0) * at(3, 2)) +
-                              at(1, 2) * (at(2, 0) * at(3, 1) - at(2, 1) * at(3, 0)));
-    }
-    return std::cbrt(six_volumes / double(level.mesh.tets.size()));
-  }
   static auto host_tets(const MeshLevel& level) {
     elasticity::TetArray<Real> array(index_t(level.mesh.tets.size()));
     store_tets(level.mesh, array.view());

@@ -1,10 +1,13 @@
 #include <fem/mesh/refine.h>
 #include <fem/mesh/rings.h>
+#include <fem/solver/check_parents.h>
 #include <fem/solver/galerkin_block.h>
+#include <fem/solver/grid_graph.h>
 #include <fem/solver/hierarchy.h>
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -143,7 +146,36 @@ void add_galerkin_terms(LevelGraph& fine, const LevelGraph& coarse) {
   fine.edge_terms = edges.take();
 }
 
+/// The parts of P^T K P on a background grid: which fine blocks have any.
+void add_grid_terms(LevelGraph& fine, const LevelGraph& coarse) {
+  const EdgeNumbers numbers(coarse.nodes, coarse.edges);
+  Lists edges(coarse.edges.size());
+  const auto add = [&](Index a, Index b, Index element, GalerkinBlock kind) {
+    detail::for_each_grid_pair(
+        fine.grid_parents[static_cast<std::size_t>(a)], fine.grid_parents[static_cast<std::size_t>(b)],
+        [&](Index A, Index B) { edges.add(numbers.of(A, B), element, static_cast<Index>(kind)); });
+  };
+  for (Index a = 0; a < fine.nodes; ++a) add(a, a, a, GalerkinBlock::node);
+  for (std::size_t e = 0; e < fine.edges.size(); ++e) {
+    add(fine.edges[e][0], fine.edges[e][1], static_cast<Index>(e), GalerkinBlock::edge);
+  }
+  fine.edge_terms = edges.take();
+}
+
 }  // namespace
+
+double mean_spacing(const TetMesh& mesh, const std::vector<Point>& rest) {
+  double six_volumes = 0;
+  for (const auto& tet : mesh.tets) {
+    const auto at = [&](std::size_t c, std::size_t k) {
+      return rest[std::size_t(tet[c])][k] - rest[std::size_t(tet[0])][k];
+    };
+    six_volumes += std::abs(at(1, 0) * (at(2, 1) * at(3, 2) - at(2, 2) * at(3, 1)) +
+                            at(1, 1) * (at(2, 2) * at(3, 0) - at(2, 0) * at(3, 2)) +
+                            at(1, 2) * (at(2, 0) * at(3, 1) - at(2, 1) * at(3, 0)));
+  }
+  return std::cbrt(six_volumes / double(mesh.tets.size()));
+}
 
 std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels, bool edges) {
   std::vector<LevelGraph> graphs(levels.size());
@@ -152,6 +184,7 @@ std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels, 
     const MeshLevel& level = levels[l];
     LevelGraph& graph = graphs[l];
     graph.nodes = level.mesh.nodes;
+    graph.is_grid = level.is_grid();
     graph.fixed = level.fixed;
     const auto size = static_cast<std::size_t>(graph.nodes);
     if (level.fixed.size() != size || level.rest.size() != size) {
@@ -169,36 +202,41 @@ std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels, 
       graph.node_edges = node_edges_of(graph.nodes, graph.edges);
     }
     if (l + 1 == levels.size()) break;
-    const Index coarse_nodes = levels[l + 1].mesh.nodes;
-    const auto outside = [&](const Pair& p) {
-      return p[0] < 0 || p[1] < 0 || p[0] >= coarse_nodes || p[1] >= coarse_nodes;
-    };
-    if (level.parents.size() != size || std::any_of(level.parents.begin(), level.parents.end(), outside)) {
-      throw Error("level " + std::to_string(l) + ": every node needs two parents among the " +
-                  std::to_string(coarse_nodes) + " nodes of the next coarser level");
-    }
-    graph.parents = level.parents;
-    for (std::size_t a = 0; a < size; ++a) {
-      for (const Index p : graph.parents[a]) {
-        const std::uint8_t coarse = levels[l + 1].fixed[static_cast<std::size_t>(p)];
-        if ((level.fixed[a] & ~coarse) == 0) continue;
-        throw Error("level " + std::to_string(l) + ": components of node " + std::to_string(a) +
-                    " are prescribed that are free at its parent " + std::to_string(p) +
-                    " on the next coarser level; prescribe them there, too");
+    Lists children(static_cast<std::size_t>(levels[l + 1].mesh.nodes));
+    if (!level.grid_parents.empty()) {
+      detail::check_parents(l, level, levels[l + 1], level.grid_parents);
+      graph.grid_parents = level.grid_parents;
+      for (std::size_t a = 0; a < size; ++a) {
+        const auto& [nodes, weights] = graph.grid_parents[a];
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (weights[k] != 0) children.add(nodes[k], static_cast<Index>(a), static_cast<Index>(k));
+        }
+      }
+    } else {
+      detail::check_parents(l, level, levels[l + 1], level.parents);
+      graph.parents = level.parents;
+      for (std::size_t a = 0; a < size; ++a) {
+        const auto [p, q] = graph.parents[a];
+        children.add(p, static_cast<Index>(a), p == q ? 2 : 1);
+        if (p != q) children.add(q, static_cast<Index>(a), 1);
       }
     }
     if (!edges) continue;
-    Lists children(static_cast<std::size_t>(coarse_nodes));
-    for (std::size_t a = 0; a < size; ++a) {
-      const auto [p, q] = graph.parents[a];
-      children.add(p, static_cast<Index>(a), p == q ? 2 : 1);
-      if (p != q) children.add(q, static_cast<Index>(a), 1);
-    }
     graph.children = children.take();
     inherited.clear();
-    add_coarse_pairs(graph.edges, graph.parents, inherited);
+    if (graph.grid_parents.empty()) {
+      add_coarse_pairs(graph.edges, graph.parents, inherited);
+    } else {
+      inherited = detail::grid_pairs(graph.edges, graph.grid_parents);
+    }
   }
-  for (std::size_t l = 0; edges && l + 1 < graphs.size(); ++l) add_galerkin_terms(graphs[l], graphs[l + 1]);
+  for (std::size_t l = 0; edges && l + 1 < graphs.size(); ++l) {
+    if (graphs[l].grid_parents.empty()) {
+      add_galerkin_terms(graphs[l], graphs[l + 1]);
+    } else {
+      add_grid_terms(graphs[l], graphs[l + 1]);
+    }
+  }
   return graphs;
 }
 

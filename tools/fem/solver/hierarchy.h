@@ -10,8 +10,18 @@
 
 namespace physgen::fem {
 
-/// A mesh on which equilibrium can be solved. The levels of a hierarchy are nested: the next coarser mesh has a node or
-/// the middle of an edge wherever this one has a node.
+/// A coarsest level of at most so many nodes is solved by a dense inverse, a larger one is smoothed.
+inline constexpr Index most_coarse_nodes = 125;
+
+/// Where a node lies in a tet of a background grid: at the sum of weight times corner. The weights add up to 1.
+struct GridLocation {
+  std::array<Index, 4> nodes;     ///< numbers on the coarser level; a corner without weight repeats the first
+  std::array<double, 4> weights;  ///< 0 where unused
+};
+
+/// A mesh on which equilibrium can be solved, or a level of a background grid, which has nodes and no tets. The levels
+/// of a hierarchy are nested: the next coarser mesh has a node or the middle of an edge wherever this one has a node;
+/// or the next coarser level is a background grid, in whose tets the nodes of this one lie anywhere.
 struct MeshLevel {
   TetMesh mesh;
   std::vector<Point> rest;                    ///< [m]
@@ -19,12 +29,19 @@ struct MeshLevel {
   VolumePatches patches;                      ///< none where the volume is not averaged over them
   std::vector<std::array<Index, 2>> parents;  ///< per node, on the next coarser level; none on the coarsest
   bool averages_at_nodes = false;             ///< the volume, in place of patches
+  std::vector<GridLocation> grid_parents;     ///< per node, in place of `parents` where a background grid comes next
   std::vector<Index> patch_parents;           ///< per patch: that of the next coarser level where it lies; or none
+
+  [[nodiscard]] bool is_grid() const { return mesh.tets.empty(); }
 };
+
+/// The side of a cube as large as the six tets that a node has on average: about the distance of neighbours [m].
+[[nodiscard]] double mean_spacing(const TetMesh& mesh, const std::vector<Point>& rest);
 
 /// The nodes and edges of a level as its stiffness has them, and the way to the next coarser level.
 struct LevelGraph {
   Index nodes = 0;
+  bool is_grid = false;
   std::vector<std::array<Index, 2>>
       edges;                 ///< (m, n), m < n, ascending: those of tets, patches, rings and finer levels
   IncidenceList node_edges;  ///< edge, side
@@ -32,8 +49,11 @@ struct LevelGraph {
 
   // To the next coarser level; empty on the coarsest.
   std::vector<std::array<Index, 2>> parents;
-  IncidenceList children;    ///< per coarse node: fine node, how many of its two parents are this node
-  IncidenceList edge_terms;  ///< per coarse edge: fine node or edge, galerkin_code()
+  std::vector<GridLocation> grid_parents;  ///< in place of `parents`
+  /// Per coarse node: fine node, how many of its two parents are this node; or which of its grid parents is.
+  IncidenceList children;
+  /// Per coarse edge: fine node or edge, galerkin_code(); of a grid the GalerkinBlock alone.
+  IncidenceList edge_terms;
 };
 
 /// What the edges of the finest level, or of any level on which equilibrium is solved, are summed from.

@@ -12,9 +12,6 @@
 
 namespace physgen::fem {
 
-/// Above this the coarsest level is not inverted.
-inline constexpr index_t most_coarse_nodes = 125;
-
 /// How preconditioners store the blocks of edges, and the factors of Schwarz blocks: as they compute them.
 struct StoredAsComputed {
   static constexpr bool rounds = false;
@@ -78,7 +75,11 @@ struct LinearLevel {
 
   // To the next coarser level; empty on the coarsest.
   quasistatic::NodeParentsArray<Real, Space> parents;
+  quasistatic::GridParentsArray<Real, Space> grid_parents;  ///< in place of `parents`, to a background grid
   PackedRows<Space> children, edge_terms;
+  /// Of levels of a background grid, and of the mesh on it.
+  quasistatic::TranslationStiffnessArray<Real, Space> translations;
+  bool is_grid = false;  ///< a level of a background grid
   // Of the coarsest level alone.
   quasistatic::CoarseInverseArray<Real, Space> coarse_inverse;
   /// Where that preconditioner is used.
@@ -100,12 +101,18 @@ struct LinearLevel {
         residual(graph.nodes),
         correction(graph.nodes),
         direction(graph.nodes),
-        power(graph.nodes) {
+        power(graph.nodes),
+        translations(graph.is_grid || !graph.grid_parents.empty() ? graph.nodes : 0),
+        is_grid(graph.is_grid) {
     if (coarser == nullptr) {
       if (nodes() <= most_coarse_nodes) coarse_inverse = decltype(coarse_inverse)(nodes() * nodes());
       return;
     }
-    parents = moved_to<decltype(parents)>(host_parents(graph));
+    if (graph.grid_parents.empty()) {
+      parents = moved_to<decltype(parents)>(host_parents(graph));
+    } else {
+      grid_parents = moved_to<decltype(grid_parents)>(host_grid_parents(graph));
+    }
     const auto blocks = std::max(index_t{graph.nodes}, index_t(graph.edges.size()));
     children = PackedRows<Space>(packed_rows<ChildEntry>(graph.children, graph.nodes, "nodes"));
     edge_terms = PackedRows<Space>(packed_rows<EdgeTermEntry>(graph.edge_terms, blocks, "edges"));
@@ -134,8 +141,8 @@ struct LinearLevel {
   [[nodiscard]] index_t bytes() const {
     return bytes_of(constraints, edges, node_edges.ranges(), node_edges.entries(), node_stiffness, edge_stiffness,
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
-                    parents, children.ranges(), children.entries(), edge_terms.ranges(), edge_terms.entries(),
-                    coarse_inverse) +
+                    parents, grid_parents, children.ranges(), children.entries(), edge_terms.ranges(),
+                    edge_terms.entries(), translations, coarse_inverse) +
            sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) + (planes == nullptr ? 0 : planes->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
@@ -165,6 +172,17 @@ struct LinearLevel {
     quasistatic::NodeParentsArray<Real> array(graph.nodes);
     for (index_t n = 0; n < array.size(); ++n) {
       for (int k = 0; k < 2; ++k) array.view()[n].nodes()[k] = graph.parents[std::size_t(n)][std::size_t(k)];
+    }
+    return array;
+  }
+  static auto host_grid_parents(const LevelGraph& graph) {
+    quasistatic::GridParentsArray<Real> array(graph.nodes);
+    for (index_t n = 0; n < array.size(); ++n) {
+      const GridLocation& location = graph.grid_parents[std::size_t(n)];
+      for (int k = 0; k < 4; ++k) {
+        array.view()[n].nodes()[k] = location.nodes[std::size_t(k)];
+        array.view()[n].weights()[k] = static_cast<Real>(location.weights[std::size_t(k)]);
+      }
     }
     return array;
   }

@@ -5,6 +5,7 @@
 
 #include <fem/solver/coarse_inverse.h>
 #include <fem/solver/galerkin.h>
+#include <fem/solver/grid_galerkin.h>
 #include <fem/solver/linear_level.h>
 #include <fem/solver/power_iteration.h>
 #include <fem/solver/rigid_planes.h>
@@ -76,6 +77,42 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
   on.run(n, NormalisePower{level.smoother.const_view(), power});
 }
 
+/// The stiffness of the next coarser level.
+template <class On, class Level>
+void coarsen_stiffness(On& on, Level& fine, Level& coarse) {
+  const auto node_stiffness = fine.node_stiffness.const_view();
+  const auto edge_stiffness = fine.edge_stiffness.const_view();
+  if (fine.grid_parents.size() == 0) {
+    on.run(coarse.edge_count(), CoarsenEdgeStiffness{fine.edge_terms.const_view(), node_stiffness, edge_stiffness,
+                                                     coarse.edge_stiffness.view()});
+  } else {
+    on.run(coarse.edge_count(), CoarsenToGrid{fine.edge_terms.const_view(), fine.grid_parents.const_view(),
+                                              fine.constraints.const_view(), fine.edges.const_view(), node_stiffness,
+                                              edge_stiffness, coarse.edges.const_view(), coarse.edge_stiffness.view()});
+    on.run(fine.nodes(),
+           SumTranslationStiffness{fine.node_edges.const_view(), fine.edges.const_view(), fine.constraints.const_view(),
+                                   node_stiffness, edge_stiffness, fine.translations.view()});
+    if (fine.planes != nullptr) {
+      on.run(fine.nodes(), AddPlaneTranslations{fine.constraints.const_view(), fine.planes->stiffness.const_view(),
+                                                fine.translations.view()});
+    }
+  }
+  on.run(coarse.nodes(), SumNodeStiffness{coarse.node_edges.const_view(), coarse.edge_stiffness.const_view(),
+                                          coarse.node_stiffness.view()});
+  if (!coarse.is_grid) {
+    if (fine.planes != nullptr) {
+      on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), fine.planes->stiffness.const_view(),
+                                                   coarse.planes->stiffness.view(), coarse.node_stiffness.view()});
+    }
+    return;
+  }
+  with_interpolation(fine, [&](const auto& interpolation) {
+    on.run(coarse.nodes(), CoarsenTranslationStiffness{interpolation, fine.children.const_view(),
+                                                       fine.translations.const_view(), coarse.translations.view()});
+  });
+  on.run(coarse.nodes(), AddTranslationStiffness{coarse.translations.const_view(), coarse.node_stiffness.view()});
+}
+
 /// Everything that depends on the stiffness of level `top`, which is given: coarser stiffness, scaled copies,
 /// eigenvalues, the coarsest inverse. @param levels finest first
 template <class On, class Levels>
@@ -86,14 +123,7 @@ void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettin
   for (std::size_t l = top; l + 1 < levels.size(); ++l) {
     auto& fine = *levels[l];
     auto& coarse = *levels[l + 1];
-    on.run(coarse.edge_count(), CoarsenEdgeStiffness{fine.edge_terms.const_view(), fine.node_stiffness.const_view(),
-                                                     fine.edge_stiffness.const_view(), coarse.edge_stiffness.view()});
-    on.run(coarse.nodes(), SumNodeStiffness{coarse.node_edges.const_view(), coarse.edge_stiffness.const_view(),
-                                            coarse.node_stiffness.view()});
-    if (fine.planes != nullptr) {
-      on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), fine.planes->stiffness.const_view(),
-                                                   coarse.planes->stiffness.view(), coarse.node_stiffness.view()});
-    }
+    coarsen_stiffness(on, fine, coarse);
     prepare_level(on, coarse, settings, fresh);
   }
   invert_coarsest(on, *levels.back());
@@ -121,6 +151,29 @@ void smooth(On& on, Level& level, int degree, double low, bool grows, bool resid
   }
 }
 
+/// r of the next coarser level, of what smoothing has left.
+template <class On, class Level>
+void restrict_residual(On& on, Level& level, Level& coarse) {
+  with_interpolation(level, [&](const auto& interpolation) {
+    on.run(coarse.nodes(), RestrictResidual{interpolation, level.children.const_view(), level.scales.const_view(),
+                                            level.residual.const_view(), coarse.constraints.const_view(),
+                                            coarse.scales.const_view(), coarse.residual.view()});
+  });
+}
+
+/// z takes in that of the next coarser level, and r what follows.
+template <class On, class Level>
+void interpolate_correction(On& on, Level& level, Level& coarse) {
+  with_interpolation(level, [&](const auto& interpolation) {
+    on.run(level.nodes(),
+           InterpolateCorrection{interpolation, coarse.scales.const_view(), coarse.correction.const_view(),
+                                 level.constraints.const_view(), level.scales.const_view(),
+                                 level.scaled_nodes.const_view(), level.direction.view(), level.correction.view(),
+                                 level.residual.view()});
+  });
+  add_scaled_edges(on, level);
+}
+
 /// z of level l from its r; both scaled. r is used up.
 template <class On, class Levels>
 void v_cycle(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
@@ -135,15 +188,9 @@ void v_cycle(On& on, Levels& levels, std::size_t l, const PreconditionerSettings
   }
   auto& coarse = *levels[l + 1];
   smooth(on, level, settings.degree, settings.low, false, true);
-  on.run(coarse.nodes(),
-         RestrictResidual{level.children.const_view(), level.scales.const_view(), level.residual.const_view(),
-                          coarse.constraints.const_view(), coarse.scales.const_view(), coarse.residual.view()});
+  restrict_residual(on, level, coarse);
   v_cycle(on, levels, l + 1, settings);
-  on.run(level.nodes(), InterpolateCorrection{level.parents.const_view(), coarse.scales.const_view(),
-                                              coarse.correction.const_view(), level.constraints.const_view(),
-                                              level.scales.const_view(), level.scaled_nodes.const_view(),
-                                              level.direction.view(), level.correction.view(), level.residual.view()});
-  add_scaled_edges(on, level);
+  interpolate_correction(on, level, coarse);
   smooth(on, level, settings.degree, settings.low, true, false);
 }
 

@@ -94,7 +94,7 @@ LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& leve
                                level.planes->stiffness.view(), level.node_stiffness.view()});
     }
   } else {
-    evaluator.evaluate_tangents(on, a, a.chunks.front(), filter);  // which is all tets
+    evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
   }
   if (has_increment) {
     on.run(a.nodes(), CastIncrement{a.increment.const_view(), v.direction.view()});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product_cuda.h>
+#include <fem/solver/coarse_inverse.h>
 #include <physgen/cuda/executor.h>
 
 namespace physgen::fem {
@@ -22,11 +23,11 @@ void add_edges(CudaExecutor& on, const SymmetricProduct<Views...>& product, cons
 namespace detail {
 
 /// Gauss-Jordan without pivots over a symmetric positive definite matrix of n nodes, in one thread block of 32 x 32.
-/// Rows of components that are prescribed stay 0.
+/// Rows of components that are prescribed, or whose pivot is rounding, stay 0.
 /// @param shared whether the matrix lies in shared memory while this runs
-template <class NodesView, class EdgesView, class EndsView, class InverseView>
+template <class Stiffness, class InverseView>
 __global__ void __launch_bounds__(1024)
-    invert_dense(int n, int edges, bool shared, NodesView nodes, EdgesView blocks, EndsView ends, InverseView inverse) {
+    invert_dense(int n, int edges, bool shared, Stiffness stiffness, InverseView inverse) {
   using Real = typename InverseView::Precision;
   extern __shared__ unsigned char memory[];
   const int size = 3 * n, tx = static_cast<int>(threadIdx.x), ty = static_cast<int>(threadIdx.y), thread = 32 * ty + tx;
@@ -37,26 +38,17 @@ __global__ void __launch_bounds__(1024)
     return *&inverse[index_t{r / 3} * n + c / 3].G()[3 * (c % 3) + r % 3];
   };
   const auto at = [&](int r, int c) -> Real& { return shared ? matrix[r * size + c] : far(r, c); };
-  const auto put = [&](int i, int j, const Matrix3<Real>& block) {
+  const auto put = [&](index_t i, index_t j, const Matrix3<Real>& block) {
     for (int c = 0; c < 3; ++c) {
-      for (int r = 0; r < 3; ++r) at(3 * i + r, 3 * j + c) = block(r, c);
+      for (int r = 0; r < 3; ++r) at(3 * static_cast<int>(i) + r, 3 * static_cast<int>(j) + c) = block(r, c);
     }
   };
   for (int r = ty; r < size; r += 32) {
     for (int c = tx; c < size; c += 32) at(r, c) = Real(0);
   }
   __syncthreads();
-  for (int i = thread; i < n; i += 1024) {
-    const Matrix3<Real> K = nodes[i].K();
-    put(i, i, -K);
-  }
-  for (int e = thread; e < edges; e += 1024) {
-    const auto names = ends[e].nodes();
-    const int m = names[0], o = names[1];
-    const Matrix3<Real> E = blocks[e].E();
-    put(m, o, -E);
-    put(o, m, -E.transpose());
-  }
+  for (int i = thread; i < n; i += 1024) stiffness.put_node(i, put);
+  for (int e = thread; e < edges; e += 1024) stiffness.put_edge(e, put);
   __syncthreads();
   for (int p = 0; p < size; ++p) {
     for (int k = thread; k < size; k += 1024) {
@@ -65,7 +57,7 @@ __global__ void __launch_bounds__(1024)
     }
     __syncthreads();
     const Real pivot = column[p];
-    const Real factor = pivot > Real(0) ? Real(1) / pivot : Real(0);
+    const Real factor = pivot > least_coarse_pivot<Real> ? Real(1) / pivot : Real(0);
     for (int r = ty; r < size; r += 32) {
       const Real scaled = column[r] * factor;
       for (int c = tx; c < size; c += 32) {
@@ -87,7 +79,7 @@ __global__ void __launch_bounds__(1024)
 
 }  // namespace detail
 
-/// Makes the inverse of the scaled stiffness over its free components. @pre the level's stiffness is scaled
+/// Makes the inverse of the scaled stiffness over its free components. @pre the level has its scales
 template <class Level>
 void invert_coarsest(CudaExecutor& on, Level& level) {
   if (level.coarse_inverse.size() == 0) return;
@@ -96,8 +88,8 @@ void invert_coarsest(CudaExecutor& on, Level& level) {
   const std::size_t lines = 2 * size * sizeof(typename Level::Real), whole = lines + size * lines / 2;
   const bool shared = whole <= most_shared;
   detail::invert_dense<<<1, dim3(32, 32), shared ? whole : lines, on.stream()>>>(
-      static_cast<int>(level.nodes()), static_cast<int>(level.edge_count()), shared, level.scaled_nodes.const_view(),
-      level.scaled_edges.const_view(), level.edges.const_view(), level.coarse_inverse.view());
+      static_cast<int>(level.nodes()), static_cast<int>(level.edge_count()), shared, detail::scaled_stiffness(level),
+      level.coarse_inverse.view());
   cuda::check(cudaGetLastError(), "inverting the coarsest level");
 }
 

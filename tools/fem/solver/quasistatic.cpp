@@ -112,6 +112,7 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
         "patches alone");
   }
   for (const MeshLevel& level : levels) {
+    if (level.is_grid()) continue;
     if (level.patches.nodes.empty() == patches) throw Error("either all levels have patches, or none");
     if (level.averages_at_nodes != nodes_average)
       throw Error("volumes are averaged at nodes on all levels, or on none");

@@ -42,7 +42,8 @@ class SolverOf final : public QuasistaticSolver {
     const bool assembled = settings.newton.product == Product::assembled;
     std::size_t used = coarser ? levels.size() : 1;
     const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
-    solved_ = settings.nested && used > kept ? used - kept : 1;
+    const auto meshes = static_cast<std::size_t>(std::ranges::find_if(levels, &MeshLevel::is_grid) - levels.begin());
+    solved_ = settings.nested && used > kept ? std::min(used - kept, meshes) : 1;
     if (!assembled) used = solved_;
     std::vector<MeshLevel> own(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(used));
     const std::vector<LevelGraph> graphs = make_level_graphs(own, assembled);
@@ -67,7 +68,9 @@ class SolverOf final : public QuasistaticSolver {
                          !loading.planes.empty());
         all_prescribed_.push_back(std::ranges::all_of(own[l].fixed, [](std::uint8_t fixed) { return fixed == 7; }));
       }
-      if (!loading.planes.empty()) linear_.back()->planes = make_planes(l, own[l], loading.planes);
+      if (!loading.planes.empty() && !own[l].is_grid()) {
+        linear_.back()->planes = make_planes(l, own[l], loading.planes);
+      }
       if (l + 1 < solved_) coarsen_loading(own[l], own[l + 1].mesh.nodes, motion, forces);
     }
     on_->wait();
@@ -214,8 +217,8 @@ class SolverOf final : public QuasistaticSolver {
       if (!coarsest) {
         const Arrays& coarse = *arrays_[l + 1];
         on_->run(a.nodes(),
-                 InterpolateMotion{level.parents.const_view(), coarse.kept.const_view(), coarse.positions.const_view(),
-                                   level.constraints.const_view(), a.positions.view()});
+                 InterpolateMotion{HalfWay{level.parents.const_view()}, coarse.kept.const_view(),
+                                   coarse.positions.const_view(), level.constraints.const_view(), a.positions.view()});
       }
       on_->run(a.nodes(),
                ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(), level.constraints.const_view(),

@@ -63,10 +63,12 @@ PHYSGEN_FUNCTION inline Scalar patch_change(const Names& names, const Patch& pat
 
 }  // namespace detail
 
-/// The change of each tet's forces on its corners.
+/// The change of the forces of a chunk of tets on their corners. Called with the objects 0 .. chunk.tets() - 1 of
+/// `corners`.
 template <class TetView, class TangentView, class DisplacementView, class CornerView>
 struct ComputeTetDifferentials {
   using Scalar = typename CornerView::Precision;
+  TetChunk chunk;
   TetView tets;                    ///< elasticity::Tet
   TangentView tangent;             ///< quasistatic::TetTangent
   DisplacementView displacements;  ///< elasticity::NodeDisplacement
@@ -75,11 +77,12 @@ struct ComputeTetDifferentials {
   template <class I>
   PHYSGEN_FUNCTION void operator()(I i) const {
     using Real = typename TangentView::Precision;
-    corners[i].G() = detail::cast_matrix<Scalar>(detail::tet_differential<Real>(tets, tangent, displacements, i));
+    const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
+    corners[i].G() = detail::cast_matrix<Scalar>(detail::tet_differential<Real>(tets, tangent, displacements, t));
   }
 };
 template <class... Views>
-ComputeTetDifferentials(Views...) -> ComputeTetDifferentials<Views...>;
+ComputeTetDifferentials(TetChunk, Views...) -> ComputeTetDifferentials<Views...>;
 
 /// The same, added to the nodes: df += K dx of the tets.
 template <class TetView, class TangentView, class DisplacementView, class DifferentialView>
@@ -171,27 +174,30 @@ struct NodePatchChanges {
 template <class... Arguments>
 NodePatchChanges(Arguments...) -> NodePatchChanges<Arguments...>;
 
-/// df += the changes of its tets' and its patches' forces, in double.
+/// df += the changes of the forces of its tets, those of one chunk, and of its patches, in double.
 template <class NodeTets, class CornerView, class Patches, class DifferentialView>
 struct SumDifferentials {
   using Scalar = double;
-  TetChunk chunk;                  ///< all tets
+  TetChunk chunk;                  ///< with the first, patches are added. Called with 0 .. chunk.nodes() - 1
   NodeTets node_tets;              ///< Rows of NodeTetEntry
   CornerView corners;              ///< elasticity::CornerForces: their change
   Patches patches;                 ///< NoNodePatches or NodePatchChanges
   DifferentialView differentials;  ///< elasticity::NodeForceDifferential
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
     using Real = typename DifferentialView::Precision;
     using Vector = Vector3<double>;
+    const index_t node = chunk.first_node + i;
     Vector sum = detail::add_corners<double>(chunk, node_tets, corners, node, Vector::Zero());
     if constexpr (Patches::averages) {
-      sum = patches.node_patches.sum(node, sum, [&](const auto& entry) -> Vector {
-        const index_t p = NodePatchEntry::element(entry);
-        const Real change = patches.changes[p].change();
-        const Vector3<Real> g = detail::patch_gradient<Real>(patches.tangent[p], NodePatchEntry::local(entry));
-        return Vector(double(g[0]), double(g[1]), double(g[2])) * -double(change);
-      });
+      if (chunk.is_first()) {
+        sum = patches.node_patches.sum(node, sum, [&](const auto& entry) -> Vector {
+          const index_t p = NodePatchEntry::element(entry);
+          const Real change = patches.changes[p].change();
+          const Vector3<Real> g = detail::patch_gradient<Real>(patches.tangent[p], NodePatchEntry::local(entry));
+          return Vector(double(g[0]), double(g[1]), double(g[2])) * -double(change);
+        });
+      }
     }
     for (int k = 0; k < 3; ++k) differentials[node].df()[k] += static_cast<Real>(sum[k]);
   }
@@ -247,19 +253,18 @@ void add_tangents(On& on, Arrays& a, const DisplacementView& dx, const Different
     const auto& p = *a.patches;
     on.run(a.volumes.size(), AddPatchDifferentials{p.nodes.const_view(), p.tangent.const_view(), dx, df});
   } else {
-    on.run(a.tet_count(), ComputeTetDifferentials{tets, tangent, dx, a.chunk_arrays->corners.view()});
-    const auto node_tets = a.node_tets.const_view();
-    const auto corners = a.chunk_arrays->corners.const_view();
-    if (a.patches == nullptr) {
-      on.run(a.nodes(), SumDifferentials{a.chunks.front(), node_tets, corners, NoNodePatches{}, df});
-      return;
-    }
+    const auto sum = [&](const auto& patches) {
+      for (const TetChunk& chunk : a.chunks) {
+        on.run(chunk.tets(), ComputeTetDifferentials{chunk, tets, tangent, dx, a.chunk_arrays->corners.view()});
+        on.run(chunk.nodes(),
+               SumDifferentials{chunk, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(), patches, df});
+      }
+    };
+    if (a.patches == nullptr) return sum(NoNodePatches{});
     auto& p = *a.patches;
-    const auto patches = p.tangent.const_view();
-    on.run(a.volumes.size(), ComputePatchChanges{p.nodes.const_view(), patches, dx, p.changes.view()});
-    on.run(a.nodes(),
-           SumDifferentials{a.chunks.front(), node_tets, corners,
-                            NodePatchChanges{p.node_patches.const_view(), patches, p.changes.const_view()}, df});
+    const auto tangents = p.tangent.const_view();
+    on.run(a.volumes.size(), ComputePatchChanges{p.nodes.const_view(), tangents, dx, p.changes.view()});
+    sum(NodePatchChanges{p.node_patches.const_view(), tangents, p.changes.const_view()});
   }
 }
 

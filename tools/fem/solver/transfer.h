@@ -3,31 +3,32 @@
 #pragma once
 
 #include <fem/solver/free_part.h>
-#include <fem/solver/packed_rows.h>
+#include <fem/solver/interpolation.h>
 #include <fem/solver/smoother.h>
 #include <physgen/kernel.h>
 #include <physgen/rows.h>
 
 namespace physgen::fem {
 
-/// r of a coarse node = sum of half of r of its children, twice where a child coincides with it.
-template <class Children, class FineScaleView, class FineView, class ConstraintView, class ScaleView, class CoarseView>
+/// r of a coarse node = sum of weight times r of its children.
+template <class Interpolation, class Children, class FineScaleView, class FineView, class ConstraintView,
+          class ScaleView, class CoarseView>
 struct RestrictResidual {
   using Scalar = typename CoarseView::Precision;
-  Children children;           ///< Rows of ChildEntry
-  FineScaleView fine_scales;   ///< quasistatic::NodeScale
-  FineView fine;               ///< elasticity::NodeForceDifferential
-  ConstraintView constraints;  ///< quasistatic::NodeConstraint, coarse
-  ScaleView scales;            ///< quasistatic::NodeScale, coarse
-  CoarseView coarse;           ///< elasticity::NodeForceDifferential, written
+  Interpolation interpolation;  ///< HalfWay or InGrid
+  Children children;            ///< Rows of ChildEntry
+  FineScaleView fine_scales;    ///< quasistatic::NodeScale
+  FineView fine;                ///< elasticity::NodeForceDifferential
+  ConstraintView constraints;   ///< quasistatic::NodeConstraint, coarse
+  ScaleView scales;             ///< quasistatic::NodeScale, coarse
+  CoarseView coarse;            ///< elasticity::NodeForceDifferential, written
 
   PHYSGEN_FUNCTION void operator()(index_t node) const {
     using Vector = Vector3<Scalar>;
     const Vector sum = children.sum(node, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
       const index_t child = ChildEntry::element(entry);
-      const int parents = ChildEntry::local(entry);
       const Vector r = fine[child].df();
-      return r * (Scalar(fine_scales[child].inverse()) * Scalar(0.5) * Scalar(parents));
+      return r * (Scalar(fine_scales[child].inverse()) * interpolation.template weight<Scalar>(entry));
     });
     const Vector scaled = sum * Scalar(scales[node].scale());
     coarse[node].df() = detail::free_part<Scalar>(scaled, constraints[node]);
@@ -36,12 +37,12 @@ struct RestrictResidual {
 template <class... Arguments>
 RestrictResidual(Arguments...) -> RestrictResidual<Arguments...>;
 
-/// d = the mean of the parents' corrections, z += d, and r takes in the nodes' part of K d.
-template <class ParentsView, class CoarseScaleView, class CoarseView, class ConstraintView, class ScaleView,
+/// d = the parents' corrections, interpolated, z += d, and r takes in the nodes' part of K d.
+template <class Interpolation, class CoarseScaleView, class CoarseView, class ConstraintView, class ScaleView,
           class NodeStiffnessView, class DirectionView, class CorrectionView, class ResidualView>
 struct InterpolateCorrection {
   using Scalar = typename CorrectionView::Precision;
-  ParentsView parents;            ///< quasistatic::NodeParents
+  Interpolation interpolation;    ///< HalfWay or InGrid
   CoarseScaleView coarse_scales;  ///< quasistatic::NodeScale
   CoarseView coarse;              ///< elasticity::NodeDisplacement
   ConstraintView constraints;     ///< quasistatic::NodeConstraint, fine
@@ -53,11 +54,11 @@ struct InterpolateCorrection {
 
   PHYSGEN_FUNCTION void operator()(index_t node) const {
     using Vector = Vector3<Scalar>;
-    const auto names = parents[node].nodes();
-    const index_t first = names[0], second = names[1];
-    const Vector a = coarse[first].dx(), b = coarse[second].dx();
-    const Vector sum = a * Scalar(coarse_scales[first].scale()) + b * Scalar(coarse_scales[second].scale());
-    const Vector scaled = sum * (Scalar(0.5) * Scalar(scales[node].inverse()));
+    const Vector interpolated = interpolation.template value<Scalar>(node, [&](index_t parent) -> Vector {
+      const Vector z = coarse[parent].dx();
+      return z * Scalar(coarse_scales[parent].scale());
+    });
+    const Vector scaled = interpolated * Scalar(scales[node].inverse());
     const Vector d = detail::free_part<Scalar>(scaled, constraints[node]);
     direction[node].dx() = d;
     corrections[node].dx() += d;
@@ -67,27 +68,25 @@ struct InterpolateCorrection {
 template <class... Arguments>
 InterpolateCorrection(Arguments...) -> InterpolateCorrection<Arguments...>;
 
-/// Moves free components of nodes by the mean of how far their parents have moved: x += mean(now - before).
-template <class ParentsView, class CoarseView, class ConstraintView, class PositionView>
+/// Moves free components of nodes by how far their parents have moved, interpolated: x += now - before.
+template <class Interpolation, class CoarseView, class ConstraintView, class PositionView>
 struct InterpolateMotion {
   using Scalar = typename PositionView::Precision;
-  ParentsView parents;         ///< quasistatic::NodeParents
-  CoarseView before, now;      ///< elasticity::NodePosition, of the coarser level
-  ConstraintView constraints;  ///< quasistatic::NodeConstraint
-  PositionView positions;      ///< elasticity::NodePosition
+  Interpolation interpolation;  ///< HalfWay or InGrid
+  CoarseView before, now;       ///< elasticity::NodePosition, of the coarser level
+  ConstraintView constraints;   ///< quasistatic::NodeConstraint
+  PositionView positions;       ///< elasticity::NodePosition
 
   PHYSGEN_FUNCTION void operator()(index_t node) const {
     using Vector = Vector3<Scalar>;
-    const auto names = parents[node].nodes();
-    const index_t first = names[0], second = names[1];
-    const Vector a = Vector(now[first].x().get()) - Vector(before[first].x().get());
-    const Vector b = Vector(now[second].x().get()) - Vector(before[second].x().get());
-    const Vector motion = (a + b) * Scalar(0.5);
+    const Vector motion = interpolation.template value<Scalar>(node, [&](index_t parent) -> Vector {
+      return Vector(now[parent].x().get()) - Vector(before[parent].x().get());
+    });
     positions[node].x() += detail::free_part<Scalar>(motion, constraints[node]);
   }
 };
-template <class ParentsView, class CoarseView, class ConstraintView, class PositionView>
-InterpolateMotion(ParentsView, CoarseView, CoarseView, ConstraintView, PositionView)
-    -> InterpolateMotion<ParentsView, CoarseView, ConstraintView, PositionView>;
+template <class Interpolation, class CoarseView, class ConstraintView, class PositionView>
+InterpolateMotion(Interpolation, CoarseView, CoarseView, ConstraintView, PositionView)
+    -> InterpolateMotion<Interpolation, CoarseView, ConstraintView, PositionView>;
 
 }  // namespace physgen::fem
