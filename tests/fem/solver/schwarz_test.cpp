@@ -223,7 +223,6 @@ TEST(Schwarz, makes_block_jacobi_of_a_block_that_is_not_positive_definite) {
   const Dense M = reference(prepared, A, &indefinite);
   EXPECT_GE(indefinite, 1);
   EXPECT_LT(indefinite, prepared.hierarchy.first_block[1]);
-  EXPECT_EQ(M.llt().info() == Eigen::Success, false) << "prescribed components are 0";
   std::mt19937_64 random(89);
   for (int k = 0; k < 5; ++k) {
     const Eigen::VectorXd r = prepared.random(random), z = prepared.apply(r), expected = M * r;
