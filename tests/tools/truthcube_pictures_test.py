@@ -69,9 +69,9 @@ def kuhn_cube(cells):
     offset = [1, count, count * count]
     origin = (i + count * j + count * count * k)[:cells, :cells, :cells].ravel()
     tets = []
-    for a, b, c in ((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)):
-        path = [0, offset[a], offset[a] + offset[b], offset[0] + offset[1] + offset[2]]
-        tets.append(origin[:, None] + (path if (a, b, c) in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else [path[k] for k in (0, 2, 1, 3)]))
+    for a, b, even in ((0, 1, True), (1, 2, True), (2, 0, True), (0, 2, False), (2, 1, False), (1, 0, False)):
+        path = [0, offset[a], offset[a] + offset[b], sum(offset)]
+        tets.append(origin[:, None] + (path if even else [path[k] for k in (0, 2, 1, 3)]))
     return points, np.concatenate(tets)
 
 

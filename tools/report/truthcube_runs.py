@@ -123,7 +123,8 @@ def main():
         runs.append(fastest(options, [*place, *arguments]))
         outcome = [[step["seconds"], step.get("beads", {}).get("rms_mm", "")] for step in runs[-1].get("steps", [])]
         print(runs[-1]["command"], *outcome, runs[-1].get("failed", ""), flush=True)
-    file = {"sources": sources.text(sources.hashes(groups=MEASURED)), "machine": where, "repeats": options.repeats, "runs": runs}
+    measured = sources.text(sources.hashes(groups=MEASURED))
+    file = {"sources": measured, "machine": where, "repeats": options.repeats, "runs": runs}
     pathlib.Path(options.output).write_text(json.dumps(file, indent=1) + "\n")
     return 1 if any("failed" in run for run in runs) else 0
 

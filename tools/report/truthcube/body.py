@@ -11,7 +11,7 @@ from drawing import INK, MUTED, WIDTH
 from . import geometry, render
 from .files import lengths
 
-PIXELS = 250  # of a panel's width
+PIXELS = 1000  # of the width of all panels
 REST = "at rest"
 
 
@@ -62,7 +62,7 @@ class View:
         left, bottom = flat.min(axis=0) - margin
         right, top = flat.max(axis=0) + margin
         self.window = (left, right, bottom, top)
-        self.seen = {}
+        self.seen, self.pixels = {}, max(250, PIXELS // (1 + len(run.steps)))
 
     def corners(self, values):
         return geometry.on_edges(values, self.edges, self.share)
@@ -77,7 +77,7 @@ class View:
             ]
             values = self.corners(np.column_stack(values))
             self.seen[key] = render.look(
-                self.camera, self.corners(moved), self.triangles, values, self.window, PIXELS, self.closed
+                self.camera, self.corners(moved), self.triangles, values, self.window, self.pixels, self.closed
             )
         seen = self.seen[key]
         value = seen.values[..., 3 if quantity is DISPLACEMENT else 4]
