@@ -140,8 +140,8 @@ void check(const Options& options) {
   require(tolerance >= 1e-14 && tolerance <= 0.1,
           "--tolerance " + number(tolerance) + ": the residual's tolerance is a number from 1e-14 to 0.1");
   const double stiffness = options.solver.plane_stiffness;
-  require(stiffness >= 1e-3 && stiffness <= 1e6,
-          "--plate-stiffness " + number(stiffness) + ": the stiffness of plates is a number from 0.001 to 1e6");
+  require(stiffness >= 1e-3 && stiffness <= 1e4,
+          "--plate-stiffness " + number(stiffness) + ": the stiffness of plates is a number from 0.001 to 1e4");
   double before = 0;
   for (const double c : options.compressions) {
     require(std::isfinite(c) && c > before && c < 1,

@@ -235,33 +235,39 @@ TEST(RigidPlanes, one_that_moves_presses_as_a_prescribed_face_without_friction_d
   }
   pressed.loading.motion.assign(pressed.levels[0].rest.size(), Point{});
   pressed.loading.planes = {{{0, 0, -1}, -side, side}};
-  for (const bool nested : {true, false}) {
-    SolverSettings settings = exact_settings("neo-hookean", 0.45);
-    settings.nested = nested;
-    settings.coarsest_nested = 1;
-    settings.plane_stiffness = 1e4;
-    const auto expected = make_solver(prescribed.levels, prescribed.loading, settings);
-    const auto solver = make_solver(pressed.levels, pressed.loading, settings);
-    const NewtonResult other = expected->solve_to(0.1, {}), result = solver->solve_to(0.1, {});
-    ASSERT_EQ(other.status, NewtonStatus::converged);
-    ASSERT_EQ(result.status, NewtonStatus::converged) << nested;
-    if (nested) {  // else the plane goes deep into the body at once
-      EXPECT_LE(result.steps, other.steps + 2);
-      EXPECT_EQ(result.halvings, 0);
-    }
-    const PlaneContact contact = solver->plane_contacts().at(0);
-    EXPECT_LE(largest_distance(expected->positions(), solver->positions()), 3 * contact.depth);
-    EXPECT_LE(contact.depth, 1e-5 * side);
-    double reaction = 0;
-    const auto forces = expected->forces();
-    for (std::size_t n = 0; n < forces.size(); ++n) {
-      if (prescribed.levels[0].rest[n][2] == side) reaction += forces[n][2];
-    }
-    EXPECT_NEAR(contact.force / reaction, 1, 1e-3);
+  for (const double stiffness : {100.0, 1e4}) {
+    for (const bool nested : {true, false}) {
+      SCOPED_TRACE(stiffness);
+      SolverSettings settings = exact_settings("neo-hookean", 0.45);
+      settings.newton.tolerance = 1e-9;
+      settings.nested = nested;
+      settings.coarsest_nested = 1;
+      settings.plane_stiffness = stiffness;
+      const auto expected = make_solver(prescribed.levels, prescribed.loading, settings);
+      const auto solver = make_solver(pressed.levels, pressed.loading, settings);
+      const NewtonResult other = expected->solve_to(0.1, {}), result = solver->solve_to(0.1, {});
+      ASSERT_EQ(other.status, NewtonStatus::converged);
+      ASSERT_EQ(result.status, NewtonStatus::converged) << nested;
+      EXPECT_EQ(result.bisections, 0);
+      if (stiffness == 100) {
+        EXPECT_LE(result.steps, other.steps + 2) << nested;
+        EXPECT_EQ(result.halvings, 0) << nested;
+      }
+      const PlaneContact contact = solver->plane_contacts().at(0);
+      EXPECT_NEAR(contact.depth, 0.1 * side / 8 / stiffness, 0.05 * side / 8 / stiffness);  // about E/10
+      EXPECT_LE(largest_distance(expected->positions(), solver->positions()), 3 * contact.depth);
+      double reaction = 0;
+      const auto forces = expected->forces();
+      for (std::size_t n = 0; n < forces.size(); ++n) {
+        if (prescribed.levels[0].rest[n][2] == side) reaction += forces[n][2];
+      }
+      const double error = std::abs(contact.force / reaction - 1);
+      EXPECT_LE(error, 0.2 / stiffness);
 
-    ASSERT_EQ(solver->solve_to(-0.05, {}).status, NewtonStatus::converged) << nested;
-    EXPECT_EQ(solver->plane_contacts().at(0).depth, 0);
-    EXPECT_LE(largest_distance(solver->positions(), pressed.levels[0].rest), 1e-8 * side) << nested;
+      ASSERT_EQ(solver->solve_to(-0.05, {}).status, NewtonStatus::converged) << nested;
+      EXPECT_EQ(solver->plane_contacts().at(0).depth, 0);
+      EXPECT_LE(largest_distance(solver->positions(), pressed.levels[0].rest), 1e-8 * side) << nested;
+    }
   }
 }
 
