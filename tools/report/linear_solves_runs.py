@@ -50,22 +50,58 @@ def run(program, arguments):
     return rows
 
 
+def named(row):
+    return f"{row['cells']}^3, nu {row['poisson']:g} by {row['volume']}, {row['norm']} norm"
+
+
 def ratios(rows):
     """For each body on which the vendor was measured: how much faster each method is, without and with its set-up."""
-    lines = []
     for vendor in (row for row in rows if row["method"] == "vendor"):
-        same = ("cells", "poisson", "volume", "norm")
         for row in rows:
-            if row["method"] == "vendor" or any(row[key] != vendor[key] for key in same):
+            if row["method"] == "vendor" or named(row) != named(vendor):
                 continue
             solve = vendor["solve_seconds"] / row["solve_seconds"]
             whole = (vendor["setup_seconds"] + vendor["solve_seconds"]) / (row["setup_seconds"] + row["solve_seconds"])
-            lines.append(
-                f"{row['cells']}^3, nu {row['poisson']:g}, {row['norm']} norm: {row['method']} in {row['precision']} is "
-                f"{solve:.1f}x as fast as the vendor, {whole:.1f}x with the set-up of both; residuals "
-                f"{row['residual']:.1e} and {vendor['residual']:.1e}"
+            yield (
+                f"{named(row)}: {row['method']} in {row['precision']} is {solve:.1f}x as fast as the vendor, {whole:.1f}x "
+                f"with the set-up of both; residuals {row['residual']:.1e} and {vendor['residual']:.1e}"
             )
-    return lines
+
+
+def halves(rows):
+    """Multigrid in half against multigrid in float."""
+    for half in (row for row in rows if (row["method"], row["precision"]) == ("multigrid", "half")):
+        for row in rows:
+            if (row["method"], row["precision"], named(row)) != ("multigrid", "float", named(half)):
+                continue
+            faster = row["seconds_per_iteration"] / half["seconds_per_iteration"]
+            yield (
+                f"{named(row)}: multigrid in half takes {half['iterations']} iterations, in float {row['iterations']}; an "
+                f"iteration in half is {faster:.2f}x as fast"
+            )
+
+
+def counts(rows):
+    """Iterations of multigrid in half over the cubes."""
+    found = {}
+    for row in rows:
+        if (row["method"], row["precision"]) == ("multigrid", "half"):
+            found.setdefault((row["poisson"], row["volume"], row["norm"]), {})[row["cells"]] = row["iterations"]
+    for (poisson, volume, norm), iterations in found.items():
+        of_cells = ", ".join(f"{count} for {cells}^3" for cells, count in sorted(iterations.items()))
+        yield f"nu {poisson:g} by {volume}, {norm} norm: multigrid takes {of_cells}"
+
+
+def shares(rows):
+    """Products and iterations against the device's copy of as many bytes."""
+    for row in rows:
+        if row["product_copy_seconds"] is not None and row["norm"] == "euclidean":
+            product = row["product_copy_seconds"] / row["product_seconds"]
+            iteration = row["iteration_copy_seconds"] / row["seconds_per_iteration"]
+            yield (
+                f"{named(row)}: {row['method']} in {row['precision']}: a product runs at {product:.2f} of the copy rate of its "
+                f"{row['product_bytes'] / 1e6:.0f} MB, an iteration at {iteration:.2f} of its {row['iteration_bytes'] / 1e6:.0f} MB"
+            )
 
 
 def main():
@@ -85,7 +121,8 @@ def main():
         # Kept on the way, so that a run that is cut short leaves what was measured.
         text = json.dumps({"sources": sources.text(sources.hashes(groups=MEASURED)), "rows": rows}, indent=1)
         pathlib.Path(options.output).write_text(text + "\n")
-    print(*ratios(rows), sep="\n")
+    for summary in (ratios, halves, counts, shares):
+        print("", *summary(rows), sep="\n")
 
 
 if __name__ == "__main__":

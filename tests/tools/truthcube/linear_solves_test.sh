@@ -72,8 +72,8 @@ case $rule in
     expect_exit 0 "${small[@]}" --cells 8 --method multigrid block-jacobi none --precision double --tolerance 1e-6
     (($(values_of residual | wc -l) == 3)) || fail 'not three rows'
     values_of residual | awk '!($1 <= 1.001e-6 && $1 > 1e-9) { exit 1 }' || fail 'a residual is not as asked for'
-    values_of iterations | awk '{ n[NR] = $1 } END { exit !(n[1] < n[2] && n[2] <= n[3]) }' ||
-      fail 'multigrid does not take the fewest iterations, none the most'
+    values_of iterations | awk '{ n[NR] = $1 } END { exit !(4 * n[1] < n[2] && 4 * n[1] < n[3]) }' ||
+      fail 'multigrid does not take far fewer iterations than the others'
     expect_exit 0 "${small[@]}" --cells 8 --norm preconditioned euclidean --precision double
     expect_values norm preconditioned euclidean preconditioned euclidean
     expect_values method multigrid multigrid block-jacobi block-jacobi ;;

@@ -106,9 +106,9 @@ class SpMV final : public Product {
                                               to_, CUDA_R_32F, CUSPARSE_SPMV_BSR_ALG1, &bytes),
             "asking for cuSPARSE's work space");
       work_ = Buffer(SpaceKind::cuda, static_cast<index_t>(bytes) + 16, "cuSPARSE's work space");
-      check(library().cusparseSpMV_preprocess(handle_, CUSPARSE_OPERATION_NON_TRANSPOSE, &one_, matrix_, from_, &zero_,
-                                              to_, CUDA_R_32F, CUSPARSE_SPMV_BSR_ALG1, work_.data()),
-            "preparing cuSPARSE's product");
+      // Optional; a library that has nothing to prepare for block sparse rows may refuse it.
+      (void)library().cusparseSpMV_preprocess(handle_, CUSPARSE_OPERATION_NON_TRANSPOSE, &one_, matrix_, from_, &zero_,
+                                              to_, CUDA_R_32F, CUSPARSE_SPMV_BSR_ALG1, work_.data());
     } catch (...) {
       destroy();
       throw;
