@@ -56,10 +56,11 @@ struct Scene {
       for (std::size_t k = 0; k < 3; ++k) force[n][k] = fem::detail::scattered(static_cast<index_t>(3 * n + k), 1);
     }
   }
-  [[nodiscard]] std::unique_ptr<fem::QuasistaticSolver> solver() const {
+  [[nodiscard]] std::unique_ptr<fem::QuasistaticSolver> solver(
+      fem::TangentPrecision precision = fem::TangentPrecision::float32) const {
     fem::SolverSettings settings;
     settings.youngs_modulus = 15e3;
-    settings.precision = fem::TangentPrecision::float32;
+    settings.precision = precision;
     settings.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
     return fem::make_solver(levels, {std::vector<Point>(force.size(), Point{}), {}}, settings);
   }
@@ -121,6 +122,25 @@ TEST(VendorProgram, ends_at_the_residual_that_is_asked_for_and_leaves_prescribed
         EXPECT_EQ(step[n][k], 0);
       }
     }
+  }
+}
+
+TEST(VendorProgram, finds_the_step_that_the_solver_finds_in_double) {
+  const Scene scene;
+  const auto largest_difference = [](const std::vector<Point>& a, const std::vector<Point>& b) {
+    double largest = 0;
+    for (std::size_t n = 0; n < a.size(); ++n) {
+      largest = std::max(largest, std::hypot(a[n][0] - b[n][0], a[n][1] - b[n][1], a[n][2] - b[n][2]));
+    }
+    return largest;
+  };
+  std::vector<Point> expected, step;
+  const auto exact = scene.solver(fem::TangentPrecision::float64);
+  ASSERT_EQ(exact->solve_linear(scene.force, 1e-10, &expected).status, fem::LinearStatus::converged);
+  for (const fem::LinearNorm norm : {fem::LinearNorm::euclidean, fem::LinearNorm::preconditioned}) {
+    (void)scene.solve(scene.solver()->stiffness(), {.tolerance = 1e-5, .norm = norm}, step);
+    const std::vector<Point> nothing(step.size(), Point{});
+    EXPECT_LE(largest_difference(step, expected), 1e-3 * largest_difference(expected, nothing));
   }
 }
 
