@@ -41,9 +41,11 @@ CLI::Option* add_choices(CLI::App& app, const std::string& flag, std::vector<Val
                          const std::string& kind, const std::string& help) {
   const auto choose = [&values, names, flag, kind](const std::vector<std::string>& words) {
     values.clear();
+    values.reserve(words.size());
     for (const std::string& word : words) values.push_back(value_of(flag, kind, names, word));
   };
   std::vector<std::string> chosen;
+  chosen.reserve(values.size());
   for (const Value& value : values) chosen.push_back(name_of(names, value));
   return app.add_option_function<std::vector<std::string>>(flag, choose, help)
       ->type_name("{" + joined(words_of(names)) + "} ...")

@@ -10,9 +10,9 @@
 
 #include "measure.h"
 
-namespace {
+namespace physgen::truthcube {
 
-using namespace physgen::truthcube;
+namespace {
 
 void print(const std::string& line) {
   std::printf("%s\n", line.c_str());
@@ -26,20 +26,23 @@ int run(const LinearOptions& options, const std::string& command) {
       [](const std::string& note) { print("note: " + note); });
   if (!options.output.empty()) write_rows(options.output, rows);
   const auto converged = [](const LinearRow& row) {
-    return row.measured.result.status == physgen::fem::LinearStatus::converged;
+    return row.measured.result.status == fem::LinearStatus::converged;
   };
   return std::ranges::all_of(rows, converged) ? 0 : 3;
 }
 
 }  // namespace
 
+}  // namespace physgen::truthcube
+
 int main(int count, char** words) {
   const std::vector<std::string> arguments(words + 1, words + count);
-  LinearOptions options;
+  physgen::truthcube::LinearOptions options;
   try {
-    options = parse_linear(arguments);
+    options = physgen::truthcube::parse_linear(arguments);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "linear_solves: %s\nlinear_solves --help lists what there is.\n", text_of(error).c_str());
+    std::fprintf(stderr, "linear_solves: %s\nlinear_solves --help lists what there is.\n",
+                 physgen::truthcube::text_of(error).c_str());
     return 2;
   }
   if (!options.help.empty()) {
@@ -50,9 +53,9 @@ int main(int count, char** words) {
   std::string command = "linear_solves";
   for (const std::string& word : arguments) command += " " + word;
   try {
-    return run(options, command);
+    return physgen::truthcube::run(options, command);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "linear_solves: %s\n", text_of(error).c_str());
+    std::fprintf(stderr, "linear_solves: %s\n", physgen::truthcube::text_of(error).c_str());
     return 1;
   }
 }

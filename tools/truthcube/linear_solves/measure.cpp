@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <span>
 
 #include "copies.h"
@@ -54,11 +53,11 @@ class Body {
   /// Measures one method in one precision. @param rows for each norm one; what is measured is filled in
   void measure(Method method, TangentPrecision precision, std::span<LinearRow> rows) {
     const bool by_vendor = method == Method::vendor;
+    fem::AssembledStiffness& stiffness = stiffness_of(precision);
     std::unique_ptr<fem::QuasistaticSolver> solver;
-    if (!by_vendor || !stiffness_of(precision)) solver = make(preconditioner_of(method), precision);
-    if (!stiffness_of(precision)) stiffness_of(precision) = solver->stiffness();
+    if (!by_vendor || stiffness.nodes.empty()) solver = make(preconditioner_of(method), precision);
+    if (stiffness.nodes.empty()) stiffness = solver->stiffness();
     if (by_vendor) solver.reset();
-    const fem::AssembledStiffness& stiffness = *stiffness_of(precision);
     for (LinearRow& row : rows) {
       const fem::LinearTask task{options_.tolerance, row.norm, options_.repeats};
       std::vector<Point> step;
@@ -76,8 +75,9 @@ class Body {
 
  private:
   [[nodiscard]] const std::vector<std::uint8_t>& fixed() const { return scene_.levels.front().fixed; }
-  /// Of the solvers in float or in double: with one precision, whatever the preconditioner, it has the same bits.
-  [[nodiscard]] std::optional<fem::AssembledStiffness>& stiffness_of(TangentPrecision precision) {
+  /// Of the solvers in float or in double, empty until there was one: with one precision, whatever the preconditioner,
+  /// it has the same bits.
+  [[nodiscard]] fem::AssembledStiffness& stiffness_of(TangentPrecision precision) {
     return precision == TangentPrecision::float64 ? in_double_ : in_float_;
   }
 
@@ -117,7 +117,7 @@ class Body {
   const Scene& scene_;
   double poissons_ratio_;
   std::vector<Point> force_, compressed_;
-  std::optional<fem::AssembledStiffness> in_float_, in_double_;
+  fem::AssembledStiffness in_float_, in_double_;
 };
 
 /// With what all rows of a cube share.
