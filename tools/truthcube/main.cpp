@@ -6,18 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "error_text.h"
 #include "options.h"
 #include "run.h"
-
-namespace {
-
-/// What an error says, without the library's name before it.
-std::string text_of(const std::exception& error) {
-  const std::string text = error.what(), prefix = "physgen: ";
-  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
-}
-
-}  // namespace
 
 int main(int count, char** words) {
   std::vector<std::string> arguments(words + 1, words + count);
@@ -25,7 +16,8 @@ int main(int count, char** words) {
   try {
     options = physgen::truthcube::parse(arguments);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "truthcube: %s\ntruthcube --help lists what there is.\n", text_of(error).c_str());
+    std::fprintf(stderr, "truthcube: %s\ntruthcube --help lists what there is.\n",
+                 physgen::truthcube::text_of(error).c_str());
     return 2;
   }
   if (!options.help.empty()) {
@@ -38,7 +30,7 @@ int main(int count, char** words) {
   try {
     return static_cast<int>(physgen::truthcube::run(std::move(options), command));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "truthcube: %s\n", text_of(error).c_str());
+    std::fprintf(stderr, "truthcube: %s\n", physgen::truthcube::text_of(error).c_str());
     return 1;
   }
 }

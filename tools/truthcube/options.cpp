@@ -2,15 +2,13 @@
 
 #include <physgen/error.h>
 
-#include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "names.h"
+#include "command_line.h"
 #include "sizes.h"
 
 namespace physgen::truthcube {
@@ -67,23 +65,6 @@ Names<std::string> materials() {
   return names;
 }
 
-/// A choice by name. @param kind what the names are of: "material"
-template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& flag, Value& value, const Names<Value>& names,
-                        const std::string& kind, const std::string& help) {
-  const auto choose = [&value, names, flag, kind](const std::string& word) {
-    for (const auto& [name, named] : names) {
-      if (name != word) continue;
-      value = named;
-      return;
-    }
-    throw Error(flag + ": " + unknown(kind, word, words_of(names)) + " This build has " + joined(words_of(names)));
-  };
-  return app.add_option_function<std::string>(flag, choose, help)
-      ->type_name("{" + joined(words_of(names)) + "}")
-      ->default_str(name_of(names, value));
-}
-
 /// @throw Error for a layout that the solver was not compiled for
 void require_built(const std::string& layout) {
   if (layout == built_layout()) return;
@@ -93,20 +74,6 @@ void require_built(const std::string& layout) {
   }
   throw Error("--layout " + layout + ": the layout is a choice of the build, and this one has " + built_layout() +
               "; configure one with cmake -DPHYSGEN_LAYOUT=" + layout);
-}
-
-/// @throw Error for the first word that looks like a flag and is none
-void refuse_unknown_flags(const CLI::App& app, const std::vector<std::string>& arguments) {
-  std::vector<std::string> flags;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
-  }
-  for (const std::string& word : arguments) {
-    const std::string flag = word.substr(0, word.find('='));
-    if (flag.starts_with("--") && std::ranges::find(flags, flag) == flags.end()) {
-      throw Error(unknown("flag", flag, flags));
-    }
-  }
 }
 
 std::string number(double value) {
@@ -278,16 +245,8 @@ Options parse(const std::vector<std::string>& arguments) {
       ->type_name("N");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");
   app.add_flag("-q,--quiet", options.quiet, "print errors only");
-  try {
-    refuse_unknown_flags(app, arguments);
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
-    app.parse(std::move(reversed));
-  } catch (const CLI::CallForHelp&) {
-    options.help = app.help();
-    return options;
-  } catch (const CLI::ParseError& error) {
-    throw Error(error.what());
-  }
+  options.help = parse_words(app, arguments);
+  if (!options.help.empty()) return options;
   require(plate_stiffness->count() == 0 || options.plates == Plates::contact,
           "--plate-stiffness is that of --plates contact, which is missing");
   if (options.historical) {

@@ -48,13 +48,14 @@ template <class View>
 ClearStep(View) -> ClearStep<View>;
 
 /// Solves K dx = -f to sqrt(r . z) <= tolerance times its first value.
-/// @param loop of this level and these vectors
+/// @param loop of this level and these vectors, and of `residual_length`, which it is recorded with
 /// @param a whose tangents are multiplied with where the level's stiffness is not assembled
 /// @param v its residual holds f, 0 in prescribed components; on return dx, and the recurrence's residual
+/// @param residual_length where it is above 0: solves to |r| <= this [N] in place of the tolerance
 /// @pre prepare() has been called for this level and its stiffness, or prepare_nodes()
 template <class On, class Arrays, class Levels, class Vectors>
 void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-           const PreconditionerSettings& settings, double tolerance, int most_iterations) {
+           const PreconditionerSettings& settings, double tolerance, int most_iterations, double residual_length = 0) {
   auto& level = *levels[top];
   const index_t n = level.nodes();
   const auto state = v.state.view();
@@ -92,7 +93,11 @@ void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size
         on.reduce(n, Curvature{p, q}, Sum{}, SetLength{state});
         on.run(n, TakeStep{v.state.const_view(), level.constraints.const_view(), scales, p, q, step, residual, scaled});
         precondition(on, levels, top, settings);
-        on.reduce(n, ResidualNorm{scales, r, z}, Sum{}, SetNextNorm{state});
+        if (residual_length > 0) {
+          on.reduce(n, ResidualNorms{scales, r, z}, Sum{}, SetNextNorms{state, residual_length});
+        } else {
+          on.reduce(n, ResidualNorm{scales, r, z}, Sum{}, SetNextNorm{state});
+        }
       },
       HasEnded{v.state.const_view()});
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product.h>
+#include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/plane_arrays.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
@@ -146,6 +147,26 @@ struct LinearLevel {
            sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) + (planes == nullptr ? 0 : planes->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
+
+  /// The stiffness as plain blocks. @pre nothing is under way in it
+  [[nodiscard]] AssembledStiffness stiffness() const {
+    const auto node_blocks = moved_to<elasticity::NodeStiffnessArray<Real>>(node_stiffness);
+    const auto edge_blocks = moved_to<elasticity::EdgeStiffnessArray<Real>>(edge_stiffness);
+    const auto ends = moved_to<elasticity::EdgeArray<Real>>(edges);
+    AssembledStiffness plain;
+    plain.nodes.resize(static_cast<std::size_t>(nodes()));
+    plain.edges.resize(static_cast<std::size_t>(edge_count()));
+    plain.edge_blocks.resize(plain.edges.size());
+    const auto copy_block = [](const Matrix3<Real>& from, AssembledStiffness::Block& to) {
+      std::copy_n(from.data(), 9, to.begin());
+    };
+    for (index_t n = 0; n < nodes(); ++n) copy_block(node_blocks.const_view()[n].K(), plain.nodes[std::size_t(n)]);
+    for (index_t e = 0; e < edge_count(); ++e) {
+      copy_block(edge_blocks.const_view()[e].E(), plain.edge_blocks[std::size_t(e)]);
+      for (int k = 0; k < 2; ++k) plain.edges[std::size_t(e)][std::size_t(k)] = ends.const_view()[e].nodes()[k];
+    }
+    return plain;
+  }
 
  private:
   static auto host_constraints(const LevelGraph& graph) {

@@ -80,33 +80,42 @@ void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& d
   }
 }
 
+/// The tangent at the arrays' positions: assembled, or by tets. @pre they are those of the last evaluate_state()
+template <class On, class Arrays, class Level>
+void form_tangent(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter,
+                  const AtLoad& at) {
+  if (!level.assembled) return evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
+  assemble(on, a, level, evaluator, filter);
+  if (level.planes == nullptr) return;
+  on.run(a.nodes(), AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
+                                      level.planes->stiffness.view(), level.node_stiffness.view()});
+}
+
+/// The preconditioner of that tangent. @param fresh whether power iterations begin anew
+template <class On, class Arrays, class Levels>
+void prepare_tangent(On& on, Arrays& a, Levels& levels, std::size_t top, const PreconditionerSettings& settings,
+                     bool fresh) {
+  if (levels[top]->assembled) {
+    prepare(on, levels, top, settings, fresh);
+  } else {
+    prepare_nodes(on, a, *levels[top], settings);
+  }
+}
+
 /// Forms the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.
 template <class On, class Arrays, class Levels, class Vectors>
 LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
                         Evaluator<On, Arrays>& evaluator, TangentFilter filter, const NewtonSettings& settings,
                         const AtLoad& at, bool has_increment, bool fresh, double forcing) {
   auto& level = *levels[top];
-  if (level.assembled) {
-    assemble(on, a, level, evaluator, filter);
-    if (level.planes != nullptr) {
-      on.run(a.nodes(),
-             AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
-                               level.planes->stiffness.view(), level.node_stiffness.view()});
-    }
-  } else {
-    evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
-  }
+  form_tangent(on, a, level, evaluator, filter, at);
   if (has_increment) {
     on.run(a.nodes(), CastIncrement{a.increment.const_view(), v.direction.view()});
     multiply_tangent(on, a, level, v.direction.const_view(), v.residual.view());
   }
   on.run(a.nodes(),
          BeginResidual{a.forces.const_view(), level.constraints.const_view(), has_increment, v.residual.view()});
-  if (level.assembled) {
-    prepare(on, levels, top, settings.preconditioner, fresh);
-  } else {
-    prepare_nodes(on, a, level, settings.preconditioner);
-  }
+  prepare_tangent(on, a, levels, top, settings.preconditioner, fresh);
   solve(on, loop, a, levels, top, v, settings.preconditioner, forcing, settings.most_iterations);
   return linear_result(on, v);
 }

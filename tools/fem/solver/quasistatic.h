@@ -1,7 +1,9 @@
 // Quasistatic equilibrium of an elastic body on linear tets: the solver as programs use it, whatever it runs on.
 #pragma once
 
+#include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/hierarchy.h>
+#include <fem/solver/linear_measurement.h>
 #include <fem/solver/settings.h>
 #include <physgen/config.h>
 
@@ -87,9 +89,16 @@ class QuasistaticSolver {
   /// @throw Error when sizes differ
   virtual void set_positions(std::span<const Point> positions) = 0;
 
-  /// One linear solve with the tangent at the current positions and a right-hand side [N] on the finest level, for
-  /// measurements and tests. @return sqrt(r . z) over its first value
-  virtual LinearResult solve_linear(std::span<const Point> force, double tolerance, std::vector<Point>* step) = 0;
+  /// The tangent of the finest mesh at its positions, assembled.
+  [[nodiscard]] virtual AssembledStiffness stiffness() = 0;
+  /// Solves K dx = -force on the finest mesh with the tangent at its positions, as often as the task says, for
+  /// measurements and tests. Prescribed components of the force [N] count for nothing, and are 0 in the step.
+  virtual LinearMeasurement measure_linear(std::span<const Point> force, const LinearTask& task,
+                                           std::vector<Point>* step) = 0;
+  /// One such solve. @return sqrt(r . z) over its first value
+  LinearResult solve_linear(std::span<const Point> force, double tolerance, std::vector<Point>* step) {
+    return measure_linear(force, {.tolerance = tolerance}, step).result;
+  }
 };
 
 /// @param levels finest first; at least one

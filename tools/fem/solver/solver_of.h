@@ -1,6 +1,7 @@
 // The solver over one executor and in one precision: see quasistatic.h. Compiled once for each.
 #pragma once
 
+#include <fem/solver/measure_linear.h>
 #include <fem/solver/newton.h>
 #include <fem/solver/quasistatic.h>
 #include <physgen/error.h>
@@ -162,30 +163,18 @@ class SolverOf final : public QuasistaticSolver {
     reached_ = false;
   }
 
-  LinearResult solve_linear(std::span<const Point> force, double tolerance, std::vector<Point>* step) override {
-    require_nodes(0, force.size());
-    Arrays& a = *arrays_.front();
-    Vectors& v = *vectors_.front();
+  [[nodiscard]] AssembledStiffness stiffness() override {
     (void)evaluate_now();
-    elasticity::NodeForceArray<double> host(a.nodes());
-    for (index_t n = 0; n < a.nodes(); ++n) {
-      for (int k = 0; k < 3; ++k) host.view()[n].f()[k] = force[std::size_t(n)][std::size_t(k)];
-    }
-    copy(a.forces, host);
-    synchronize();
-    NewtonSettings settings = settings_.newton;
-    settings.most_iterations = std::max(settings.most_iterations, 100000);
-    typename On::Loop loop;
-    const LinearResult result = solve_step(*on_, loop, a, linear_, 0, v, *evaluator_, TangentFilter::none, settings,
-                                           load_, false, true, tolerance);
-    if (step != nullptr) {
-      const auto found = moved_to<elasticity::NodeDisplacementArray<Real>>(v.step);
-      step->resize(force.size());
-      for (index_t n = 0; n < found.size(); ++n) {
-        for (int k = 0; k < 3; ++k) (*step)[std::size_t(n)][std::size_t(k)] = Real(found.const_view()[n].dx()[k]);
-      }
-    }
-    return result;
+    form_tangent(*on_, *arrays_.front(), *linear_.front(), *evaluator_, TangentFilter::none, load_);
+    on_->wait();
+    return linear_.front()->stiffness();
+  }
+  LinearMeasurement measure_linear(std::span<const Point> force, const LinearTask& task,
+                                   std::vector<Point>* step) override {
+    require_nodes(0, force.size());
+    (void)evaluate_now();
+    return fem::measure_linear(*on_, *arrays_.front(), linear_, *vectors_.front(), *evaluator_, settings_.newton, load_,
+                               task, force, step);
   }
 
  private:
