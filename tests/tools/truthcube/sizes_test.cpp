@@ -154,7 +154,7 @@ TEST(Sizes, of_a_mesh_on_a_background_grid_are_those_of_the_solver) {
         fem::SolverSettings settings;
         settings.precision = precision;
         settings.coarsest_nested = 0;
-        EXPECT_EQ(bytes_of_run(count_levels(levels), settings).solver,
+        EXPECT_EQ(bytes_of_run(count_levels(levels), settings, 0).solver,
                   fem::make_solver(levels, loading, settings)->bytes());
       }
     }
