@@ -28,7 +28,7 @@ def arguments_of(options):
         if options.cells:
             methods = ["multigrid", "schwarz", "block-jacobi"] + ["vendor"] * (options.device == "cuda")
             yield ["--cells", str(options.cells), "--method", *methods, "--precision", "half", "float", "--norm", "euclidean",
-                   "preconditioned", "--copies", "--repeat", str(options.repeat), *body]
+                   "--copies", "--repeat", str(options.repeat), *body]
         if any(options.counts):
             yield ["--cells", *map(str, options.counts), "--method", "multigrid", "--norm", "preconditioned", "euclidean",
                    "--repeat", "3", *body]

@@ -127,7 +127,8 @@ def _truthcube(text):
     body = []
     for run in json.loads(text)["runs"]:
         settings, steps = run["settings"], run["steps"]
-        total = {key: sum(step[key] for step in steps) for key in ("newton_iterations", "pcg_iterations", "seconds")}
+        keys = ("newton_iterations", "pcg_iterations", "seconds", "warm_seconds")
+        total = {key: sum(step[key] for step in steps) for key in keys}
         body.append(
             [
                 f"{run['tets']:,}",
@@ -138,9 +139,13 @@ def _truthcube(text):
                 f"{total['pcg_iterations']}",
                 f"{steps[-1]['residual']:.1e}",
                 f"{total['seconds'] * 1e3:.0f} ms",
+                f"{total['warm_seconds'] * 1e3:.0f} ms",
+                f"{run['setup_seconds']:.1f} s",
+                f"{run['bytes'] / run['nodes']:.0f}",
             ]
         )
-    head = ["tets", "nu, volume by", "stepping", "preconditioner", "Newton steps", "PCG iterations", "residual", "solved in"]
+    head = ["tets", "nu, volume by", "stepping", "preconditioner", "Newton steps", "PCG iterations", "residual"]
+    head += ["solved first in", "again in", "set up in", "bytes per node"]
     return _lines(head, body)
 
 

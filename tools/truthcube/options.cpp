@@ -86,19 +86,8 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw Error(what);
 }
 
-void check_cells(const Options& options) {
-  constexpr std::int64_t most = std::numeric_limits<fem::Index>::max();
-  const std::int64_t largest = largest_number(count_cube(options.cells, options.volume));
-  if (largest <= most) return;
-  int fitting = options.cells;
-  while (largest_number(count_cube(fitting, options.volume)) > most) fitting -= fitting > 1000 ? fitting / 2 : 1;
-  throw Error("--cells " + std::to_string(options.cells) + ": the solver's lists would need numbers up to " +
-              std::to_string(largest) + ", and those of 32 bits reach " + std::to_string(most) +
-              "; the largest cube has --cells " + std::to_string(fitting));
-}
-
 void check(const Options& options) {
-  if (options.is_cube()) check_cells(options);
+  if (options.is_cube()) require_cube_fits(options.cells, options.volume);
   const double nu = options.solver.poissons_ratio;
   require(nu > -1 && nu < 0.5, "--poisson " + number(nu) + ": Poisson's ratio is above -1 and below 0.5");
   const double young = options.solver.youngs_modulus;
@@ -189,7 +178,7 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_option("--young", options.solver.youngs_modulus, "Young's modulus [Pa]")->type_name("E");
   app.add_option("--poisson", options.solver.poissons_ratio, "Poisson's ratio, above -1 and below 0.5")
       ->type_name("NU");
-  add_choice(
+  auto* volume = add_choice(
       app, "--volume", options.volume, volumes, "treatment of volume",
       "change of volume by tets, which lock near 0.5, or averaged: over patches of about six tets, or at nodes, over "
       "the tets of each, which takes more memory and is less accurate");
@@ -247,6 +236,12 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_flag("-q,--quiet", options.quiet, "print errors only");
   options.help = parse_words(app, arguments);
   if (!options.help.empty()) return options;
+  if (volume->count() == 0 && !fem::can_average_volume(options.solver.material)) {
+    options.volume = VolumeTreatment::tets;
+    options.notes.push_back("the energy of '" + options.solver.material +
+                            "' has no separate part of the volume to be averaged: --volume tets, which lock near a "
+                            "Poisson's ratio of 0.5");
+  }
   require(plate_stiffness->count() == 0 || options.plates == Plates::contact,
           "--plate-stiffness is that of --plates contact, which is missing");
   if (options.historical) {

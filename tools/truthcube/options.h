@@ -27,9 +27,10 @@ struct Options {
   std::filesystem::path out;  ///< empty: nothing is written
   std::filesystem::path beads;
   bool restart = false, dry_run = false, quiet = false;
-  int repetitions = 0;  ///< of all solves, for their time
-  int threads = 0;      ///< OpenMP threads; 0: all
-  std::string help;     ///< what to print where help was asked for
+  int repetitions = 0;             ///< of all solves, for their time
+  int threads = 0;                 ///< OpenMP threads; 0: all
+  std::vector<std::string> notes;  ///< what a user should know of what was chosen
+  std::string help;                ///< what to print where help was asked for
 
   [[nodiscard]] bool is_cube() const { return mesh.empty(); }
   /// What a run that is continued must not change, as a JSON object.

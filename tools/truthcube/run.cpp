@@ -74,6 +74,7 @@ Outcome run(Options options, const std::string& command) {
   if (!options.is_cube()) scene = make_scene(options, read_levels(options, notes));
   const std::vector<LevelCounts> counts =
       options.is_cube() ? count_cube(options.cells, options.volume) : count_levels(scene.levels);
+  append(notes, options.notes);
   append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
   const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0);
@@ -100,6 +101,13 @@ Outcome run(Options options, const std::string& command) {
   if (options.restart) {
     checkpoint = read_last_step(options, hash);
     record.steps = read_steps(options, *checkpoint);
+    for (const double compression : options.compressions) {
+      const auto is_it = [=](const StepRecord& step) { return step.compression == compression; };
+      if (compression >= checkpoint->compression || std::ranges::any_of(record.steps, is_it)) continue;
+      throw Error("--restart: " + options.out.string() + " has steps up to a compression of " +
+                  std::to_string(checkpoint->compression) + " and none at " + std::to_string(compression) +
+                  "; a run goes on to larger ones: choose another --out for it");
+    }
     if (checkpoint->compression >= options.compressions.back()) {
       terminal.line("nothing is left: step %d, a compression of %g, is written in %s", checkpoint->step,
                     checkpoint->compression, options.out.c_str());
@@ -130,7 +138,9 @@ Outcome run(Options options, const std::string& command) {
   }
   RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()));
   files.write_record(record);
-  return Steps(scene, *solver, files, record, beads, terminal).run(options.compressions, options.repetitions);
+  const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
+  return Steps(scene, *solver, files, record, beads, terminal, tolerance)
+      .run(options.compressions, options.repetitions);
 }
 
 }  // namespace physgen::truthcube

@@ -36,6 +36,9 @@ struct LevelCounts {
 /// 32 bits must hold it.
 [[nodiscard]] std::int64_t largest_number(const std::vector<LevelCounts>& levels);
 
+/// @throw Error when numbers of 32 bits do not reach for a cube, with a number of cells that fits
+void require_cube_fits(int cells, VolumeTreatment volume);
+
 struct RunBytes {
   std::int64_t solver = 0;           ///< arrays in the memory of the device: QuasistaticSolver::bytes()
   std::vector<std::int64_t> levels;  ///< of each level that the solver uses; their sum is `solver`

@@ -196,6 +196,10 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   } else if (reach > 1e-6 * scene_.height) {
     terminal_.line("  free sides reach %.3f mm past the plates: --plates contact pushes them back", 1e3 * reach);
   }
+  if (tolerance_ > 0 && result.residual > tolerance_) {
+    terminal_.line("  rounding ends the solve at a residual of %.2e, above the tolerance of %.2e", result.residual,
+                   tolerance_);
+  }
   if (result.smallest_J <= 0) terminal_.text("  some tets are inverted: this equilibrium is none of a real body");
   compare(compression, positions);
   if (files_.writes()) files_.write_step(record_, positions, solver_.stresses(), solver_.state());
@@ -231,6 +235,9 @@ void Steps::compare(double compression, const std::vector<Point>& positions) con
   if (!errors) {
     terminal_.line("  %s has no beads of a compression of %g", table.file.c_str(), compression);
     return;
+  }
+  if (!table.rows.front().compression) {
+    terminal_.line("  %s names no compression: its beads are compared with every step", table.file.c_str());
   }
   terminal_.line("  %zu beads of %s: difference [mm] mean %.4f, RMS %.4f, 95 %% below %.4f, max %.4f", errors->beads,
                  table.file.c_str(), errors->mean, errors->rms, errors->p95, errors->max);

@@ -32,9 +32,16 @@ class LastEquilibrium;
 class Steps {
  public:
   /// All stay alive as long as this. @param record gets an entry for each step
+  /// @param tolerance of the residual; 0: of another measure
   Steps(const Scene& scene, fem::QuasistaticSolver& solver, RunFiles& files, RunRecord& record,
-        const std::optional<MeasuredBeads>& beads, const Terminal& terminal)
-      : scene_(scene), solver_(solver), files_(files), record_(record), beads_(beads), terminal_(terminal) {}
+        const std::optional<MeasuredBeads>& beads, const Terminal& terminal, double tolerance)
+      : scene_(scene),
+        solver_(solver),
+        files_(files),
+        record_(record),
+        beads_(beads),
+        terminal_(terminal),
+        tolerance_(tolerance) {}
 
   /// Solves for those behind the solver's load. Ctrl-C ends this after a Newton step; a second one ends the process.
   /// @param repetitions of all solves once more from where they began, for their time without what a program does once
@@ -57,6 +64,7 @@ class Steps {
   RunRecord& record_;
   const std::optional<MeasuredBeads>& beads_;
   const Terminal& terminal_;
+  double tolerance_;
 };
 
 }  // namespace physgen::truthcube

@@ -107,7 +107,8 @@ TEST(RelativeResidual, is_one_without_a_step_and_takes_free_components_alone) {
 TEST(LinearMeasurement, in_the_euclidean_norm_all_preconditioners_end_at_the_residual_that_is_asked_for) {
   const Body body = make_truth_cube_body(8, true);
   const auto force = scattered_vectors(body.levels[0].rest.size(), 1);
-  for (const Preconditioner kind : {Preconditioner::multigrid, Preconditioner::block_jacobi, Preconditioner::none}) {
+  for (const Preconditioner kind :
+       {Preconditioner::multigrid, Preconditioner::schwarz, Preconditioner::block_jacobi, Preconditioner::none}) {
     const auto solver = compressed(body, TangentPrecision::float64, kind);
     const AssembledStiffness stiffness = solver->stiffness();
     int before = 0;

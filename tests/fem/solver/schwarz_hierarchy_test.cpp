@@ -55,7 +55,7 @@ TEST(SchwarzHierarchy, every_free_node_stands_in_one_slot_and_supernodes_are_con
     for (Index s = 0; s < h.first_supernode_slot(); ++s) {
       const auto [source, parent] = h.slots[std::size_t(s)];
       if (source < 0 || parent < 0) continue;
-      const auto [at, is_new] = of_supernode.emplace(parent, root(s));
+      const auto at = of_supernode.emplace(parent, root(s)).first;
       EXPECT_EQ(at->second, root(s));
       EXPECT_EQ(at->second / schwarz_slots, s / schwarz_slots);
     }

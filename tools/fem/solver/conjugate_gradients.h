@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/multigrid.h>
+#include <fem/solver/residual_norms.h>
 #include <fem/solver/tangent_product.h>
 #include <fem/solver/vector_steps.h>
 

@@ -107,8 +107,6 @@ struct EquilibriumArrays {
   elasticity::NodeDisplacementArray<double, Space> motion;  ///< of prescribed components, at a load of 1
   elasticity::NodeForceArray<double, Space> forces;  ///< elastic and external; in prescribed components -reaction
   elasticity::NodeForceArray<double, Space> trial_forces;
-  elasticity::CornerForcesArray<double, Space> corners;        ///< of a chunk of tets
-  quasistatic::TetTangentArray<Real, Space> tangent;           ///< of a chunk of tets
   elasticity::NodeDisplacementArray<double, Space> increment;  ///< of prescribed components
   quasistatic::EquilibriumArray<double, Space> state;
   double spacing = 0;  ///< the mean distance of neighbours at rest, or about that [m]

@@ -50,9 +50,10 @@ class Evaluator {
   /// Mean volumes and their pressures at `positions`, where the arrays have patches or rings: all else follows them.
   /// @param restart linearised pressures begin anew
   virtual void evaluate_volumes(On& on, Arrays& arrays, const PositionView& positions, bool restart) = 0;
-  /// Leaves in `corners` the forces of a chunk of tets at `positions`, and their energy in the arrays' state.
+  /// Leaves in chunk_arrays->corners the forces of a chunk of tets at `positions`, and their energy in the arrays'
+  /// state.
   virtual void evaluate_forces(On& on, Arrays& arrays, const TetChunk& chunk, const PositionView& positions) = 0;
-  /// Leaves in `tangent` the tangents of a chunk of tets at the arrays' positions.
+  /// Leaves in chunk_arrays->tangent the tangents of a chunk of tets at the arrays' positions.
   virtual void evaluate_tangents(On& on, Arrays& arrays, const TetChunk& chunk, TangentFilter filter) = 0;
   /// Of the arrays' positions. @pre as many as tets
   virtual void evaluate_stress(On& on, Arrays& arrays, Stresses& stresses) = 0;

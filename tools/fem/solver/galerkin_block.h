@@ -7,7 +7,7 @@ namespace physgen::fem {
 
 /// What a Galerkin sum takes of one fine block, times 1/4, 1/2 or 1.
 enum class GalerkinBlock {
-  node,     ///< K of a node, times 1/4
+  node,     ///< K of a node; between nested meshes times 1/4
   edge,     ///< E of an edge
   reverse,  ///< E^T
 };

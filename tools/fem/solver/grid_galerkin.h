@@ -1,6 +1,6 @@
 // Kernels: the stiffness of background grids, P^T M K M P. P is linear interpolation in the grid's tets; M takes out
 // what is prescribed, so that a grid may interpolate across prescribed nodes: with a grid that is held wherever a
-// prescribed node is near, a body that is held inside of the box takes twice the iterations.
+// prescribed node is near, a body that is held inside of the box takes twice to three times the iterations.
 //
 // Which fine blocks each coarse block consists of is listed once per topology (hierarchy.h); their weights are looked
 // up, since a fine edge has up to sixteen. M K M resists translations where something is prescribed: by T = P^T M K M
@@ -36,7 +36,7 @@ template <class Terms, class ParentsView, class ConstraintView, class FineEdgeVi
           class EdgeStiffnessView, class CoarseEdgeView, class CoarseView>
 struct CoarsenToGrid {
   using Scalar = typename CoarseView::Precision;
-  Terms terms;                  ///< Rows of EdgeTermEntry: GalerkinBlock
+  Terms terms;                  ///< Rows of EdgeTermEntry
   ParentsView parents;          ///< quasistatic::GridParents
   ConstraintView constraints;   ///< quasistatic::NodeConstraint, of the finer level
   FineEdgeView fine_edges;      ///< elasticity::Edge, of the finer level
@@ -51,8 +51,8 @@ struct CoarsenToGrid {
     const index_t A = ends[0], B = ends[1];
     coarse[edge].E() = terms.sum(edge, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
       const index_t element = EdgeTermEntry::element(entry);
-      const int kind = EdgeTermEntry::local(entry);
-      if (static_cast<GalerkinBlock>(kind) == GalerkinBlock::node) {
+      const int code = EdgeTermEntry::local(entry);
+      if (fem::galerkin_block(code) == GalerkinBlock::node) {
         const int fixed = constraints[element].fixed();
         Matrix K = nodes[element].K();
         if (fixed != 0) K = detail::free_block<Scalar>(K, fixed, fixed);
@@ -98,9 +98,9 @@ struct SumTranslationStiffness {
             const index_t other = ends[edge].nodes()[1 - side];
             const int of_other = constraints[other].fixed();
             if (of_other == 0) return Matrix::Zero();
-            Matrix E = edges[edge].E();
-            if (side != 0) E.transposeInPlace();
-            return E - detail::free_block<Scalar>(E, 0, of_other);
+            const Matrix E = edges[edge].E();
+            const Matrix own = side == 0 ? E : Matrix(E.transpose());
+            return own - detail::free_block<Scalar>(own, 0, of_other);
           });
     }
     translations[node].T() = Matrix(detail::free_block<Scalar>(-taken, fixed, 0));

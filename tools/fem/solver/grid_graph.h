@@ -2,6 +2,7 @@
 // blocks of the finer level. For hierarchy.cpp.
 #pragma once
 
+#include <fem/solver/graph_lists.h>
 #include <fem/solver/hierarchy.h>
 
 #include <algorithm>
@@ -46,10 +47,6 @@ void for_each_grid_pair(const GridLocation& a, const GridLocation& b, const Visi
 /// Coarse pairs that P^T K P of these edges may fill, ascending. Edges between the same two tets fill the same pairs.
 [[nodiscard]] inline std::vector<std::array<Index, 2>> grid_pairs(std::vector<std::array<Index, 2>> edges,
                                                                   const std::vector<GridLocation>& parents) {
-  const auto sort_unique = [](auto& pairs) {
-    std::ranges::sort(pairs);
-    pairs.erase(std::ranges::unique(pairs).begin(), pairs.end());
-  };
   const std::vector<Index> first = representatives(parents);
   for (auto& edge : edges) {
     for (Index& end : edge) end = first[static_cast<std::size_t>(end)];

@@ -15,7 +15,7 @@
 namespace physgen::fem {
 
 /// Energy, forces and residual of the state at `positions`.
-/// @param restart patches begin their linearised pressure anew
+/// @param restart averaged volumes begin their linearised pressure anew
 template <class On, class Arrays, class Level, class Positions, class Forces>
 auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
                     const Forces& forces, const AtLoad& at, bool restart) {
@@ -66,7 +66,7 @@ void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator,
                                          level.node_stiffness.view()});
 }
 
-/// df = K dx of the tangent of level `top`.
+/// df = K dx of the level's tangent, assembled or by tets.
 template <class On, class Arrays, class Level, class DisplacementView, class DifferentialView>
 void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& dx, const DifferentialView& df) {
   if (level.assembled) {

@@ -39,8 +39,9 @@ using EdgeTetEntry = PackedEntry<4>;    ///< tet, local edge + 6 if it runs from
 using NodeEdgeEntry = PackedEntry<1>;   ///< edge, side
 using NodePatchEntry = PackedEntry<3>;  ///< patch, slot
 using EdgePatchEntry = PackedEntry<6>;  ///< patch, slot of m + 8 slot of n
-using ChildEntry = PackedEntry<2>;      ///< fine node, how many of its two parents are this node
-using EdgeTermEntry = PackedEntry<3>;   ///< fine node or edge, galerkin_code()
+using ChildEntry =
+    PackedEntry<2>;  ///< fine node, how many of its two parents are this node; or which of its grid parents is
+using EdgeTermEntry = PackedEntry<3>;  ///< fine node or edge, galerkin_code()
 
 /// An incidence list in packed rows.
 /// @param elements how many there are

@@ -90,6 +90,7 @@ class QuasistaticSolver {
   virtual void set_positions(std::span<const Point> positions) = 0;
 
   /// The tangent of the finest mesh at its positions, assembled.
+  /// @throw Error with the matrix-free product, which forms no blocks
   [[nodiscard]] virtual AssembledStiffness stiffness() = 0;
   /// Solves K dx = -force on the finest mesh with the tangent at its positions, as often as the task says, for
   /// measurements and tests. Prescribed components of the force [N] count for nothing, and are 0 in the step.

@@ -3,6 +3,26 @@
 
 namespace physgen::fem {
 
+void add_increment(NewtonResult& total, NewtonResult result) {
+  result.steps += total.steps;
+  result.iterations += total.iterations;
+  result.halvings += total.halvings;
+  result.filtered += total.filtered;
+  result.returns += total.returns;
+  result.coarse_steps += total.coarse_steps;
+  result.coarse_iterations += total.coarse_iterations;
+  result.bisections = total.bisections;
+  total = result;
+}
+
+UsedLevels used_levels(const SolverSettings& settings, std::size_t levels, std::size_t meshes) {
+  const bool coarser = settings.newton.preconditioner.kind == Preconditioner::multigrid || settings.nested;
+  const std::size_t all = coarser ? levels : 1;
+  const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
+  const std::size_t solved = settings.nested && all > kept ? std::min(all - kept, meshes) : 1;
+  return {settings.newton.product == Product::assembled ? all : solved, solved};
+}
+
 namespace {
 
 std::string list(bool averages) {

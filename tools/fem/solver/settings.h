@@ -1,6 +1,7 @@
 // Everything that one may choose of the solver, and what its steps report; plain values.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,7 @@ enum class Device { cpu, cuda };
 
 /// The tangent and the linear solver; states, forces and energies are in double whatever is chosen.
 enum class TangentPrecision {
-  half,  ///< computed in float; the preconditioner's stiffness stored in half
+  half,  ///< computed in float; the preconditioner's matrices stored in half
   float32,
   float64,
 };
@@ -112,6 +113,16 @@ struct SolverSettings {
   double plane_stiffness = 100;
   NewtonSettings newton;
 };
+
+/// `total` becomes the result of the increment behind it, with the numbers of steps of both.
+void add_increment(NewtonResult& total, NewtonResult result);
+
+/// Levels that a solver uses, and those of them on which equilibrium is solved.
+struct UsedLevels {
+  std::size_t used, solved;
+};
+/// @param meshes how many of the levels are meshes; the rest belong to a background grid
+[[nodiscard]] UsedLevels used_levels(const SolverSettings& settings, std::size_t levels, std::size_t meshes);
 
 /// Names of the materials, as SolverSettings has them.
 [[nodiscard]] const std::vector<std::string>& material_names();

@@ -1,6 +1,8 @@
 // The solver over one executor and in one precision: see quasistatic.h. Compiled once for each.
 #pragma once
 
+#include <fem/solver/host_points.h>
+#include <fem/solver/loading_arrays.h>
 #include <fem/solver/measure_linear.h>
 #include <fem/solver/newton.h>
 #include <fem/solver/quasistatic.h>
@@ -39,13 +41,10 @@ class SolverOf final : public QuasistaticSolver {
         evaluator_(
             make_evaluator<On, Arrays>(settings.material, settings.youngs_modulus, settings.poissons_ratio,
                                        levels.front().averages_at_nodes || !levels.front().patches.nodes.empty())) {
-    const bool coarser = settings.newton.preconditioner.kind == Preconditioner::multigrid || settings.nested;
     const bool assembled = settings.newton.product == Product::assembled;
-    std::size_t used = coarser ? levels.size() : 1;
-    const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
     const auto meshes = static_cast<std::size_t>(std::ranges::find_if(levels, &MeshLevel::is_grid) - levels.begin());
-    solved_ = settings.nested && used > kept ? std::min(used - kept, meshes) : 1;
-    if (!assembled) used = solved_;
+    const auto [used, solved] = used_levels(settings, levels.size(), meshes);
+    solved_ = solved;
     std::vector<MeshLevel> own(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(used));
     const std::vector<LevelGraph> graphs = make_level_graphs(own, assembled);
     const TangentLists lists = tangent_lists<Space>(settings.newton);
@@ -64,7 +63,8 @@ class SolverOf final : public QuasistaticSolver {
         vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
         loops_.emplace_back();
         store_loading(*arrays_.back(), own[l], motion, forces);
-        rounding_forces_.push_back(rounding_force(own[l], motion, !loading.planes.empty(), arrays_.back()->spacing));
+        rounding_forces_.push_back(
+            rounding_force(settings, own[l], motion, !loading.planes.empty(), arrays_.back()->spacing));
         moves_.push_back(std::ranges::any_of(own[l].fixed, [](std::uint8_t fixed) { return fixed != 0; }) ||
                          !loading.planes.empty());
         all_prescribed_.push_back(std::ranges::all_of(own[l].fixed, [](std::uint8_t fixed) { return fixed == 7; }));
@@ -84,7 +84,7 @@ class SolverOf final : public QuasistaticSolver {
     while (load_ != load || !reached_) {
       const double next = halvings == 0 ? load : load_ + (load - load_) * std::ldexp(1.0, -halvings);
       const NewtonResult result = solve_increment(next, report);
-      add(total, result);
+      add_increment(total, result);
       if (result.status == NewtonStatus::converged) {
         load_ = next;
         reached_ = true;
@@ -110,13 +110,13 @@ class SolverOf final : public QuasistaticSolver {
   [[nodiscard]] std::vector<Point> positions() const override { return points(arrays_.front()->positions); }
   [[nodiscard]] std::vector<Point> forces() override {
     (void)evaluate_now();
-    return forces_of(*arrays_.front());
+    return plain_forces(arrays_.front()->forces);
   }
   [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
     if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
     const Arrays& coarser = *arrays_[1];
     (void)evaluate_now(1);
-    return NodeState{points(coarser.positions), forces_of(coarser), plane_contacts_of(1)};
+    return NodeState{points(coarser.positions), plain_forces(coarser.forces), plane_contacts_of(1)};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     (void)evaluate_now();
@@ -124,12 +124,7 @@ class SolverOf final : public QuasistaticSolver {
     typename Evaluator<On, Arrays>::Stresses stresses(a.tet_count());
     evaluator_->evaluate_stress(*on_, a, stresses);
     on_->wait();
-    const auto host = moved_to<elasticity::StressArray<double>>(stresses);
-    std::vector<std::array<double, 9>> result(static_cast<std::size_t>(host.size()));
-    for (index_t t = 0; t < host.size(); ++t) {
-      for (int k = 0; k < 9; ++k) result[std::size_t(t)][std::size_t(k)] = host.const_view()[t].P()[k];
-    }
-    return result;
+    return plain_stresses(stresses);
   }
   [[nodiscard]] std::vector<PlaneContact> plane_contacts() override { return plane_contacts_of(0); }
   [[nodiscard]] index_t bytes() const override {
@@ -164,6 +159,9 @@ class SolverOf final : public QuasistaticSolver {
   }
 
   [[nodiscard]] AssembledStiffness stiffness() override {
+    if (settings_.newton.product != Product::assembled) {
+      throw Error("the stiffness as blocks is that of the assembled product: the matrix-free one forms none");
+    }
     (void)evaluate_now();
     form_tangent(*on_, *arrays_.front(), *linear_.front(), *evaluator_, TangentFilter::none, load_);
     on_->wait();
@@ -178,7 +176,7 @@ class SolverOf final : public QuasistaticSolver {
   }
 
  private:
-  /// Forces and pressures of a level's positions as they are.
+  /// Of a level's positions as they are.
   typename quasistatic::EquilibriumArray<double, Space>::Value evaluate_now(std::size_t level = 0) {
     Arrays& a = *arrays_[level];
     return evaluate_state(*on_, a, *linear_[level], *evaluator_, a.positions.const_view(), a.forces.view(), load_,
@@ -244,26 +242,6 @@ class SolverOf final : public QuasistaticSolver {
     return total;
   }
 
-  static void add(NewtonResult& total, NewtonResult result) {
-    result.steps += total.steps;
-    result.iterations += total.iterations;
-    result.halvings += total.halvings;
-    result.filtered += total.filtered;
-    result.returns += total.returns;
-    result.coarse_steps += total.coarse_steps;
-    result.coarse_iterations += total.coarse_iterations;
-    result.bisections = total.bisections;
-    total = result;
-  }
-
-  static std::vector<Point> forces_of(const Arrays& arrays) {
-    const auto host = moved_to<elasticity::NodeForceArray<double>>(arrays.forces);
-    std::vector<Point> result(static_cast<std::size_t>(host.size()));
-    for (index_t n = 0; n < host.size(); ++n) {
-      for (int k = 0; k < 3; ++k) result[std::size_t(n)][std::size_t(k)] = host.const_view()[n].f()[k];
-    }
-    return result;
-  }
   [[nodiscard]] std::vector<PlaneContact> plane_contacts_of(std::size_t level) {
     if (linear_[level]->planes == nullptr) return {};
     return measure_planes(*on_, *linear_[level], arrays_[level]->positions.const_view(), load_);
@@ -274,16 +252,6 @@ class SolverOf final : public QuasistaticSolver {
     if (l >= solved_) return std::make_unique<Planes>(level.mesh.nodes);
     const double per_area = settings_.plane_stiffness * settings_.youngs_modulus / arrays_[l]->spacing;
     return std::make_unique<Planes>(level, planes, per_area);
-  }
-
-  template <class Array>
-  static std::vector<Point> points(const Array& array) {
-    const auto host = moved_to<elasticity::NodePositionArray<double>>(array);
-    std::vector<Point> result(static_cast<std::size_t>(host.size()));
-    for (index_t n = 0; n < host.size(); ++n) {
-      for (int k = 0; k < 3; ++k) result[std::size_t(n)][std::size_t(k)] = host.const_view()[n].x()[k];
-    }
-    return result;
   }
 
   void store(Arrays& a, std::span<const Point> points) {
@@ -301,56 +269,6 @@ class SolverOf final : public QuasistaticSolver {
       throw Error("level " + std::to_string(level) + " has " + std::to_string(nodes) + " nodes, and " +
                   std::to_string(given) + " were given");
     }
-  }
-
-  static void store_loading(Arrays& a, const MeshLevel& level, const std::vector<Point>& motion,
-                            const std::vector<Point>& forces) {
-    elasticity::NodeDisplacementArray<double> host_motion(a.nodes());
-    elasticity::NodeForceArray<double> host_forces(a.nodes());
-    for (index_t n = 0; n < a.nodes(); ++n) {
-      const auto node = static_cast<std::size_t>(n);
-      for (int k = 0; k < 3; ++k) {
-        const bool fixed = (level.fixed[node] >> k & 1) != 0;
-        host_motion.view()[n].dx()[k] = fixed ? motion[node][std::size_t(k)] : 0.0;
-        host_forces.view()[n].f()[k] = forces.empty() ? 0.0 : forces[node][std::size_t(k)];
-      }
-    }
-    copy(a.motion, host_motion);
-    copy(a.loads, host_forces);
-    synchronize();
-  }
-
-  /// Rounding of positions, eps |x|, times the stiffness of a node, with a factor for few numbers that add up.
-  [[nodiscard]] double rounding_force(const MeshLevel& level, const std::vector<Point>& motion, bool planes,
-                                      double spacing) const {
-    double farthest = 0;
-    for (std::size_t n = 0; n < level.rest.size(); ++n) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
-      }
-    }
-    const double modulus = settings_.youngs_modulus * (1 / (1 - 2 * std::min(settings_.poissons_ratio, 0.4999)) +
-                                                       (planes ? settings_.plane_stiffness : 0.0));
-    return 32 * std::numeric_limits<double>::epsilon() * farthest * modulus * spacing *
-           std::sqrt(double(level.rest.size()));
-  }
-
-  /// Motion of nodes that coincide, and forces shared by the parents.
-  static void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vector<Point>& motion,
-                              std::vector<Point>& forces) {
-    const auto size = static_cast<std::size_t>(coarse_nodes);
-    std::vector<Point> coarse_motion(size, Point{}), coarse_forces(forces.empty() ? 0 : size, Point{});
-    for (std::size_t n = 0; n < fine.parents.size(); ++n) {
-      const auto [p, q] = fine.parents[n];
-      if (p == q) coarse_motion[static_cast<std::size_t>(p)] = motion[n];
-      if (forces.empty()) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        coarse_forces[static_cast<std::size_t>(p)][k] += 0.5 * forces[n][k];
-        coarse_forces[static_cast<std::size_t>(q)][k] += 0.5 * forces[n][k];
-      }
-    }
-    motion = std::move(coarse_motion);
-    forces = std::move(coarse_forces);
   }
 
   SolverSettings settings_;

@@ -3,7 +3,9 @@
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/scattered.h>
 #include <physgen/error.h>
+#include <truthcube/memory.h>
 #include <truthcube/scene.h>
+#include <truthcube/sizes.h>
 
 #include <algorithm>
 #include <memory>
@@ -143,6 +145,24 @@ std::string missing_vendor() {
 #endif
 }
 
+/// Of the solver with the method that takes most, before it is made.
+void require_memory_for(const LinearOptions& options, int cells) {
+  const auto counts = count_cube(cells, options.volume);
+  const std::string who = "a cube of " + std::to_string(cells) + "^3 cells";
+  for (const Method method : options.methods) {
+    fem::SolverSettings settings;
+    settings.device = options.device;
+    settings.nested = false;
+    settings.newton.preconditioner.kind = preconditioner_of(method);
+    settings.precision = precision_of(method, std::ranges::max(options.precisions));
+    const RunBytes bytes = bytes_of_run(counts, settings, 0);
+    if (options.device == fem::Device::cuda)
+      require_memory(who, bytes.solver, "the GPU", cuda_memory(), "fewer --cells");
+    const std::int64_t on_host = bytes.lists + (options.device == fem::Device::cuda ? 0 : bytes.solver);
+    require_memory(who, on_host, "this machine", host_memory(), "fewer --cells");
+  }
+}
+
 Scene make_cube_scene(const LinearOptions& options, int cells) {
   Options cube;
   cube.cells = cells;
@@ -164,6 +184,7 @@ std::vector<LinearRow> measure(const LinearOptions& options, const std::string& 
   }
   std::vector<LinearRow> rows;
   for (const int cells : options.cells) {
+    require_memory_for(options, cells);
     const Scene scene = make_cube_scene(options, cells);
     for (const double poissons_ratio : options.poissons_ratios) {
       Body body(options, scene, poissons_ratio);

@@ -2,6 +2,7 @@
 
 #include <physgen/error.h>
 #include <truthcube/command_line.h>
+#include <truthcube/sizes.h>
 
 #include <cmath>
 
@@ -56,6 +57,7 @@ void check(const LinearOptions& options) {
   require(options.compression >= 0 && options.compression < 1,
           "--compress " + std::to_string(options.compression) + ": plate travel over height is from 0 to below 1");
   for (const int cells : options.cells) {
+    require_cube_fits(cells, options.volume);
     require(cells > 1, "--cells 1: the plates hold every node; 2 cells have one that is free");
     require(!has(options.methods, Method::multigrid) || cells % 2 == 0 || cells < 5,
             "--cells " + std::to_string(cells) +
@@ -86,7 +88,7 @@ LinearOptions parse_linear(const std::vector<std::string>& arguments) {
   app.option_defaults()->always_capture_default();
   app.set_help_flag("-h,--help", "this text");
   app.add_option("--cells", options.cells, "cubes of N^3 cells of 6 tets, one after the other")
-      ->check(CLI::Range(1, 310))
+      ->check(CLI::Range(1, 100000))
       ->expected(1, -1)
       ->type_name("N");
   app.add_option("--poisson", options.poissons_ratios, "Poisson's ratios, above -1 and below 0.5")
