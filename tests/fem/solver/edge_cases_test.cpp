@@ -130,5 +130,71 @@ TEST(BadInput, patch_parents_that_do_not_fit_are_refused) {
   EXPECT_THROW((void)make_solver(outside, body.loading, SolverSettings{}), Error);
 }
 
+TEST(State, that_is_no_equilibrium_is_solved_for_after_it_is_restored) {
+  const Body body = make_truth_cube_body(8, true);
+  SolverSettings settings = exact_settings("neo-hookean", 0.4);
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  ASSERT_EQ(solver->solve_to(0.1, {}).status, NewtonStatus::converged);
+  const auto expected = solver->positions();
+  auto moved = expected;
+  for (Point& x : moved) x[0] *= 1.05;
+  solver->set_positions(moved);
+  const SolverState state = solver->state();
+  EXPECT_FALSE(state.is_equilibrium);
+  solver->restore(state);
+  EXPECT_FALSE(solver->coarser_equilibrium().has_value());
+  const NewtonResult result = solver->solve_to(0.1, {});
+  EXPECT_EQ(result.status, NewtonStatus::converged);
+  EXPECT_GT(result.steps, 0);
+  EXPECT_LE(largest_distance(solver->positions(), expected), 1e-9 * side);
+}
+
+TEST(NoLoad, is_no_equilibrium_where_a_plane_pushes_at_rest) {
+  Body body = make_truth_cube_body(4, false);
+  body.loading.planes = {{{1, 0, 0}, 0.004, 0}};
+  const auto solver = make_solver(body.levels, body.loading, exact_settings("neo-hookean", 0.3));
+  const NewtonResult result = solver->solve_to(0, {});
+  EXPECT_EQ(result.status, NewtonStatus::converged);
+  EXPECT_GT(result.steps, 0);
+  EXPECT_LE(result.residual, 1e-10);
+  EXPECT_GT(solver->plane_contacts().at(0).force, 0);
+}
+
+/// Squares of such forces are 0 in float.
+TEST(SmallBodies, of_micrometres_meet_planes_as_large_ones_do) {
+  constexpr double scale = 1e-5 / side;
+  Body body = make_truth_cube_body(8, true);
+  for (MeshLevel& level : body.levels) {
+    for (Point& x : level.rest) {
+      for (double& component : x) component *= scale;
+    }
+  }
+  body.loading.motion.assign(body.levels[0].rest.size(), Point{});
+  body.loading.planes = {{{1, 0, 0}, -0.01 * 1e-5, 0.1 * 1e-5}};
+  SolverSettings settings;
+  settings.youngs_modulus = 1e3;
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  EXPECT_EQ(solver->solve_to(1, {}).status, NewtonStatus::converged);
+  EXPECT_GT(solver->plane_contacts().at(0).force, 0);
+}
+
+TEST(BadInput, nodes_in_no_tet_are_named_where_volumes_are_averaged_at_nodes) {
+  Body body = make_truth_cube_body(2, false);
+  body.levels.resize(1);
+  MeshLevel& level = body.levels[0];
+  level.parents.clear();
+  level.mesh = make_tet_mesh(level.mesh.nodes + 1, level.mesh.tets);
+  level.rest.push_back({1, 1, 1});
+  level.fixed.push_back(0);
+  level.averages_at_nodes = true;
+  body.loading.motion.push_back({});
+  try {
+    (void)make_solver(body.levels, body.loading, SolverSettings{});
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("node 27 is in no tet"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace physgen::fem

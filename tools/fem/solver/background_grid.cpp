@@ -36,6 +36,14 @@ Box box_around(const std::vector<Point>& points) {
 /// Cells about `width` wide, which can be halved until their corners are few enough to be solved exactly; in directions
 /// in which the box is thin, until there is one.
 Cells choose_cells(const Box& box, double width) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    constexpr double most = 1 << 20;
+    if (box.high[k] - box.low[k] <= most * width) continue;
+    throw Error(
+        "a background grid would have more than " + std::to_string(1 << 20) +
+        " cells in one direction: nodes lie too far from each other for the size of tets; remove those that are "
+        "in no tet");
+  }
   std::array<double, 3> cells{};
   for (std::size_t k = 0; k < 3; ++k) {
     cells[k] = (box.high[k] - box.low[k]) / width;

@@ -55,6 +55,7 @@ inline void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vect
                                            const std::vector<Point>& motion, bool planes, double spacing) {
   double farthest = 0;
   for (std::size_t n = 0; n < level.rest.size(); ++n) {
+    if (level.mesh.node_tets.first[n] == level.mesh.node_tets.first[n + 1]) continue;  // no part of the body
     for (std::size_t k = 0; k < 3; ++k) {
       farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
     }

@@ -200,8 +200,12 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     }
     fresh = false;
     step.iterations = linear.iterations;
-    const auto has_failed = [](const LinearResult& r) {
-      return r.status == LinearStatus::negative_curvature || r.status == LinearStatus::not_finite || r.iterations == 0;
+    const auto has_no_step = [](const LinearResult& r) {
+      // Without an iteration, and yet converged: there is no force, or one whose square is 0 in the solve's precision.
+      return r.status == LinearStatus::not_finite || (r.iterations == 0 && r.status != LinearStatus::converged);
+    };
+    const auto has_failed = [&](const LinearResult& r) {
+      return r.status == LinearStatus::negative_curvature || has_no_step(r);
     };
     // Where the energy is not convex: once more with a tangent that is.
     const auto solve_filtered = [&] {
@@ -212,7 +216,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       step.iterations += linear.iterations;
     };
     if (!settings.all_prescribed && has_failed(linear)) solve_filtered();
-    if (!settings.all_prescribed && (linear.status == LinearStatus::not_finite || linear.iterations == 0)) {
+    if (!settings.all_prescribed && has_no_step(linear)) {
       return finish(NewtonStatus::linear_solver);
     }
     if (has_increment) on.run(n, AddIncrement{a.increment.const_view(), v.step.view()});
@@ -248,7 +252,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       if (!step.filtered) {  // conjugate gradients have not met the negative curvature that there may be
         shorten_pressures(on, a, 0.0);
         solve_filtered();
-        if (linear.status == LinearStatus::not_finite || linear.iterations == 0) {
+        if (has_no_step(linear)) {
           return finish(NewtonStatus::linear_solver);
         }
         continue;

@@ -106,6 +106,13 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
     throw Error("rigid planes go with the assembled product: the matrix-free one has the stiffness of tets alone");
   }
   const bool patches = !levels.front().patches.nodes.empty(), nodes_average = levels.front().averages_at_nodes;
+  for (std::size_t l = 0; nodes_average && l < levels.size() && !levels[l].is_grid(); ++l) {
+    const auto& first = levels[l].mesh.node_tets.first;
+    const auto stray = std::ranges::adjacent_find(first);
+    if (stray == first.end()) continue;
+    throw Error("level " + std::to_string(l) + ": node " + std::to_string(stray - first.begin()) +
+                " is in no tet, and has no volume to average; remove it");
+  }
   if (nodes_average && settings.newton.product == Product::matrix_free) {
     throw Error(
         "volumes averaged at nodes go with the assembled product: the matrix-free one has the tangents of tets and "

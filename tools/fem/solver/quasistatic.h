@@ -42,6 +42,7 @@ struct Loading {
 /// Positions of all levels on which equilibrium is solved, finest first: all that a solve goes on from.
 struct SolverState {
   double load = 0;
+  bool is_equilibrium = true;  ///< else a solve to this load begins there
   std::vector<std::vector<Point>> positions;
 };
 

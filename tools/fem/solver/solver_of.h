@@ -74,6 +74,7 @@ class SolverOf final : public QuasistaticSolver {
       }
       if (l + 1 < solved_) coarsen_loading(own[l], own[l + 1].mesh.nodes, motion, forces);
     }
+    reached_ = loading.planes.empty();  // planes may push at rest
     on_->wait();
   }
 
@@ -138,6 +139,7 @@ class SolverOf final : public QuasistaticSolver {
   [[nodiscard]] SolverState state() const override {
     SolverState state;
     state.load = load_;
+    state.is_equilibrium = reached_;
     for (const auto& a : arrays_) state.positions.push_back(points(a->positions));
     return state;
   }
@@ -148,9 +150,10 @@ class SolverOf final : public QuasistaticSolver {
     }
     for (std::size_t l = 0; l < arrays_.size(); ++l) require_nodes(l, state.positions[l].size());
     for (std::size_t l = 0; l < arrays_.size(); ++l) store(*arrays_[l], state.positions[l]);
-    load_ = coarser_load_ = state.load;
-    reached_ = true;
-    last_reaction_ = state_now().reaction;
+    load_ = state.load;
+    reached_ = state.is_equilibrium;
+    coarser_load_ = reached_ ? load_ : std::numeric_limits<double>::quiet_NaN();
+    last_reaction_ = reached_ ? state_now().reaction : 0.0;
   }
   void set_positions(std::span<const Point> positions) override {
     require_nodes(0, positions.size());
