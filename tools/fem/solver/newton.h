@@ -200,9 +200,9 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     }
     fresh = false;
     step.iterations = linear.iterations;
-    const auto has_no_step = [](const LinearResult& r) {
-      // Without an iteration, and yet converged: there is no force, or one whose square is 0 in the solve's precision.
-      return r.status == LinearStatus::not_finite || (r.iterations == 0 && r.status != LinearStatus::converged);
+    const auto has_no_step = [&](const LinearResult& r) {
+      // Forces of rounding alone need no step; their squares may be 0 in the solve's precision.
+      return r.status == LinearStatus::not_finite || (r.iterations == 0 && !(before <= settings.rounding_force));
     };
     const auto has_failed = [&](const LinearResult& r) {
       return r.status == LinearStatus::negative_curvature || has_no_step(r);
