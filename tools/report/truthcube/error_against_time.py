@@ -116,12 +116,12 @@ def draw(path):
 
 
 def _cells(axes, lines):
-    """Cells per side at the points of the fastest preconditioner's curves, one for each volume."""
+    """Cells per side at the points of the longest curves, and the fastest of them, one for each volume."""
     for volume in STYLES:
         of = [line for (_, name), line in lines.items() if name == volume]
         if not of:
             continue
-        for point in min(of, key=lambda line: line[-1].seconds):
+        for point in min(of, key=lambda line: (-len(line), line[-1].seconds)):
             above = volume == "tets"
             axes.annotate(
                 f"{point.cells}", (point.seconds, point.rms_mm), xytext=(4, 4) if above else (-4, -5),
