@@ -110,7 +110,7 @@ def main():
     parser.add_argument("-o", "--output", required=True)
     parser.add_argument("--device", default="cuda", choices=["cpu", "cuda"])
     parser.add_argument("--cells", type=int, default=64)
-    parser.add_argument("--counts", type=int, nargs="+", default=[8, 16, 32, 128])
+    parser.add_argument("--counts", type=int, nargs="+", default=[0])
     parser.add_argument("--large", type=int, default=0)
     parser.add_argument("--repeat", type=int, default=5)
     options = parser.parse_args()
