@@ -1,6 +1,6 @@
 // Accessor classes of the object types in contact.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_CONTACT_H_C608C219242B958F
-#define PHYSGEN_CONTACT_H_C608C219242B958F
+#ifndef PHYSGEN_CONTACT_H_AAFCF77993B4B926
+#define PHYSGEN_CONTACT_H_AAFCF77993B4B926
 
 #include <physgen/runtime.h>
 
@@ -32,6 +32,7 @@ struct NodeAreaObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = NodeAreaFormats<physgen::Host>, class Object = NodeAreaObject, int first = 0>
 struct NodeAreaProbe {
+  using array_ = ArrayTag;
   using area = physgen::Probe<ArrayTag, Object, first + 0, typename Base::area>;
 };
 
@@ -138,6 +139,7 @@ struct RigidPlaneObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = RigidPlaneFormats<physgen::Host>, class Object = RigidPlaneObject, int first = 0>
 struct RigidPlaneProbe {
+  using array_ = ArrayTag;
   using normal = physgen::Probe<ArrayTag, Object, first + 0, typename Base::normal>;
   using offset = physgen::Probe<ArrayTag, Object, first + 1, typename Base::offset>;
   using travel = physgen::Probe<ArrayTag, Object, first + 2, typename Base::travel>;
@@ -268,6 +270,7 @@ struct PlaneContactObject;
 template <class ArrayTag, class Base = PlaneContactFormats<physgen::Host>, class Object = PlaneContactObject,
           int first = 0>
 struct PlaneContactProbe {
+  using array_ = ArrayTag;
   using force = physgen::Probe<ArrayTag, Object, first + 0, typename Base::force>;
   using depth = physgen::Probe<ArrayTag, Object, first + 1, typename Base::depth>;
 };
@@ -363,4 +366,4 @@ static_assert(physgen::is_sound_record<PlaneContactObject, double, PlaneContactF
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_C608C219242B958F
+#endif  // PHYSGEN_CONTACT_H_AAFCF77993B4B926

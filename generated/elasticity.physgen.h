@@ -1,6 +1,6 @@
 // Accessor classes of the object types in elasticity.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_ELASTICITY_H_789BF28CFFF6C843
-#define PHYSGEN_ELASTICITY_H_789BF28CFFF6C843
+#ifndef PHYSGEN_ELASTICITY_H_EEBCE61A34E40ACE
+#define PHYSGEN_ELASTICITY_H_EEBCE61A34E40ACE
 
 #include <physgen/runtime.h>
 
@@ -33,6 +33,7 @@ struct DeformationGradientObject;
 template <class ArrayTag, class Base = DeformationGradientFormats<physgen::Host>,
           class Object = DeformationGradientObject, int first = 0>
 struct DeformationGradientProbe {
+  using array_ = ArrayTag;
   using F = physgen::Probe<ArrayTag, Object, first + 0, typename Base::F>;
 };
 
@@ -140,6 +141,7 @@ struct DeformationGradientDifferentialObject;
 template <class ArrayTag, class Base = DeformationGradientDifferentialFormats<physgen::Host>,
           class Object = DeformationGradientDifferentialObject, int first = 0>
 struct DeformationGradientDifferentialProbe {
+  using array_ = ArrayTag;
   using dF = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dF>;
 };
 
@@ -257,6 +259,7 @@ struct DeformationSvdObject;
 template <class ArrayTag, class Base = DeformationSvdFormats<physgen::Host>, class Object = DeformationSvdObject,
           int first = 0>
 struct DeformationSvdProbe {
+  using array_ = ArrayTag;
   using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
   using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
   using s = physgen::Probe<ArrayTag, Object, first + 2, typename Base::s>;
@@ -393,6 +396,7 @@ struct QuaternionSvdObject;
 template <class ArrayTag, class Base = QuaternionSvdFormats<physgen::Host>, class Object = QuaternionSvdObject,
           int first = 0>
 struct QuaternionSvdProbe {
+  using array_ = ArrayTag;
   using u = physgen::Probe<ArrayTag, Object, first + 0, typename Base::u>;
   using v = physgen::Probe<ArrayTag, Object, first + 1, typename Base::v>;
   using s = physgen::Probe<ArrayTag, Object, first + 2, typename Base::s>;
@@ -523,6 +527,7 @@ struct PrincipalStretchesObject;
 template <class ArrayTag, class Base = PrincipalStretchesFormats<physgen::Host>,
           class Object = PrincipalStretchesObject, int first = 0>
 struct PrincipalStretchesProbe {
+  using array_ = ArrayTag;
   using s = physgen::Probe<ArrayTag, Object, first + 0, typename Base::s>;
 };
 
@@ -629,6 +634,7 @@ struct ElementRotationObject;
 template <class ArrayTag, class Base = ElementRotationFormats<physgen::Host>, class Object = ElementRotationObject,
           int first = 0>
 struct ElementRotationProbe {
+  using array_ = ArrayTag;
   using R = physgen::Probe<ArrayTag, Object, first + 0, typename Base::R>;
 };
 
@@ -769,6 +775,7 @@ struct StressDerivativeObject;
 template <class ArrayTag, class Base = StressDerivativeFormats<physgen::Host>, class Object = StressDerivativeObject,
           int first = 0>
 struct StressDerivativeProbe {
+  using array_ = ArrayTag;
   using x1111 = physgen::Probe<ArrayTag, Object, first + 0, typename Base::x1111>;
   using x2211 = physgen::Probe<ArrayTag, Object, first + 1, typename Base::x2211>;
   using x3311 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x3311>;
@@ -997,6 +1004,7 @@ struct StressObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = StressFormats<physgen::Host>, class Object = StressObject, int first = 0>
 struct StressProbe {
+  using array_ = ArrayTag;
   using P = physgen::Probe<ArrayTag, Object, first + 0, typename Base::P>;
 };
 
@@ -1099,6 +1107,7 @@ struct StressDifferentialObject;
 template <class ArrayTag, class Base = StressDifferentialFormats<physgen::Host>,
           class Object = StressDifferentialObject, int first = 0>
 struct StressDifferentialProbe {
+  using array_ = ArrayTag;
   using dP = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dP>;
 };
 
@@ -1207,6 +1216,7 @@ struct RestShapeObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = RestShapeFormats<physgen::Host>, class Object = RestShapeObject, int first = 0>
 struct RestShapeProbe {
+  using array_ = ArrayTag;
   using dm_inverse = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dm_inverse>;
   using volume = physgen::Probe<ArrayTag, Object, first + 1, typename Base::volume>;
 };
@@ -1322,6 +1332,7 @@ struct CornerForcesObject;
 template <class ArrayTag, class Base = CornerForcesFormats<physgen::Host>, class Object = CornerForcesObject,
           int first = 0>
 struct CornerForcesProbe {
+  using array_ = ArrayTag;
   using G = physgen::Probe<ArrayTag, Object, first + 0, typename Base::G>;
 };
 
@@ -1472,6 +1483,7 @@ struct ElementRecordObject;
 template <class ArrayTag, class Base = ElementRecordFormats<physgen::Host>, class Object = ElementRecordObject,
           int first = 0>
 struct ElementRecordProbe {
+  using array_ = ArrayTag;
   using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
   using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
   using x1111 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x1111>;
@@ -1744,6 +1756,7 @@ struct NodePositionObject;
 template <class ArrayTag, class Base = NodePositionFormats<physgen::Host>, class Object = NodePositionObject,
           int first = 0>
 struct NodePositionProbe {
+  using array_ = ArrayTag;
   using x = physgen::Probe<ArrayTag, Object, first + 0, typename Base::x>;
 };
 
@@ -1847,6 +1860,7 @@ struct NodeForceObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = NodeForceFormats<physgen::Host>, class Object = NodeForceObject, int first = 0>
 struct NodeForceProbe {
+  using array_ = ArrayTag;
   using f = physgen::Probe<ArrayTag, Object, first + 0, typename Base::f>;
 };
 
@@ -1949,6 +1963,7 @@ struct NodeDisplacementObject;
 template <class ArrayTag, class Base = NodeDisplacementFormats<physgen::Host>, class Object = NodeDisplacementObject,
           int first = 0>
 struct NodeDisplacementProbe {
+  using array_ = ArrayTag;
   using dx = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dx>;
 };
 
@@ -2055,6 +2070,7 @@ struct NodeForceDifferentialObject;
 template <class ArrayTag, class Base = NodeForceDifferentialFormats<physgen::Host>,
           class Object = NodeForceDifferentialObject, int first = 0>
 struct NodeForceDifferentialProbe {
+  using array_ = ArrayTag;
   using df = physgen::Probe<ArrayTag, Object, first + 0, typename Base::df>;
 };
 
@@ -2162,6 +2178,7 @@ struct NodeStiffnessObject;
 template <class ArrayTag, class Base = NodeStiffnessFormats<physgen::Host>, class Object = NodeStiffnessObject,
           int first = 0>
 struct NodeStiffnessProbe {
+  using array_ = ArrayTag;
   using K = physgen::Probe<ArrayTag, Object, first + 0, typename Base::K>;
 };
 
@@ -2266,6 +2283,7 @@ struct EdgeStiffnessObject;
 template <class ArrayTag, class Base = EdgeStiffnessFormats<physgen::Host>, class Object = EdgeStiffnessObject,
           int first = 0>
 struct EdgeStiffnessProbe {
+  using array_ = ArrayTag;
   using E = physgen::Probe<ArrayTag, Object, first + 0, typename Base::E>;
 };
 
@@ -2373,6 +2391,7 @@ struct TetStiffnessObject;
 template <class ArrayTag, class Base = TetStiffnessFormats<physgen::Host>, class Object = TetStiffnessObject,
           int first = 0>
 struct TetStiffnessProbe {
+  using array_ = ArrayTag;
   using k = physgen::Probe<ArrayTag, Object, first + 0, typename Base::k>;
   using e = physgen::Probe<ArrayTag, Object, first + 1, typename Base::e>;
 };
@@ -2500,6 +2519,7 @@ struct TetObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = TetFormats<physgen::Host>, class Object = TetObject, int first = 0>
 struct TetProbe {
+  using array_ = ArrayTag;
   using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
@@ -2600,6 +2620,7 @@ struct EdgeObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = EdgeFormats<physgen::Host>, class Object = EdgeObject, int first = 0>
 struct EdgeProbe {
+  using array_ = ArrayTag;
   using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
@@ -2704,6 +2725,7 @@ struct IncidenceRangeObject;
 template <class ArrayTag, class Base = IncidenceRangeFormats<physgen::Host>, class Object = IncidenceRangeObject,
           int first = 0>
 struct IncidenceRangeProbe {
+  using array_ = ArrayTag;
   using begin = physgen::Probe<ArrayTag, Object, first + 0, typename Base::begin>;
   using end = physgen::Probe<ArrayTag, Object, first + 1, typename Base::end>;
 };
@@ -2824,6 +2846,7 @@ struct IncidenceObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = IncidenceFormats<physgen::Host>, class Object = IncidenceObject, int first = 0>
 struct IncidenceProbe {
+  using array_ = ArrayTag;
   using element = physgen::Probe<ArrayTag, Object, first + 0, typename Base::element>;
   using local = physgen::Probe<ArrayTag, Object, first + 1, typename Base::local>;
 };
@@ -2917,4 +2940,4 @@ static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_789BF28CFFF6C843
+#endif  // PHYSGEN_ELASTICITY_H_EEBCE61A34E40ACE

@@ -1,6 +1,6 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_E3B12EC008839195
-#define PHYSGEN_QUASISTATIC_H_E3B12EC008839195
+#ifndef PHYSGEN_QUASISTATIC_H_6E3E071CF1659351
+#define PHYSGEN_QUASISTATIC_H_6E3E071CF1659351
 
 #include <physgen/runtime.h>
 
@@ -33,6 +33,7 @@ struct NodeConstraintObject;
 template <class ArrayTag, class Base = NodeConstraintFormats<physgen::Host>, class Object = NodeConstraintObject,
           int first = 0>
 struct NodeConstraintProbe {
+  using array_ = ArrayTag;
   using fixed = physgen::Probe<ArrayTag, Object, first + 0, typename Base::fixed>;
 };
 
@@ -136,6 +137,7 @@ struct NodeParentsObject;
 template <class ArrayTag, class Base = NodeParentsFormats<physgen::Host>, class Object = NodeParentsObject,
           int first = 0>
 struct NodeParentsProbe {
+  using array_ = ArrayTag;
   using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
@@ -242,6 +244,7 @@ struct GridParentsObject;
 template <class ArrayTag, class Base = GridParentsFormats<physgen::Host>, class Object = GridParentsObject,
           int first = 0>
 struct GridParentsProbe {
+  using array_ = ArrayTag;
   using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
   using weights = physgen::Probe<ArrayTag, Object, first + 1, typename Base::weights>;
 };
@@ -360,6 +363,7 @@ struct NodeScaleObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = NodeScaleFormats<physgen::Host>, class Object = NodeScaleObject, int first = 0>
 struct NodeScaleProbe {
+  using array_ = ArrayTag;
   using scale = physgen::Probe<ArrayTag, Object, first + 0, typename Base::scale>;
   using inverse = physgen::Probe<ArrayTag, Object, first + 1, typename Base::inverse>;
 };
@@ -474,6 +478,7 @@ struct NodeInverseObject;
 template <class ArrayTag, class Base = NodeInverseFormats<physgen::Host>, class Object = NodeInverseObject,
           int first = 0>
 struct NodeInverseProbe {
+  using array_ = ArrayTag;
   using D = physgen::Probe<ArrayTag, Object, first + 0, typename Base::D>;
 };
 
@@ -578,6 +583,7 @@ struct TranslationStiffnessObject;
 template <class ArrayTag, class Base = TranslationStiffnessFormats<physgen::Host>,
           class Object = TranslationStiffnessObject, int first = 0>
 struct TranslationStiffnessProbe {
+  using array_ = ArrayTag;
   using T = physgen::Probe<ArrayTag, Object, first + 0, typename Base::T>;
 };
 
@@ -721,6 +727,7 @@ struct TetTangentObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = TetTangentFormats<physgen::Host>, class Object = TetTangentObject, int first = 0>
 struct TetTangentProbe {
+  using array_ = ArrayTag;
   using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
   using g = physgen::Probe<ArrayTag, Object, first + 1, typename Base::g>;
   using x1111 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x1111>;
@@ -971,6 +978,7 @@ struct TetPatchObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = TetPatchFormats<physgen::Host>, class Object = TetPatchObject, int first = 0>
 struct TetPatchProbe {
+  using array_ = ArrayTag;
   using patch = physgen::Probe<ArrayTag, Object, first + 0, typename Base::patch>;
 };
 
@@ -1073,6 +1081,7 @@ struct PatchParentObject;
 template <class ArrayTag, class Base = PatchParentFormats<physgen::Host>, class Object = PatchParentObject,
           int first = 0>
 struct PatchParentProbe {
+  using array_ = ArrayTag;
   using patch = physgen::Probe<ArrayTag, Object, first + 0, typename Base::patch>;
 };
 
@@ -1176,6 +1185,7 @@ struct PatchNodesObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = PatchNodesFormats<physgen::Host>, class Object = PatchNodesObject, int first = 0>
 struct PatchNodesProbe {
+  using array_ = ArrayTag;
   using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
@@ -1282,6 +1292,7 @@ struct PatchTetObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = PatchTetFormats<physgen::Host>, class Object = PatchTetObject, int first = 0>
 struct PatchTetProbe {
+  using array_ = ArrayTag;
   using tet = physgen::Probe<ArrayTag, Object, first + 0, typename Base::tet>;
   using slots = physgen::Probe<ArrayTag, Object, first + 1, typename Base::slots>;
 };
@@ -1413,6 +1424,7 @@ struct MeanVolumeObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = MeanVolumeFormats<physgen::Host>, class Object = MeanVolumeObject, int first = 0>
 struct MeanVolumeProbe {
+  using array_ = ArrayTag;
   using volume = physgen::Probe<ArrayTag, Object, first + 0, typename Base::volume>;
   using ratio = physgen::Probe<ArrayTag, Object, first + 1, typename Base::ratio>;
   using pressure = physgen::Probe<ArrayTag, Object, first + 2, typename Base::pressure>;
@@ -1590,6 +1602,7 @@ struct RingNodeObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = RingNodeFormats<physgen::Host>, class Object = RingNodeObject, int first = 0>
 struct RingNodeProbe {
+  using array_ = ArrayTag;
   using node = physgen::Probe<ArrayTag, Object, first + 0, typename Base::node>;
   using g = physgen::Probe<ArrayTag, Object, first + 1, typename Base::g>;
 };
@@ -1704,6 +1717,7 @@ struct NodeVolumeTangentObject;
 template <class ArrayTag, class Base = NodeVolumeTangentFormats<physgen::Host>, class Object = NodeVolumeTangentObject,
           int first = 0>
 struct NodeVolumeTangentProbe {
+  using array_ = ArrayTag;
   using k = physgen::Probe<ArrayTag, Object, first + 0, typename Base::k>;
 };
 
@@ -1810,6 +1824,7 @@ struct CoarseInverseObject;
 template <class ArrayTag, class Base = CoarseInverseFormats<physgen::Host>, class Object = CoarseInverseObject,
           int first = 0>
 struct CoarseInverseProbe {
+  using array_ = ArrayTag;
   using G = physgen::Probe<ArrayTag, Object, first + 0, typename Base::G>;
 };
 
@@ -1916,6 +1931,7 @@ struct PatchTangentObject;
 template <class ArrayTag, class Base = PatchTangentFormats<physgen::Host>, class Object = PatchTangentObject,
           int first = 0>
 struct PatchTangentProbe {
+  using array_ = ArrayTag;
   using g = physgen::Probe<ArrayTag, Object, first + 0, typename Base::g>;
   using k = physgen::Probe<ArrayTag, Object, first + 1, typename Base::k>;
 };
@@ -2034,6 +2050,7 @@ struct PatchChangeObject;
 template <class ArrayTag, class Base = PatchChangeFormats<physgen::Host>, class Object = PatchChangeObject,
           int first = 0>
 struct PatchChangeProbe {
+  using array_ = ArrayTag;
   using change = physgen::Probe<ArrayTag, Object, first + 0, typename Base::change>;
 };
 
@@ -2138,6 +2155,7 @@ struct SchwarzNodeObject;
 template <class ArrayTag, class Base = SchwarzNodeFormats<physgen::Host>, class Object = SchwarzNodeObject,
           int first = 0>
 struct SchwarzNodeProbe {
+  using array_ = ArrayTag;
   using slot = physgen::Probe<ArrayTag, Object, first + 0, typename Base::slot>;
 };
 
@@ -2244,6 +2262,7 @@ struct SchwarzSlotObject;
 template <class ArrayTag, class Base = SchwarzSlotFormats<physgen::Host>, class Object = SchwarzSlotObject,
           int first = 0>
 struct SchwarzSlotProbe {
+  using array_ = ArrayTag;
   using source = physgen::Probe<ArrayTag, Object, first + 0, typename Base::source>;
   using parent = physgen::Probe<ArrayTag, Object, first + 1, typename Base::parent>;
 };
@@ -2369,6 +2388,7 @@ struct SchwarzBlockObject;
 template <class ArrayTag, class Base = SchwarzBlockFormats<physgen::Host>, class Object = SchwarzBlockObject,
           int first = 0>
 struct SchwarzBlockProbe {
+  using array_ = ArrayTag;
   using scale = physgen::Probe<ArrayTag, Object, first + 0, typename Base::scale>;
   using parent = physgen::Probe<ArrayTag, Object, first + 1, typename Base::parent>;
   using children = physgen::Probe<ArrayTag, Object, first + 2, typename Base::children>;
@@ -2511,6 +2531,7 @@ struct SupernodeObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = SupernodeFormats<physgen::Host>, class Object = SupernodeObject, int first = 0>
 struct SupernodeProbe {
+  using array_ = ArrayTag;
   using K = physgen::Probe<ArrayTag, Object, first + 0, typename Base::K>;
   using magnitude = physgen::Probe<ArrayTag, Object, first + 1, typename Base::magnitude>;
 };
@@ -2628,6 +2649,7 @@ struct SchwarzTermObject;
 template <class ArrayTag, class Base = SchwarzTermFormats<physgen::Host>, class Object = SchwarzTermObject,
           int first = 0>
 struct SchwarzTermProbe {
+  using array_ = ArrayTag;
   using source = physgen::Probe<ArrayTag, Object, first + 0, typename Base::source>;
   using kind = physgen::Probe<ArrayTag, Object, first + 1, typename Base::kind>;
 };
@@ -2747,6 +2769,7 @@ struct SchwarzPairObject;
 template <class ArrayTag, class Base = SchwarzPairFormats<physgen::Host>, class Object = SchwarzPairObject,
           int first = 0>
 struct SchwarzPairProbe {
+  using array_ = ArrayTag;
   using edge = physgen::Probe<ArrayTag, Object, first + 0, typename Base::edge>;
   using places = physgen::Probe<ArrayTag, Object, first + 1, typename Base::places>;
 };
@@ -2864,6 +2887,7 @@ struct SchwarzFactorObject;
 template <class ArrayTag, class Base = SchwarzFactorFormats<physgen::Host>, class Object = SchwarzFactorObject,
           int first = 0>
 struct SchwarzFactorProbe {
+  using array_ = ArrayTag;
   using W = physgen::Probe<ArrayTag, Object, first + 0, typename Base::W>;
 };
 
@@ -2986,6 +3010,7 @@ struct LinearSolveObject;
 template <class ArrayTag, class Base = LinearSolveFormats<physgen::Host>, class Object = LinearSolveObject,
           int first = 0>
 struct LinearSolveProbe {
+  using array_ = ArrayTag;
   using rz = physgen::Probe<ArrayTag, Object, first + 0, typename Base::rz>;
   using rz_first = physgen::Probe<ArrayTag, Object, first + 1, typename Base::rz_first>;
   using tolerance = physgen::Probe<ArrayTag, Object, first + 2, typename Base::tolerance>;
@@ -3159,6 +3184,7 @@ struct PackedIncidenceObject;
 template <class ArrayTag, class Base = PackedIncidenceFormats<physgen::Host>, class Object = PackedIncidenceObject,
           int first = 0>
 struct PackedIncidenceProbe {
+  using array_ = ArrayTag;
   using code = physgen::Probe<ArrayTag, Object, first + 0, typename Base::code>;
 };
 
@@ -3265,6 +3291,7 @@ struct SmootherObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = SmootherFormats<physgen::Host>, class Object = SmootherObject, int first = 0>
 struct SmootherProbe {
+  using array_ = ArrayTag;
   using largest = physgen::Probe<ArrayTag, Object, first + 0, typename Base::largest>;
   using length = physgen::Probe<ArrayTag, Object, first + 1, typename Base::length>;
 };
@@ -3397,6 +3424,7 @@ struct EquilibriumObject;
 template <class ArrayTag, class Base = EquilibriumFormats<physgen::Host>, class Object = EquilibriumObject,
           int first = 0>
 struct EquilibriumProbe {
+  using array_ = ArrayTag;
   using elastic = physgen::Probe<ArrayTag, Object, first + 0, typename Base::elastic>;
   using volumetric = physgen::Probe<ArrayTag, Object, first + 1, typename Base::volumetric>;
   using loads = physgen::Probe<ArrayTag, Object, first + 2, typename Base::loads>;
@@ -3549,4 +3577,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_E3B12EC008839195
+#endif  // PHYSGEN_QUASISTATIC_H_6E3E071CF1659351

@@ -40,6 +40,7 @@ void probe_struct(Printer& out, const plan::Record& record) {
             "int " + first + " = 0"},
            ">");
   out.open("struct " + object.name + "Probe {");
+  out.line("using array_ = " + array + ";");
   int number = 0;
   for (std::size_t f = 0; f < object.fields.size(); ++f) {
     const model::Field& field = object.fields[f];

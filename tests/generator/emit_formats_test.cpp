@@ -92,6 +92,7 @@ TEST(Probes, number_the_fields_as_the_list_of_fields_does) {
                   "template <class ArrayTag, class Base = AFormats<physgen::Host>, class Object = AObject, "
                   "int first = 0>\n"
                   "struct AProbe {\n"
+                  "  using array_ = ArrayTag;\n"
                   "  using m = physgen::Probe<ArrayTag, Object, first + 0, typename Base::m>;\n"
                   "  using b = BProbe<ArrayTag, typename Base::b, Object, first + 1>;\n"
                   "  using c = BProbe<ArrayTag, typename Base::c, Object, first + 7>;\n"

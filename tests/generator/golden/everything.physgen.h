@@ -1,6 +1,6 @@
 // Accessor classes of the object types in everything.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_EVERYTHING_H_7D3A13BDADBEF387
-#define PHYSGEN_EVERYTHING_H_7D3A13BDADBEF387
+#ifndef PHYSGEN_EVERYTHING_H_26A5FF71BFE41386
+#define PHYSGEN_EVERYTHING_H_26A5FF71BFE41386
 
 #include <physgen/runtime.h>
 
@@ -36,6 +36,7 @@ struct StampObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = StampFormats<physgen::Host>, class Object = StampObject, int first = 0>
 struct StampProbe {
+  using array_ = ArrayTag;
   using time = physgen::Probe<ArrayTag, Object, first + 0, typename Base::time>;
   using step = physgen::Probe<ArrayTag, Object, first + 1, typename Base::step>;
 };
@@ -186,6 +187,7 @@ struct ShapesObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = ShapesFormats<physgen::Host>, class Object = ShapesObject, int first = 0>
 struct ShapesProbe {
+  using array_ = ArrayTag;
   using a = physgen::Probe<ArrayTag, Object, first + 0, typename Base::a>;
   using v = physgen::Probe<ArrayTag, Object, first + 1, typename Base::v>;
   using nodes = physgen::Probe<ArrayTag, Object, first + 2, typename Base::nodes>;
@@ -470,6 +472,7 @@ struct NamesObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = NamesFormats<physgen::Host>, class Object = NamesObject, int first = 0>
 struct NamesProbe {
+  using array_ = ArrayTag;
   using value = physgen::Probe<ArrayTag, Object, first + 0, typename Base::value>;
   using entry = physgen::Probe<ArrayTag, Object, first + 1, typename Base::entry>;
   using S = physgen::Probe<ArrayTag, Object, first + 2, typename Base::S>;
@@ -801,6 +804,7 @@ struct EntriesObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = EntriesFormats<physgen::Host>, class Object = EntriesObject, int first = 0>
 struct EntriesProbe {
+  using array_ = ArrayTag;
   using weights = physgen::Probe<ArrayTag, Object, first + 0, typename Base::weights>;
   using k = physgen::Probe<ArrayTag, Object, first + 1, typename Base::k>;
   using flags = physgen::Probe<ArrayTag, Object, first + 2, typename Base::flags>;
@@ -1012,6 +1016,7 @@ struct OptionsObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = OptionsFormats<physgen::Host>, class Object = OptionsObject, int first = 0>
 struct OptionsProbe {
+  using array_ = ArrayTag;
   using density = physgen::Probe<ArrayTag, Object, first + 0, typename Base::density>;
   using nu = physgen::Probe<ArrayTag, Object, first + 1, typename Base::nu>;
   using direction = physgen::Probe<ArrayTag, Object, first + 2, typename Base::direction>;
@@ -1206,6 +1211,7 @@ struct ElementObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = ElementFormats<physgen::Host>, class Object = ElementObject, int first = 0>
 struct ElementProbe {
+  using array_ = ArrayTag;
   using flag = physgen::Probe<ArrayTag, Object, first + 0, typename Base::flag>;
   using lame = ::material::LameProbe<ArrayTag, typename Base::lame, Object, first + 1>;
   using fibres = ::material::FibreProbe<ArrayTag, typename Base::fibres, Object, first + 3>;
@@ -1434,6 +1440,7 @@ struct PatchObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = PatchFormats<physgen::Host>, class Object = PatchObject, int first = 0>
 struct PatchProbe {
+  using array_ = ArrayTag;
   using elements = ::tissue::model::ElementProbe<ArrayTag, typename Base::elements, Object, first + 0>;
   using weight = physgen::Probe<ArrayTag, Object, first + 48, typename Base::weight>;
   using options = ::tissue::model::OptionsProbe<ArrayTag, typename Base::options, Object, first + 49>;
@@ -1888,6 +1895,7 @@ struct FrameObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = FrameFormats<physgen::Host>, class Object = FrameObject, int first = 0>
 struct FrameProbe {
+  using array_ = ArrayTag;
   using turn = physgen::Probe<ArrayTag, Object, first + 0, typename Base::turn>;
   using origin = physgen::Probe<ArrayTag, Object, first + 1, typename Base::origin>;
   using weight = physgen::Probe<ArrayTag, Object, first + 2, typename Base::weight>;
@@ -2090,6 +2098,7 @@ struct StoredObject;
 /// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = StoredFormats<physgen::Host>, class Object = StoredObject, int first = 0>
 struct StoredProbe {
+  using array_ = ArrayTag;
   using single = physgen::Probe<ArrayTag, Object, first + 0, typename Base::single>;
   using twice = physgen::Probe<ArrayTag, Object, first + 1, typename Base::twice>;
   using narrowed = physgen::Probe<ArrayTag, Object, first + 2, typename Base::narrowed>;
@@ -2495,4 +2504,4 @@ static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physg
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_7D3A13BDADBEF387
+#endif  // PHYSGEN_EVERYTHING_H_26A5FF71BFE41386

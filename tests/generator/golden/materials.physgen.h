@@ -1,6 +1,6 @@
 // Accessor classes of the object types in materials.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_MATERIALS_H_1A067D9D8CAC278E
-#define PHYSGEN_MATERIALS_H_1A067D9D8CAC278E
+#ifndef PHYSGEN_MATERIALS_H_66B56C20E9066756
+#define PHYSGEN_MATERIALS_H_66B56C20E9066756
 
 #include <physgen/runtime.h>
 
@@ -35,6 +35,7 @@ struct LameObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = LameFormats<physgen::Host>, class Object = LameObject, int first = 0>
 struct LameProbe {
+  using array_ = ArrayTag;
   using mu = physgen::Probe<ArrayTag, Object, first + 0, typename Base::mu>;
   using lambda = physgen::Probe<ArrayTag, Object, first + 1, typename Base::lambda>;
 };
@@ -151,6 +152,7 @@ struct FibreObject;
 /// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = FibreFormats<physgen::Host>, class Object = FibreObject, int first = 0>
 struct FibreProbe {
+  using array_ = ArrayTag;
   using direction = physgen::Probe<ArrayTag, Object, first + 0, typename Base::direction>;
   using strength = physgen::Probe<ArrayTag, Object, first + 1, typename Base::strength>;
 };
@@ -244,4 +246,4 @@ static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_1A067D9D8CAC278E
+#endif  // PHYSGEN_MATERIALS_H_66B56C20E9066756
