@@ -33,6 +33,10 @@ struct F;
 struct C2;
 struct W;
 struct volume;
+struct nodes;
+struct flags;
+struct flag;
+struct label;
 struct weight;
 }  // namespace field
 template <class Field>
@@ -63,15 +67,21 @@ struct PartOfDerivative : elasticity::StressDerivativeFormats<Host> {
   using x3322 = format::Half<>;
   using x3232 = Gone<field::x3232>;
 };
-/// Fixed arrays.
+/// Fixed arrays, one of them of indices.
 struct PartOfEntries : tissue::model::EntriesFormats<Host> {
+  using flags = Gone<field::flags>;
   using weights = Gone<field::weights>;
   using history = Gone<field::history>;
+};
+/// The only field, of indices.
+struct NoNodes : elasticity::TetFormats<Host> {
+  using nodes = Gone<field::nodes>;
 };
 /// Initial values.
 struct PartOfOptions : tissue::model::OptionsFormats<Host> {
   using density = Gone<field::density>;
   using metric = Gone<field::metric>;
+  using label = Gone<field::label>;
   using fixed = Gone<field::fixed>;
 };
 struct NoLame : material::LameFormats<Host> {
@@ -86,6 +96,7 @@ struct PartOfStamp : tissue::StampFormats<Host> {
 };
 struct PartOfShapes : tissue::model::ShapesFormats<Host> {
   using a = Gone<field::a>;
+  using nodes = Gone<field::nodes>;
   using F = Gone<field::F>;
   using C2 = Gone<field::C2>;
   using s = Gone<field::s>;
@@ -94,6 +105,7 @@ struct PartOfShapes : tissue::model::ShapesFormats<Host> {
 };
 /// Nested objects, one of them without any bytes.
 struct PartOfElement : tissue::model::ElementFormats<Host> {
+  using flag = Gone<field::flag>;
   using lame = NoLame;
   using fibres = PartOfFibre;
   using stamp = PartOfStamp;
@@ -318,6 +330,11 @@ void check_refusals() {
   const auto another = lost;  // of an array of its own kind nothing is lost
   EXPECT_EQ(another.size(), 40);
   refuses([&] { renumber(part, "U", remaining(40, {})); }, "nothing is stored of U");
+  Array<elasticity::TetObject, float, Space, Aosoa<32>, NoNodes> tets(4);
+  refuses([&] { renumber(tets, "nodes", remaining(4, {})); },
+          "elasticity::Tet[4] in " + std::string(name(Space::kind)) +
+              " memory: its indices are needed, but nothing is stored of nodes: ");
+  refuses([&] { renumber(tets, "corners", remaining(4, {})); }, "there is no field of indices \"corners\"");
 }
 
 }  // namespace physgen::test

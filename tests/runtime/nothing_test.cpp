@@ -23,7 +23,8 @@ using tissue::other::PatchObject;
 static_assert(is_sound_record<DeformationSvdObject, float, StretchesOnly>(12, 4, {0, 0, 0}));
 static_assert(is_sound_record<DeformationSvdObject, double, StretchesOnly>(24, 8, {0, 0, 0}));
 static_assert(is_sound_record<DeformationSvdObject, float, NoSvd>(0, 1, {0, 0, 0}));
-static_assert(is_sound_record<OptionsObject, float, PartOfOptions>(40, 32, {0, 0, 4, 0, 16, 20, 28, 0}));
+static_assert(is_sound_record<OptionsObject, float, PartOfOptions>(36, 32, {0, 0, 4, 0, 0, 16, 24, 0}));
+static_assert(is_sound_record<elasticity::TetObject, float, NoNodes>(0, 1, {0}));
 static_assert(!is_sound_record<DeformationSvdObject, float, StretchesOnly>(84, 4, {0, 0, 0}), "bytes of all fields");
 static_assert(!is_sound_record<DeformationSvdObject, float, NoSvd>(0, 4, {0, 0, 0}), "another alignment");
 static_assert(!is_sound_record<DeformationSvdObject, float, StretchesOnly>(12, 4, {0, 36, 0}), "another offset");
@@ -38,8 +39,9 @@ constexpr int bytes_of_fields() {
 }
 static_assert(Array<EntriesObject, float, Host, Soa, PartOfEntries>::record_bytes ==
               bytes_of_fields<EntriesObject, PartOfEntries>());
-static_assert(Array<EntriesObject, float, Host, Soa, PartOfEntries>::record_bytes == 504 - 5 * 4 - 40 * 8);
-static_assert(Array<ElementObject, float, Host, Soa, PartOfElement>::record_bytes < 376 - 8 - 24 - 8 - 4 - 36 - 24);
+static_assert(Array<EntriesObject, float, Host, Soa, PartOfEntries>::record_bytes == 504 - 5 * 4 - 3 * 4 - 40 * 8);
+static_assert(Array<ElementObject, float, Host, Soa, PartOfElement>::record_bytes <
+              376 - 4 - 8 - 24 - 8 - 4 - 16 - 36 - 24);
 static_assert(Array<PatchObject, float, Host, Soa, PartOfPatch>::elements ==
               Array<PatchObject, float, Host, Soa>::elements);
 
@@ -129,6 +131,7 @@ TYPED_TEST(NothingStored, is_what_stores_of_pruned_fields_write) {
   check_stores<DeformationSvdObject, double, TypeParam, StretchesOnly>(41);
   check_stores<DeformationSvdObject, float, TypeParam, NoSvd>(41);
   check_stores<EntriesObject, float, TypeParam, PartOfEntries>(41);
+  check_stores<elasticity::TetObject, float, TypeParam, NoNodes>(41);
   check_stores<PatchObject, float, TypeParam, PartOfPatch>(41);
 }
 
@@ -319,10 +322,25 @@ TEST(Nothing, of_a_field_with_formats_of_a_programs_own_beside_it_is_copied_by_t
 /// Names, of the object's fields and of the array, are in the message of an element that is not stored.
 TEST(Nothing, has_no_elements_to_get_or_put) {
   Array<PatchObject, float, Host, Soa, PartOfPatch> patches(5);
-  const std::string message = message_of([&] { (void)patches.getdata(2, 1); });
+  const std::string message = message_of([&] { (void)patches.getdata(2, 0); });
   EXPECT_EQ(message,
-            "physgen: tissue::other::Patch[5] in host memory: element 1 cannot be read, but nothing is stored of "
-            "elements[0].lame.mu: this array prunes it (format::Nothing or Pruned); take an array that stores it");
+            "physgen: tissue::other::Patch[5] in host memory: element 0 cannot be read, but nothing is stored of "
+            "elements[0].flag: this array prunes it (format::Nothing or Pruned); take an array that stores it");
+}
+
+struct WithoutScalar : tissue::model::ShapesFormats<Host> {
+  using a = Gone<field::a>;
+};
+
+/// Which index has no new number is said by its place among all elements, stored or not.
+TEST(Nothing, of_fields_before_indices_leaves_the_numbers_of_their_elements) {
+  Array<ShapesObject, float, Host, Soa, WithoutScalar> shapes(5);
+  for (index_t i = 0; i < 5; ++i) shapes.view()[i].nodes() = Eigen::Vector4i(0, 1, 2, 3);
+  const int k = 1 + 3 + 2;  // behind a and v, the third node
+  EXPECT_EQ(shapes.getdata(3, k), 2);
+  shapes.putdata(3, k, 77);
+  const std::string message = message_of([&] { renumber(shapes, "nodes", remaining(5, {})); });
+  EXPECT_NE(message.find("object 3 has the index 77 as element 2 of 4"), std::string::npos) << message;
 }
 
 /// A hole in a record may be read by nobody, but it must not be there twice: what prunes only some entries of records
