@@ -1,11 +1,11 @@
 // Accessor classes of the object types in dynamics.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_DYNAMICS_H_358A34FF008D20B8
-#define PHYSGEN_DYNAMICS_H_358A34FF008D20B8
+#ifndef PHYSGEN_DYNAMICS_H_121B0A31F612B5CB
+#define PHYSGEN_DYNAMICS_H_121B0A31F612B5CB
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 3
-#error "dynamics.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 4
+#error "dynamics.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace dynamics {
@@ -25,6 +25,15 @@ struct NodeMass {
 template <class Space>
 struct NodeMassFormats {
   using mass = physgen::format::Native;
+};
+
+struct NodeMassObject;
+/// NodeMassFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeMassFormats<physgen::Host>, class Object = NodeMassObject, int first = 0>
+struct NodeMassProbe {
+  using array_ = ArrayTag;
+  using mass = physgen::Probe<ArrayTag, Object, first + 0, typename Base::mass>;
 };
 
 /// Where each field begins in the record of one NodeMass [bytes].
@@ -85,6 +94,8 @@ struct NodeMassObject {
   }};
   template <class Space>
   using Formats = NodeMassFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeMassProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -115,6 +126,16 @@ struct NodeVelocity {
 template <class Space>
 struct NodeVelocityFormats {
   using v = physgen::format::Native;
+};
+
+struct NodeVelocityObject;
+/// NodeVelocityFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeVelocityFormats<physgen::Host>, class Object = NodeVelocityObject,
+          int first = 0>
+struct NodeVelocityProbe {
+  using array_ = ArrayTag;
+  using v = physgen::Probe<ArrayTag, Object, first + 0, typename Base::v>;
 };
 
 /// Where each field begins in the record of one NodeVelocity [bytes].
@@ -177,6 +198,8 @@ struct NodeVelocityObject {
   }};
   template <class Space>
   using Formats = NodeVelocityFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeVelocityProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -217,6 +240,18 @@ struct MotionFormats {
   using momentum = physgen::format::Native;
   using elastic = physgen::format::Native;
   using farthest = physgen::format::Native;
+};
+
+struct MotionObject;
+/// MotionFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = MotionFormats<physgen::Host>, class Object = MotionObject, int first = 0>
+struct MotionProbe {
+  using array_ = ArrayTag;
+  using kinetic = physgen::Probe<ArrayTag, Object, first + 0, typename Base::kinetic>;
+  using momentum = physgen::Probe<ArrayTag, Object, first + 1, typename Base::momentum>;
+  using elastic = physgen::Probe<ArrayTag, Object, first + 2, typename Base::elastic>;
+  using farthest = physgen::Probe<ArrayTag, Object, first + 3, typename Base::farthest>;
 };
 
 /// Where each field begins in the record of one Motion [bytes].
@@ -309,6 +344,8 @@ struct MotionObject {
   }};
   template <class Space>
   using Formats = MotionFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = MotionProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -326,4 +363,4 @@ static_assert(physgen::is_sound_record<MotionObject, double, MotionFormats<physg
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_358A34FF008D20B8
+#endif  // PHYSGEN_DYNAMICS_H_121B0A31F612B5CB
