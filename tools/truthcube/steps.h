@@ -33,7 +33,7 @@ class Steps {
  public:
   /// All stay alive as long as this. @param record gets an entry for each step
   /// @param tolerance of the residual; 0: of another measure
-  Steps(const Scene& scene, fem::QuasistaticSolver& solver, RunFiles& files, RunRecord& record,
+  Steps(const Scene& scene, fem::EquilibriumSolver& solver, RunFiles& files, RunRecord& record,
         const std::optional<MeasuredBeads>& beads, const Terminal& terminal, double tolerance)
       : scene_(scene),
         solver_(solver),
@@ -59,7 +59,7 @@ class Steps {
   void compare(double compression, const std::vector<fem::Point>& positions) const;
 
   const Scene& scene_;
-  fem::QuasistaticSolver& solver_;
+  fem::EquilibriumSolver& solver_;
   RunFiles& files_;
   RunRecord& record_;
   const std::optional<MeasuredBeads>& beads_;
