@@ -25,7 +25,8 @@ using Clock = std::chrono::steady_clock;
 void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, const Options& options,
                  const Terminal& terminal) {
   terminal.text("  level        nodes         tets        edges            bytes");
-  const bool assembled = options.solver.newton.product == fem::Product::assembled;
+  const bool assembled =
+      options.solver.newton.product == fem::Product::assembled && options.scene != SceneKind::explicit_dynamics;
   for (std::size_t l = 0; l < bytes.levels.size(); ++l) {
     const LevelCounts& c = levels[l];
     terminal.line("  %5zu %12lld %12lld %12lld %16lld", l, static_cast<long long>(c.nodes),
@@ -150,7 +151,8 @@ Outcome run(Options options, const std::string& command) {
   files.write_record(record);
   if (dynamic != nullptr) return run_motion(options, scene, *dynamic, files, record, terminal);
   const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
-  return Steps(scene, *solver, files, record, beads, terminal, tolerance)
+  const char* what = options.scene == SceneKind::linear_elastic ? "linear solves" : "Newton steps";
+  return Steps(scene, *solver, files, record, beads, terminal, tolerance, what)
       .run(options.compressions, options.repetitions);
 }
 

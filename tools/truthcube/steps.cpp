@@ -162,7 +162,7 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
                                  ? ""
                                  : ", " + std::to_string(result.coarse_steps) + " and " +
                                        std::to_string(result.coarse_iterations) + " on coarser meshes";
-  terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations%s; reaction %.6g N", seconds, result.steps,
+  terminal_.line("  solved in %.3f s: %d %s and %d PCG iterations%s; reaction %.6g N", seconds, result.steps, what_,
                  result.iterations, coarse.c_str(), reaction);
   if (std::isfinite(estimates.reaction)) {
     terminal_.line(

@@ -165,8 +165,8 @@ TEST(LinearElastic, every_preconditioner_product_and_precision_finds_one_equilib
         const NewtonResult result = solver->solve_to(0.1, {});
         ASSERT_EQ(result.status, NewtonStatus::converged);
         EXPECT_LE(result.residual, 1e-9);
-        if (precision == TangentPrecision::float64) EXPECT_EQ(result.steps, 1);
-        if (kind == Preconditioner::multigrid) EXPECT_LE(result.iterations, 25 * result.steps);
+        EXPECT_LE(result.steps, precision == TangentPrecision::float64 ? 1 : 4);
+        EXPECT_LE(result.iterations, (kind == Preconditioner::multigrid ? 25 : 1000) * result.steps);
         if (first.empty()) first = solver->positions();
         EXPECT_LE(largest_distance(solver->positions(), first), 1e-8 * side);
       }
