@@ -15,9 +15,10 @@
 namespace physgen::fem {
 
 /// Energy, forces and residual of the state at `positions`.
+/// @param evaluator an Evaluator of these arrays, or MaterialSteps
 /// @param restart averaged volumes begin their linearised pressure anew
-template <class On, class Arrays, class Level, class Positions, class Forces>
-auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
+template <class On, class Arrays, class Level, class Evaluate, class Positions, class Forces>
+auto evaluate_state(On& on, Arrays& a, Level& level, Evaluate& evaluator, const Positions& positions,
                     const Forces& forces, const AtLoad& at, bool restart) {
   const auto state = a.state.view();
   evaluator.evaluate_volumes(on, a, positions, restart);
@@ -26,16 +27,23 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& eval
     on.run(chunk.nodes(), SumForces{chunk, at.load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
                                     a.loads.const_view(), forces});
   }
-  const auto measure = [&](const auto& planes) {
+  const auto measure = [&](const auto& planes, const auto& inertia) {
     on.reduce(a.nodes(),
               MeasureForces{at.load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(),
-                            positions, forces, planes},
+                            positions, forces, planes, inertia},
               Sum{}, StoreForces{state});
   };
-  if (level.planes == nullptr) {
-    measure(NoPlanes{});
+  const auto measure_with = [&](const auto& inertia) {
+    if (level.planes == nullptr) {
+      measure(NoPlanes{}, inertia);
+    } else {
+      measure(level.planes->at(at), inertia);
+    }
+  };
+  if (level.inertia == nullptr) {
+    measure_with(NoInertia{});
   } else {
-    measure(level.planes->at(at));
+    measure_with(level.inertia->at_step());
   }
   on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
             StoreSmallestRatio{state});
@@ -43,8 +51,8 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& eval
 }
 
 /// The stiffness of a level at the arrays' positions. @pre they are those of the last evaluate_state()
-template <class On, class Arrays, class Level>
-void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter) {
+template <class On, class Arrays, class Level, class Evaluate>
+void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter) {
   const auto edges = level.edge_stiffness.view();
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_tangents(on, a, chunk, filter);
@@ -81,14 +89,18 @@ void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& d
 }
 
 /// The tangent at the arrays' positions: assembled, or by tets. @pre they are those of the last evaluate_state()
-template <class On, class Arrays, class Level>
-void form_tangent(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter,
-                  const AtLoad& at) {
+template <class On, class Arrays, class Level, class Evaluate>
+void form_tangent(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter, const AtLoad& at) {
   if (!level.assembled) return evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
   assemble(on, a, level, evaluator, filter);
-  if (level.planes == nullptr) return;
-  on.run(a.nodes(), AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
-                                      level.planes->stiffness.view(), level.node_stiffness.view()});
+  const auto stiffness = level.node_stiffness.view();
+  if (level.planes != nullptr) {
+    on.run(a.nodes(), AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
+                                        level.planes->stiffness.view(), stiffness});
+  }
+  if (level.inertia != nullptr) {
+    on.run(a.nodes(), AddInertiaStiffness{level.inertia->per_mass, level.inertia->masses.const_view(), stiffness});
+  }
 }
 
 /// The preconditioner of that tangent. @param fresh whether power iterations begin anew
@@ -103,10 +115,10 @@ void prepare_tangent(On& on, Arrays& a, Levels& levels, std::size_t top, const P
 }
 
 /// Forms the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.
-template <class On, class Arrays, class Levels, class Vectors>
+template <class On, class Arrays, class Levels, class Vectors, class Evaluate>
 LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-                        Evaluator<On, Arrays>& evaluator, TangentFilter filter, const NewtonSettings& settings,
-                        const AtLoad& at, bool has_increment, bool fresh, double forcing) {
+                        Evaluate& evaluator, TangentFilter filter, const NewtonSettings& settings, const AtLoad& at,
+                        bool has_increment, bool fresh, double forcing) {
   auto& level = *levels[top];
   form_tangent(on, a, level, evaluator, filter, at);
   if (has_increment) {
@@ -124,10 +136,10 @@ LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& leve
 /// are not yet where the load takes them (a.increment), the first linear solve moves them.
 /// @param restart whether linearised pressures begin anew, at those of the forces; else they are kept
 /// @param report called after every step
-template <class On, class Arrays, class Levels, class Vectors>
+template <class On, class Arrays, class Levels, class Vectors, class Evaluate>
 NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-                              Evaluator<On, Arrays>& evaluator, const NewtonSettings& settings, double load,
-                              bool has_increment, bool restart, const std::function<void(const NewtonStep&)>& report) {
+                              Evaluate& evaluator, const NewtonSettings& settings, double load, bool has_increment,
+                              bool restart, const std::function<void(const NewtonStep&)>& report) {
   using Clock = std::chrono::steady_clock;
   auto& level = *levels[top];
   const index_t n = a.nodes();
