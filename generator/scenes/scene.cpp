@@ -100,8 +100,13 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
 
 std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& names) {
   const std::string near = nearest(word, names);
-  return "there is no " + kind + " '" + word + "'; " +
-         (near.empty() ? "there are " + model::joined(names, " and ") : "did you mean '" + near + "'?");
+  std::string other = "did you mean '" + near + "'?";
+  if (near.empty()) {
+    constexpr std::size_t most = 12;
+    other = "there are " + (names.size() <= most ? model::joined(names, " and ")
+                                                 : model::joined({names.begin(), names.begin() + most}) + ", ...");
+  }
+  return "there is no " + kind + " '" + word + "'; " + other;
 }
 
 }  // namespace physgen::scenes
