@@ -29,10 +29,12 @@ class LossSink {
   template <class Format, class T>
   PHYSGEN_FUNCTION void count(int offset, const T& value, typename Format::template Stored<T> stored,
                               index_t further = 0) const {
-    constexpr ElementType type = Format::template type<T>;
-    if (losses_ == nullptr || object_ + further >= losses_->objects) return;
-    detail::count_loss(*losses_, type, Format::scale, static_cast<double>(value),
-                       static_cast<double>(Format::template decode<T>(stored)), object_ + further, offset_ + offset);
+    if constexpr (!format::is_probe<Format>) {  // of which this would be a read
+      constexpr ElementType type = Format::template type<T>;
+      if (losses_ == nullptr || object_ + further >= losses_->objects) return;
+      detail::count_loss(*losses_, type, Format::scale, static_cast<double>(value),
+                         static_cast<double>(Format::template decode<T>(stored)), object_ + further, offset_ + offset);
+    }
   }
   template <class Matrix>
   PHYSGEN_FUNCTION void count_rotation(const Matrix& R, index_t further = 0) const {
@@ -174,6 +176,11 @@ class Cursor : private LossSink {
 #endif
     PHYSGEN_UNROLL
     for (int e = 0; e < kCount; ++e) detail::add_atomically(address<T>(offset)[(k + e) * pitch_.value()], values[e]);
+  }
+  /// Of an element whose format is a probe. @return T*, or const T* in a read-only array
+  template <class Format, class T>
+  [[nodiscard]] PHYSGEN_FUNCTION auto address_of(int offset, int k) const {
+    return Format::template address<T>(address<typename Format::template Stored<T>>(offset) + k * pitch_.value());
   }
   /// In checked builds, counts a matrix that is none of a rotation.
   template <class T>

@@ -101,29 +101,53 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
              (std::is_same_v<FromSpace, Space> || std::is_same_v<FromSpace, PinnedHost>) &&
              !std::is_same_v<View<Object, From, Layout, Formats, FromSpace>, View>)
   PHYSGEN_FUNCTION View(const View<Object, From, Layout, Formats, FromSpace>& other)  // NOLINT: as T* to const T*
-      : View(other.data(), other.size(), other.pitch(), other.losses()) {}
+      : View(other.base_, other.size(), other.pitch(), other.losses()) {}
+  /// A kernel that names this type of view cannot be told the formats of an array whose reads and writes are looked
+  /// for.
+  template <class From, class FromLayout, class FromFormats, class FromSpace>
+    requires(format::are_probes<FromFormats> && !format::are_probes<Formats>)
+  View(const View<Object, From, FromLayout, FromFormats, FromSpace>&,
+       format::detail::this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_views = {}) = delete;
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
-  [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const { return base_; }
+  [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const
+    requires(!format::are_probes<Formats>)
+  {
+    return base_;
+  }
+  format::detail::a_probed_array_has_no_raw_memory_so_read_and_write_its_fields data() const
+    requires(format::are_probes<Formats>)
+  = delete;
   [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
   /// Where the objects lie.
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr SpaceKind space() { return Space::kind; }
 
   /// The object at index i; for a Pack or a SIMD batch of indices, the objects at them.
   template <class I>
+    requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
     check(i);
     return Ref<I>(CursorAt<I>(base_, *this, i, losses()));
   }
+  /// The object(s) at indices that another array holds: `nodes[tets[i].nodes()[0]]`.
+  template <detail::ElementReference I>
+  [[nodiscard]] PHYSGEN_FUNCTION auto operator[](I&& i) const {
+    return (*this)[detail::operand(std::forward<I>(i))];
+  }
   /// All fields of object(s) i, by value.
   template <class I>
+    requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION const Value<I> get(I i) const {
     return (*this)[i].get();
   }
+  template <detail::ElementReference I>
+  [[nodiscard]] PHYSGEN_FUNCTION auto get(I&& i) const {
+    return get(detail::operand(std::forward<I>(i)));
+  }
   /// Stores all fields of object(s) i.
   template <class I>
-  PHYSGEN_FUNCTION void put(I i, const Value<I>& value) const {
-    (*this)[i].put(value);
+  PHYSGEN_FUNCTION void put(I&& i, const Value<std::remove_cvref_t<detail::Operand<I>>>& value) const {
+    (*this)[std::forward<I>(i)].put(value);
   }
 
   /// What checked builds count for these objects; null in others.
@@ -136,6 +160,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   }
 
  private:
+  template <class, class, class, class, class>
+  friend class View;
+
   template <class I>
   PHYSGEN_FUNCTION void check(const I& i) const {
 #ifdef __CUDA_ARCH__
