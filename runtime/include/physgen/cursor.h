@@ -149,16 +149,19 @@ class Cursor : private LossSink {
   template <class Format, class T>
   PHYSGEN_FUNCTION void store(int offset, int k, const T& value) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    using Stored = typename Format::template Stored<T>;
-    const Stored stored = Format::template encode<T>(value);
-    this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
-    address<Stored>(offset)[k * pitch_.value()] = stored;
+    if constexpr (!format::StoresNothing<Format>) {
+      using Stored = typename Format::template Stored<T>;
+      const Stored stored = Format::template encode<T>(value);
+      this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
+      address<Stored>(offset)[k * pitch_.value()] = stored;
+    }
   }
   /// Adds to kCount elements, from the k-th on, to which other threads may add at the same time.
   template <class Format, class T, int kCount>
   PHYSGEN_FUNCTION void add(LaneRange /*range*/, int offset, int k, const T* values) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    static_assert(format::is_plain<Format, T>,
+    if constexpr (format::StoresNothing<Format>) (void)Format::template decode<T>({});  // adding reads
+    static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
                   "add() needs a field that is stored as it is computed: give it the format Native");
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
     // All elements of a padded vector at once. What is added behind them is zero, to padding.

@@ -71,8 +71,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   using Byte = std::conditional_t<std::is_const_v<Real>, const std::byte, std::byte>;
   using Record = typename Object::template Record<Precision, Formats>;
   static constexpr int record_bytes = Layout::record_bytes(Record::bytes, Record::alignment);
-  static constexpr int lane_bytes =
-      Record::alignment < int{sizeof(Precision)} ? Record::alignment : int{sizeof(Precision)};
+  static constexpr int lane_bytes = Record::bytes == 0                           ? 0
+                                    : Record::alignment < int{sizeof(Precision)} ? Record::alignment
+                                                                                 : int{sizeof(Precision)};
   template <class I>
   using CursorAt = Cursor<Byte, Layout, RecordSize{Record::bytes, record_bytes, lane_bytes}, I>;
   /// The reference to object(s) under an index of type I, and its value type.
@@ -190,7 +191,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
 #ifdef PHYSGEN_CHECKED
   PHYSGEN_FUNCTION void check_range(index_t begin, index_t end) const {
 #ifdef __CUDA_ARCH__
-    if (base_ == nullptr || begin < 0 || end > size_) {
+    if ((base_ == nullptr && record_bytes > 0) || begin < 0 || end > size_) {
       printf("physgen: object %lld of an array of %lld on the device\n", static_cast<long long>(begin),
              static_cast<long long>(size_));
       __trap();
@@ -200,7 +201,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
       throw Error(std::string(Object::name) + ": a view of " + physgen::name(Space::kind) +
                   " memory is used on the host; copy the array to Host first");
     }
-    if (base_ == nullptr || begin < 0 || end > size_) {
+    if ((base_ == nullptr && record_bytes > 0) || begin < 0 || end > size_) {
       const index_t wrong = begin < 0 || begin >= size_ ? begin : size_;
       throw Error(std::string(Object::name) + ": object " + std::to_string(wrong) + " of an array of " +
                   std::to_string(size_));
