@@ -30,7 +30,9 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> with_file(const std::string& pat
 std::vector<const char*> arguments(const std::string& path, const std::vector<std::string>& flags) {
   std::vector<const char*> result = {"clang++",       "-fsyntax-only",        "-x", "c++", "-std=c++20",
                                      "-resource-dir", PHYSGEN_CLANG_RESOURCES};
-  for (const std::string& flag : flags) result.push_back(flag.c_str());
+  // OpenMP's header belongs to other compilers, and the pragmas of loops declare nothing.
+  for (const std::string& flag : flags)
+    if (!flag.starts_with("-fopenmp")) result.push_back(flag.c_str());
   for (const char* flag : {"-w", "-ferror-limit=20", "-Qunused-arguments"}) result.push_back(flag);
   result.push_back(path.c_str());
   return result;

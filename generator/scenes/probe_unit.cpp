@@ -19,12 +19,12 @@ std::string probe_unit(const Scene& scene, const std::string& space, const std::
   for (const Group& group : scene.groups) {
     out.line("namespace tags_of_" + group.name + " {");
     for (const Array& array : group.arrays)
-      out.line("struct " + array.name + " { static constexpr std::string_view name = \"" + group.full_name(array) +
+      out.line("struct " + array.name + " { static constexpr const char* name = \"" + group.full_name(array) +
                "\"; };");
     out.line("}");
     out.open("struct " + group.name + " {");
     for (const Array& array : group.arrays)
-      out.line("physgen::ProbedArray<" + generated_name(array, "Array") + "<" + array.real + ", Space>, tags_of_" +
+      out.line("physgen::ProbeOf<" + generated_name(array, "Array") + "<" + array.real + ", Space>, tags_of_" +
                group.name + "::" + array.name + "> " + array.name + ";");
     out.close("};");
     out.line();

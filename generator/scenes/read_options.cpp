@@ -182,4 +182,8 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
   return true;
 }
 
+void read_options(const clang::FieldDecl& declaration, Array& array, frontend::Report& report) {
+  OptionReader(declaration, array, report).read();
+}
+
 }  // namespace physgen::scenes

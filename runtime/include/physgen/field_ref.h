@@ -150,9 +150,13 @@ class FieldRef {
   template <class Range>
   PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
     static_assert(!is_rotation, "the sum of two rotations is none");
-    Scalar elements[Shape::count];
-    Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
-    at_.template add<Format, T, Shape::count>(range, 0, 0, static_cast<const Scalar*>(elements));
+    if constexpr (format::is_probe<Format>) {
+      write(Value(read() + value));
+    } else {
+      Scalar elements[Shape::count];
+      Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
+      at_.template add<Format, T, Shape::count>(range, 0, 0, static_cast<const Scalar*>(elements));
+    }
   }
 
  private:
