@@ -89,9 +89,6 @@ class Action : public clang::ASTFrontendAction {
   Reading& reading_;
 };
 
-/// OpenMP's header belongs to other compilers; the pragmas of loops change no reads and writes.
-bool is_left_out(const std::string& flag) { return flag.starts_with("-fopenmp"); }
-
 /// The folder of the CUDA toolkit; empty: there is none.
 std::string cuda_folder() {
   std::vector<std::string> candidates;
@@ -115,7 +112,7 @@ std::vector<std::string> flags_of(Side side, const std::vector<std::string>& fla
               "--cuda-path=" + cuda_folder()};
   for (const std::string& flag : flags) {
     const bool of_processor = flag.starts_with("-march=") || flag.starts_with("-mcpu=") || flag.starts_with("-mtune=");
-    if (!is_left_out(flag) && !(side == Side::device && of_processor)) result.push_back(flag);
+    if (side == Side::host || !of_processor) result.push_back(flag);
   }
   return result;
 }

@@ -27,6 +27,7 @@ class Attribution {
     Usage result;
     std::set<int> steps_lead_to;
     for (const Step& step : graph_.steps) {
+      if (is_part_of_a_step(step.function)) continue;
       StepUse use = step.use;
       use.fields = accesses({step.function}, [&](const Function& f) { return step.own_files.count(f.file) != 0; });
       steps_lead_to.merge(reached_);
@@ -42,6 +43,20 @@ class Attribution {
   using Own = std::function<bool(const Function&)>;
 
   [[nodiscard]] const Function& at(int f) const { return graph_.functions[static_cast<std::size_t>(f)]; }
+
+  /// Whether a function is called by functions of steps alone: of a reduction, the kernel.
+  [[nodiscard]] bool is_part_of_a_step(int function) const {
+    bool is_called = false;
+    for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
+      const bool calls = std::any_of(graph_.functions[f].calls.begin(), graph_.functions[f].calls.end(),
+                                     [&](const Call& call) { return call.to == function; });
+      const bool is_step = std::any_of(graph_.steps.begin(), graph_.steps.end(),
+                                       [&](const Step& step) { return step.function == static_cast<int>(f); });
+      if (calls && !is_step) return false;
+      is_called = is_called || calls;
+    }
+    return is_called;
+  }
 
   /// Most functions of a program lead to no access and need not be looked at again.
   void find_what_leads_to_accesses() {
@@ -94,8 +109,8 @@ class Attribution {
   [[nodiscard]] FieldUse use_of(const Function& access) const {
     FieldUse use = graph_.fields[static_cast<std::size_t>(access.field)];
     use.address_taken = access.access == Access::address;
-    use.read = access.access == Access::read || use.address_taken;
-    use.written = access.access == Access::write || use.address_taken;
+    use.read = access.access == Access::read;
+    use.written = access.access == Access::write;
     return use;
   }
 

@@ -25,7 +25,10 @@ const clang::StringLiteral* first_text(const clang::Stmt* statement) {
 void first_texts_of_calls(const clang::Stmt* statement, std::vector<std::string>& texts) {
   if (statement == nullptr) return;
   if (llvm::isa<clang::CallExpr>(statement)) {
-    if (const auto* text = first_text(statement)) texts.push_back(text->getString().str());
+    const auto* text = first_text(statement);
+    std::string name = text == nullptr ? std::string() : text->getString().str();
+    for (std::size_t at; (at = name.find("[0]")) != std::string::npos;) name.erase(at, 3);  // one for all entries
+    texts.push_back(std::move(name));
     return;
   }
   for (const clang::Stmt* child : statement->children()) first_texts_of_calls(child, texts);
@@ -168,7 +171,7 @@ std::vector<const clang::FunctionDecl*> Names::steps() const {
   std::vector<const clang::FunctionDecl*> result;
   const auto* detail = space({"physgen", "probe", "detail"});
   if (detail == nullptr) return result;
-  for (const llvm::StringRef name : {"step", "reduce_step", "root", "host_reads"})
+  for (const llvm::StringRef name : {"step", "reduce_step", "perform_step", "root", "host_reads"})
     for (clang::NamedDecl* found : detail->lookup(&context_.Idents.get(name)))
       if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(found))
         for (const auto* function : pattern->specializations())

@@ -73,9 +73,18 @@ std::vector<FieldUse> all_fields(const Usage& usage) {
   return result;
 }
 
+std::string name_of(const StepUse& step) {
+  std::string arrays;
+  for (const std::string& array : step.arrays) arrays += (arrays.empty() ? "" : ", ") + array;
+  return step.kernel + '(' + arrays + ')';
+}
+
 std::string text_of(const Place& place) {
-  return place.file.substr(place.file.rfind('/') + 1) + ':' + std::to_string(place.line) + ':' +
-         std::to_string(place.column);
+  return place.file + ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
+}
+
+std::string short_text(const Place& place) {
+  return text_of({place.file.substr(place.file.rfind('/') + 1), place.line, place.column});
 }
 
 }  // namespace physgen::usage

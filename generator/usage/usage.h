@@ -17,9 +17,9 @@ struct Place {
 /// What is done to one field of one array.
 struct FieldUse {
   std::string array;  ///< as the program names it: "svds"
-  std::string field;  ///< "svd.U" for a field of a nested object
+  std::string field;  ///< "svd.U" of a nested object, "points.x" of a fixed array of them
   bool read = false, written = false;
-  bool address_taken = false;       ///< by `&` of an element or an atomic operation; it is read and written, too
+  bool address_taken = false;       ///< by `&` of an element or an atomic operation
   bool whole_object = false;        ///< by a get() or put() of all fields, too, at `whole_places`
   std::vector<Place> places;        ///< in the kernel's own source, in ascending order, each once
   std::vector<Place> whole_places;  ///< those of them where all fields are read or written at once
@@ -51,6 +51,13 @@ struct Usage {
   bool operator==(const Usage&) const = default;
 };
 
+/// A program and what was found in it.
+struct Program {
+  std::string name;  ///< of a scene, or of a file
+  Usage usage;
+  bool operator==(const Program&) const = default;
+};
+
 /// What the analyses of the same program for two sides find together. A kernel on the same arrays is one step.
 [[nodiscard]] Usage unite(const Usage& a, const Usage& b);
 
@@ -63,7 +70,11 @@ void sort(Usage& usage);
 /// Adds what `use` says to the uses of the same field, or as a new one.
 void add(std::vector<FieldUse>& uses, const FieldUse& use);
 
-/// "compute_svd.h:42:9"
+/// "physgen::fem::ComputeSvd(gradients, svds)"
+[[nodiscard]] std::string name_of(const StepUse& step);
+
+/// "compute_svd.h:42:9", or with all of the file's name
+[[nodiscard]] std::string short_text(const Place& place);
 [[nodiscard]] std::string text_of(const Place& place);
 
 }  // namespace physgen::usage

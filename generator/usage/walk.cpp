@@ -237,7 +237,8 @@ void Walk::follow() {
     const clang::Decl* declaration = queue_.back();
     queue_.pop_back();
     const int function = number(declaration);
-    if (graph_.functions[static_cast<std::size_t>(function)].access != Access::none) continue;
+    const Access access = graph_.functions[static_cast<std::size_t>(function)].access;
+    if (access == Access::read || access == Access::write) continue;
     Body body(*this, function);
     if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declaration)) {
       body.TraverseStmt(const_cast<clang::Expr*>(variable->getAnyInitializer()));

@@ -19,6 +19,7 @@
 #include "model/model.h"
 #include "scene_command.h"
 #include "scenes/report.h"
+#include "usage_command.h"
 
 namespace physgen::command {
 namespace {
@@ -34,6 +35,7 @@ struct Arguments {
   std::optional<std::string> layout_of_all;  // of every object, in place of the schema's
   LayoutRequest layout;
   SceneRequest scene;
+  UsageRequest usage;
   std::string picture;  // file of the SVG; empty: standard output
   bool svg = false;
   bool verbose = false;
@@ -211,10 +213,11 @@ void describe(CLI::App& app, Arguments& arguments) {
   model->add_option("SCHEMA", arguments.schemas, "Schema header")->required()->expected(1);
   describe_layout(app, arguments);
   describe_scene(app, arguments.scene);
+  describe_usage(app, arguments.usage);
 }
 
 bool names_command(const std::string& argument) {
-  for (const char* known : {"generate", "check", "model", "layout", "scene", "-h", "--help", "--version"})
+  for (const char* known : {"generate", "check", "model", "layout", "scene", "usage", "-h", "--help", "--version"})
     if (argument == known) return true;
   return false;
 }
@@ -224,7 +227,7 @@ void require_command_or_schema(const std::string& first) {
   std::error_code ignored;
   if (first.starts_with('-') || std::filesystem::exists(first, ignored)) return;
   throw UsageError("there is no command or schema '" + first +
-                   "'; commands are generate, check, model, layout and scene, and a schema is a file");
+                   "'; commands are generate, check, model, layout, scene and usage, and a schema is a file");
 }
 
 }  // namespace
@@ -245,6 +248,7 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   }
   const auto flags = std::find(arguments.begin(), arguments.end(), "--");
   if (flags != arguments.end()) values.scene.flags.assign(flags + 1, arguments.end());
+  values.usage.flags = values.scene.flags;
   arguments.erase(flags, arguments.end());
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
@@ -257,6 +261,7 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
     if (app.got_subcommand("generate")) return generate(values, streams);
     if (app.got_subcommand("check")) return check(values, streams);
     if (app.got_subcommand("scene")) return scene(values.scene, out, err);
+    if (app.got_subcommand("usage")) return usage(values.usage, out, err);
     if (app.got_subcommand("layout")) return print_layout(values, streams);
     return print_model(values, streams);
   } catch (const FileError& error) {
