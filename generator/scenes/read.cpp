@@ -94,6 +94,8 @@ class SceneReader {
                                               frontend::quoted(stem) +
                                               "; give both one name, which the generated files get");
     for (const clang::Decl* member : record.decls()) {
+      if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(member); alias && alias->getName() == "Real")
+        scene.real = alias->getUnderlyingType().getCanonicalType().getAsString();
       const auto* group = llvm::dyn_cast<clang::CXXRecordDecl>(member);
       if (group != nullptr && group->isThisDeclarationADefinition() && !group->isInjectedClassName()) {
         if (auto read = this->group(*group); !read.arrays.empty()) scene.groups.push_back(std::move(read));

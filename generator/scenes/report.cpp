@@ -37,8 +37,7 @@ void for_each_array(const Scene& scene, const Needs& needs, const Visit& visit) 
 std::vector<Sum> sums(const Scene& scene, const Needs& needs) {
   std::vector<Sum> sums;
   for_each_array(scene, needs, [&](const Group& /*group*/, const Array& array, const ArrayNeed& need) {
-    if (array.uniform) return;  // once, not for each object
-    const std::string set = set_of(array);
+    const std::string set = array.uniform ? "once" : set_of(array);
     auto sum = std::find_if(sums.begin(), sums.end(), [&](const Sum& known) { return known.set == set; });
     if (sum == sums.end()) sum = sums.insert(sums.end(), Sum{set});
     for (const FieldNeed& field : need.fields) {

@@ -75,6 +75,7 @@ std::string generated_name(const Array& array, const std::string& ending) { retu
 std::string to_json(const Scene& scene) {
   Json json = {{"name", scene.qualified_name()}, {"include", scene.include}};
   if (!scene.doc.empty()) json["doc"] = scene.doc;
+  if (!scene.real.empty()) json["real"] = scene.real;
   json["groups"] = Json::array();
   for (const Group& group : scene.groups) {
     Json written = {{"name", group.name}, {"variable", group.variable}};
