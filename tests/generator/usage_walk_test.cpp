@@ -80,7 +80,9 @@ TEST(UsageWalk, finds_reads_and_writes_with_line_and_column) {
 }
 
 TEST(UsageWalk, goes_wherever_code_may_be_called_from) {
-  const auto written = [](const std::string& before, const std::string& body) { return of_step(before + kernel(body)); };
+  const auto written = [](const std::string& before, const std::string& body) {
+    return of_step(before + kernel(body));
+  };
   EXPECT_EQ(written("", "auto f = [this] { a.put(1); }; f();"), "a W 2:21");
   EXPECT_EQ(written("", "auto f = [](auto v) { v.put(1); }; f(a);"), "a W 2:25");
   EXPECT_EQ(written("", "void (*f)(V<A>) = [](V<A> v) { v.put(1); }; f(a);"), "a W 2:34");
@@ -93,9 +95,9 @@ TEST(UsageWalk, goes_wherever_code_may_be_called_from) {
   EXPECT_EQ(written("struct S { V<A> v; ~S() { v.put(1); } };\nstruct T { S s; };\n", "T t{{a}};"), "a W 1:29");
   EXPECT_EQ(written("struct S { V<A> v; operator float() const { return v.get(); } };\n", "float x = S{a};"),
             "a R 1:54");
-  EXPECT_EQ(written("inline float g(V<A> v) { return v.get(); }\nfloat (*const table[])(V<A>) = {g};\n",
-                    "table[i](a);"),
-            "a R 1:35");
+  EXPECT_EQ(
+      written("inline float g(V<A> v) { return v.get(); }\nfloat (*const table[])(V<A>) = {g};\n", "table[i](a);"),
+      "a R 1:35");
   EXPECT_EQ(written("struct S { virtual void g(V<A>) = 0; };\n"
                     "struct T : S { void g(V<A> v) override { v.put(1); } };\n",
                     "T t; S& s = t; s.g(a);"),
