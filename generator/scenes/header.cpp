@@ -178,7 +178,7 @@ class Header {
 
   [[nodiscard]] std::string comment(const Group& group, const Array& array) const {
     const ArrayNeed& need = needs_.of(group.full_name(array));
-    const std::string per = array.set.empty() ? std::to_string(array.count) : "per " + array.set;
+    const std::string per = set_of(array);
     std::string kept, left;
     for (const FieldNeed& field : need.fields)
       (field.kept ? kept : left) += ((field.kept ? kept : left).empty() ? "" : ", ") + field.field.name;

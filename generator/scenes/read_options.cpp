@@ -168,16 +168,20 @@ Location location(const clang::ASTContext& context, clang::SourceLocation where)
   return {place.getFilename(), static_cast<int>(place.getLine()), static_cast<int>(place.getColumn())};
 }
 
+bool is_array(clang::QualType type) {
+  const auto* record = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  return record != nullptr && record->getQualifiedNameAsString() == "physgen::scene::Array";
+}
+
 bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Report& report) {
   const auto wrong = [&](const std::string& message) {
     report.error(declaration.getTypeSpecStartLoc(), "array " + quoted(array.name) + " " + message);
     return false;
   };
   if (declaration.isInvalidDecl()) return false;  // Clang has reported it
-  const auto* type =
-      llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(declaration.getType()->getAsCXXRecordDecl());
-  if (type == nullptr || type->getQualifiedNameAsString() != "physgen::scene::Array")
+  if (!is_array(declaration.getType()))
     return wrong("is no array of objects; write 'Array<elasticity::TetObject, Real> " + array.name + ";'");
+  const auto* type = llvm::cast<clang::ClassTemplateSpecializationDecl>(declaration.getType()->getAsCXXRecordDecl());
   if (type->isInvalidDecl()) return false;
   const auto* object = type->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
   const std::string name = object == nullptr ? "" : object->getQualifiedNameAsString(), ending = "Object";

@@ -16,11 +16,6 @@ struct Sum {
   int kept_elements = 0, all_elements = 0;
 };
 
-std::string set_of(const Array& array) {
-  if (!array.set.empty()) return "per " + array.set;
-  return std::to_string(array.count) + (array.count == 1 ? " object" : " objects");
-}
-
 /// What becomes of a field, in a word.
 std::string fate(const Array& array, const ArrayNeed& need, const FieldNeed& field) {
   if (need.left_out()) return "left out";

@@ -63,6 +63,11 @@ std::vector<std::string> Group::sets() const {
   return sets;
 }
 
+std::string set_of(const Array& array) {
+  if (!array.set.empty()) return "per " + array.set;
+  return std::to_string(array.count) + (array.count == 1 ? " object" : " objects");
+}
+
 const Array* find(const Scene& scene, const std::string& full_name) {
   for (const Group& group : scene.groups)
     for (const Array& array : group.arrays)

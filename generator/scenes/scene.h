@@ -80,6 +80,9 @@ struct Scene {
   [[nodiscard]] std::string qualified_name() const { return scope.empty() ? name : scope + "::" + name; }
 };
 
+/// "per tet", "1 object", "3 objects".
+[[nodiscard]] std::string set_of(const Array& array);
+
 /// What tells scenes' arrays apart for analysis and emission. @return null: there is none of this full name
 [[nodiscard]] const Array* find(const Scene& scene, const std::string& full_name);
 

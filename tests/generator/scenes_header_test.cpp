@@ -44,7 +44,7 @@ TEST(SceneHeader, prunes_fields_of_nested_objects_and_counts_single_ones) {
         "  };\n"
         "  using svd = SvdFormats;\n"
         "};\n",
-        "    physgen::allocate(state, 1);\n"})
+        "    physgen::allocate(state, 1, {\"n\"});\n"})
     EXPECT_NE(text.find(lines), std::string::npos) << lines << "in\n" << text;
 }
 

@@ -135,7 +135,7 @@ const std::vector<Wrong> cases = {
      "struct PHYSGEN_SCENE() scene {\n" + svds + "\n};\n",
      {"1:24: error: scene 'scene' has no function template 'program'; write 'template <class On> static void "
       "program(On& on)'",
-      "2:52: error: arrays stand in a group of their scene, which programs get as a whole; write 'struct Body { "
+      "2:51: error: arrays stand in a group of their scene, which programs get as a whole; write 'struct Body { "
       "PHYSGEN_ARRAY(...) ...; };'"}},
     {"no_arrays",
      "struct PHYSGEN_SCENE() scene { template <class On> static void program(On&); };\n",
@@ -154,7 +154,7 @@ const std::vector<Wrong> cases = {
       "'template <class On, class Body> static void program(On& on, Body& body)'"}},
     {"a_parameter_of_a_templates_type",
      scene_of(svds, "template <class On, class B> static void program(On&, B&, typename B::Real dt);"),
-     {"5:77: error: what program takes behind its groups has a type of its own, not one of a template's parameter; "
+     {"5:76: error: what program takes behind its groups has a type of its own, not one of a template's parameter; "
       "write the type"}},
     {"no_set",
      scene_of("PHYSGEN_ARRAY() Array<SvdObject, float> svds;"),
