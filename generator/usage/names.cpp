@@ -84,9 +84,8 @@ std::vector<const clang::ClassTemplateSpecializationDecl*> Names::probes() const
   const auto* physgen = space({"physgen"});
   if (physgen == nullptr) return result;
   for (clang::NamedDecl* found : physgen->lookup(&context_.Idents.get("Probe")))
-    if (auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
-      for (const auto* probe : pattern->specializations())
-        if (probe->isCompleteDefinition()) result.push_back(probe);
+    if (const auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
+      for (const auto* probe : pattern->specializations()) result.push_back(probe);
   return result;
 }
 

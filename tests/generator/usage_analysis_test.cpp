@@ -134,7 +134,9 @@ TEST(UsageOfKernels, has_places_in_the_kernels_own_source) {
   ASSERT_NE(differential, nullptr);
   for (const FieldUse& use : differential->fields) {
     EXPECT_FALSE(use.whole_object) << use.field;
-    if (use.field == "dx") EXPECT_EQ(use.places.size(), 2U) << "of the node itself, and in the lambda over its edges";
+    if (use.field == "dx") {
+      EXPECT_EQ(use.places.size(), 2U) << "of the node itself, and in the lambda over its edges";
+    }
   }
 }
 

@@ -10,7 +10,7 @@ namespace physgen::usage {
 namespace {
 
 // A view of objects with one field, which is read by get() and stored by put(). Lines of a test's text begin at 1.
-const std::string declarations = R"(
+const std::string declarations = R"(#line 1 "physgen/small.h"
 namespace physgen {
 template <class Tag, class Object, int field, class Base>
 struct Probe {
@@ -36,7 +36,7 @@ template <class Tag>
 using V = physgen::View<physgen::Probe<Tag, Object, 7, int>>;
 template <class Kernel>
 void run(const Kernel& kernel) { physgen::probe::detail::step<Kernel>(kernel); }
-#line 1
+#line 1 "small.cpp"
 )";
 
 struct Analysis {
@@ -87,7 +87,6 @@ TEST(UsageWalk, goes_wherever_code_may_be_called_from) {
   EXPECT_EQ(written("", "auto f = [](auto v) { v.put(1); }; f(a);"), "a W 2:25");
   EXPECT_EQ(written("", "void (*f)(V<A>) = [](V<A> v) { v.put(1); }; f(a);"), "a W 2:34");
   EXPECT_EQ(written("template <class T> void g(T v) { v.put(1); }\n", "void (*f)(V<A>) = g; f(a);"), "a W 1:36");
-  EXPECT_EQ(written("inline void g(V<A> v, float x = v.get()) {}\n", "(void)i;"), "errors");
   EXPECT_EQ(written("inline float g(float x = V<A>().get()) { return x; }\n", "g();"), "a R 1:33");
   EXPECT_EQ(written("struct S { V<A> v; float x = v.get(); };\n", "S s{a};"), "a R 1:32");
   EXPECT_EQ(written("struct S { float x; S(V<A> v) : x(v.get()) {} };\n", "S s(a);"), "a R 1:37");
