@@ -25,4 +25,15 @@ void newton_program(On& on) {
   (void)find_equilibrium(on, loop, body, levels, 0, vectors, steps, NewtonSettings{}, 1.0, false, true, {});
 }
 
+/// "body.positions.x" of all fields that the program reads and does not write, without the solver's lists, whose ranges
+/// and entries are inputs as a whole.
+inline std::set<std::string> fields_read_only() {
+  std::set<std::string> fields;
+  for (const probe::FieldAccess& row : probe::registered()) {
+    const bool of_a_list = row.array.ends_with(".ranges") || row.array.ends_with(".entries");
+    if (row.read && !row.written && !of_a_list) fields.insert(row.array + "." + row.field);
+  }
+  return fields;
+}
+
 }  // namespace physgen::fem::test
