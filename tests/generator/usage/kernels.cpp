@@ -18,8 +18,6 @@ using Space = Cuda;
 using Space = Host;
 #endif
 
-template void fem::test::run_all_kernels(ProbeExecutor<Space>& on);
-
 #define PHYSGEN_TEST_ARRAY(Tag, Type)                    \
   struct Tag##_tag {                                     \
     static constexpr const char* name = "product." #Tag; \
@@ -46,3 +44,5 @@ void multiply(On& on, Arrays& a, const fem::EdgeSums& sums) {
 template void multiply(ProbeExecutor<Space>& on, Arrays& a, const fem::EdgeSums& sums);
 
 }  // namespace kernels
+
+template void physgen::fem::test::run_all_kernels(physgen::ProbeExecutor<kernels::Space>& on);
