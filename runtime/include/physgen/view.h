@@ -115,6 +115,10 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     check(i);
     return Ref<I>(CursorAt<I>(base_, *this, i, losses()));
   }
+  template <class I, class Frame>
+  [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) operator[](const Own<I, Frame>& i) const {
+    return (*this)[i.index];
+  }
   /// All fields of object(s) i, by value.
   template <class I>
   [[nodiscard]] PHYSGEN_FUNCTION const Value<I> get(I i) const {
