@@ -1,11 +1,11 @@
 // Accessor classes of the object types in elasticity.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_ELASTICITY_H_FA8B6C547442F300
-#define PHYSGEN_ELASTICITY_H_FA8B6C547442F300
+#ifndef PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9
+#define PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 3
-#error "elasticity.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 4
+#error "elasticity.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace elasticity {
@@ -25,6 +25,16 @@ struct DeformationGradient {
 template <class Space>
 struct DeformationGradientFormats {
   using F = physgen::format::Native;
+};
+
+struct DeformationGradientObject;
+/// DeformationGradientFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = DeformationGradientFormats<physgen::Host>,
+          class Object = DeformationGradientObject, int first = 0>
+struct DeformationGradientProbe {
+  using array_ = ArrayTag;
+  using F = physgen::Probe<ArrayTag, Object, first + 0, typename Base::F>;
 };
 
 /// Where each field begins in the record of one DeformationGradient [bytes].
@@ -87,6 +97,8 @@ struct DeformationGradientObject {
   }};
   template <class Space>
   using Formats = DeformationGradientFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = DeformationGradientProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -121,6 +133,16 @@ struct DeformationGradientDifferential {
 template <class Space>
 struct DeformationGradientDifferentialFormats {
   using dF = physgen::format::Native;
+};
+
+struct DeformationGradientDifferentialObject;
+/// DeformationGradientDifferentialFormats whose reads and writes are told apart for the array that the tag ArrayTag
+/// names; see <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = DeformationGradientDifferentialFormats<physgen::Host>,
+          class Object = DeformationGradientDifferentialObject, int first = 0>
+struct DeformationGradientDifferentialProbe {
+  using array_ = ArrayTag;
+  using dF = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dF>;
 };
 
 /// Where each field begins in the record of one DeformationGradientDifferential [bytes].
@@ -184,6 +206,8 @@ struct DeformationGradientDifferentialObject {
   }};
   template <class Space>
   using Formats = DeformationGradientDifferentialFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = DeformationGradientDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -227,6 +251,18 @@ struct DeformationSvdFormats {
   using U = physgen::format::Native;
   using V = physgen::format::Native;
   using s = physgen::format::Native;
+};
+
+struct DeformationSvdObject;
+/// DeformationSvdFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = DeformationSvdFormats<physgen::Host>, class Object = DeformationSvdObject,
+          int first = 0>
+struct DeformationSvdProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
+  using s = physgen::Probe<ArrayTag, Object, first + 2, typename Base::s>;
 };
 
 /// Where each field begins in the record of one DeformationSvd [bytes].
@@ -311,6 +347,8 @@ struct DeformationSvdObject {
   }};
   template <class Space>
   using Formats = DeformationSvdFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = DeformationSvdProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -350,6 +388,18 @@ struct QuaternionSvdFormats {
   using u = physgen::format::Native;
   using v = physgen::format::Native;
   using s = physgen::format::Native;
+};
+
+struct QuaternionSvdObject;
+/// QuaternionSvdFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = QuaternionSvdFormats<physgen::Host>, class Object = QuaternionSvdObject,
+          int first = 0>
+struct QuaternionSvdProbe {
+  using array_ = ArrayTag;
+  using u = physgen::Probe<ArrayTag, Object, first + 0, typename Base::u>;
+  using v = physgen::Probe<ArrayTag, Object, first + 1, typename Base::v>;
+  using s = physgen::Probe<ArrayTag, Object, first + 2, typename Base::s>;
 };
 
 /// Where each field begins in the record of one QuaternionSvd [bytes].
@@ -434,6 +484,8 @@ struct QuaternionSvdObject {
   }};
   template <class Space>
   using Formats = QuaternionSvdFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = QuaternionSvdProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -470,6 +522,17 @@ template <class Space>
 struct PrincipalDirectionsFormats {
   using U = physgen::format::Native;
   using V = physgen::format::Native;
+};
+
+struct PrincipalDirectionsObject;
+/// PrincipalDirectionsFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PrincipalDirectionsFormats<physgen::Host>,
+          class Object = PrincipalDirectionsObject, int first = 0>
+struct PrincipalDirectionsProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
 };
 
 /// Where each field begins in the record of one PrincipalDirections [bytes].
@@ -544,6 +607,8 @@ struct PrincipalDirectionsObject {
   }};
   template <class Space>
   using Formats = PrincipalDirectionsFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PrincipalDirectionsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -577,6 +642,16 @@ struct PrincipalStretches {
 template <class Space>
 struct PrincipalStretchesFormats {
   using s = physgen::format::Native;
+};
+
+struct PrincipalStretchesObject;
+/// PrincipalStretchesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PrincipalStretchesFormats<physgen::Host>,
+          class Object = PrincipalStretchesObject, int first = 0>
+struct PrincipalStretchesProbe {
+  using array_ = ArrayTag;
+  using s = physgen::Probe<ArrayTag, Object, first + 0, typename Base::s>;
 };
 
 /// Where each field begins in the record of one PrincipalStretches [bytes].
@@ -639,6 +714,8 @@ struct PrincipalStretchesObject {
   }};
   template <class Space>
   using Formats = PrincipalStretchesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PrincipalStretchesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -672,6 +749,16 @@ struct ElementRotation {
 template <class Space>
 struct ElementRotationFormats {
   using R = physgen::format::Native;
+};
+
+struct ElementRotationObject;
+/// ElementRotationFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = ElementRotationFormats<physgen::Host>, class Object = ElementRotationObject,
+          int first = 0>
+struct ElementRotationProbe {
+  using array_ = ArrayTag;
+  using R = physgen::Probe<ArrayTag, Object, first + 0, typename Base::R>;
 };
 
 /// Where each field begins in the record of one ElementRotation [bytes].
@@ -734,6 +821,8 @@ struct ElementRotationObject {
   }};
   template <class Space>
   using Formats = ElementRotationFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = ElementRotationProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -801,6 +890,27 @@ struct StressDerivativeFormats {
   using x3113 = physgen::format::Native;
   using x3232 = physgen::format::Native;
   using x3223 = physgen::format::Native;
+};
+
+struct StressDerivativeObject;
+/// StressDerivativeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StressDerivativeFormats<physgen::Host>, class Object = StressDerivativeObject,
+          int first = 0>
+struct StressDerivativeProbe {
+  using array_ = ArrayTag;
+  using x1111 = physgen::Probe<ArrayTag, Object, first + 0, typename Base::x1111>;
+  using x2211 = physgen::Probe<ArrayTag, Object, first + 1, typename Base::x2211>;
+  using x3311 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x3311>;
+  using x2222 = physgen::Probe<ArrayTag, Object, first + 3, typename Base::x2222>;
+  using x3322 = physgen::Probe<ArrayTag, Object, first + 4, typename Base::x3322>;
+  using x3333 = physgen::Probe<ArrayTag, Object, first + 5, typename Base::x3333>;
+  using x2121 = physgen::Probe<ArrayTag, Object, first + 6, typename Base::x2121>;
+  using x2112 = physgen::Probe<ArrayTag, Object, first + 7, typename Base::x2112>;
+  using x3131 = physgen::Probe<ArrayTag, Object, first + 8, typename Base::x3131>;
+  using x3113 = physgen::Probe<ArrayTag, Object, first + 9, typename Base::x3113>;
+  using x3232 = physgen::Probe<ArrayTag, Object, first + 10, typename Base::x3232>;
+  using x3223 = physgen::Probe<ArrayTag, Object, first + 11, typename Base::x3223>;
 };
 
 /// Where each field begins in the record of one StressDerivative [bytes].
@@ -975,6 +1085,8 @@ struct StressDerivativeObject {
   }};
   template <class Space>
   using Formats = StressDerivativeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = StressDerivativeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1008,6 +1120,15 @@ struct Stress {
 template <class Space>
 struct StressFormats {
   using P = physgen::format::Native;
+};
+
+struct StressObject;
+/// StressFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StressFormats<physgen::Host>, class Object = StressObject, int first = 0>
+struct StressProbe {
+  using array_ = ArrayTag;
+  using P = physgen::Probe<ArrayTag, Object, first + 0, typename Base::P>;
 };
 
 /// Where each field begins in the record of one Stress [bytes].
@@ -1068,6 +1189,8 @@ struct StressObject {
   }};
   template <class Space>
   using Formats = StressFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = StressProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1099,6 +1222,16 @@ struct StressDifferential {
 template <class Space>
 struct StressDifferentialFormats {
   using dP = physgen::format::Native;
+};
+
+struct StressDifferentialObject;
+/// StressDifferentialFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StressDifferentialFormats<physgen::Host>,
+          class Object = StressDifferentialObject, int first = 0>
+struct StressDifferentialProbe {
+  using array_ = ArrayTag;
+  using dP = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dP>;
 };
 
 /// Where each field begins in the record of one StressDifferential [bytes].
@@ -1161,6 +1294,8 @@ struct StressDifferentialObject {
   }};
   template <class Space>
   using Formats = StressDifferentialFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = StressDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1197,6 +1332,16 @@ template <class Space>
 struct RestShapeFormats {
   using dm_inverse = physgen::format::Native;
   using volume = physgen::format::Native;
+};
+
+struct RestShapeObject;
+/// RestShapeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = RestShapeFormats<physgen::Host>, class Object = RestShapeObject, int first = 0>
+struct RestShapeProbe {
+  using array_ = ArrayTag;
+  using dm_inverse = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dm_inverse>;
+  using volume = physgen::Probe<ArrayTag, Object, first + 1, typename Base::volume>;
 };
 
 /// Where each field begins in the record of one RestShape [bytes].
@@ -1269,6 +1414,8 @@ struct RestShapeObject {
   }};
   template <class Space>
   using Formats = RestShapeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = RestShapeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1300,6 +1447,16 @@ struct CornerForces {
 template <class Space>
 struct CornerForcesFormats {
   using G = physgen::format::Native;
+};
+
+struct CornerForcesObject;
+/// CornerForcesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = CornerForcesFormats<physgen::Host>, class Object = CornerForcesObject,
+          int first = 0>
+struct CornerForcesProbe {
+  using array_ = ArrayTag;
+  using G = physgen::Probe<ArrayTag, Object, first + 0, typename Base::G>;
 };
 
 /// Where each field begins in the record of one CornerForces [bytes].
@@ -1362,6 +1519,8 @@ struct CornerForcesObject {
   }};
   template <class Space>
   using Formats = CornerForcesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = CornerForcesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1439,6 +1598,31 @@ struct ElementRecordFormats {
   using x3223 = physgen::format::Native;
   using dF = physgen::format::Native;
   using dP = physgen::format::Native;
+};
+
+struct ElementRecordObject;
+/// ElementRecordFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = ElementRecordFormats<physgen::Host>, class Object = ElementRecordObject,
+          int first = 0>
+struct ElementRecordProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
+  using x1111 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x1111>;
+  using x2211 = physgen::Probe<ArrayTag, Object, first + 3, typename Base::x2211>;
+  using x3311 = physgen::Probe<ArrayTag, Object, first + 4, typename Base::x3311>;
+  using x2222 = physgen::Probe<ArrayTag, Object, first + 5, typename Base::x2222>;
+  using x3322 = physgen::Probe<ArrayTag, Object, first + 6, typename Base::x3322>;
+  using x3333 = physgen::Probe<ArrayTag, Object, first + 7, typename Base::x3333>;
+  using x2121 = physgen::Probe<ArrayTag, Object, first + 8, typename Base::x2121>;
+  using x2112 = physgen::Probe<ArrayTag, Object, first + 9, typename Base::x2112>;
+  using x3131 = physgen::Probe<ArrayTag, Object, first + 10, typename Base::x3131>;
+  using x3113 = physgen::Probe<ArrayTag, Object, first + 11, typename Base::x3113>;
+  using x3232 = physgen::Probe<ArrayTag, Object, first + 12, typename Base::x3232>;
+  using x3223 = physgen::Probe<ArrayTag, Object, first + 13, typename Base::x3223>;
+  using dF = physgen::Probe<ArrayTag, Object, first + 14, typename Base::dF>;
+  using dP = physgen::Probe<ArrayTag, Object, first + 15, typename Base::dP>;
 };
 
 /// Where each field begins in the record of one ElementRecord [bytes].
@@ -1653,6 +1837,8 @@ struct ElementRecordObject {
   }};
   template <class Space>
   using Formats = ElementRecordFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = ElementRecordProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1685,6 +1871,16 @@ struct NodePosition {
 template <class Space>
 struct NodePositionFormats {
   using x = physgen::format::Native;
+};
+
+struct NodePositionObject;
+/// NodePositionFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodePositionFormats<physgen::Host>, class Object = NodePositionObject,
+          int first = 0>
+struct NodePositionProbe {
+  using array_ = ArrayTag;
+  using x = physgen::Probe<ArrayTag, Object, first + 0, typename Base::x>;
 };
 
 /// Where each field begins in the record of one NodePosition [bytes].
@@ -1747,6 +1943,8 @@ struct NodePositionObject {
   }};
   template <class Space>
   using Formats = NodePositionFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodePositionProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1778,6 +1976,15 @@ struct NodeForce {
 template <class Space>
 struct NodeForceFormats {
   using f = physgen::format::Native;
+};
+
+struct NodeForceObject;
+/// NodeForceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeForceFormats<physgen::Host>, class Object = NodeForceObject, int first = 0>
+struct NodeForceProbe {
+  using array_ = ArrayTag;
+  using f = physgen::Probe<ArrayTag, Object, first + 0, typename Base::f>;
 };
 
 /// Where each field begins in the record of one NodeForce [bytes].
@@ -1838,6 +2045,8 @@ struct NodeForceObject {
   }};
   template <class Space>
   using Formats = NodeForceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeForceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1869,6 +2078,16 @@ struct PlacedForce {
 template <class Space>
 struct PlacedForceFormats {
   using f = physgen::format::Native;
+};
+
+struct PlacedForceObject;
+/// PlacedForceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PlacedForceFormats<physgen::Host>, class Object = PlacedForceObject,
+          int first = 0>
+struct PlacedForceProbe {
+  using array_ = ArrayTag;
+  using f = physgen::Probe<ArrayTag, Object, first + 0, typename Base::f>;
 };
 
 /// Where each field begins in the record of one PlacedForce [bytes].
@@ -1931,6 +2150,8 @@ struct PlacedForceObject {
   }};
   template <class Space>
   using Formats = PlacedForceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PlacedForceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1962,6 +2183,16 @@ struct NodeDisplacement {
 template <class Space>
 struct NodeDisplacementFormats {
   using dx = physgen::format::Native;
+};
+
+struct NodeDisplacementObject;
+/// NodeDisplacementFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeDisplacementFormats<physgen::Host>, class Object = NodeDisplacementObject,
+          int first = 0>
+struct NodeDisplacementProbe {
+  using array_ = ArrayTag;
+  using dx = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dx>;
 };
 
 /// Where each field begins in the record of one NodeDisplacement [bytes].
@@ -2024,6 +2255,8 @@ struct NodeDisplacementObject {
   }};
   template <class Space>
   using Formats = NodeDisplacementFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeDisplacementProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2057,6 +2290,16 @@ struct NodeForceDifferential {
 template <class Space>
 struct NodeForceDifferentialFormats {
   using df = physgen::format::Native;
+};
+
+struct NodeForceDifferentialObject;
+/// NodeForceDifferentialFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeForceDifferentialFormats<physgen::Host>,
+          class Object = NodeForceDifferentialObject, int first = 0>
+struct NodeForceDifferentialProbe {
+  using array_ = ArrayTag;
+  using df = physgen::Probe<ArrayTag, Object, first + 0, typename Base::df>;
 };
 
 /// Where each field begins in the record of one NodeForceDifferential [bytes].
@@ -2119,6 +2362,8 @@ struct NodeForceDifferentialObject {
   }};
   template <class Space>
   using Formats = NodeForceDifferentialFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeForceDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2153,6 +2398,16 @@ struct NodeStiffness {
 template <class Space>
 struct NodeStiffnessFormats {
   using K = physgen::format::Native;
+};
+
+struct NodeStiffnessObject;
+/// NodeStiffnessFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeStiffnessFormats<physgen::Host>, class Object = NodeStiffnessObject,
+          int first = 0>
+struct NodeStiffnessProbe {
+  using array_ = ArrayTag;
+  using K = physgen::Probe<ArrayTag, Object, first + 0, typename Base::K>;
 };
 
 /// Where each field begins in the record of one NodeStiffness [bytes].
@@ -2215,6 +2470,8 @@ struct NodeStiffnessObject {
   }};
   template <class Space>
   using Formats = NodeStiffnessFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2246,6 +2503,16 @@ struct EdgeStiffness {
 template <class Space>
 struct EdgeStiffnessFormats {
   using E = physgen::format::Native;
+};
+
+struct EdgeStiffnessObject;
+/// EdgeStiffnessFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = EdgeStiffnessFormats<physgen::Host>, class Object = EdgeStiffnessObject,
+          int first = 0>
+struct EdgeStiffnessProbe {
+  using array_ = ArrayTag;
+  using E = physgen::Probe<ArrayTag, Object, first + 0, typename Base::E>;
 };
 
 /// Where each field begins in the record of one EdgeStiffness [bytes].
@@ -2308,6 +2575,8 @@ struct EdgeStiffnessObject {
   }};
   template <class Space>
   using Formats = EdgeStiffnessFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = EdgeStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2342,6 +2611,17 @@ template <class Space>
 struct TetStiffnessFormats {
   using k = physgen::format::Native;
   using e = physgen::format::Native;
+};
+
+struct TetStiffnessObject;
+/// TetStiffnessFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetStiffnessFormats<physgen::Host>, class Object = TetStiffnessObject,
+          int first = 0>
+struct TetStiffnessProbe {
+  using array_ = ArrayTag;
+  using k = physgen::Probe<ArrayTag, Object, first + 0, typename Base::k>;
+  using e = physgen::Probe<ArrayTag, Object, first + 1, typename Base::e>;
 };
 
 /// Where each field begins in the record of one TetStiffness [bytes].
@@ -2426,6 +2706,8 @@ struct TetStiffnessObject {
   }};
   template <class Space>
   using Formats = TetStiffnessFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2457,13 +2739,23 @@ struct Tet {
 /// and name the derived struct as the last argument of TetArray.
 template <class Space>
 struct TetFormats {
+  using nodes = physgen::format::Native;
+};
+
+struct TetObject;
+/// TetFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetFormats<physgen::Host>, class Object = TetObject, int first = 0>
+struct TetProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
 /// Where each field begins in the record of one Tet [bytes].
 template <class Real, class Formats>
 struct TetRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(),
   }});
   static constexpr int nodes = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -2487,7 +2779,7 @@ class TetRef {
 
   /// corners i, j, k, l; det(Dm) > 0
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2512,11 +2804,13 @@ struct TetObject {
   using Ref = TetRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(
         "nodes", "", TetRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = TetFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<TetObject, Space>>
@@ -2546,13 +2840,23 @@ struct TetPlaces {
 /// anew, and name the derived struct as the last argument of TetPlacesArray.
 template <class Space>
 struct TetPlacesFormats {
+  using places = physgen::format::Native;
+};
+
+struct TetPlacesObject;
+/// TetPlacesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetPlacesFormats<physgen::Host>, class Object = TetPlacesObject, int first = 0>
+struct TetPlacesProbe {
+  using array_ = ArrayTag;
+  using places = physgen::Probe<ArrayTag, Object, first + 0, typename Base::places>;
 };
 
 /// Where each field begins in the record of one TetPlaces [bytes].
 template <class Real, class Formats>
 struct TetPlacesRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(),
   }});
   static constexpr int places = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -2576,7 +2880,7 @@ class TetPlacesRef {
 
   /// of corners i, j, k, l: numbers of entries
   PHYSGEN_FUNCTION decltype(auto) places() const {
-    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::places);
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(Record::places);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2601,11 +2905,13 @@ struct TetPlacesObject {
   using Ref = TetPlacesRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(
         "places", "", TetPlacesRecord<Real, Formats>::places, 1, 0.0),
   }};
   template <class Space>
   using Formats = TetPlacesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetPlacesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2636,13 +2942,23 @@ struct Edge {
 /// anew, and name the derived struct as the last argument of EdgeArray.
 template <class Space>
 struct EdgeFormats {
+  using nodes = physgen::format::Native;
+};
+
+struct EdgeObject;
+/// EdgeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = EdgeFormats<physgen::Host>, class Object = EdgeObject, int first = 0>
+struct EdgeProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
 /// Where each field begins in the record of one Edge [bytes].
 template <class Real, class Formats>
 struct EdgeRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(),
   }});
   static constexpr int nodes = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -2666,7 +2982,7 @@ class EdgeRef {
 
   /// m and n: the block of the edge is df(m)/dx(n)
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2691,11 +3007,13 @@ struct EdgeObject {
   using Ref = EdgeRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(
         "nodes", "", EdgeRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = EdgeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = EdgeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<EdgeObject, Space>>
@@ -2727,14 +3045,27 @@ struct IncidenceRange {
 /// those anew, and name the derived struct as the last argument of IncidenceRangeArray.
 template <class Space>
 struct IncidenceRangeFormats {
+  using begin = physgen::format::Native;
+  using end = physgen::format::Native;
+};
+
+struct IncidenceRangeObject;
+/// IncidenceRangeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = IncidenceRangeFormats<physgen::Host>, class Object = IncidenceRangeObject,
+          int first = 0>
+struct IncidenceRangeProbe {
+  using array_ = ArrayTag;
+  using begin = physgen::Probe<ArrayTag, Object, first + 0, typename Base::begin>;
+  using end = physgen::Probe<ArrayTag, Object, first + 1, typename Base::end>;
 };
 
 /// Where each field begins in the record of one IncidenceRange [bytes].
 template <class Real, class Formats>
 struct IncidenceRangeRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::begin, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::end, std::int32_t>(),
   }});
   static constexpr int begin = plan_.offset[0];
   static constexpr int end = plan_.offset[1];
@@ -2761,11 +3092,11 @@ class IncidenceRangeRef {
 
   /// half-open range
   PHYSGEN_FUNCTION decltype(auto) begin() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::begin);
+    return at_.template field<physgen::shape::Scalar, typename Formats::begin, std::int32_t>(Record::begin);
   }
   /// half-open range
   PHYSGEN_FUNCTION decltype(auto) end() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::end);
+    return at_.template field<physgen::shape::Scalar, typename Formats::end, std::int32_t>(Record::end);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2794,13 +3125,15 @@ struct IncidenceRangeObject {
   using Ref = IncidenceRangeRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::begin, std::int32_t>(
         "begin", "", IncidenceRangeRecord<Real, Formats>::begin, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::end, std::int32_t>(
         "end", "", IncidenceRangeRecord<Real, Formats>::end, 1, 0.0),
   }};
   template <class Space>
   using Formats = IncidenceRangeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = IncidenceRangeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2834,14 +3167,26 @@ struct Incidence {
 /// anew, and name the derived struct as the last argument of IncidenceArray.
 template <class Space>
 struct IncidenceFormats {
+  using element = physgen::format::Native;
+  using local = physgen::format::Native;
+};
+
+struct IncidenceObject;
+/// IncidenceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = IncidenceFormats<physgen::Host>, class Object = IncidenceObject, int first = 0>
+struct IncidenceProbe {
+  using array_ = ArrayTag;
+  using element = physgen::Probe<ArrayTag, Object, first + 0, typename Base::element>;
+  using local = physgen::Probe<ArrayTag, Object, first + 1, typename Base::local>;
 };
 
 /// Where each field begins in the record of one Incidence [bytes].
 template <class Real, class Formats>
 struct IncidenceRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::element, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::local, std::int32_t>(),
   }});
   static constexpr int element = plan_.offset[0];
   static constexpr int local = plan_.offset[1];
@@ -2866,11 +3211,11 @@ class IncidenceRef {
 
   /// which tet, or which edge
   PHYSGEN_FUNCTION decltype(auto) element() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::element);
+    return at_.template field<physgen::shape::Scalar, typename Formats::element, std::int32_t>(Record::element);
   }
   /// which of its corners, or of its edges, it is
   PHYSGEN_FUNCTION decltype(auto) local() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::local);
+    return at_.template field<physgen::shape::Scalar, typename Formats::local, std::int32_t>(Record::local);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2899,13 +3244,15 @@ struct IncidenceObject {
   using Ref = IncidenceRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::element, std::int32_t>(
         "element", "", IncidenceRecord<Real, Formats>::element, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::local, std::int32_t>(
         "local", "", IncidenceRecord<Real, Formats>::local, 1, 0.0),
   }};
   template <class Space>
   using Formats = IncidenceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = IncidenceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2923,4 +3270,4 @@ static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_FA8B6C547442F300
+#endif  // PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9

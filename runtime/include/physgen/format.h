@@ -37,6 +37,7 @@
 #include <physgen/format/from_library.h>
 #include <physgen/format/half.h>
 #include <physgen/format/native.h>
+#include <physgen/format/probe.h>
 #include <physgen/format/quaternion.h>
 #include <physgen/format/scaled.h>
 #include <physgen/format/snorm16.h>

@@ -67,7 +67,7 @@ struct OwnFunctions {
 /// The functions of Format where copies do not know it by its numbers, else null.
 template <class Format, class T>
 [[nodiscard]] constexpr const OwnCodec* own_codec() {
-  if constexpr (format::FromLibrary<Format>) {
+  if constexpr (format::FromLibrary<Format> || format::is_probe<Format>) {
     return nullptr;
   } else {
     return &OwnFunctions<Format, T>::codec;
@@ -114,6 +114,8 @@ template <class Shape, class Format, class T>
 [[nodiscard]] constexpr Slot slot(int entries = 1) {
   static_assert(!format::is_quaternion<Format> || std::is_same_v<Shape, shape::Rotation>,
                 "only a Rotation can be stored as a quaternion");
+  static_assert(!std::is_integral_v<T> || format::holds_indices<format::ElementFormat<Format>>,
+                "a field of integers is stored as it is, in format::Native: no other format keeps every index");
   constexpr int size = sizeof(typename format::ElementFormat<Format>::template Stored<T>);
   return {stored_count<Shape, Format> * size, size, entries};
 }
