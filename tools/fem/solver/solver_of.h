@@ -52,7 +52,7 @@ class SolverOf final : public QuasistaticSolver {
     std::vector<Point> motion = loading.motion, forces = loading.forces;
     for (std::size_t l = 0; l < used; ++l) {
       const LevelGraph* next = l + 1 < used ? &graphs[l + 1] : nullptr;
-      linear_.push_back(assembled ? std::make_unique<Level>(graphs[l], next)
+      linear_.push_back(assembled ? std::make_unique<Level>(graphs[l], next, own[l].rest)
                                   : std::make_unique<Level>(graphs[l], MatrixFree{blocks, next != nullptr}));
       if (l < solved_) {
         if (settings.newton.preconditioner.kind == Preconditioner::schwarz) {
