@@ -193,6 +193,15 @@ PHYSGEN_ELEMENT_OPERATOR(==)
 PHYSGEN_ELEMENT_OPERATOR(!=)
 #undef PHYSGEN_ELEMENT_OPERATOR
 
+/// Exchanges elements that are stored in two formats.
+template <detail::ElementReference A, detail::ElementReference B>
+  requires(!std::is_same_v<std::remove_cvref_t<A>, std::remove_cvref_t<B>>)
+PHYSGEN_FUNCTION void swap(A&& a, B&& b) {
+  const auto old = detail::operand(std::forward<A>(a));
+  std::forward<A>(a) = detail::operand(std::forward<B>(b));
+  std::forward<B>(b) = old;
+}
+
 template <detail::ElementReference A>
 PHYSGEN_FUNCTION auto operator-(A&& a) {
   return -detail::operand(std::forward<A>(a));

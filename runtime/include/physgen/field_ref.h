@@ -228,6 +228,15 @@ struct a_field_is_no_value_so_calculate_with_what_its_get_returns {};  // comple
 
 }  // namespace detail
 
+/// Exchanges fields of one shape that are stored in two formats.
+template <class Shape, class FormatA, class FormatB, class T, class CursorA, class CursorB>
+  requires(!std::is_same_v<FormatA, FormatB>)
+PHYSGEN_FUNCTION void swap(FieldRef<Shape, FormatA, T, CursorA>&& a, FieldRef<Shape, FormatB, T, CursorB>&& b) {
+  const auto old = std::move(a).get();
+  std::move(a) = std::move(b).get();
+  std::move(b) = old;
+}
+
 template <class A, class B>
   requires detail::SomeFieldReference<A, B>
 detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator+(A&&, B&&) = delete;
