@@ -73,8 +73,9 @@ void initialize(const Storage& storage, index_t begin, index_t end);
 
 /// Element k (counted over the fields in order, 9 for a rotation) of object i, converted to double and back. On CUDA a
 /// transfer each.
-/// @throw Error when i or k is out of range, or nothing is stored of the field; putdata also for an element of a rotation stored as a quaternion, for a
-/// value that is no index where one is stored, and in checked builds for one that the format cannot hold
+/// @throw Error when i or k is out of range, or nothing is stored of the field; putdata also for an element of a
+/// rotation stored as a quaternion, for a value that is no index where one is stored, and in checked builds for one
+/// that the format cannot hold
 [[nodiscard]] double getdata(const Storage& storage, index_t i, int k);
 void putdata(const Storage& storage, index_t i, int k, double value);
 

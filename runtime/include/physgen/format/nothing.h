@@ -2,7 +2,7 @@
 // more than a program needs, and the compiler proves that the program needs no more.
 #pragma once
 
-#include <physgen/element_type.h>
+#include <physgen/format/native.h>
 
 #include <concepts>
 
@@ -72,6 +72,10 @@ template <class Scene, class Array, class Field>
 inline constexpr bool is_pruned<Pruned<Scene, Array, Field>> = true;
 
 }  // namespace detail
+
+template <class Format>
+  requires StoresNothing<Format>
+inline constexpr bool holds_indices<Format> = true;
 
 /// Formats of no bytes that copies leave out.
 template <class Format>
