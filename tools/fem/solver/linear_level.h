@@ -3,6 +3,7 @@
 
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/assembled_stiffness.h>
+#include <fem/solver/inertia_arrays.h>
 #include <fem/solver/plane_arrays.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
@@ -86,6 +87,7 @@ struct LinearLevel {
   /// Where that preconditioner is used.
   std::unique_ptr<SchwarzArrays<Real, Space, typename Stored::template Factors<Space>>> schwarz;
   std::unique_ptr<PlaneArrays<Real, Space>> planes;  ///< where the body may touch some
+  std::unique_ptr<InertiaArrays<Space>> inertia;     ///< where it moves
 
   LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
       : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
@@ -144,7 +146,8 @@ struct LinearLevel {
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
                     parents, grid_parents, children.ranges(), children.entries(), edge_terms.ranges(),
                     edge_terms.entries(), translations, coarse_inverse) +
-           sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) + (planes == nullptr ? 0 : planes->bytes());
+           sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) + (planes == nullptr ? 0 : planes->bytes()) +
+           (inertia == nullptr ? 0 : inertia->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
 

@@ -6,6 +6,7 @@
 #include <fem/solver/coarse_inverse.h>
 #include <fem/solver/galerkin.h>
 #include <fem/solver/grid_galerkin.h>
+#include <fem/solver/inertia.h>
 #include <fem/solver/linear_level.h>
 #include <fem/solver/power_iteration.h>
 #include <fem/solver/rigid_planes.h>
@@ -96,6 +97,10 @@ void coarsen_stiffness(On& on, Level& fine, Level& coarse) {
       on.run(fine.nodes(), AddPlaneTranslations{fine.constraints.const_view(), fine.planes->stiffness.const_view(),
                                                 fine.translations.view()});
     }
+    if (fine.inertia != nullptr) {
+      on.run(fine.nodes(), AddInertiaTranslations{fine.inertia->per_mass, fine.constraints.const_view(),
+                                                  fine.inertia->masses.const_view(), fine.translations.view()});
+    }
   }
   on.run(coarse.nodes(), SumNodeStiffness{coarse.node_edges.const_view(), coarse.edge_stiffness.const_view(),
                                           coarse.node_stiffness.view()});
@@ -103,6 +108,10 @@ void coarsen_stiffness(On& on, Level& fine, Level& coarse) {
     if (fine.planes != nullptr) {
       on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), fine.planes->stiffness.const_view(),
                                                    coarse.planes->stiffness.view(), coarse.node_stiffness.view()});
+    }
+    if (fine.inertia != nullptr) {
+      on.run(coarse.nodes(), AddInertiaStiffness{fine.inertia->per_mass, coarse.inertia->masses.const_view(),
+                                                 coarse.node_stiffness.view()});
     }
     return;
   }

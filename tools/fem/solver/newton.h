@@ -26,16 +26,23 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& eval
     on.run(chunk.nodes(), SumForces{chunk, at.load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
                                     a.loads.const_view(), forces});
   }
-  const auto measure = [&](const auto& planes) {
+  const auto measure = [&](const auto& planes, const auto& inertia) {
     on.reduce(a.nodes(),
               MeasureForces{at.load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(),
-                            positions, forces, planes},
+                            positions, forces, planes, inertia},
               Sum{}, StoreForces{state});
   };
-  if (level.planes == nullptr) {
-    measure(NoPlanes{});
+  const auto measure_with = [&](const auto& inertia) {
+    if (level.planes == nullptr) {
+      measure(NoPlanes{}, inertia);
+    } else {
+      measure(level.planes->at(at), inertia);
+    }
+  };
+  if (level.inertia == nullptr) {
+    measure_with(NoInertia{});
   } else {
-    measure(level.planes->at(at));
+    measure_with(level.inertia->at_step());
   }
   on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
             StoreSmallestRatio{state});
@@ -86,9 +93,14 @@ void form_tangent(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evalua
                   const AtLoad& at) {
   if (!level.assembled) return evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
   assemble(on, a, level, evaluator, filter);
-  if (level.planes == nullptr) return;
-  on.run(a.nodes(), AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
-                                      level.planes->stiffness.view(), level.node_stiffness.view()});
+  const auto stiffness = level.node_stiffness.view();
+  if (level.planes != nullptr) {
+    on.run(a.nodes(), AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
+                                        level.planes->stiffness.view(), stiffness});
+  }
+  if (level.inertia != nullptr) {
+    on.run(a.nodes(), AddInertiaStiffness{level.inertia->per_mass, level.inertia->masses.const_view(), stiffness});
+  }
 }
 
 /// The preconditioner of that tangent. @param fresh whether power iterations begin anew

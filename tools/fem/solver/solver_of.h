@@ -2,78 +2,44 @@
 #pragma once
 
 #include <fem/solver/host_points.h>
-#include <fem/solver/loading_arrays.h>
 #include <fem/solver/measure_linear.h>
 #include <fem/solver/newton.h>
 #include <fem/solver/quasistatic.h>
+#include <fem/solver/solver_parts.h>
 #include <physgen/error.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <memory>
 #include <utility>
 
 namespace physgen::fem {
 
-/// The executor, which on CUDA must know the longest range that is reduced.
-template <class On>
-[[nodiscard]] std::unique_ptr<On> make_executor(index_t objects) {
-  if constexpr (std::is_default_constructible_v<On>) {
-    return std::make_unique<On>();
-  } else {
-    return std::make_unique<On>(objects);
-  }
-}
-
 template <class On, class Real, class Stored>
-class SolverOf final : public QuasistaticSolver {
- public:
-  using Space = typename On::Space;
-  using Arrays = EquilibriumArrays<Real, Space>;
-  using Level = LinearLevel<Real, Space, Stored>;
-  using Vectors = KrylovVectors<Real, Space>;
+class SolverOf final : public QuasistaticSolver, private SolverParts<On, Real, Stored> {
+  using Parts = SolverParts<On, Real, Stored>;
+  using Parts::all_prescribed_;
+  using Parts::arrays_;
+  using Parts::evaluate_now;
+  using Parts::evaluator_;
+  using Parts::linear_;
+  using Parts::loops_;
+  using Parts::moves_;
+  using Parts::on_;
+  using Parts::require_nodes;
+  using Parts::rounding_forces_;
+  using Parts::settings_;
+  using Parts::solved_;
+  using Parts::store;
+  using Parts::vectors_;
+  using typename Parts::Arrays;
+  using typename Parts::Level;
+  using typename Parts::Space;
 
+ public:
   SolverOf(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
-      : settings_(settings),
-        on_(make_executor<On>(index_t(levels.front().mesh.tets.size()))),
-        evaluator_(
-            make_evaluator<On, Arrays>(settings.material, settings.youngs_modulus, settings.poissons_ratio,
-                                       levels.front().averages_at_nodes || !levels.front().patches.nodes.empty())) {
-    const bool assembled = settings.newton.product == Product::assembled;
-    const auto meshes = static_cast<std::size_t>(std::ranges::find_if(levels, &MeshLevel::is_grid) - levels.begin());
-    const auto [used, solved] = used_levels(settings, levels.size(), meshes);
-    solved_ = solved;
-    std::vector<MeshLevel> own(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(used));
-    const std::vector<LevelGraph> graphs = make_level_graphs(own, assembled);
-    const TangentLists lists = tangent_lists<Space>(settings.newton);
-    const bool blocks = settings.newton.preconditioner.kind != Preconditioner::none;
-    std::vector<Point> motion = loading.motion, forces = loading.forces;
-    for (std::size_t l = 0; l < used; ++l) {
-      const LevelGraph* next = l + 1 < used ? &graphs[l + 1] : nullptr;
-      linear_.push_back(assembled ? std::make_unique<Level>(graphs[l], next)
-                                  : std::make_unique<Level>(graphs[l], MatrixFree{blocks, next != nullptr}));
-      if (l < solved_) {
-        if (settings.newton.preconditioner.kind == Preconditioner::schwarz) {
-          linear_.back()->use_schwarz(graphs[l], own[l].rest);
-        }
-        arrays_.push_back(std::make_unique<Arrays>(own[l], graphs[l], l + 1 < solved_, lists,
-                                                   l == 0 ? nullptr : arrays_.front()->chunk_arrays));
-        vectors_.push_back(std::make_unique<Vectors>(graphs[l].nodes));
-        loops_.emplace_back();
-        store_loading(*arrays_.back(), own[l], motion, forces);
-        rounding_forces_.push_back(
-            rounding_force(settings, own[l], motion, !loading.planes.empty(), arrays_.back()->spacing));
-        moves_.push_back(std::ranges::any_of(own[l].fixed, [](std::uint8_t fixed) { return fixed != 0; }) ||
-                         !loading.planes.empty());
-        all_prescribed_.push_back(std::ranges::all_of(own[l].fixed, [](std::uint8_t fixed) { return fixed == 7; }));
-      }
-      if (!loading.planes.empty() && !own[l].is_grid()) {
-        linear_.back()->planes = make_planes(l, own[l], loading.planes);
-      }
-      if (l + 1 < solved_) coarsen_loading(own[l], own[l + 1].mesh.nodes, motion, forces);
-    }
+      : Parts(levels, loading, settings) {
     reached_ = loading.planes.empty();  // planes may push at rest
     on_->wait();
   }
@@ -110,31 +76,18 @@ class SolverOf final : public QuasistaticSolver {
   [[nodiscard]] double load() const override { return load_; }
   [[nodiscard]] std::vector<Point> positions() const override { return points(arrays_.front()->positions); }
   [[nodiscard]] std::vector<Point> forces() override {
-    (void)evaluate_now();
+    (void)evaluate_now(0, load_);
     return plain_forces(arrays_.front()->forces);
   }
   [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
     if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
     const Arrays& coarser = *arrays_[1];
-    (void)evaluate_now(1);
+    (void)evaluate_now(1, load_);
     return NodeState{points(coarser.positions), plain_forces(coarser.forces), plane_contacts_of(1)};
   }
-  [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
-    (void)evaluate_now();
-    Arrays& a = *arrays_.front();
-    typename Evaluator<On, Arrays>::Stresses stresses(a.tet_count());
-    evaluator_->evaluate_stress(*on_, a, stresses);
-    on_->wait();
-    return plain_stresses(stresses);
-  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses() override { return Parts::stresses_at(load_); }
   [[nodiscard]] std::vector<PlaneContact> plane_contacts() override { return plane_contacts_of(0); }
-  [[nodiscard]] index_t bytes() const override {
-    index_t sum = arrays_.front()->chunk_arrays->bytes();
-    for (const auto& level : linear_) sum += level->bytes();
-    for (const auto& arrays : arrays_) sum += arrays->bytes();
-    for (const auto& vectors : vectors_) sum += vectors->bytes();
-    return sum;
-  }
+  [[nodiscard]] index_t bytes() const override { return Parts::bytes(); }
 
   [[nodiscard]] SolverState state() const override {
     SolverState state;
@@ -165,7 +118,7 @@ class SolverOf final : public QuasistaticSolver {
     if (settings_.newton.product != Product::assembled) {
       throw Error("the stiffness as blocks is that of the assembled product: the matrix-free one forms none");
     }
-    (void)evaluate_now();
+    (void)evaluate_now(0, load_);
     form_tangent(*on_, *arrays_.front(), *linear_.front(), *evaluator_, TangentFilter::none, load_);
     on_->wait();
     return linear_.front()->stiffness();
@@ -173,21 +126,15 @@ class SolverOf final : public QuasistaticSolver {
   LinearMeasurement measure_linear(std::span<const Point> force, const LinearTask& task,
                                    std::vector<Point>* step) override {
     require_nodes(0, force.size());
-    (void)evaluate_now();
+    (void)evaluate_now(0, load_);
     return fem::measure_linear(*on_, *arrays_.front(), linear_, *vectors_.front(), *evaluator_, settings_.newton, load_,
                                task, force, step);
   }
 
  private:
-  /// Of a level's positions as they are.
-  typename quasistatic::EquilibriumArray<double, Space>::Value evaluate_now(std::size_t level = 0) {
-    Arrays& a = *arrays_[level];
-    return evaluate_state(*on_, a, *linear_[level], *evaluator_, a.positions.const_view(), a.forces.view(), load_,
-                          true);
-  }
   /// What a solve that has nothing to do would say.
   [[nodiscard]] NewtonResult state_now() {
-    const auto state = evaluate_now();
+    const auto state = evaluate_now(0, load_);
     NewtonResult result;
     result.energy = state.elastic + state.volumetric + state.loads;
     result.smallest_J = state.smallest_ratio;
@@ -249,41 +196,6 @@ class SolverOf final : public QuasistaticSolver {
     if (linear_[level]->planes == nullptr) return {};
     return measure_planes(*on_, *linear_[level], arrays_[level]->positions.const_view(), load_);
   }
-  [[nodiscard]] std::unique_ptr<PlaneArrays<Real, Space>> make_planes(std::size_t l, const MeshLevel& level,
-                                                                      const std::vector<RigidPlane>& planes) const {
-    using Planes = PlaneArrays<Real, Space>;
-    if (l >= solved_) return std::make_unique<Planes>(level.mesh.nodes);
-    const double per_area = settings_.plane_stiffness * settings_.youngs_modulus / arrays_[l]->spacing;
-    return std::make_unique<Planes>(level, planes, per_area);
-  }
-
-  void store(Arrays& a, std::span<const Point> points) {
-    elasticity::NodePositionArray<double> host(a.nodes());
-    store_positions(points, host.view());
-    on_->wait();
-    copy(a.positions, host);
-    copy(a.kept, host);
-    synchronize();
-  }
-
-  void require_nodes(std::size_t level, std::size_t given) const {
-    const index_t nodes = arrays_[level]->nodes();
-    if (static_cast<index_t>(given) != nodes) {
-      throw Error("level " + std::to_string(level) + " has " + std::to_string(nodes) + " nodes, and " +
-                  std::to_string(given) + " were given");
-    }
-  }
-
-  SolverSettings settings_;
-  std::unique_ptr<On> on_;
-  std::unique_ptr<Evaluator<On, Arrays>> evaluator_;
-  std::vector<std::unique_ptr<Level>> linear_;   ///< finest first
-  std::vector<std::unique_ptr<Arrays>> arrays_;  ///< of the levels on which equilibrium is solved
-  std::vector<std::unique_ptr<Vectors>> vectors_;
-  std::deque<typename On::Loop> loops_;
-  std::vector<double> rounding_forces_;       ///< per level on which equilibrium is solved [N]
-  std::vector<bool> moves_, all_prescribed_;  ///< any component or plane is moved by the load; every component is
-  std::size_t solved_ = 1;
   double last_reaction_ = 0;  ///< at the last equilibrium [N]
   double load_ = 0;
   double coarser_load_ = std::numeric_limits<double>::quiet_NaN();  ///< of the coarser levels' equilibria
