@@ -93,16 +93,7 @@ class SceneReader {
       report_.error(record.getLocation(), "scene " + frontend::quoted(scene.name) + " stands in the file of " +
                                               frontend::quoted(stem) +
                                               "; give both one name, which the generated files get");
-    for (const clang::Decl* member : record.decls()) {
-      const auto* group = llvm::dyn_cast<clang::CXXRecordDecl>(member);
-      if (group != nullptr && group->isThisDeclarationADefinition() && !group->isInjectedClassName()) {
-        if (auto read = this->group(*group); !read.arrays.empty()) scene.groups.push_back(std::move(read));
-      } else if (is_marked(*member, array_annotation)) {
-        report_.error(member->getLocation(),
-                      "arrays stand in a group of their scene, which programs get as a whole; write 'struct Body { "
-                      "PHYSGEN_ARRAY(...) ...; };'");
-      }
-    }
+    groups(record, scene);
     if (scene.groups.empty() && !report_.has_errors())
       report_.error(record.getLocation(),
                     "scene " + frontend::quoted(scene.name) +
@@ -110,6 +101,25 @@ class SceneReader {
                         "Array<elasticity::TetObject, Real> tets; };'");
     program(record, scene);
     return scene;
+  }
+
+  /// Those of what the scene derives from, and then its own.
+  void groups(const clang::CXXRecordDecl& record, Scene& scene) {
+    for (const clang::CXXBaseSpecifier& base : record.bases()) {
+      const auto* type = base.getType()->getAsCXXRecordDecl();
+      if (type != nullptr && type->hasDefinition()) groups(*type->getDefinition(), scene);
+    }
+    for (const clang::Decl* member : record.decls()) {
+      const auto* group = llvm::dyn_cast<clang::CXXRecordDecl>(member);
+      if (group != nullptr && group->isThisDeclarationADefinition() && !group->isInjectedClassName() &&
+          !group->field_empty()) {  // one without members is the program's own, such as a choice at compile time
+        if (auto read = this->group(*group); !read.arrays.empty()) scene.groups.push_back(std::move(read));
+      } else if (is_marked(*member, array_annotation)) {
+        report_.error(member->getLocation(),
+                      "arrays stand in a group of their scene, which programs get as a whole; write 'struct Body { "
+                      "PHYSGEN_ARRAY(...) ...; };'");
+      }
+    }
   }
 
   Group group(const clang::CXXRecordDecl& record) {

@@ -58,6 +58,7 @@ template <class On, class Arrays, class Levels, class Vectors>
 void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
            const PreconditionerSettings& settings, double tolerance, int most_iterations, double residual_length = 0) {
   auto& level = *levels[top];
+  using Choices = typename std::remove_cvref_t<decltype(level)>::Choices;
   const index_t n = level.nodes();
   const auto state = v.state.view();
   const auto scales = level.scales.const_view();
@@ -80,16 +81,21 @@ void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size
   on.repeat(
       loop, most_iterations,
       [&] {
-        if (level.assembled) {
-          on.run(n,
-                 TurnDirection{v.state.const_view(), scales, z, level.node_stiffness.const_view(), direction, product});
-          add_edges(on,
-                    SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
-                                     level.edges.const_view(), p, product},
-                    level.sums);
-        } else {
-          on.run(n, TurnDirectionAlone{v.state.const_view(), scales, z, direction, product});
-          add_tangents(on, a, p, product);
+        if constexpr (Choices::assembled) {
+          if (level.assembled) {
+            on.run(n, TurnDirection{v.state.const_view(), scales, z, level.node_stiffness.const_view(), direction,
+                                    product});
+            add_edges(on,
+                      SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                                       level.edges.const_view(), p, product},
+                      level.sums);
+          }
+        }
+        if constexpr (Choices::matrix_free) {
+          if (!level.assembled) {
+            on.run(n, TurnDirectionAlone{v.state.const_view(), scales, z, direction, product});
+            add_tangents(on, a, p, product);
+          }
         }
         on.reduce(n, Curvature{p, q}, Sum{}, SetLength{state});
         on.run(n, TakeStep{v.state.const_view(), level.constraints.const_view(), scales, p, q, step, residual, scaled});

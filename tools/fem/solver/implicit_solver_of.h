@@ -16,8 +16,8 @@
 namespace physgen::fem {
 
 template <class On, class Real, class Stored>
-class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Real, Stored> {
-  using Parts = SolverParts<On, Real, Stored>;
+class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, SolverTypes<On, Real, Stored>> {
+  using Parts = SolverParts<On, SolverTypes<On, Real, Stored>>;
   using Parts::all_prescribed_;
   using Parts::arrays_;
   using Parts::evaluator_;

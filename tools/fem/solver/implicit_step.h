@@ -33,10 +33,9 @@ StoreFarthest(View) -> StoreFarthest<View>;
 /// and velocities are as before.
 /// @param levels finest first, each mesh with inertia
 /// @param moves whether prescribed components or planes are not yet where the load takes them
-template <class On, class Arrays, class Levels, class Vectors>
-NewtonResult implicit_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, Vectors& v,
-                           Evaluator<On, Arrays>& evaluator, const NewtonSettings& settings, const TimeStep& step,
-                           bool moves) {
+template <class On, class Arrays, class Levels, class Vectors, class Evaluator>
+NewtonResult implicit_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, Vectors& v, Evaluator& evaluator,
+                           const NewtonSettings& settings, const TimeStep& step, bool moves) {
   const index_t n = a.nodes();
   auto& level = *levels[0];
   auto& inertia = *level.inertia;
