@@ -193,4 +193,11 @@ struct OfKrylov {
   };
 };
 
+/// First Piola-Kirchhoff stresses, where they are asked for.
+struct OfStresses {
+  struct Stresses {
+    PHYSGEN_ARRAY(per("tet"), output()) Array<elasticity::StressObject, double> of_tets;
+  };
+};
+
 }  // namespace physgen::fem::groups

@@ -59,12 +59,16 @@ class SolverParts {
     Arrays& a = *arrays_[level];
     return evaluate_state(*on_, a, *linear_[level], *evaluator_, a.positions.const_view(), a.forces.view(), load, true);
   }
-  [[nodiscard]] std::vector<std::array<double, 9>> stresses_at(double load) {
+  /// Of the finest level's positions as they are. @param stresses an array of elasticity::Stress in double, one per tet
+  template <class Stresses>
+  void evaluate_stresses(double load, Stresses& stresses) {
     (void)evaluate_now(0, load);
-    Arrays& a = *arrays_.front();
-    elasticity::StressArray<double, Space> stresses(a.tet_count());
-    evaluator_->evaluate_stress(*on_, a, stresses);
+    evaluator_->evaluate_stress(*on_, *arrays_.front(), stresses);
     on_->wait();
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses_at(double load) {
+    elasticity::StressArray<double, Space> stresses(arrays_.front()->tet_count());
+    evaluate_stresses(load, stresses);
     return plain_stresses(stresses);
   }
 

@@ -130,10 +130,10 @@ class SolverProgram : private NestedNewton<On, Types> {
     groups_.krylov = std::move(*vectors_.front());
   }
 
+  using Nested::evaluate_stresses;
   using Nested::plane_contacts_of;
   using Nested::solve_to;
   using Nested::state_now;
-  using Nested::stresses_at;
 
   /// One step of backward Euler. @pre there is inertia
   NewtonResult step(const TimeStep& step) {
