@@ -40,6 +40,7 @@ struct PHYSGEN_SCENE() everything : fem::groups::OfBody,
     solver.evaluate_stresses(1, stresses.of_tets);
     (void)solver.plane_contacts_of(0);
     (void)solver.step(step);
+    (void)solver.motion();
   }
 };
 

@@ -118,11 +118,14 @@ class MaterialSteps {
   template <class Arrays, class Body>
   static void with_pressures(Arrays& a, const Body& body) {
     if constexpr (splits_volume<Material>) {
-      const auto of_patches = [&](auto& p) {
-        body(PatchPressures{p.tet_patches.const_view(), a.volumes.const_view()});
-      };
-      const auto at_nodes = [&](auto& /*rings*/) { body(NodePressures{a.tets.const_view(), a.volumes.const_view()}); };
-      if (where(a.patches, of_patches) || where(a.rings, at_nodes)) return;
+      if constexpr (may_have<decltype(a.patches)>) {
+        if (a.patches != nullptr) {
+          return body(PatchPressures{a.patches->tet_patches.const_view(), a.volumes.const_view()});
+        }
+      }
+      if constexpr (may_have<decltype(a.rings)>) {
+        if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
+      }
     }
     body(NoPatches{});
   }

@@ -25,7 +25,9 @@ void advance_pressures(On& on, Arrays& a, const VolumeTerm& volume, const Displa
 /// Along with a part of the step, 0 to 1. @pre advance_pressures() for all of it
 template <class On, class Arrays>
 void shorten_pressures(On& on, Arrays& a, double length) {
-  if (a.volumes.size() != 0) on.run(a.volumes.size(), ShortenPressures{length, a.volumes.view()});
+  if constexpr (may_have<decltype(a.patches)> || may_have<decltype(a.rings)>) {
+    if (a.volumes.size() != 0) on.run(a.volumes.size(), ShortenPressures{length, a.volumes.view()});
+  }
 }
 
 /// To begin with, those that a coarser level has found. @return whether there are any

@@ -21,10 +21,14 @@ struct NoArrays {};
 template <class Group>
 using Optional = std::conditional_t<std::is_same_v<Group, NoArrays>, NoArrays, std::unique_ptr<Group>>;
 
+/// Whether a program may have the arrays that an Optional is of.
+template <class Arrays>
+inline constexpr bool may_have = !std::is_same_v<std::remove_cvref_t<Arrays>, NoArrays>;
+
 /// Calls body(*arrays) where there are such arrays. @return whether
 template <class Arrays, class Body>
 bool where(Arrays& arrays, const Body& body) {
-  if constexpr (!std::is_same_v<std::remove_const_t<Arrays>, NoArrays>) {
+  if constexpr (may_have<Arrays>) {
     if (arrays == nullptr) return false;
     body(*arrays);
     return true;
@@ -35,7 +39,7 @@ bool where(Arrays& arrays, const Body& body) {
 /// The same of two levels. @pre where the first has such arrays, the second has
 template <class Arrays, class Body>
 void where(Arrays& arrays, Arrays& others, const Body& body) {
-  if constexpr (!std::is_same_v<std::remove_const_t<Arrays>, NoArrays>) {
+  if constexpr (may_have<Arrays>) {
     if (arrays != nullptr) body(*arrays, *others);
   }
 }

@@ -44,7 +44,8 @@ struct OfBody {
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeForceObject, double> trial_forces;
     /// Of prescribed components.
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeDisplacementObject, double> increment;
-    PHYSGEN_ARRAY(per(1)) Array<quasistatic::EquilibriumObject, double> state;
+    /// Its volumetric energy is 0 where no volumes are averaged.
+    PHYSGEN_ARRAY(per(1), input("volumetric")) Array<quasistatic::EquilibriumObject, double> state;
   };
 };
 
@@ -82,7 +83,7 @@ struct OfRings {
 /// What kernels over a chunk of tets leave for the next.
 struct OfChunk {
   struct Chunk {
-    PHYSGEN_ARRAY(per("tet")) Array<elasticity::CornerForcesObject, double> corners;
+    PHYSGEN_ARRAY(per("chunk_tet")) Array<elasticity::CornerForcesObject, double> corners;
     /// Of a chunk, or of all tets.
     PHYSGEN_ARRAY(per("kept_tet")) Array<quasistatic::TetTangentObject, Real> tangent;
   };
@@ -164,6 +165,8 @@ struct OfPlanes {
     PHYSGEN_ARRAY(per("surface_node"), input()) Array<contact::NodeAreaObject, double> areas;
     /// The part of the nodes' blocks that planes have.
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeStiffnessObject, Real> stiffness;
+    /// How one plane and the body touch, where equilibrium is solved.
+    PHYSGEN_ARRAY(per("contact")) Array<contact::PlaneContactObject, double> contact;
   };
 };
 
@@ -174,7 +177,8 @@ struct OfInertia {
     // None where equilibrium is not solved.
     PHYSGEN_ARRAY(per("moving_node")) Array<elasticity::NodePositionObject, double> centres;
     PHYSGEN_ARRAY(per("moving_node"), input(), output()) Array<dynamics::NodeVelocityObject, double> velocities;
-    PHYSGEN_ARRAY(per("measure")) Array<dynamics::MotionObject, double> measured;
+    /// Without elastic energy, which stands in the body's state: here it stays what it is at the beginning.
+    PHYSGEN_ARRAY(per("measure"), input("elastic")) Array<dynamics::MotionObject, double> measured;
   };
 };
 

@@ -67,6 +67,7 @@ struct MeshFacts {
   std::vector<Index> first_block, first_pair;  ///< where there is a Schwarz preconditioner, as SchwarzHierarchy's
   double plane_stiffness = 0;                  ///< of rigid planes, per area [Pa/m]
   double rounding_force = 0;                   ///< see NewtonSettings
+  double node_stiffness = 0;                   ///< of a node, elastic and by inertia, for bodies that move [N/m]
   bool moves = false, all_prescribed = false;  ///< any component or plane is moved by the load; every component is
 };
 
@@ -87,7 +88,8 @@ class SolverProgram : private NestedNewton<On, Types> {
             std::make_unique<typename Types::Material>(material, averages<typename Groups::Patches>(groups.patches) ||
                                                                      averages<typename Groups::Rings>(groups.rings)),
             1),
-        groups_(groups) {
+        groups_(groups),
+        stiffness_(facts.node_stiffness) {
     arrays_.push_back(std::make_unique<typename Types::Arrays>(std::move(groups.body)));
     auto& a = *arrays_.front();
     a.chunks = facts.chunks;
@@ -137,9 +139,14 @@ class SolverProgram : private NestedNewton<On, Types> {
 
   /// One step of backward Euler. @pre there is inertia
   NewtonResult step(const TimeStep& step) {
+    auto& newton = this->settings_.newton;
+    const double farthest = largest_coordinate(*on_, *arrays_.front(), *linear_.front());
+    newton.rounding_force = rounding_force(stiffness_, farthest, std::size_t(arrays_.front()->nodes()));
     return implicit_step(*on_, this->loops_.front(), *arrays_.front(), linear_, *vectors_.front(), *this->evaluator_,
                          this->settings_.newton, step, this->moves_.front());
   }
+  /// dynamics::Motion as it is. @pre there is inertia
+  [[nodiscard]] auto motion() { return measure_motion(*on_, *arrays_.front(), *linear_.front()); }
 
  private:
   template <class Group>
@@ -158,6 +165,7 @@ class SolverProgram : private NestedNewton<On, Types> {
   static void give_back(NoArrays& /*from*/, NoArrays& /*to*/) {}
 
   Groups groups_;
+  double stiffness_;
 };
 
 /// @tparam Real of tangents
