@@ -1,110 +1,14 @@
 // Arrays that prune fields, held against arrays that store all of them: one source for host, pinned and CUDA memory.
 #pragma once
 
-#include <everything.physgen.h>
 #include <physgen/gather.h>
 #include <physgen/mirror.h>
 #include <physgen/topology.h>
 
 #include "format_checks.h"
+#include "nothing_formats.h"
 
 namespace physgen::test {
-
-struct TestScene;
-struct TestArray;
-namespace field {
-struct U;
-struct V;
-struct s;
-struct x1111;
-struct x2222;
-struct x3232;
-struct weights;
-struct history;
-struct density;
-struct metric;
-struct fixed;
-struct mu;
-struct lambda;
-struct direction;
-struct time;
-struct a;
-struct F;
-struct C2;
-struct W;
-struct volume;
-struct weight;
-}  // namespace field
-template <class Field>
-using Gone = format::Pruned<TestScene, TestArray, Field>;
-
-/// What an explicit step of an elastic body keeps of an SVD.
-struct StretchesOnly : elasticity::DeformationSvdFormats<Host> {
-  using U = Gone<field::U>;
-  using V = Gone<field::V>;
-};
-struct NoSvd : StretchesOnly {
-  using s = Gone<field::s>;
-};
-/// Without saying that this is meant.
-struct LostStretches : elasticity::DeformationSvdFormats<Host> {
-  using s = format::Nothing;
-};
-/// A pruned field beside quaternions, of which there are fewer than code sees.
-struct RightOnly : elasticity::DeformationSvdFormats<Host> {
-  using U = Gone<field::U>;
-  using V = format::Quaternion<>;
-};
-/// Elements of 0, 2, 4 and 8 bytes.
-struct PartOfDerivative : elasticity::StressDerivativeFormats<Host> {
-  using x1111 = Gone<field::x1111>;
-  using x3311 = format::Float64;
-  using x2222 = Gone<field::x2222>;
-  using x3322 = format::Half<>;
-  using x3232 = Gone<field::x3232>;
-};
-/// Fixed arrays.
-struct PartOfEntries : tissue::model::EntriesFormats<Host> {
-  using weights = Gone<field::weights>;
-  using history = Gone<field::history>;
-};
-/// Initial values.
-struct PartOfOptions : tissue::model::OptionsFormats<Host> {
-  using density = Gone<field::density>;
-  using metric = Gone<field::metric>;
-  using fixed = Gone<field::fixed>;
-};
-struct NoLame : material::LameFormats<Host> {
-  using mu = Gone<field::mu>;
-  using lambda = Gone<field::lambda>;
-};
-struct PartOfFibre : material::FibreFormats<Host> {
-  using direction = Gone<field::direction>;
-};
-struct PartOfStamp : tissue::StampFormats<Host> {
-  using time = Gone<field::time>;
-};
-struct PartOfShapes : tissue::model::ShapesFormats<Host> {
-  using a = Gone<field::a>;
-  using F = Gone<field::F>;
-  using C2 = Gone<field::C2>;
-  using s = Gone<field::s>;
-  using W = Gone<field::W>;
-  using U = Gone<field::U>;
-};
-/// Nested objects, one of them without any bytes.
-struct PartOfElement : tissue::model::ElementFormats<Host> {
-  using lame = NoLame;
-  using fibres = PartOfFibre;
-  using stamp = PartOfStamp;
-  using shapes = PartOfShapes;
-  using volume = Gone<field::volume>;
-};
-struct PartOfPatch : tissue::other::PatchFormats<Host> {
-  using elements = PartOfElement;
-  using weight = Gone<field::weight>;
-  using options = PartOfOptions;
-};
 
 /// Calls check(k, field) for element numbers 0, 1, ... as code counts them.
 template <class Check>
@@ -130,6 +34,26 @@ inline void expect_part(const Storage& part, const Storage& full) {
         ASSERT_NE(message_of([&] { putdata(part, 0, k, 1); }).find(name), std::string::npos) << k;
       }
     });
+  }
+}
+
+/// Expects that of a poisoned array nothing but the stored elements of some objects has been written.
+inline void expect_only_stored_elements_written(const Storage& storage, const std::vector<bool>& objects) {
+  std::vector<bool> stored(static_cast<std::size_t>(storage.bytes()), false);
+  for (index_t i = 0; i < storage.size; ++i) {
+    if (!objects[static_cast<std::size_t>(i)]) continue;
+    for (const FieldInfo& field : storage.fields) {
+      const int size = element_bytes(field.type);
+      for (int k = 0; k < field.count; ++k) {
+        const index_t at = address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+        for (int b = 0; b < size; ++b) stored[static_cast<std::size_t>(at + b)] = true;
+      }
+    }
+  }
+  for (index_t b = 0; b < storage.bytes(); ++b) {
+    if (!stored[static_cast<std::size_t>(b)]) {
+      ASSERT_EQ(storage.base[b], std::byte{0xA5}) << "byte " << b;
+    }
   }
 }
 
@@ -318,6 +242,11 @@ void check_refusals() {
   const auto another = lost;  // of an array of its own kind nothing is lost
   EXPECT_EQ(another.size(), 40);
   refuses([&] { renumber(part, "U", remaining(40, {})); }, "nothing is stored of U");
+  Array<elasticity::TetObject, float, Space, Aosoa<32>, NoNodes> tets(4);
+  refuses([&] { renumber(tets, "nodes", remaining(4, {})); },
+          "elasticity::Tet[4] in " + std::string(name(Space::kind)) +
+              " memory: its indices are needed, but nothing is stored of nodes: ");
+  refuses([&] { renumber(tets, "corners", remaining(4, {})); }, "there is no field of indices \"corners\"");
 }
 
 }  // namespace physgen::test

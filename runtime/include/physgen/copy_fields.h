@@ -39,13 +39,13 @@ template <class Object, int kField>
   return result;
 }
 
-template <class Object, FieldName kField, bool kGiven>
+template <class Object, FieldName kField, class To, class From, bool kGiven>
 struct GivenField {
   static_assert(kGiven,
                 "the array copied from stores nothing of this field, and the array copied to stores it: give the field "
                 "the same format Pruned<scene, array, field> in both, or store it in both");
 };
-template <class Object, FieldName kField, bool kTaken>
+template <class Object, FieldName kField, class To, class From, bool kTaken>
 struct TakenField {
   static_assert(kTaken,
                 "this field would be lost: the array copied to stores Nothing of it. Give it the format Pruned<scene, "
@@ -58,9 +58,11 @@ constexpr void require_copied_fields() {
   constexpr auto& to = Object::template fields<float, To>;
   constexpr auto& from = Object::template fields<float, From>;
   constexpr int missing = first_not_given(to, from);
-  if constexpr (missing >= 0) (void)sizeof(GivenField<Object, field_name<Object, missing>(), (missing < 0)>);
+  if constexpr (missing >= 0) {
+    (void)sizeof(GivenField<Object, field_name<Object, missing>(), To, From, (missing < 0)>);
+  }
   constexpr int lost = first_not_taken(to, from);
-  if constexpr (lost >= 0) (void)sizeof(TakenField<Object, field_name<Object, lost>(), (lost < 0)>);
+  if constexpr (lost >= 0) (void)sizeof(TakenField<Object, field_name<Object, lost>(), To, From, (lost < 0)>);
 }
 
 }  // namespace physgen::detail

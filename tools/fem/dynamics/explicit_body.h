@@ -3,12 +3,11 @@
 #pragma once
 
 #include <dynamics.physgen.h>
-#include <fem/kernels/deformation_gradient.h>
 #include <fem/solver/loading_arrays.h>
 #include <fem/solver/masses.h>
 #include <fem/solver/quasistatic.h>
+#include <fem/solver/rest_shapes.h>
 #include <fem/solver/solver_arrays.h>
-#include <physgen/parallel_for.h>
 
 #include <vector>
 
@@ -83,21 +82,6 @@ struct ExplicitBody {
         velocities(level.mesh.nodes),
         forces(level.mesh.nodes),
         measured(1) {}
-
-  static auto host_tets(const MeshLevel& level) {
-    elasticity::TetArray<double> array(index_t(level.mesh.tets.size()));
-    store_tets(level.mesh, array.view());
-    return array;
-  }
-  static auto host_rest_shapes(const MeshLevel& level) {
-    elasticity::NodePositionArray<double> positions(level.mesh.nodes);
-    store_positions(level.rest, positions.view());
-    const auto corners_of = host_tets(level);
-    elasticity::RestShapeArray<double> shapes(corners_of.size());
-    parallel_for(Host{}, shapes.size(),
-                 ComputeRestShape{corners_of.const_view(), positions.const_view(), shapes.view()});
-    return shapes;
-  }
 };
 
 }  // namespace physgen::fem

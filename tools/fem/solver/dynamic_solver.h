@@ -58,6 +58,8 @@ class DynamicSolver {
   /// Per tet: first Piola-Kirchhoff stress by columns [Pa].
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
   [[nodiscard]] virtual MotionMeasure measure() = 0;
+  /// Of each plane with the nodes at their positions.
+  [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() { return {}; }
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used
 };
 

@@ -37,7 +37,7 @@ struct StoreVolumetric {
 template <class StateView>
 StoreVolumetric(StateView) -> StoreVolumetric<StateView>;
 
-/// A material, as the solver sees it.
+/// A material, as the solver sees it that is compiled for all of them.
 /// @tparam Arrays EquilibriumArrays
 template <class On, class Arrays>
 class Evaluator {
@@ -61,7 +61,7 @@ class Evaluator {
   [[nodiscard]] virtual VolumeTerm volume() const = 0;
 };
 
-/// What an Evaluator does of one material, over arrays by name of any types.
+/// The steps of a material.
 template <class Material>
 class MaterialSteps {
  public:
@@ -71,8 +71,8 @@ class MaterialSteps {
       if (averages) volume_ = split_volume(material_);
     }
   }
-  template <class On, class Arrays, class PositionView>
-  void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) const {
+  template <class On, class Arrays, class Positions>
+  void evaluate_volumes(On& on, Arrays& a, const Positions& positions, bool restart) {
     const auto evaluate = [&](const auto& kernel) {
       on.reduce(a.volumes.size(), kernel, Sum{}, StoreVolumetric{a.state.view()});
     };
@@ -87,8 +87,8 @@ class MaterialSteps {
     };
     if (!where(a.patches, of_patches)) where(a.rings, at_nodes);
   }
-  template <class On, class Arrays, class PositionView>
-  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const PositionView& positions) const {
+  template <class On, class Arrays, class Positions>
+  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const Positions& positions) {
     with_pressures(a, [&](const auto& pressures) {
       on.reduce(chunk.tets(),
                 ComputeTetForces{chunk, material_, pressures, a.tets.const_view(), a.rest.const_view(), positions,
@@ -97,7 +97,7 @@ class MaterialSteps {
     });
   }
   template <class On, class Arrays>
-  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) const {
+  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) {
     with_pressures(a, [&](const auto& pressures) {
       on.run(chunk.tets(),
              ComputeTetTangents{chunk, filter, material_, pressures, a.tets.const_view(), a.rest.const_view(),
@@ -105,7 +105,7 @@ class MaterialSteps {
     });
   }
   template <class On, class Arrays, class Stresses>
-  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) const {
+  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) {
     with_pressures(a, [&](const auto& pressures) {
       on.run(a.tet_count(), EvaluateStress{material_, pressures, a.tets.const_view(), a.rest.const_view(),
                                            a.positions.const_view(), stresses.view()});
@@ -140,7 +140,7 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
   using typename Evaluator<On, Arrays>::PositionView;
   using typename Evaluator<On, Arrays>::Stresses;
 
-  /// As MaterialSteps.
+  /// See MaterialSteps.
   MaterialEvaluator(const Material& material, bool averages) : steps_(material, averages) {}
   void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) override {
     steps_.evaluate_volumes(on, a, positions, restart);

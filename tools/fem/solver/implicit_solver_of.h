@@ -91,6 +91,10 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Sol
     const auto state = Parts::evaluate_now(0, load_);
     return {found.kinetic, state.elastic + state.volumetric, {found.momentum[0], found.momentum[1], found.momentum[2]}};
   }
+  [[nodiscard]] std::vector<PlaneContact> plane_contacts() override {
+    if (!has_planes_) return {};
+    return measure_planes(*on_, *linear_.front(), arrays_.front()->positions.const_view(), load_);
+  }
   [[nodiscard]] index_t bytes() const override { return Parts::bytes(); }
 
  private:

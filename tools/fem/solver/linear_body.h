@@ -2,12 +2,11 @@
 // shape at rest.
 #pragma once
 
-#include <fem/kernels/deformation_gradient.h>
 #include <fem/solver/linear_elastic.h>
+#include <fem/solver/rest_shapes.h>
 #include <fem/solver/scaled_blocks.h>
 #include <fem/solver/settings.h>
 #include <fem/solver/solver_arrays.h>
-#include <physgen/parallel_for.h>
 
 namespace physgen::fem {
 
@@ -47,21 +46,6 @@ struct LinearBody {
   [[nodiscard]] index_t bytes() const {
     return bytes_of(tets, rest, node_tets.ranges(), node_tets.entries(), edge_tets.ranges(), edge_tets.entries(),
                     displacements, motion, loads, forces, state);
-  }
-
- private:
-  static auto host_tets(const MeshLevel& level) {
-    elasticity::TetArray<double> array(index_t(level.mesh.tets.size()));
-    store_tets(level.mesh, array.view());
-    return array;
-  }
-  static auto host_rest_shapes(const MeshLevel& level) {
-    elasticity::NodePositionArray<double> positions(level.mesh.nodes);
-    store_positions(level.rest, positions.view());
-    const auto corners = host_tets(level);
-    elasticity::RestShapeArray<double> shapes(corners.size());
-    parallel_for(Host{}, shapes.size(), ComputeRestShape{corners.const_view(), positions.const_view(), shapes.view()});
-    return shapes;
   }
 };
 

@@ -24,11 +24,24 @@ class ProbeArray {
   explicit ProbeArray(index_t size = 1) : size_(size) {}
 
   [[nodiscard]] index_t size() const { return size_; }
-  [[nodiscard]] View view() { return {nullptr, size_, Layout::pitch(size_)}; }
+  [[nodiscard]] View view() {
+    give();
+    return {nullptr, size_, Layout::pitch(size_)};
+  }
   [[nodiscard]] ConstView view() const { return const_view(); }
-  [[nodiscard]] ConstView const_view() const { return {nullptr, size_, Layout::pitch(size_)}; }
+  [[nodiscard]] ConstView const_view() const {
+    give();
+    return {nullptr, size_, Layout::pitch(size_)};
+  }
 
  private:
+  // To kernels that the compiler of the host may not see.
+  static void give() {
+#if defined(__NVCC__) && !defined(__CUDA_ARCH__)
+    if constexpr (Space::kind == SpaceKind::cuda) (void)&probe::detail::DeviceArray<typename Formats::array_>::array;
+#endif
+  }
+
   index_t size_;
 };
 

@@ -50,13 +50,14 @@ struct Used {
                               access};
 };
 
-/// One piece of device code that is seen by Clang alone, in a list of all.
-struct Unseen {
-  const char* code;
-  const Unseen* next;
+/// Work in a way of its own for a device, or an array in memory of one: of these Clang alone sees all uses.
+struct ForDevice {
+  const char* what;
+  bool is_array;
+  const ForDevice* next;
 
-  explicit Unseen(const char* what) : code(what), next(last) { last = this; }
-  static inline const Unseen* last = nullptr;
+  ForDevice(const char* name, bool array) : what(name), is_array(array), next(last) { last = this; }
+  static inline const ForDevice* last = nullptr;
 };
 
 /// The name of a type, somewhere in the text.
@@ -65,8 +66,12 @@ template <class T>
   return __PRETTY_FUNCTION__;
 }
 template <class Work>
-struct UnseenWork {
-  static inline const Unseen work{text_with_name<Work>()};
+struct DeviceWork {
+  static inline const ForDevice work{text_with_name<Work>(), false};
+};
+template <class ArrayTag>
+struct DeviceArray {
+  static inline const ForDevice array{ArrayTag::name, true};
 };
 
 }  // namespace detail
@@ -90,13 +95,19 @@ struct UnseenWork {
   return rows;
 }
 
-/// Steps with code for a device, by perform(), which registered() knows nothing of, as texts that name their types:
-/// compilers of the host do not read it. Where there are any, ask `physgen usage`.
+/// What registered() knows nothing of, since compilers of the host do not read code for devices: steps by perform() on
+/// CUDA, as texts that name their types; and the names of arrays of CUDA of which it has not found a use, as where all
+/// kernels over them are __device__ functions. Where there are any, ask `physgen usage`.
 [[nodiscard]] inline std::vector<std::string> unseen() {
-  std::vector<std::string> texts;
-  for (const detail::Unseen* one = detail::Unseen::last; one != nullptr; one = one->next) texts.emplace_back(one->code);
-  std::ranges::sort(texts);
-  return texts;
+  std::vector<std::string> names;
+  const std::vector<FieldAccess> found = registered();
+  for (const detail::ForDevice* one = detail::ForDevice::last; one != nullptr; one = one->next) {
+    const bool seen =
+        one->is_array && std::ranges::any_of(found, [&](const auto& row) { return row.array == one->what; });
+    if (!seen) names.emplace_back(one->what);
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 }  // namespace physgen::probe

@@ -47,7 +47,7 @@ template <class Work, class Space>
 void perform_step(const Work& work) {
   if (false) work(Stream{});
 #if defined(__NVCC__) && !defined(__CUDA_ARCH__)
-  if constexpr (Space::kind == SpaceKind::cuda) (void)&UnseenWork<Work>::work;
+  if constexpr (Space::kind == SpaceKind::cuda) (void)&DeviceWork<Work>::work;
 #endif
 }
 
