@@ -10,6 +10,8 @@
 #include <llvm/Support/VirtualFileSystem.h>
 #include <llvm/Support/raw_ostream.h>
 
+#include <filesystem>
+
 #if CLANG_VERSION_MAJOR >= 22
 #include <clang/Driver/CreateInvocationFromArgs.h>
 #endif
@@ -27,6 +29,15 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> with_file(const std::string& pat
   return files;
 }
 
+/// The headers that physgen is installed with; in its own tree, those beside its sources.
+std::string runtime_folder() {
+  std::error_code error;
+  const auto command = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto installed = command.parent_path().parent_path() / "include";
+  if (!error && std::filesystem::exists(installed / "physgen/probe.h", error)) return installed.string();
+  return PHYSGEN_RUNTIME_INCLUDE;
+}
+
 std::vector<const char*> arguments(const std::string& path, const std::vector<std::string>& flags) {
   std::vector<const char*> result = {"clang++",       "-fsyntax-only",        "-x", "c++", "-std=c++20",
                                      "-resource-dir", PHYSGEN_CLANG_RESOURCES};
@@ -34,6 +45,8 @@ std::vector<const char*> arguments(const std::string& path, const std::vector<st
   for (const std::string& flag : flags)
     if (!flag.starts_with("-fopenmp")) result.push_back(flag.c_str());
   for (const char* flag : {"-w", "-ferror-limit=20", "-Qunused-arguments"}) result.push_back(flag);
+  static const std::string runtime = "-I" + runtime_folder();
+  result.push_back(runtime.c_str());  // last: the user's folders come first
   result.push_back(path.c_str());
   return result;
 }

@@ -14,7 +14,7 @@ namespace physgen::frontend {
 struct Program {
   std::string name;  ///< of the file that does not exist, for messages
   std::string text;
-  std::vector<std::string> flags;  ///< as of a compiler: "-I", "include", "-std=c++20"
+  std::vector<std::string> flags;  ///< as of a compiler: "-I", "include"; the runtime's folder needs none
   bool skip_bodies = false;        ///< of functions that are no constants: for what only looks at declarations
 };
 

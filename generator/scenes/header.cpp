@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 
 #include "emit/printer.h"
 
@@ -30,7 +29,8 @@ std::string joined_name(std::string field) {
 
 class Header {
  public:
-  Header(const Scene& scene, const Needs& needs) : scene_(scene), needs_(needs) {}
+  Header(const Scene& scene, const Needs& needs, std::string space)
+      : scene_(scene), needs_(needs), namespace_(std::move(space)) {}
 
   std::string text() && {
     out_.comment("//", "Arrays of the scene " + scene_.name +
@@ -43,13 +43,13 @@ class Header {
     out_.line("#include \"" + scene_.include + "\"");
     out_.line();
     if (!scene_.doc.empty()) out_.comment("///", scene_.doc);
-    out_.line("namespace " + namespace_of(scene_) + " {");
+    out_.line("namespace " + namespace_ + " {");
     out_.line();
     for (const Group& group : scene_.groups) {
       for (const Array& array : group.arrays) formats(group, array);
       this->group(group);
     }
-    out_.line("}  // namespace " + namespace_of(scene_));
+    out_.line("}  // namespace " + namespace_);
     return std::move(out_).text();
   }
 
@@ -73,37 +73,61 @@ class Header {
   void formats(const Group& group, const Array& array) {
     const auto fields = pruned(group, array);
     if (fields.empty()) return;
+    std::vector<Leaf> leaves;
     out_.line("namespace pruned::" + group.variable + " {");
-    std::string names;
-    for (const FieldNeed* need : fields) names += " struct " + joined_name(need->field.name) + ";";
-    out_.line("struct " + array.name + " {" + names + " };");
+    out_.open("struct " + array.name + " {");
+    for (const FieldNeed* need : fields) {
+      const std::string tag = joined_name(need->field.name);
+      out_.line("struct " + tag + ";");
+      leaves.push_back({need->field.name, "physgen::format::Pruned<" + scene_.name + ", " + tags(group, array) + ", " +
+                                              tags(group, array) + "::" + tag + ">"});
+    }
+    out_.close("};");
     out_.line("}  // namespace pruned::" + group.variable);
+    out_.line();
     std::string comment = "How " + array.object + " is stored in " + group.full_name(array) + ". Not stored:";
-    for (const FieldNeed* need : fields) comment += "\n- " + need->field.name + ": " + need->why;
+    for (const auto& [names, why] : by_reason(fields)) comment.append("\n- " + names + ": " + why);
     out_.comment("///", comment);
     out_.line("template <class Space>");
-    std::map<std::string, std::string> names_of_fields;
-    for (const FieldNeed* need : fields) names_of_fields[need->field.name] = joined_name(need->field.name);
-    struct_of(formats_name(group, array), "physgen::FormatsOf<" + generated_name(array, "Object") + ", Space>",
-              names_of_fields, tags(group, array));
+    struct_of(formats_name(group, array), "physgen::FormatsOf<" + generated_name(array, "Object") + ", Space>", leaves);
     out_.line();
   }
 
-  /// @param fields their names, and what their tags are called
-  void struct_of(const std::string& name, const std::string& base, const std::map<std::string, std::string>& fields,
-                 const std::string& tags) {
-    out_.open("struct " + name + " : " + base + " {");
-    std::map<std::string, std::map<std::string, std::string>> nested;
-    for (const auto& [field, tag] : fields) {
-      const auto [object, rest] = split(field);
-      if (!object.empty())
-        nested[object][rest] = tag;
+  /// Names of fields that are not stored for one reason, and the reason.
+  static std::vector<std::pair<std::string, std::string>> by_reason(const std::vector<const FieldNeed*>& fields) {
+    std::vector<std::pair<std::string, std::string>> reasons;
+    for (const FieldNeed* need : fields) {
+      const auto same =
+          std::find_if(reasons.begin(), reasons.end(), [&](const auto& reason) { return reason.second == need->why; });
+      if (same == reasons.end())
+        reasons.emplace_back(need->field.name, need->why);
       else
-        out_.wrapped("using " + field + " = physgen::format::Pruned<" + scene_.name + ", " + tags + ", " + tags +
-                     "::" + tag + ">;");
+        same->first += ", " + need->field.name;
+    }
+    return reasons;
+  }
+
+  /// A field by its name in the struct that it is declared in, and its format.
+  struct Leaf {
+    std::string name, format;
+  };
+
+  void struct_of(const std::string& name, const std::string& base, const std::vector<Leaf>& leaves) {
+    out_.open("struct " + name + " : " + base + " {");
+    std::vector<std::pair<std::string, std::vector<Leaf>>> nested;  // by objects, in order of declaration
+    for (const Leaf& leaf : leaves) {
+      const auto [object, rest] = split(leaf.name);
+      if (object.empty()) {
+        out_.wrapped("using " + rest + " = " + leaf.format + ";");
+        continue;
+      }
+      const std::string& outer = object;
+      auto known = std::find_if(nested.begin(), nested.end(), [&](const auto& entry) { return entry.first == outer; });
+      if (known == nested.end()) known = nested.insert(nested.end(), {object, {}});
+      known->second.push_back({rest, leaf.format});
     }
     for (const auto& [object, inner] : nested) {
-      struct_of(capital(object) + "Formats", "" + base + "::" + object, inner, tags);
+      struct_of(capital(object) + "Formats", base + "::" + object, inner);
       out_.line("using " + object + " = " + capital(object) + "Formats;");
     }
     out_.close("};");
@@ -125,8 +149,11 @@ class Header {
 
   void group(const Group& group) {
     if (!group.doc.empty()) out_.comment("///", group.doc);
-    out_.line("template <class Space = physgen::Host>");
+    out_.line("template <class Space_ = physgen::Host>");
     out_.open("struct " + group.name + " {");
+    out_.line("using Space = Space_;");
+    if (!scene_.real.empty()) out_.line("using Real = " + scene_.real + ";");
+    out_.line();
     const auto sets = group.sets();
     if (!sets.empty()) {
       out_.line("/// How many objects there are of each kind.");
@@ -150,10 +177,8 @@ class Header {
   }
 
   [[nodiscard]] std::string comment(const Group& group, const Array& array) const {
-    std::vector<std::string> parts;
-    if (!array.doc.empty()) parts.push_back(array.doc);
     const ArrayNeed& need = needs_.of(group.full_name(array));
-    const std::string per = array.set.empty() ? std::to_string(array.count) : "per " + array.set;
+    const std::string per = set_of(array);
     std::string kept, left;
     for (const FieldNeed& field : need.fields)
       (field.kept ? kept : left) += ((field.kept ? kept : left).empty() ? "" : ", ") + field.field.name;
@@ -189,6 +214,7 @@ class Header {
 
   const Scene& scene_;
   const Needs& needs_;
+  std::string namespace_;
   emit::Printer out_;
 };
 
@@ -196,8 +222,8 @@ class Header {
 
 std::string file_of(const Scene& scene, const std::string& ending) { return scene.name + ending; }
 
-std::string namespace_of(const Scene& scene) { return scene.qualified_name() + "_scene"; }
-
-std::string header(const Scene& scene, const Needs& needs) { return Header(scene, needs).text(); }
+std::string header(const Scene& scene, const Needs& needs, const std::string& suffix) {
+  return Header(scene, needs, scene.qualified_name() + suffix).text();
+}
 
 }  // namespace physgen::scenes

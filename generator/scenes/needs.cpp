@@ -145,6 +145,15 @@ class Liveness {
       error(array.output->location, "the output " + name +
                                         " is written by no step; run the step that computes it, or "
                                         "take output() away");
+    for (const auto& [key, fields] : pruned_) {
+      std::vector<std::string> names;
+      for (const auto& [place, field] : fields) names.push_back(field);
+      const bool one = names.size() == 1;
+      note(fields.front().first, (one ? "field " : "fields ") + model::joined(names, " and ") + " of " + name +
+                                     (one ? " is pruned: " : " are pruned: ") + key.second + " writes " +
+                                     (one ? "it" : "them") + ", and nothing reads " + (one ? "it" : "them"));
+    }
+    pruned_.clear();
     if (need.left_out()) note(array.location, "array " + name + " is left out: no field of it is needed");
     needs_.arrays.push_back(std::move(need));
   }
@@ -190,8 +199,7 @@ class Liveness {
       error(array.output->location, "the output " + text_of(name) +
                                         " is written by no step; run the step that computes it, or name it no output");
     } else if (!need.kept && !need.writers.empty()) {
-      note(first_place(need.writers.front(), array),
-           "field " + text_of(name) + " is pruned: " + need.writers.front().step + " writes it, and nothing reads it");
+      pruned_[{name.first, need.writers.front().step}].push_back({first_place(need.writers.front(), array), field});
     } else if (!need.kept && is_input && !array.input->all) {
       note(array.input->location, "field " + text_of(name) + " is pruned: it is an input, and nothing reads it");
     }
@@ -234,6 +242,8 @@ class Liveness {
   const usage::Usage& usage_;
   std::set<FieldName> wanted_, written_;  // by live steps
   std::vector<bool> live_;                // beside usage_.steps
+  // Of one array: its fields that are written in vain, by their first step.
+  std::map<FieldName, std::vector<std::pair<Location, std::string>>> pruned_;
   std::vector<Issue> errors_, notes_;
   Needs needs_;
 };
@@ -256,6 +266,12 @@ const ArrayNeed& Needs::of(const std::string& array) const {
 }
 
 Needs find_needs(const Scene& scene, const usage::Usage& usage) { return Liveness(scene, usage).find(); }
+
+Needs everything(Needs needs) {
+  for (ArrayNeed& array : needs.arrays)
+    for (FieldNeed& field : array.fields) field.kept = true;
+  return needs;
+}
 
 std::string name_of(const usage::StepUse& step) {
   return step.arrays.empty() ? step.kernel : step.kernel + "(" + model::joined(step.arrays) + ")";

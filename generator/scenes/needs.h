@@ -61,6 +61,9 @@ struct Needs {
 /// @param usage of the scene's program; its arrays have the scene's full names
 [[nodiscard]] Needs find_needs(const Scene& scene, const usage::Usage& usage);
 
+/// The same with every field kept, which is what needs are compared with.
+[[nodiscard]] Needs everything(Needs needs);
+
 /// "physgen::fem::ComputeSvd(body.gradients, body.svds)"
 [[nodiscard]] std::string name_of(const usage::StepUse& step);
 

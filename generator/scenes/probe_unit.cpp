@@ -23,6 +23,8 @@ std::string probe_unit(const Scene& scene, const std::string& space, const std::
                "\"; };");
     out.line("}");
     out.open("struct " + group.name + " {");
+    out.line("using Space = physgen_probe_unit::Space;");
+    if (!scene.real.empty()) out.line("using Real = " + scene.real + ";");
     for (const Array& array : group.arrays)
       out.line("physgen::ProbeOf<" + generated_name(array, "Array") + "<" + array.real + ", Space>, tags_of_" +
                group.name + "::" + array.name + "> " + array.name + ";");

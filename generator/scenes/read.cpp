@@ -93,6 +93,10 @@ class SceneReader {
       report_.error(record.getLocation(), "scene " + frontend::quoted(scene.name) + " stands in the file of " +
                                               frontend::quoted(stem) +
                                               "; give both one name, which the generated files get");
+    for (const clang::Decl* member : record.decls()) {
+      if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(member); alias && alias->getName() == "Real")
+        scene.real = alias->getUnderlyingType().getCanonicalType().getAsString();
+    }
     groups(record, scene);
     if (scene.groups.empty() && !report_.has_errors())
       report_.error(record.getLocation(),
@@ -111,8 +115,8 @@ class SceneReader {
     }
     for (const clang::Decl* member : record.decls()) {
       const auto* group = llvm::dyn_cast<clang::CXXRecordDecl>(member);
-      if (group != nullptr && group->isThisDeclarationADefinition() && !group->isInjectedClassName() &&
-          !group->field_empty()) {  // one without members is the program's own, such as a choice at compile time
+      if (group != nullptr && group->isThisDeclarationADefinition() && !group->isInjectedClassName()) {
+        if (!is_group(*group)) continue;
         if (auto read = this->group(*group); !read.arrays.empty()) scene.groups.push_back(std::move(read));
       } else if (is_marked(*member, array_annotation)) {
         report_.error(member->getLocation(),
@@ -120,6 +124,12 @@ class SceneReader {
                       "PHYSGEN_ARRAY(...) ...; };'");
       }
     }
+  }
+  /// Others are types of the program's parameters.
+  static bool is_group(const clang::CXXRecordDecl& record) {
+    return llvm::any_of(record.fields(), [](const clang::FieldDecl* field) {
+      return is_marked(*field, array_annotation) || is_array(field->getType());
+    });
   }
 
   Group group(const clang::CXXRecordDecl& record) {
@@ -159,6 +169,7 @@ class SceneReader {
                            "scene " + frontend::quoted(scene.name) + " has no function template 'program'; " + form);
     const auto& function = *program->getTemplatedDecl();
     const std::size_t groups = scene.groups.size();
+    if (report_.has_errors()) return;  // groups may not have been read
     if (!function.isStatic() || program->getTemplateParameters()->size() != groups + 1 ||
         function.getNumParams() < groups + 1)
       return report_.error(

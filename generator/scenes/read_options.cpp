@@ -48,18 +48,39 @@ std::optional<std::string> text_of(const Constant& view) {
   return text;
 }
 
+/// "points[2].x" gives "points.x": the entries of a fixed array are stored alike.
+std::string without_entries(const std::string& name) {
+  std::string result;
+  bool inside = false;
+  for (const char c : name) {
+    inside = (inside || c == '[') && c != ']';
+    if (!inside && c != ']') result += c;
+  }
+  return result;
+}
+
 std::optional<Field> field_of(const Constant& info) {
   Field field;
   const auto name = text_of(info.member("name"));
   const Constant type = info.member("type");
   const auto type_name = frontend::enumerator(type.value, type.type);
   if (!name || !type_name) return std::nullopt;
-  field.name = *name;
+  field.name = without_entries(*name);
   field.type = *type_name;
   field.elements = static_cast<int>(info.member("count").value.getInt().getExtValue());
   field.bytes = field.elements * bytes_of(field.type);
   field.initial = !info.member("initial").value.getFloat().isZero();
   return field;
+}
+
+void add(std::vector<Field>& fields, Field field) {
+  for (Field& known : fields)
+    if (known.name == field.name) {
+      known.elements += field.elements;
+      known.bytes += field.bytes;
+      return;
+    }
+  fields.push_back(std::move(field));
 }
 
 Selection selection_of(const Constant& names, Location where) {
@@ -147,16 +168,20 @@ Location location(const clang::ASTContext& context, clang::SourceLocation where)
   return {place.getFilename(), static_cast<int>(place.getLine()), static_cast<int>(place.getColumn())};
 }
 
+bool is_array(clang::QualType type) {
+  const auto* record = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  return record != nullptr && record->getQualifiedNameAsString() == "physgen::scene::Array";
+}
+
 bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Report& report) {
   const auto wrong = [&](const std::string& message) {
     report.error(declaration.getTypeSpecStartLoc(), "array " + quoted(array.name) + " " + message);
     return false;
   };
   if (declaration.isInvalidDecl()) return false;  // Clang has reported it
-  const auto* type =
-      llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(declaration.getType()->getAsCXXRecordDecl());
-  if (type == nullptr || type->getQualifiedNameAsString() != "physgen::scene::Array")
+  if (!is_array(declaration.getType()))
     return wrong("is no array of objects; write 'Array<elasticity::TetObject, Real> " + array.name + ";'");
+  const auto* type = llvm::cast<clang::ClassTemplateSpecializationDecl>(declaration.getType()->getAsCXXRecordDecl());
   if (type->isInvalidDecl()) return false;
   const auto* object = type->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
   const std::string name = object == nullptr ? "" : object->getQualifiedNameAsString(), ending = "Object";
@@ -174,9 +199,10 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
     if (fields == nullptr || fields->getName() != "fields") continue;
     const clang::APValue* value = fields->evaluateValue();
     if (value == nullptr) break;
-    const Constant rows = Constant{*value, fields->getType()}.member("_M_elems");
+    const auto* array_type = fields->getType()->getAsCXXRecordDecl();  // std::array: its one member
+    const Constant rows{value->getStructField(0), array_type->field_begin()->getType()};
     for (unsigned i = 0; i < rows.value.getArraySize(); ++i)
-      if (auto field = field_of(rows.element(i))) array.fields.push_back(std::move(*field));
+      if (auto field = field_of(rows.element(i))) add(array.fields, std::move(*field));
   }
   if (array.fields.empty()) return wrong("holds objects whose fields could not be read");
   return true;

@@ -11,7 +11,10 @@ namespace physgen::scenes {
 inline constexpr llvm::StringRef scene_annotation = "physgen.scene";
 inline constexpr llvm::StringRef array_annotation = "physgen.array";
 
-/// @param types the array's, physgen::scene::Array<Object, Real>: reads object, precision and fields
+/// Whether it is physgen::scene::Array<Object, Real>.
+[[nodiscard]] bool is_array(clang::QualType type);
+
+/// Reads object, precision and fields from the array's type.
 /// @return whether it could be read; if not, that is reported
 [[nodiscard]] bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Report& report);
 

@@ -16,11 +16,6 @@ struct Sum {
   int kept_elements = 0, all_elements = 0;
 };
 
-std::string set_of(const Array& array) {
-  if (!array.set.empty()) return "per " + array.set;
-  return std::to_string(array.count) + (array.count == 1 ? " object" : " objects");
-}
-
 /// What becomes of a field, in a word.
 std::string fate(const Array& array, const ArrayNeed& need, const FieldNeed& field) {
   if (need.left_out()) return "left out";
@@ -37,8 +32,7 @@ void for_each_array(const Scene& scene, const Needs& needs, const Visit& visit) 
 std::vector<Sum> sums(const Scene& scene, const Needs& needs) {
   std::vector<Sum> sums;
   for_each_array(scene, needs, [&](const Group& /*group*/, const Array& array, const ArrayNeed& need) {
-    if (array.uniform) return;  // once, not for each object
-    const std::string set = set_of(array);
+    const std::string set = array.uniform ? "once" : set_of(array);
     auto sum = std::find_if(sums.begin(), sums.end(), [&](const Sum& known) { return known.set == set; });
     if (sum == sums.end()) sum = sums.insert(sums.end(), Sum{set});
     for (const FieldNeed& field : need.fields) {

@@ -63,6 +63,11 @@ std::vector<std::string> Group::sets() const {
   return sets;
 }
 
+std::string set_of(const Array& array) {
+  if (!array.set.empty()) return "per " + array.set;
+  return std::to_string(array.count) + (array.count == 1 ? " object" : " objects");
+}
+
 const Array* find(const Scene& scene, const std::string& full_name) {
   for (const Group& group : scene.groups)
     for (const Array& array : group.arrays)
@@ -75,6 +80,7 @@ std::string generated_name(const Array& array, const std::string& ending) { retu
 std::string to_json(const Scene& scene) {
   Json json = {{"name", scene.qualified_name()}, {"include", scene.include}};
   if (!scene.doc.empty()) json["doc"] = scene.doc;
+  if (!scene.real.empty()) json["real"] = scene.real;
   json["groups"] = Json::array();
   for (const Group& group : scene.groups) {
     Json written = {{"name", group.name}, {"variable", group.variable}};

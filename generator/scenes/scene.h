@@ -14,7 +14,7 @@ using model::Location;
 
 /// One field of an array's objects.
 struct Field {
-  std::string name;      ///< "svd.U" for a field of a nested object
+  std::string name;      ///< "svd.U" of a nested object, "points.x" of a fixed array of them
   std::string type;      ///< of its stored elements: "float32", "int32", ...
   int elements = 0;      ///< stored ones of one object
   int bytes = 0;         ///< of one object
@@ -71,6 +71,7 @@ struct Scene {
   std::string doc;
   std::string file;     ///< as it was given
   std::string include;  ///< what follows #include in the generated header: "scenes/force_chain.h"
+  std::string real;     ///< the precision, where the scene declares one as Real: float or double
   std::vector<Group> groups;
   std::vector<std::string> parameters;  ///< types of what the program takes behind its groups
   Location location;
@@ -78,6 +79,9 @@ struct Scene {
 
   [[nodiscard]] std::string qualified_name() const { return scope.empty() ? name : scope + "::" + name; }
 };
+
+/// "per tet", "1 object", "3 objects".
+[[nodiscard]] std::string set_of(const Array& array);
 
 /// What tells scenes' arrays apart for analysis and emission. @return null: there is none of this full name
 [[nodiscard]] const Array* find(const Scene& scene, const std::string& full_name);

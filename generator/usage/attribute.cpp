@@ -19,7 +19,8 @@ struct Reached {
 
 class Attribution {
  public:
-  explicit Attribution(const Graph& graph) : graph_(graph), leads_(graph.functions.size(), false) {
+  explicit Attribution(const Graph& graph)
+      : graph_(graph), callers_(graph.functions.size()), leads_(graph.functions.size(), false) {
     find_what_leads_to_accesses();
   }
 
@@ -46,25 +47,19 @@ class Attribution {
 
   /// Whether a function is called by functions of steps alone: of a reduction, the kernel.
   [[nodiscard]] bool is_part_of_a_step(int function) const {
-    bool is_called = false;
-    for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
-      const bool calls = std::any_of(graph_.functions[f].calls.begin(), graph_.functions[f].calls.end(),
-                                     [&](const Call& call) { return call.to == function; });
-      const bool is_step = std::any_of(graph_.steps.begin(), graph_.steps.end(),
-                                       [&](const Step& step) { return step.function == static_cast<int>(f); });
-      if (calls && !is_step) return false;
-      is_called = is_called || calls;
-    }
-    return is_called;
+    const auto& callers = callers_[static_cast<std::size_t>(function)];
+    return !callers.empty() && std::all_of(callers.begin(), callers.end(), [&](int caller) {
+      return std::any_of(graph_.steps.begin(), graph_.steps.end(),
+                         [&](const Step& step) { return step.function == caller; });
+    });
   }
 
   /// Most functions of a program lead to no access and need not be looked at again.
   void find_what_leads_to_accesses() {
-    std::vector<std::vector<int>> callers(graph_.functions.size());
     std::vector<int> next;
     for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
       for (const Call& call : graph_.functions[f].calls)
-        callers[static_cast<std::size_t>(call.to)].push_back(static_cast<int>(f));
+        callers_[static_cast<std::size_t>(call.to)].push_back(static_cast<int>(f));
       if (graph_.functions[f].access != Access::none) next.push_back(static_cast<int>(f));
     }
     while (!next.empty()) {
@@ -72,7 +67,7 @@ class Attribution {
       next.pop_back();
       if (leads_[f]) continue;
       leads_[f] = true;
-      next.insert(next.end(), callers[f].begin(), callers[f].end());
+      next.insert(next.end(), callers_[f].begin(), callers_[f].end());
     }
   }
 
@@ -152,6 +147,7 @@ class Attribution {
   }
 
   const Graph& graph_;
+  std::vector<std::vector<int>> callers_;
   std::vector<bool> leads_;
   std::set<int> reached_;  // functions on the way to accesses, of the last call of accesses()
   std::set<int> stop_;     // not followed

@@ -12,6 +12,7 @@ namespace physgen::usage {
 namespace {
 
 using clang::CXXRecordDecl;
+using clang::FunctionDecl;
 
 const clang::StringLiteral* first_text(const clang::Stmt* statement) {
   if (statement == nullptr) return nullptr;
@@ -84,9 +85,8 @@ std::vector<const clang::ClassTemplateSpecializationDecl*> Names::probes() const
   const auto* physgen = space({"physgen"});
   if (physgen == nullptr) return result;
   for (clang::NamedDecl* found : physgen->lookup(&context_.Idents.get("Probe")))
-    if (auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
-      for (const auto* probe : pattern->specializations())
-        if (probe->isCompleteDefinition()) result.push_back(probe);
+    if (const auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
+      for (const auto* probe : pattern->specializations()) result.push_back(probe);
   return result;
 }
 
@@ -149,10 +149,14 @@ std::vector<std::string> Names::arrays(clang::QualType type) {
 }
 
 std::string Names::kernel_name(const CXXRecordDecl& kernel) const {
-  std::string name = kernel.isLambda() ? "lambda" : kernel.getQualifiedNameAsString();
+  if (kernel.isLambda()) {
+    const auto* function = llvm::dyn_cast<FunctionDecl>(kernel.getDeclContext());
+    return function == nullptr ? "lambda" : "lambda in " + function->getQualifiedNameAsString();
+  }
+  std::string name = kernel.getQualifiedNameAsString();
   const auto* special = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&kernel);
   if (special == nullptr || !is_library(kernel.getLocation())) return name;
-  std::string inner;  // "physgen::Over<lambda>"
+  std::string inner;  // "physgen::Over<lambda in program>"
   std::set<const clang::Decl*> seen;
   for (const auto& argument : special->getTemplateArgs().asArray())
     classes(

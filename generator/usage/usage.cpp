@@ -74,8 +74,10 @@ std::vector<FieldUse> all_fields(const Usage& usage) {
 }
 
 std::string name_of(const StepUse& step) {
+  constexpr std::size_t most = 8;
   std::string arrays;
-  for (const std::string& array : step.arrays) arrays += (arrays.empty() ? "" : ", ") + array;
+  for (std::size_t a = 0; a < std::min(step.arrays.size(), most); ++a) arrays += (a == 0 ? "" : ", ") + step.arrays[a];
+  if (step.arrays.size() > most) arrays += " and " + std::to_string(step.arrays.size() - most) + " more";
   return step.kernel + '(' + arrays + ')';
 }
 

@@ -28,7 +28,7 @@ struct FieldUse {
 
 /// What one step of a program does.
 struct StepUse {
-  std::string kernel;               ///< "physgen::fem::ComputeSvd", or "lambda"
+  std::string kernel;               ///< "physgen::fem::ComputeSvd", or "lambda in physgen::fem::multiply"
   Place place;                      ///< where the kernel is defined
   std::vector<std::string> arrays;  ///< that the kernel is given, in the order of its parameters
   bool root = false;             ///< what it reads is wanted whatever becomes of it: a predicate, a value of the host
@@ -70,7 +70,7 @@ void sort(Usage& usage);
 /// Adds what `use` says to the uses of the same field, or as a new one.
 void add(std::vector<FieldUse>& uses, const FieldUse& use);
 
-/// "physgen::fem::ComputeSvd(gradients, svds)"
+/// "physgen::fem::ComputeSvd(gradients, svds)"; of many arrays the first.
 [[nodiscard]] std::string name_of(const StepUse& step);
 
 /// "compute_svd.h:42:9", or with all of the file's name

@@ -42,7 +42,7 @@ clang::SourceLocation place_of(const clang::CallExpr& call) {
     object = written(object);
     if (const auto* inner = llvm::dyn_cast<clang::CallExpr>(object); inner != nullptr && of_reference)
       return place_of(*inner);
-    if (llvm::isa<clang::CXXConversionDecl>(method)) return object->getBeginLoc();
+    if (of_reference || llvm::isa<clang::CXXConversionDecl>(method)) return object->getBeginLoc();
   }
   if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(call.getCallee()->IgnoreParenImpCasts()))
     return member->getMemberLoc();
@@ -134,6 +134,13 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
     return true;
   }
 
+  // Bodies of lambdas and of local classes belong to whoever calls them.
+  static bool TraverseCXXRecordDecl(clang::CXXRecordDecl* /*record*/) { return true; }
+  bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
+    for (clang::Expr* captured : lambda->capture_inits()) TraverseStmt(captured);
+    return true;
+  }
+
   bool VisitCallExpr(clang::CallExpr* call) {
     places_[call->getCallee()->IgnoreParenImpCasts()] = place_of(*call);
     const FunctionDecl* callee = call->getDirectCallee();
@@ -196,6 +203,10 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
   [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(function_); }
 
   void leads_to(const clang::Decl* declaration, clang::SourceLocation location) {
+    if (declaration == nullptr) return;
+    if (const auto* conversion = llvm::dyn_cast<clang::CXXConversionDecl>(declaration);
+        conversion != nullptr && conversion->getParent()->isLambda())
+      declaration = conversion->getParent()->getLambdaCallOperator();  // Clang gives the function pointer no body
     if (declaration == nullptr) return;
     const int to = walk_.number(declaration);
     Place place = is_users_ ? walk_.names_.place(location) : Place{};  // places are wanted of the program's files

@@ -260,6 +260,8 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   try {
     if (app.got_subcommand("generate")) return generate(values, streams);
     if (app.got_subcommand("check")) return check(values, streams);
+    if (!values.scene.flags.empty() && !app.got_subcommand("scene") && !app.got_subcommand("usage"))
+      throw UsageError("flags of a compiler behind '--' are for the commands scene and usage");
     if (app.got_subcommand("scene")) return scene(values.scene, out, err);
     if (app.got_subcommand("usage")) return usage(values.usage, out, err);
     if (app.got_subcommand("layout")) return print_layout(values, streams);

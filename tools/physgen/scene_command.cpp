@@ -14,6 +14,7 @@
 #include "scenes/read.h"
 #include "scenes/report.h"
 #include "usage/analyse.h"
+#include "usage/json.h"
 
 namespace physgen::command {
 namespace {
@@ -48,7 +49,7 @@ class SceneCommand {
     if (!needs.sound()) return errors;
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
-    if (!request_.output_dir.empty()) write(scene, needs);
+    if (!request_.output_dir.empty()) write(scene, needs, *usage);
     return done;
   }
 
@@ -69,11 +70,14 @@ class SceneCommand {
         dependencies_.push_back(file);
   }
 
-  void write(const scenes::Scene& scene, const scenes::Needs& needs) const {
+  void write(const scenes::Scene& scene, const scenes::Needs& needs, const usage::Usage& usage) const {
     const auto path = [&](const char* ending) { return request_.output_dir + "/" + scenes::file_of(scene, ending); };
     std::vector<File> files = {{path(".scene.h"), scenes::header(scene, needs)},
                                {path(".need.txt"), scenes::report_text(scene, needs)},
-                               {path(".need.json"), scenes::report_json(scene, needs)}};
+                               {path(".need.json"), scenes::report_json(scene, needs)},
+                               {path(".usage.json"), usage::to_json({{scene.name, usage}})}};
+    if (request_.everything)
+      files.push_back({path(".everything.h"), scenes::header(scene, scenes::everything(needs), "_everything")});
     if (!request_.depfile.empty()) files.push_back({request_.depfile, depfile(request_.stamp, dependencies_)});
     write_changed(files);
     if (!request_.stamp.empty()) touch(request_.stamp);
@@ -93,9 +97,10 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
   scene->add_option("FILE", request.file, "The scene's declaration, a header that includes <physgen/scene.h>")
       ->required();
   scene
-      ->add_option("-o,--output", request.output_dir,
-                   "Folder of x.scene.h and of the reports x.need.txt and x.need.json; made if it does not exist; "
-                   "without: the report is printed")
+      ->add_option(
+          "-o,--output", request.output_dir,
+          "Folder of x.scene.h and of the reports x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
+          "without: the report is printed")
       ->type_name("DIR");
   scene
       ->add_option("--why", request.why,
@@ -103,6 +108,8 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
                    "body.svds.U, DeformationSvd.U")
       ->type_name("NAME");
   scene->add_flag("--device", request.device, "Look at what the program does on a CUDA device, too; needs a toolkit");
+  scene->add_flag("--everything", request.everything,
+                  "Write DIR/x.everything.h, too: the same arrays with every field, to compare with");
   scene->add_flag("--print-unit", request.print_unit,
                   "Print the unit that is looked at, the program over probes, which any compiler takes");
   auto* stamp = scene->add_option("--stamp", request.stamp, "File that gets the present time when all is written")

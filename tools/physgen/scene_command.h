@@ -17,6 +17,7 @@ struct SceneRequest {
   std::string why;                 ///< an array or field to explain; empty: none
   std::vector<std::string> flags;  ///< as of a compiler
   bool device = false;             ///< also what the program does on a CUDA device
+  bool everything = false;         ///< also x.everything.h, with every field
   bool print_unit = false;         ///< the unit that is analysed, and nothing else
   std::string depfile, stamp;      ///< as of `physgen generate`; empty: none
 };

@@ -117,10 +117,9 @@ template <class Shape, class Format, class T>
 [[nodiscard]] constexpr Slot slot(int entries = 1) {
   static_assert(!format::is_quaternion<Format> || std::is_same_v<Shape, shape::Rotation>,
                 "only a Rotation can be stored as a quaternion");
+  static_assert(!std::is_integral_v<T> || format::holds_indices<format::ElementFormat<Format>>,
+                "a field of integers is stored as it is, in format::Native: no other format keeps every index");
   using Element = format::ElementFormat<Format>;
-  static_assert(!std::is_integral_v<T> || format::holds_indices<Element> || format::StoresNothing<Element>,
-                "a field of integers is stored as it is, in format::Native, or not at all: no other format keeps every "
-                "index");
   if constexpr (format::StoresNothing<Element>) {
     return {0, 1, entries};
   } else {
