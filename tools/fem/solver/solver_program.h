@@ -12,7 +12,19 @@
 
 namespace physgen::fem {
 
-/// References to the groups of arrays of a scene, or to NoArrays; solver_groups.h says what is in each.
+namespace detail {
+template <class Groups>
+struct EachGroup {
+  using type = Groups;
+};
+template <class Group>
+struct EachGroup<std::vector<Group>> {
+  using type = Group;
+};
+}  // namespace detail
+
+/// References to the groups of arrays of a scene, or to NoArrays; solver_groups.h says what is in each. Levels are one
+/// group, or a vector of them, finest first, on the first of which equilibrium is solved.
 template <class Body_, class Patches_, class Rings_, class Chunk_, class Level_, class Schwarz_, class Planes_,
           class Inertia_, class Krylov_>
 struct SolverGroups {
@@ -20,7 +32,8 @@ struct SolverGroups {
   using Patches = Patches_;
   using Rings = Rings_;
   using Chunk = Chunk_;
-  using Level = Level_;
+  using Levels = Level_;
+  using Level = typename detail::EachGroup<Level_>::type;
   using Schwarz = Schwarz_;
   using Planes = Planes_;
   using Inertia = Inertia_;
@@ -29,7 +42,7 @@ struct SolverGroups {
   Patches& patches;
   Rings& rings;
   Chunk& chunk;
-  Level& level;
+  Levels& levels;
   Schwarz& schwarz;
   Planes& planes;
   Inertia& inertia;
@@ -63,7 +76,7 @@ struct ProgramTypes {
 /// What the host knows of a mesh.
 struct MeshFacts {
   std::vector<TetChunk> chunks;
-  EdgeSums sums;                               ///< where the stiffness is assembled
+  std::vector<EdgeSums> sums;                  ///< of each level, where the stiffness is assembled
   std::vector<Index> first_block, first_pair;  ///< where there is a Schwarz preconditioner, as SchwarzHierarchy's
   double plane_stiffness = 0;                  ///< of rigid planes, per area [Pa/m]
   double rounding_force = 0;                   ///< see NewtonSettings
@@ -96,10 +109,13 @@ class SolverProgram : private NestedNewton<On, Types> {
     take(a.patches, groups.patches);
     take(a.rings, groups.rings);
     a.chunk_arrays = std::make_shared<typename Groups::Chunk>(std::move(groups.chunk));
-    linear_.push_back(std::make_unique<typename Types::Level>(std::move(groups.level)));
+    for_each_level([&](auto& group) {
+      linear_.push_back(std::make_unique<typename Types::Level>(std::move(group)));
+      auto& level = *linear_.back();
+      level.assembled = settings.newton.product == Product::assembled;
+      if (level.assembled) level.sums = std::move(facts.sums.at(linear_.size() - 1));
+    });
     auto& level = *linear_.front();
-    level.assembled = settings.newton.product == Product::assembled;
-    level.sums = std::move(facts.sums);
     take(level.schwarz, groups.schwarz);
     where(level.schwarz, [&](auto& schwarz) {
       schwarz.first_block = facts.first_block;
@@ -125,7 +141,8 @@ class SolverProgram : private NestedNewton<On, Types> {
     give_back(a.patches, groups_.patches);
     give_back(a.rings, groups_.rings);
     groups_.chunk = std::move(*a.chunk_arrays);
-    groups_.level = std::move(static_cast<typename Groups::Level&>(level));
+    std::size_t l = 0;
+    for_each_level([&](auto& group) { group = std::move(static_cast<typename Groups::Level&>(*linear_[l++])); });
     give_back(level.schwarz, groups_.schwarz);
     give_back(level.planes, groups_.planes);
     give_back(level.inertia, groups_.inertia);
@@ -152,6 +169,14 @@ class SolverProgram : private NestedNewton<On, Types> {
   template <class Group>
   static constexpr bool averages(const Group& /*group*/) {
     return !std::is_same_v<Group, NoArrays>;
+  }
+  template <class Body>
+  void for_each_level(const Body& body) const {
+    if constexpr (std::is_same_v<typename Groups::Levels, typename Groups::Level>) {
+      body(groups_.levels);
+    } else {
+      for (auto& group : groups_.levels) body(group);
+    }
   }
   template <class Over, class Group>
   static void take(std::unique_ptr<Over>& to, Group& from) {
