@@ -47,8 +47,12 @@ void set_up(Body& body) {
     positions[i].x() = Eigen::Vector3f(coordinate(random), coordinate(random), coordinate(random));
   const auto connectivity = body.tets.contents().view();
   for (index_t i = 0; i < tets; ++i) {
-    const int first = static_cast<int>(random() % nodes);
-    connectivity[i].nodes() = Eigen::Vector4i(first, (first + 7) % nodes, (first + 20) % nodes, (first + 41) % nodes);
+    const auto next = [&](int low, int high) {
+      return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
+    };
+    const int first = next(0, nodes);
+    connectivity[i].nodes() = Eigen::Vector4i(first, (first + next(1, 15)) % nodes, (first + next(15, 30)) % nodes,
+                                              (first + next(30, 60)) % nodes);
   }
   Eigen::Matrix3f dm_inverse;
   dm_inverse << 1, 0.25F, 0, 0, 2, 0.5F, -0.125F, 0, 1.5F;
@@ -245,7 +249,7 @@ TEST(StartWithoutValues, names_a_field_that_there_is_not) {
     start_without_values(stresses.storage(), {"Q"});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "elasticity::Stress: there is no field Q that could start without a value");
+    EXPECT_STREQ(error.what(), "physgen: elasticity::Stress: there is no field Q that could start without a value");
   }
 }
 

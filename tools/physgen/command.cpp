@@ -246,10 +246,12 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
     }
     arguments.insert(arguments.begin(), "generate");
   }
-  const auto flags = std::find(arguments.begin(), arguments.end(), "--");
-  if (flags != arguments.end()) values.scene.flags.assign(flags + 1, arguments.end());
-  values.usage.flags = values.scene.flags;
-  arguments.erase(flags, arguments.end());
+  if (!arguments.empty() && (arguments.front() == "scene" || arguments.front() == "usage")) {
+    const auto flags = std::find(arguments.begin(), arguments.end(), "--");
+    if (flags != arguments.end()) values.scene.flags.assign(flags + 1, arguments.end());
+    values.usage.flags = values.scene.flags;
+    arguments.erase(flags, arguments.end());
+  }
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     app.parse(std::move(arguments));
@@ -260,8 +262,6 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   try {
     if (app.got_subcommand("generate")) return generate(values, streams);
     if (app.got_subcommand("check")) return check(values, streams);
-    if (!values.scene.flags.empty() && !app.got_subcommand("scene") && !app.got_subcommand("usage"))
-      throw UsageError("flags of a compiler behind '--' are for the commands scene and usage");
     if (app.got_subcommand("scene")) return scene(values.scene, out, err);
     if (app.got_subcommand("usage")) return usage(values.usage, out, err);
     if (app.got_subcommand("layout")) return print_layout(values, streams);

@@ -56,6 +56,8 @@ class UsageCommand {
       if (program) programs.push_back(std::move(*program));
     }
     if (!good) return errors;
+    if (request_.side.empty() && !usage::has_device_side())
+      times_ += "there is no CUDA toolkit: what only a device does was not looked at\n";
     if (request_.checked_in.empty())
       for (const usage::Program& program : programs) out_ << usage::table(program) << '\n';
     out_ << times_;
@@ -102,7 +104,7 @@ class UsageCommand {
   }
 
   [[nodiscard]] std::vector<Side> sides() const {
-    if (request_.side == "host") return {Side::host};
+    if (request_.side == "host" || (request_.side.empty() && !usage::has_device_side())) return {Side::host};
     if (request_.side == "device") return {Side::device};
     return {Side::host, Side::device};
   }
@@ -160,7 +162,7 @@ class UsageCommand {
     err_ << "note: to write it anew: physgen usage";
     for (const std::string& file : request_.files) err_ << ' ' << file;
     err_ << " --json " << request_.checked_in;
-    if (request_.side != "both") err_ << " --side " << request_.side;
+    if (!request_.side.empty()) err_ << " --side " << request_.side;
     if (!request_.flags.empty()) err_ << " --";
     for (const std::string& flag : request_.flags) err_ << ' ' << flag;
     err_ << '\n';
@@ -187,7 +189,6 @@ void describe_usage(CLI::App& app, UsageRequest& request) {
       ->add_option("--check", request.checked_in,
                    "Compare with this JSON in place of printing; where it is stale, say in what, and exit with 1")
       ->type_name("FILE");
-  request.side = usage::has_device_side() ? "both" : "host";
   usage
       ->add_option(
           "--side", request.side,

@@ -15,7 +15,7 @@ namespace physgen::command {
 struct UsageRequest {
   std::vector<std::string> files;  ///< declarations of scenes, or sources that give steps to a ProbeExecutor
   std::vector<std::string> flags;  ///< as of a compiler
-  std::string side;                ///< "host", "device" or "both"
+  std::string side;                ///< "host", "device" or "both"; empty: both where there is a CUDA toolkit
   std::string json;                ///< file to write; empty: none
   std::string checked_in;          ///< file to compare with; empty: none
 };
