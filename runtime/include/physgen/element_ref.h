@@ -6,6 +6,7 @@
 #pragma once
 
 #include <physgen/config.h>
+#include <physgen/format/probe.h>
 
 #include <type_traits>
 #include <utility>
@@ -138,6 +139,13 @@ class ElementRef {
     requires(Cursor::gathered)
   = delete;
 
+  /// The address of an element, of a probe alone: what any code may read and write. Nothing lies there.
+  PHYSGEN_FUNCTION auto operator&() const&&
+    requires(format::is_probe<Format>)
+  {
+    return at_.template address_of<Format, T>(offset_, k_);
+  }
+
   /// Stores those lanes of `value` whose bits are set in `lanes`; see store_where() and add(). For packs.
   void write_where(std::uint64_t lanes, const Value& value) const {
     at_.template store_where<Format, T>(offset_, k_, value, lanes);
@@ -145,7 +153,11 @@ class ElementRef {
   /// Adds atomically; see add().
   template <class Range>
   PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
-    at_.template add<Format, T, 1>(range, offset_, k_, &value);
+    if constexpr (format::is_probe<Format>) {
+      write(Value(read() + value));
+    } else {
+      at_.template add<Format, T, 1>(range, offset_, k_, &value);
+    }
   }
 
  private:
@@ -180,6 +192,15 @@ PHYSGEN_ELEMENT_OPERATOR(>=)
 PHYSGEN_ELEMENT_OPERATOR(==)
 PHYSGEN_ELEMENT_OPERATOR(!=)
 #undef PHYSGEN_ELEMENT_OPERATOR
+
+/// Exchanges elements that are stored in two formats.
+template <detail::ElementReference A, detail::ElementReference B>
+  requires(!std::is_same_v<std::remove_cvref_t<A>, std::remove_cvref_t<B>>)
+PHYSGEN_FUNCTION void swap(A&& a, B&& b) {
+  const auto old = detail::operand(std::forward<A>(a));
+  std::forward<A>(a) = detail::operand(std::forward<B>(b));
+  std::forward<B>(b) = old;
+}
 
 template <detail::ElementReference A>
 PHYSGEN_FUNCTION auto operator-(A&& a) {

@@ -150,9 +150,13 @@ class FieldRef {
   template <class Range>
   PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
     static_assert(!is_rotation, "the sum of two rotations is none");
-    Scalar elements[Shape::count];
-    Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
-    at_.template add<Format, T, Shape::count>(range, 0, 0, static_cast<const Scalar*>(elements));
+    if constexpr (format::is_probe<Format>) {
+      write(Value(read() + value));
+    } else {
+      Scalar elements[Shape::count];
+      Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
+      at_.template add<Format, T, Shape::count>(range, 0, 0, static_cast<const Scalar*>(elements));
+    }
   }
 
  private:
@@ -223,6 +227,15 @@ concept SomeFieldReference = is_field_ref<std::remove_cvref_t<A>> || is_field_re
 struct a_field_is_no_value_so_calculate_with_what_its_get_returns {};  // complete: clang 14 asks for that
 
 }  // namespace detail
+
+/// Exchanges fields of one shape that are stored in two formats.
+template <class Shape, class FormatA, class FormatB, class T, class CursorA, class CursorB>
+  requires(!std::is_same_v<FormatA, FormatB>)
+PHYSGEN_FUNCTION void swap(FieldRef<Shape, FormatA, T, CursorA>&& a, FieldRef<Shape, FormatB, T, CursorB>&& b) {
+  const auto old = std::move(a).get();
+  std::move(a) = std::move(b).get();
+  std::move(b) = old;
+}
 
 template <class A, class B>
   requires detail::SomeFieldReference<A, B>

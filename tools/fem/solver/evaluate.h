@@ -36,7 +36,7 @@ struct StoreVolumetric {
 template <class StateView>
 StoreVolumetric(StateView) -> StoreVolumetric<StateView>;
 
-/// A material, as the solver sees it.
+/// A material, as the solver sees it that is compiled for all of them.
 /// @tparam Arrays EquilibriumArrays
 template <class On, class Arrays>
 class Evaluator {
@@ -60,19 +60,18 @@ class Evaluator {
   [[nodiscard]] virtual VolumeTerm volume() const = 0;
 };
 
-template <class On, class Arrays, class Material>
-class MaterialEvaluator final : public Evaluator<On, Arrays> {
+/// The steps of a material.
+template <class Material>
+class MaterialSteps {
  public:
-  using typename Evaluator<On, Arrays>::PositionView;
-  using typename Evaluator<On, Arrays>::Stresses;
-
   /// @param averages whether volumes are averaged. @pre then the material's volume can be split off
-  MaterialEvaluator(const Material& material, bool averages) : material_(material) {
+  MaterialSteps(const Material& material, bool averages) : material_(material) {
     if constexpr (splits_volume<Material>) {
       if (averages) volume_ = split_volume(material_);
     }
   }
-  void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) override {
+  template <class On, class Arrays, class Positions>
+  void evaluate_volumes(On& on, Arrays& a, const Positions& positions, bool restart) {
     const auto evaluate = [&](const auto& kernel) {
       on.reduce(a.volumes.size(), kernel, Sum{}, StoreVolumetric{a.state.view()});
     };
@@ -86,7 +85,8 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
                                    a.rings->tangent.view()});
     }
   }
-  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const PositionView& positions) override {
+  template <class On, class Arrays, class Positions>
+  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const Positions& positions) {
     with_pressures(a, [&](const auto& pressures) {
       on.reduce(chunk.tets(),
                 ComputeTetForces{chunk, material_, pressures, a.tets.const_view(), a.rest.const_view(), positions,
@@ -94,24 +94,26 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
                 Sum{}, AddElastic{a.state.view(), chunk.is_first()});
     });
   }
-  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) override {
+  template <class On, class Arrays>
+  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) {
     with_pressures(a, [&](const auto& pressures) {
       on.run(chunk.tets(),
              ComputeTetTangents{chunk, filter, material_, pressures, a.tets.const_view(), a.rest.const_view(),
                                 a.positions.const_view(), a.chunk_arrays->tangent.view()});
     });
   }
-  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override {
+  template <class On, class Arrays, class Stresses>
+  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) {
     with_pressures(a, [&](const auto& pressures) {
       on.run(a.tet_count(), EvaluateStress{material_, pressures, a.tets.const_view(), a.rest.const_view(),
                                            a.positions.const_view(), stresses.view()});
     });
   }
-  [[nodiscard]] VolumeTerm volume() const override { return volume_; }
+  [[nodiscard]] VolumeTerm volume() const { return volume_; }
 
  private:
   /// Calls body with what tells kernels of tets the pressures of mean volumes.
-  template <class Body>
+  template <class Arrays, class Body>
   static void with_pressures(Arrays& a, const Body& body) {
     if constexpr (splits_volume<Material>) {
       if (a.patches != nullptr) {
@@ -124,6 +126,30 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
 
   Material material_;
   VolumeTerm volume_;
+};
+
+template <class On, class Arrays, class Material>
+class MaterialEvaluator final : public Evaluator<On, Arrays> {
+ public:
+  using typename Evaluator<On, Arrays>::PositionView;
+  using typename Evaluator<On, Arrays>::Stresses;
+
+  /// See MaterialSteps.
+  MaterialEvaluator(const Material& material, bool averages) : steps_(material, averages) {}
+  void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) override {
+    steps_.evaluate_volumes(on, a, positions, restart);
+  }
+  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const PositionView& positions) override {
+    steps_.evaluate_forces(on, a, chunk, positions);
+  }
+  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) override {
+    steps_.evaluate_tangents(on, a, chunk, filter);
+  }
+  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override { steps_.evaluate_stress(on, a, stresses); }
+  [[nodiscard]] VolumeTerm volume() const override { return steps_.volume(); }
+
+ private:
+  MaterialSteps<Material> steps_;
 };
 
 /// @throw Error when constants are out of range

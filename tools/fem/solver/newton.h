@@ -15,9 +15,10 @@
 namespace physgen::fem {
 
 /// Energy, forces and residual of the state at `positions`.
+/// @param evaluator an Evaluator of these arrays, or MaterialSteps
 /// @param restart averaged volumes begin their linearised pressure anew
-template <class On, class Arrays, class Level, class Positions, class Forces>
-auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
+template <class On, class Arrays, class Level, class Evaluate, class Positions, class Forces>
+auto evaluate_state(On& on, Arrays& a, Level& level, Evaluate& evaluator, const Positions& positions,
                     const Forces& forces, const AtLoad& at, bool restart) {
   const auto state = a.state.view();
   evaluator.evaluate_volumes(on, a, positions, restart);
@@ -50,8 +51,8 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& eval
 }
 
 /// The stiffness of a level at the arrays' positions. @pre they are those of the last evaluate_state()
-template <class On, class Arrays, class Level>
-void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter) {
+template <class On, class Arrays, class Level, class Evaluate>
+void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter) {
   const auto edges = level.edge_stiffness.view();
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_tangents(on, a, chunk, filter);
@@ -88,9 +89,8 @@ void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& d
 }
 
 /// The tangent at the arrays' positions: assembled, or by tets. @pre they are those of the last evaluate_state()
-template <class On, class Arrays, class Level>
-void form_tangent(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter,
-                  const AtLoad& at) {
+template <class On, class Arrays, class Level, class Evaluate>
+void form_tangent(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter, const AtLoad& at) {
   if (!level.assembled) return evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
   assemble(on, a, level, evaluator, filter);
   const auto stiffness = level.node_stiffness.view();
@@ -115,10 +115,10 @@ void prepare_tangent(On& on, Arrays& a, Levels& levels, std::size_t top, const P
 }
 
 /// Forms the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.
-template <class On, class Arrays, class Levels, class Vectors>
+template <class On, class Arrays, class Levels, class Vectors, class Evaluate>
 LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-                        Evaluator<On, Arrays>& evaluator, TangentFilter filter, const NewtonSettings& settings,
-                        const AtLoad& at, bool has_increment, bool fresh, double forcing) {
+                        Evaluate& evaluator, TangentFilter filter, const NewtonSettings& settings, const AtLoad& at,
+                        bool has_increment, bool fresh, double forcing) {
   auto& level = *levels[top];
   form_tangent(on, a, level, evaluator, filter, at);
   if (has_increment) {
@@ -136,10 +136,10 @@ LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& leve
 /// are not yet where the load takes them (a.increment), the first linear solve moves them.
 /// @param restart whether linearised pressures begin anew, at those of the forces; else they are kept
 /// @param report called after every step
-template <class On, class Arrays, class Levels, class Vectors>
+template <class On, class Arrays, class Levels, class Vectors, class Evaluate>
 NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-                              Evaluator<On, Arrays>& evaluator, const NewtonSettings& settings, double load,
-                              bool has_increment, bool restart, const std::function<void(const NewtonStep&)>& report) {
+                              Evaluate& evaluator, const NewtonSettings& settings, double load, bool has_increment,
+                              bool restart, const std::function<void(const NewtonStep&)>& report) {
   using Clock = std::chrono::steady_clock;
   auto& level = *levels[top];
   const index_t n = a.nodes();
