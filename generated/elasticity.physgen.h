@@ -1,6 +1,6 @@
 // Accessor classes of the object types in elasticity.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_ELASTICITY_H_EEBCE61A34E40ACE
-#define PHYSGEN_ELASTICITY_H_EEBCE61A34E40ACE
+#ifndef PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9
+#define PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9
 
 #include <physgen/runtime.h>
 
@@ -503,6 +503,129 @@ static_assert(physgen::is_sound_record<QuaternionSvdObject, float, QuaternionSvd
     44, 4, {0, 16, 32}));
 static_assert(physgen::is_sound_record<QuaternionSvdObject, double, QuaternionSvdFormats<physgen::Host>>(
     88, 8, {0, 32, 64}));
+
+// ---- PrincipalDirections --------------------------------------------------------------------------------------------
+
+/// Principal directions of the deformation gradient alone: what the force differential reads of its SVD.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PrincipalDirections {
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  Eigen::Matrix<Real, 3, 3> U;
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  Eigen::Matrix<Real, 3, 3> V;
+};
+
+/// How the fields of one PrincipalDirections are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of PrincipalDirectionsArray.
+template <class Space>
+struct PrincipalDirectionsFormats {
+  using U = physgen::format::Native;
+  using V = physgen::format::Native;
+};
+
+struct PrincipalDirectionsObject;
+/// PrincipalDirectionsFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PrincipalDirectionsFormats<physgen::Host>,
+          class Object = PrincipalDirectionsObject, int first = 0>
+struct PrincipalDirectionsProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
+};
+
+/// Where each field begins in the record of one PrincipalDirections [bytes].
+template <class Real, class Formats>
+struct PrincipalDirectionsRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Rotation, typename Formats::U, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::V, Real>(),
+  }});
+  static constexpr int U = plan_.offset[0];
+  static constexpr int V = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PrincipalDirections of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PrincipalDirectionsRef {
+  using Record = PrincipalDirectionsRecord<Real, Formats>;
+
+ public:
+  using Value = PrincipalDirections<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PrincipalDirectionsRef(const Cursor& cursor) : at_(cursor) {}
+  PrincipalDirectionsRef(const PrincipalDirectionsRef&) = default;
+  PrincipalDirectionsRef& operator=(const PrincipalDirectionsRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PrincipalDirectionsRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  PHYSGEN_FUNCTION decltype(auto) U() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::U, Real>(Record::U);
+  }
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  PHYSGEN_FUNCTION decltype(auto) V() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::V, Real>(Record::V);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.U = U().get();
+    value.V = V().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    U() = value.U;
+    V() = value.V;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PrincipalDirections.
+struct PrincipalDirectionsObject {
+  static constexpr std::string_view name = "elasticity::PrincipalDirections";
+  template <class Real>
+  using Value = PrincipalDirections<Real>;
+  template <class Real, class Formats>
+  using Record = PrincipalDirectionsRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PrincipalDirectionsRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
+        "U", "", PrincipalDirectionsRecord<Real, Formats>::U, 1, 0.0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::V, Real>(
+        "V", "", PrincipalDirectionsRecord<Real, Formats>::V, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PrincipalDirectionsFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PrincipalDirectionsProbe<ArrayTag, Base>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PrincipalDirectionsObject, Space>>
+using PrincipalDirectionsView = physgen::View<PrincipalDirectionsObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PrincipalDirectionsObject, Space>>
+using PrincipalDirectionsArray = physgen::Array<PrincipalDirectionsObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PrincipalDirectionsObject, float, PrincipalDirectionsFormats<physgen::Host>>(
+    72, 4, {0, 36}));
+static_assert(physgen::is_sound_record<PrincipalDirectionsObject, double, PrincipalDirectionsFormats<physgen::Host>>(
+    144, 8, {0, 72}));
 
 // ---- PrincipalStretches ---------------------------------------------------------------------------------------------
 
@@ -1940,6 +2063,111 @@ using NodeForceArray = physgen::Array<NodeForceObject, Real, Space, Layout, Form
 static_assert(physgen::is_sound_record<NodeForceObject, float, NodeForceFormats<physgen::Host>>(12, 4, {0}));
 static_assert(physgen::is_sound_record<NodeForceObject, double, NodeForceFormats<physgen::Host>>(24, 8, {0}));
 
+// ---- PlacedForce ----------------------------------------------------------------------------------------------------
+
+/// Force of one tet on one of its corners, at its place in the row of that corner's node.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PlacedForce {
+  /// of the tet on the node [N]
+  Eigen::Matrix<Real, 3, 1> f;
+};
+
+/// How the fields of one PlacedForce are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of PlacedForceArray.
+template <class Space>
+struct PlacedForceFormats {
+  using f = physgen::format::Native;
+};
+
+struct PlacedForceObject;
+/// PlacedForceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PlacedForceFormats<physgen::Host>, class Object = PlacedForceObject,
+          int first = 0>
+struct PlacedForceProbe {
+  using array_ = ArrayTag;
+  using f = physgen::Probe<ArrayTag, Object, first + 0, typename Base::f>;
+};
+
+/// Where each field begins in the record of one PlacedForce [bytes].
+template <class Real, class Formats>
+struct PlacedForceRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::f, Real>(),
+  }});
+  static constexpr int f = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PlacedForce of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PlacedForceRef {
+  using Record = PlacedForceRecord<Real, Formats>;
+
+ public:
+  using Value = PlacedForce<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PlacedForceRef(const Cursor& cursor) : at_(cursor) {}
+  PlacedForceRef(const PlacedForceRef&) = default;
+  PlacedForceRef& operator=(const PlacedForceRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PlacedForceRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// of the tet on the node [N]
+  PHYSGEN_FUNCTION decltype(auto) f() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::f, Real>(Record::f);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.f = f().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { f() = value.f; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PlacedForce.
+struct PlacedForceObject {
+  static constexpr std::string_view name = "elasticity::PlacedForce";
+  template <class Real>
+  using Value = PlacedForce<Real>;
+  template <class Real, class Formats>
+  using Record = PlacedForceRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PlacedForceRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::f, Real>(
+        "f", "N", PlacedForceRecord<Real, Formats>::f, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PlacedForceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PlacedForceProbe<ArrayTag, Base>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PlacedForceObject, Space>>
+using PlacedForceView = physgen::View<PlacedForceObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
+          class Formats = physgen::FormatsOf<PlacedForceObject, Space>>
+using PlacedForceArray = physgen::Array<PlacedForceObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PlacedForceObject, float, PlacedForceFormats<physgen::Host>>(12, 4, {0}));
+static_assert(physgen::is_sound_record<PlacedForceObject, double, PlacedForceFormats<physgen::Host>>(24, 8, {0}));
+
 // ---- NodeDisplacement -----------------------------------------------------------------------------------------------
 
 /// Displacement differential of a node.
@@ -2598,6 +2826,108 @@ using TetArray = physgen::Array<TetObject, Real, Space, Layout, Formats>;
 static_assert(physgen::is_sound_record<TetObject, float, TetFormats<physgen::Host>>(16, 4, {0}));
 static_assert(physgen::is_sound_record<TetObject, double, TetFormats<physgen::Host>>(16, 4, {0}));
 
+// ---- TetPlaces ------------------------------------------------------------------------------------------------------
+
+/// Where the corners of a tet stand among the incidences of nodes.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct TetPlaces {
+  /// of corners i, j, k, l: numbers of entries
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places;
+};
+
+/// How the fields of one TetPlaces are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of TetPlacesArray.
+template <class Space>
+struct TetPlacesFormats {
+  using places = physgen::format::Native;
+};
+
+struct TetPlacesObject;
+/// TetPlacesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetPlacesFormats<physgen::Host>, class Object = TetPlacesObject, int first = 0>
+struct TetPlacesProbe {
+  using array_ = ArrayTag;
+  using places = physgen::Probe<ArrayTag, Object, first + 0, typename Base::places>;
+};
+
+/// Where each field begins in the record of one TetPlaces [bytes].
+template <class Real, class Formats>
+struct TetPlacesRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(),
+  }});
+  static constexpr int places = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One TetPlaces of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class TetPlacesRef {
+  using Record = TetPlacesRecord<Real, Formats>;
+
+ public:
+  using Value = TetPlaces<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit TetPlacesRef(const Cursor& cursor) : at_(cursor) {}
+  TetPlacesRef(const TetPlacesRef&) = default;
+  TetPlacesRef& operator=(const TetPlacesRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const TetPlacesRef&& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// of corners i, j, k, l: numbers of entries
+  PHYSGEN_FUNCTION decltype(auto) places() const {
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(Record::places);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.places = places().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { places() = value.places; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of TetPlaces.
+struct TetPlacesObject {
+  static constexpr std::string_view name = "elasticity::TetPlaces";
+  template <class Real>
+  using Value = TetPlaces<Real>;
+  template <class Real, class Formats>
+  using Record = TetPlacesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = TetPlacesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(
+        "places", "", TetPlacesRecord<Real, Formats>::places, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = TetPlacesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetPlacesProbe<ArrayTag, Base>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<TetPlacesObject, Space>>
+using TetPlacesView = physgen::View<TetPlacesObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<TetPlacesObject, Space>>
+using TetPlacesArray = physgen::Array<TetPlacesObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<TetPlacesObject, float, TetPlacesFormats<physgen::Host>>(16, 4, {0}));
+static_assert(physgen::is_sound_record<TetPlacesObject, double, TetPlacesFormats<physgen::Host>>(16, 4, {0}));
+
 // ---- Edge -----------------------------------------------------------------------------------------------------------
 
 /// Nodes of an edge.
@@ -2940,4 +3270,4 @@ static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_EEBCE61A34E40ACE
+#endif  // PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9

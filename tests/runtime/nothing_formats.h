@@ -31,6 +31,8 @@ struct W;
 struct volume;
 struct nodes;
 struct flags;
+struct element;
+struct local;
 struct flag;
 struct label;
 struct weight;
@@ -79,6 +81,13 @@ struct PartOfEntries : tissue::model::EntriesFormats<Host> {
 /// The only field, of indices.
 struct NoNodes : elasticity::TetFormats<Host> {
   using nodes = Gone<field::nodes>;
+};
+/// Entries of rows that name nothing, and some that name elements alone.
+struct NoElement : elasticity::IncidenceFormats<Host> {
+  using element = Gone<field::element>;
+};
+struct ElementOnly : elasticity::IncidenceFormats<Host> {
+  using local = Gone<field::local>;
 };
 /// Initial values.
 struct PartOfOptions : tissue::model::OptionsFormats<Host> {

@@ -1,6 +1,7 @@
 // Fields of which nothing is stored: what is stored is as it was, stores to the rest write nowhere, and what would need
 // it is refused. Compiled twice: also with PHYSGEN_CHECKED.
 #include <physgen/parallel_for.h>
+#include <physgen/row_arrays.h>
 
 #include "nothing_checks.h"
 #include "nothing_kernels.h"
@@ -185,6 +186,23 @@ TYPED_TEST(NothingStored, of_pruned_fields_mirrors_and_gathered_arrays_hold_the_
 }
 
 TEST(Nothing, is_refused_where_its_field_is_needed) { check_refusals<Host>(); }
+
+template <class Formats>
+using RowsOf =
+    RowArrays<elasticity::IncidenceRangeArray<float>, Array<elasticity::IncidenceObject, float, Host, Soa, Formats>>;
+
+TEST(Nothing, of_what_entries_of_rows_name_is_refused_and_of_the_rest_changes_no_row) {
+  const std::vector<std::vector<elasticity::Incidence<float>>> lists{{{2, 7}, {1, 7}}, {}, {{0, 7}}};
+  const std::string message = message_of([&] { (void)RowsOf<NoElement>::from_lists({"element", 3}, lists); });
+  EXPECT_NE(message.find("its indices are needed, but nothing is stored of element: "), std::string::npos) << message;
+  auto rows = RowsOf<ElementOnly>::from_lists({"element", 3}, lists);
+  rows.renumber(std::vector<index_t>{1, 0, 2}, 3);
+  rows.permute(std::vector<index_t>{2, 0, 1});
+  EXPECT_EQ(rows.entries().getdata(0, 0), 1);
+  EXPECT_EQ(rows.entries().getdata(1, 0), 2);
+  EXPECT_EQ(rows.entries().getdata(2, 0), 0);
+  EXPECT_THROW((void)rows.entries().getdata(2, 1), Error);
+}
 
 TEST(Nothing, leaves_initial_values_of_other_fields) {
   const Array<OptionsObject, float, Host, Soa, PartOfOptions> options(3);

@@ -110,6 +110,8 @@ class Cursor : private LossSink {
   using Lanes = T;
   /// Whether two lanes may stand on one object.
   static constexpr bool gathered = false;
+  /// Whether it stands on a local of a fused kernel.
+  static constexpr bool of_a_local = requires { Layout::of_locals; };
 
   /// Stands on object i of the array at `base`.
   PHYSGEN_FUNCTION Cursor(Byte* base, Pitch pitch, I i, Losses* losses)
@@ -130,10 +132,10 @@ class Cursor : private LossSink {
   }
 
   /// Element k of those that follow each other from byte `offset` of the record on: T& (const T& in a read-only array)
-  /// where memory holds T, else an ElementRef.
+  /// where memory holds T, else an ElementRef; of a local, which has no masked stores and no sums, always that.
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) element(int offset, int k = 0) const {
-    if constexpr (format::is_plain<Format, T>) {
+    if constexpr (format::is_plain<Format, T> && !of_a_local) {
       return static_cast<Element<T>&>(address<T>(offset)[k * pitch_.value()]);
     } else {
       return ElementRef<Format, T, Cursor>(*this, offset, k);

@@ -23,6 +23,7 @@ class FieldRef {
   using Scalar = typename Cursor::template Lanes<T>;
   using Value = typename Shape::template Value<Scalar>;
   using Lanes = Scalar;  ///< one element's
+  static constexpr bool of_a_local = requires { requires Cursor::of_a_local; };
 
   /// @param at the object's cursor, moved to the field's first byte by nested()
   PHYSGEN_FUNCTION explicit FieldRef(const Cursor& at) : at_(at) {}
@@ -136,6 +137,7 @@ class FieldRef {
 
   /// Stores those lanes of `value` whose bits are set in `lanes`; see store_where(). For packs.
   void write_where(std::uint64_t lanes, const Value& value) const {
+    detail::refuse_masks<FieldRef>();
     if constexpr (format::is_quaternion<Format>) {
       at_.check_rotation(value, lanes);
       const Quaternion<Scalar> q = unit_quaternion<Scalar>(value);
@@ -149,6 +151,7 @@ class FieldRef {
   /// Adds atomically; see add().
   template <class Range>
   PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
+    detail::refuse_sums<FieldRef>();
     static_assert(!is_rotation, "the sum of two rotations is none");
     if constexpr (format::is_probe<Format>) {
       write(Value(read() + value));

@@ -135,6 +135,10 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   [[nodiscard]] PHYSGEN_FUNCTION auto operator[](I&& i) const {
     return (*this)[detail::operand(std::forward<I>(i))];
   }
+  template <class I, class Frame>
+  [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) operator[](const Own<I, Frame>& i) const {
+    return (*this)[i.index];
+  }
   /// All fields of object(s) i, by value.
   template <class I>
     requires(!detail::ElementReference<I>)
