@@ -69,8 +69,14 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Sol
   }
 
   [[nodiscard]] double time() const override { return time_; }
-  [[nodiscard]] std::vector<Point> positions() const override { return points(arrays_.front()->positions); }
-  [[nodiscard]] std::vector<Point> velocities() const override { return plain_velocities(inertia().velocities); }
+  [[nodiscard]] std::vector<Point> positions() const override {
+    on_->wait();
+    return points(arrays_.front()->positions);
+  }
+  [[nodiscard]] std::vector<Point> velocities() const override {
+    on_->wait();
+    return plain_velocities(inertia().velocities);
+  }
   void set_positions(std::span<const Point> positions) override {
     Parts::require_nodes(0, positions.size());
     Parts::store(*arrays_.front(), positions);
