@@ -4,6 +4,7 @@
 
 #include <fem/solver/free_part.h>
 #include <fem/solver/interpolation.h>
+#include <fem/solver/row_sums.h>
 #include <fem/solver/smoother.h>
 #include <physgen/kernel.h>
 #include <physgen/rows.h>
@@ -23,16 +24,21 @@ struct RestrictResidual {
   ScaleView scales;             ///< quasistatic::NodeScale, coarse
   CoarseView coarse;            ///< elasticity::NodeForceDifferential, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
-    using Vector = Vector3<Scalar>;
-    const Vector sum = children.sum(node, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
+  static constexpr int lanes = 8;  ///< see run_rows()
+  using Vector = Vector3<Scalar>;
+
+  PHYSGEN_FUNCTION Vector part(index_t node, Lane lane) const {
+    return sum_of_lane(children, node, lane, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
       const index_t child = ChildEntry::element(entry);
       const Vector r = fine[child].df();
       return r * (Scalar(fine_scales[child].inverse()) * interpolation.template weight<Scalar>(entry));
     });
+  }
+  PHYSGEN_FUNCTION void put(index_t node, const Vector& sum) const {
     const Vector scaled = sum * Scalar(scales[node].scale());
     coarse[node].df() = detail::free_part<Scalar>(scaled, constraints[node]);
   }
+  PHYSGEN_FUNCTION void operator()(index_t node) const { put(node, part(node, Lane{})); }
 };
 template <class... Arguments>
 RestrictResidual(Arguments...) -> RestrictResidual<Arguments...>;
