@@ -135,7 +135,8 @@ std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved)
   if (planes == 0 || c.tets == 0) return 0;  // or of a background grid
   const std::int64_t bytes = bytes_of<decltype(Planes::stiffness)>(c.nodes);
   return !solved ? bytes
-                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes);
+                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes) +
+                       bytes_of<decltype(Planes::contact)>(1);
 }
 
 /// As InertiaArrays::bytes().

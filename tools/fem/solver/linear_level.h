@@ -5,6 +5,7 @@
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/inertia_arrays.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/plane_arrays.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
@@ -50,6 +51,7 @@ struct LinearLevel {
   using Real = Real_;
   using Space = Space_;
   using Stored = Stored_;
+  using Choices = AnyChoice;
 
   bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
   quasistatic::NodeConstraintArray<Real, Space> constraints;
