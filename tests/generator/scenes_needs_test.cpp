@@ -193,6 +193,13 @@ TEST(NeedReport, has_a_row_for_every_field_and_sums_for_every_set) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "in\n" << text;
 }
 
+TEST(NeedReport, names_kernels_without_namespaces_in_its_table_and_fused_ones_by_their_parts) {
+  Usage usage = chain_usage();
+  usage.steps[0].kernel = "physgen::Fused<physgen::fem::Svd, my_own::Turn_2>";
+  const std::string text = scenes::report_text(chain(), find_needs(chain(), usage));
+  EXPECT_NE(text.find("            s      12     kept      Fused<Svd, Turn_2>  Force\n"), std::string::npos) << text;
+}
+
 TEST(NeedReport, explains_a_field_by_every_name_that_it_has) {
   const Scene scene = chain();
   const Needs needs = find_needs(scene, chain_usage());

@@ -45,7 +45,8 @@ class SceneCommand {
     }
     if (!usage) return errors;
     const scenes::Needs needs = scenes::find_needs(scene, *usage);
-    for (const scenes::Issue& issue : needs.issues) err_ << scenes::text_of(issue);
+    for (const scenes::Issue& issue : needs.issues)  // notes are of needs that hold
+      if (needs.sound() || issue.kind == scenes::Issue::Kind::error) err_ << scenes::text_of(issue);
     if (!needs.sound()) return errors;
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
