@@ -63,14 +63,19 @@ std::string without_namespaces(const std::string& name) {
   return result;
 }
 
-/// "ComputeSvd, ComputeStress": the kernels of steps, without namespaces and arrays, each once.
+/// "ComputeSvd, ComputeStress and 2 more": the kernels of steps, without namespaces and arrays, each once; all of them
+/// stand in report_json() and report_why().
 std::string kernels(const std::vector<StepOfField>& uses) {
   std::vector<std::string> names;
   for (const StepOfField& use : uses) {
     const std::string name = without_namespaces(use.step.substr(0, use.step.find('(')));
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  return names.empty() ? "-" : model::joined(names);
+  constexpr std::size_t most = 3;
+  if (names.size() <= most) return names.empty() ? "-" : model::joined(names);
+  const std::string more = " and " + std::to_string(names.size() - most) + " more";
+  names.resize(most);
+  return model::joined(names) + more;
 }
 
 std::string columns(const std::vector<std::vector<std::string>>& rows) {

@@ -13,13 +13,12 @@ inline double highest_frequency(const MeshLevel& level, const DynamicSettings& s
   const LameParameters lame = lame_parameters(settings.solver.youngs_modulus, settings.solver.poissons_ratio, "a test");
   LevelGraph graph;
   graph.nodes = level.mesh.nodes;
-  LinearBody<double, Host> body(lame, level, graph, false);
+  LinearBody<double, Host> body(level, graph, false);
   const auto masses = lumped_masses(level.mesh, level.rest, settings.density);
   elasticity::NodeForceDifferentialArray<double> product(body.nodes());
   const auto u = body.displacements.view();
   const auto begin = random_vectors(masses.size(), 1, 3);
-  const auto force = linear_force<double>(lame, body.tets.const_view(), body.rest.const_view(),
-                                          body.node_tets.const_view(), body.displacements.const_view());
+  const auto force = forces_of<double>(body, lame, body.displacements.const_view());
   double square = 0;
   for (int k = 0; k <= iterations; ++k) {
     if (k > 0) parallel_for(Host{}, body.nodes(), MultiplyLinear{force, product.view()});

@@ -207,6 +207,7 @@ TEST(LinearElastic, loads_scale_the_answer_and_a_state_goes_on) {
   const auto other = make_linear_solver(body.levels, body.loading, settings);
   other->restore(state);
   EXPECT_EQ(other->load(), 0.05);
+  EXPECT_LE(largest_distance(other->positions(), state.positions[0]), 1e-16);
   ASSERT_EQ(other->solve_to(0.1, {}).status, NewtonStatus::converged);
   EXPECT_EQ(largest_distance(solver->positions(), other->positions()), 0);
   EXPECT_THROW(other->restore({0, true, {{Point{}}}}), Error);

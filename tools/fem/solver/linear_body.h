@@ -4,8 +4,6 @@
 
 #include <fem/solver/linear_elastic.h>
 #include <fem/solver/rest_shapes.h>
-#include <fem/solver/scaled_blocks.h>
-#include <fem/solver/settings.h>
 #include <fem/solver/solver_arrays.h>
 
 namespace physgen::fem {
@@ -15,11 +13,11 @@ struct LinearBody {
   using Real = Real_;
   using Space = Space_;
 
-  LameParameters lame;
   elasticity::TetArray<Real, Space> tets;
   elasticity::RestShapeArray<double, Space> rest;
-  PackedRows<Space> node_tets;
-  PackedRows<Space> edge_tets;  ///< of stiffness that is assembled
+  // Rows of NodeTetEntry, and where the stiffness is assembled of EdgeTetEntry.
+  elasticity::IncidenceRangeArray<float, Space> node_tet_ranges, edge_tet_ranges;
+  quasistatic::PackedIncidenceArray<float, Space> node_tets, edge_tets;
 
   elasticity::NodeDisplacementArray<double, Space> displacements;  ///< u, from rest
   elasticity::NodeDisplacementArray<double, Space> motion;         ///< of prescribed components, at a load of 1
@@ -27,46 +25,41 @@ struct LinearBody {
   elasticity::NodeForceArray<double, Space> forces;  ///< elastic and external; in prescribed components -reaction
   quasistatic::EquilibriumArray<double, Space> state;
 
-  LinearBody(const LameParameters& constants, const MeshLevel& level, const LevelGraph& graph, bool assembled)
-      : lame(constants),
-        tets(moved_to<decltype(tets)>(host_tets(level))),
+  LinearBody(const MeshLevel& level, const LevelGraph& graph, bool assembled)
+      : tets(moved_to<decltype(tets)>(host_tets(level))),
         rest(moved_to<decltype(rest)>(host_rest_shapes(level))),
-        node_tets(packed_rows<NodeTetEntry>(level.mesh.node_tets, tets.size(), "tets")),
         displacements(graph.nodes),
         motion(graph.nodes),
         loads(graph.nodes),
         forces(graph.nodes),
         state(1) {
+    const PackedRows<Host> of_nodes = packed_rows<NodeTetEntry>(level.mesh.node_tets, tets.size(), "tets");
+    node_tet_ranges = moved_to<decltype(node_tet_ranges)>(of_nodes.ranges());
+    node_tets = moved_to<decltype(node_tets)>(of_nodes.entries());
     if (!assembled) return;
-    edge_tets =
-        PackedRows<Space>(packed_rows<EdgeTetEntry>(make_edge_parts(level, graph).edge_tets, tets.size(), "tets"));
+    const PackedRows<Host> of_edges =
+        packed_rows<EdgeTetEntry>(make_edge_parts(level, graph).edge_tets, tets.size(), "tets");
+    edge_tet_ranges = moved_to<decltype(edge_tet_ranges)>(of_edges.ranges());
+    edge_tets = moved_to<decltype(edge_tets)>(of_edges.entries());
   }
 
   [[nodiscard]] index_t nodes() const { return displacements.size(); }
   [[nodiscard]] index_t bytes() const {
-    return bytes_of(tets, rest, node_tets.ranges(), node_tets.entries(), edge_tets.ranges(), edge_tets.entries(),
-                    displacements, motion, loads, forces, state);
+    return bytes_of(tets, rest, node_tet_ranges, node_tets, edge_tet_ranges, edge_tets, displacements, motion, loads,
+                    forces, state);
   }
 };
 
-/// df += K dx, without blocks of edges; df is 0 before.
-template <class On, class Real, class Space, class DisplacementView, class DifferentialView>
-void add_tangents(On& on, LinearBody<Real, Space>& a, const DisplacementView& dx, const DifferentialView& df) {
-  on.run(a.nodes(),
-         MultiplyLinear{
-             linear_force<Real>(a.lame, a.tets.const_view(), a.rest.const_view(), a.node_tets.const_view(), dx), df});
+/// The tets of each node.
+template <class Body>
+[[nodiscard]] auto node_tets_of(const Body& a) {
+  return Rows(a.node_tet_ranges.const_view(), a.node_tets.const_view(), a.tets.size());
 }
 
-/// What prepare() does where nothing is assembled: the inverses of nodes' blocks.
-template <class On, class Real, class Space, class Level>
-void prepare_nodes(On& on, LinearBody<Real, Space>& a, Level& level, const PreconditionerSettings& settings) {
-  if (settings.kind == Preconditioner::none) return;
-  const auto blocks = level.node_stiffness.view();
-  on.run(a.nodes(), SumLinearNodeStiffness{a.lame, a.rest.const_view(), a.node_tets.const_view(), blocks});
-  const auto scales = level.scales.view();
-  on.run(a.nodes(), ComputeNodeScale{false, level.node_stiffness.const_view(), scales});
-  on.run(a.nodes(), ScaleNodes{level.node_stiffness.const_view(), level.constraints.const_view(),
-                               level.scales.const_view(), blocks, level.inverse.view()});
+/// Forces on nodes at displacements u, in the precision Scalar. @param a LinearBody, or arrays of its names
+template <class Scalar, class Body, class DisplacementView>
+[[nodiscard]] auto forces_of(const Body& a, const LameParameters& lame, const DisplacementView& u) {
+  return linear_force<Scalar>(lame, a.tets.const_view(), a.rest.const_view(), node_tets_of(a), u);
 }
 
 }  // namespace physgen::fem

@@ -33,10 +33,10 @@ class LinearSolverOf final : public EquilibriumSolver {
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
     using Clock = std::chrono::steady_clock;
-    on_->run(nodes(), PrescribeDisplacements{load, body_.motion.const_view(), linear_[0]->constraints.const_view(),
-                                             body_.displacements.view()});
+    on_->run(nodes(), BeginAtLoad{load, body_.motion.const_view(), linear_[0]->constraints.const_view(),
+                                  body_.displacements.view()});
     load_ = load;
-    auto state = evaluate_linear(*on_, body_, *linear_[0], load);
+    auto state = evaluate_linear(*on_, body_, *linear_[0], lame_, load);
     NewtonResult result;
     for (bool begun = false;; begun = true) {
       const double free = std::sqrt(state.free_square), fixed = std::sqrt(state.fixed_square);
@@ -56,16 +56,14 @@ class LinearSolverOf final : public EquilibriumSolver {
         break;
       }
       const auto start = Clock::now();
-      prepare_once();
-      const LinearResult linear =
-          solve_linear(*on_, loop_, body_, linear_, vectors_, settings_.newton, linear_tolerance());
+      const LinearResult linear = solve_once();
       result.steps += 1;
       result.iterations += linear.iterations;
       if (linear.status == LinearStatus::not_finite || linear.status == LinearStatus::negative_curvature) {
         result.status = NewtonStatus::linear_solver;
         break;
       }
-      state = evaluate_linear(*on_, body_, *linear_[0], load);
+      state = evaluate_linear(*on_, body_, *linear_[0], lame_, load);
       if (report) {
         NewtonStep step;
         step.number = result.steps;
@@ -91,12 +89,12 @@ class LinearSolverOf final : public EquilibriumSolver {
     return x;
   }
   [[nodiscard]] std::vector<Point> forces() override {
-    (void)evaluate_linear(*on_, body_, *linear_[0], load_);
+    (void)evaluate_linear(*on_, body_, *linear_[0], lame_, load_);
     return plain_forces(body_.forces);
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     elasticity::StressArray<double, Space> stresses(body_.tets.size());
-    on_->run(body_.tets.size(), ComputeLinearStress{body_.lame, body_.tets.const_view(), body_.rest.const_view(),
+    on_->run(body_.tets.size(), ComputeLinearStress{lame_, body_.tets.const_view(), body_.rest.const_view(),
                                                     body_.displacements.const_view(), stresses.view()});
     on_->wait();
     return plain_stresses(stresses);
@@ -131,8 +129,8 @@ class LinearSolverOf final : public EquilibriumSolver {
         rest_(used.levels.front().rest),
         on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
         linear_(make_linear_levels<Level>(used, settings)),
-        body_(lame_parameters(settings.youngs_modulus, settings.poissons_ratio, "linear elasticity"),
-              used.levels.front(), used.graphs.front(), settings.newton.product == Product::assembled),
+        lame_(lame_parameters(settings.youngs_modulus, settings.poissons_ratio, "linear elasticity")),
+        body_(used.levels.front(), used.graphs.front(), settings.newton.product == Product::assembled),
         vectors_(used.graphs.front().nodes),
         rounding_force_(rounding_force(settings, used.levels.front(), loading.motion, false,
                                        mean_spacing(used.levels.front().mesh, rest_))) {
@@ -144,8 +142,20 @@ class LinearSolverOf final : public EquilibriumSolver {
   }
 
   [[nodiscard]] index_t nodes() const { return body_.nodes(); }
-  void prepare_once() {
-    if (!std::exchange(is_prepared_, true)) prepare_linear(*on_, body_, linear_, settings_.newton.preconditioner);
+  LinearResult solve_once() {
+    const NewtonSettings& newton = settings_.newton;
+    const bool prepared = std::exchange(is_prepared_, true);
+    if (newton.product == Product::assembled) {
+      if (!prepared) prepare_linear(*on_, body_, linear_, lame_, newton.preconditioner);
+      solve_linear(*on_, loop_, body_, linear_, vectors_, newton, linear_tolerance());
+    } else {
+      Level& level = *linear_[0];
+      const bool blocks = newton.preconditioner.kind == Preconditioner::block_jacobi;
+      if (blocks && !prepared) prepare_linear_nodes(*on_, body_, level, lame_);
+      solve_linear_matrix_free(*on_, loop_, body_, level, vectors_, lame_, blocks, linear_tolerance(),
+                               newton.most_iterations);
+    }
+    return linear_result(*on_, vectors_);
   }
   /// Of sqrt(r . z); so far below that of the residual that one solve reaches it, where rounding lets it.
   [[nodiscard]] double linear_tolerance() const {
@@ -163,6 +173,7 @@ class LinearSolverOf final : public EquilibriumSolver {
   std::vector<Point> rest_;
   std::unique_ptr<On> on_;
   std::vector<std::unique_ptr<Level>> linear_;  ///< finest first
+  LameParameters lame_;
   Body body_;
   Vectors vectors_;
   typename On::Loop loop_;
