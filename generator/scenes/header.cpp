@@ -59,6 +59,11 @@ class Header {
   static std::string tags(const Group& group, const Array& array) {
     return "pruned::" + group.variable + "::" + array.name;
   }
+  /// The name of what is generated for an object, where the scene's own name may be that of the object's namespace.
+  [[nodiscard]] std::string outer_name(const Array& array, const std::string& ending) const {
+    const std::string name = generated_name(array, ending);
+    return name.starts_with(scene_.name + "::") ? "::" + name : name;
+  }
   static std::string formats_name(const Group& group, const Array& array) {
     return group.name + capital(array.name) + "Formats";
   }
@@ -89,7 +94,7 @@ class Header {
     for (const auto& [names, why] : by_reason(fields)) comment.append("\n- " + names + ": " + why);
     out_.comment("///", comment);
     out_.line("template <class Space>");
-    struct_of(formats_name(group, array), "physgen::FormatsOf<" + generated_name(array, "Object") + ", Space>", leaves);
+    struct_of(formats_name(group, array), "physgen::FormatsOf<" + outer_name(array, "Object") + ", Space>", leaves);
     out_.line();
   }
 
@@ -136,7 +141,7 @@ class Header {
   // ---- The arrays of a group ---------------------------------------------------------------------------------------
 
   [[nodiscard]] std::string type(const Group& group, const Array& array) const {
-    std::string type = generated_name(array, "Array") + "<" + array.real + ", Space>";
+    std::string type = outer_name(array, "Array") + "<" + array.real + ", Space>";
     if (!pruned(group, array).empty())
       type = "physgen::WithFormats<" + type + ", " + formats_name(group, array) + "<Space>>";
     if (array.uniform) return "physgen::UniformArray<" + type + ">";

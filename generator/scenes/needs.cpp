@@ -3,41 +3,23 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
-#include <utility>
+
+#include "scenes/liveness.h"
 
 namespace physgen::scenes {
 namespace {
 
-using FieldName = std::pair<std::string, std::string>;  // array, field
-
-FieldName name_of(const usage::FieldUse& use) { return {use.array, use.field}; }
-bool reads(const usage::FieldUse& use) { return use.read || use.address_taken; }
-bool writes(const usage::FieldUse& use) { return use.written || use.address_taken; }
-std::string text_of(const FieldName& field) { return field.first + "." + field.second; }
-Location location(const usage::Place& place) { return {place.file, place.line, place.column}; }
-
-/// "a, b and c"; of many, the first few.
-std::string listed(const std::vector<std::string>& words) {
-  constexpr std::size_t most = 4;
-  if (words.size() <= most) return model::joined(words, " and ");
-  return model::joined({words.begin(), words.begin() + most}) + " and " + std::to_string(words.size() - most) + " more";
-}
-
-class Liveness {
+/// What becomes of each field, and what is to be said about it.
+class NeedsFinder {
  public:
-  Liveness(const Scene& scene, const usage::Usage& usage) : scene_(scene), usage_(usage) {}
+  NeedsFinder(const Scene& scene, const usage::Usage& usage)
+      : scene_(scene), usage_(usage), live_(find_liveness(scene, usage)), errors_(live_.errors) {}
 
-  Needs find() {
-    known_names();
-    roots();
-    fixpoint();
-    if (errors_.empty()) {
-      dead_steps();
+  Needs find() && {
+    if (live_.complete)
       for (const Group& group : scene_.groups)
         for (const Array& array : group.arrays) this->array(group.full_name(array), array);
-    }
     needs_.issues = std::move(errors_);
     needs_.issues.insert(needs_.issues.end(), notes_.begin(), notes_.end());
     return std::move(needs_);
@@ -51,118 +33,62 @@ class Liveness {
     notes_.push_back({Issue::Kind::note, place, std::move(message)});
   }
 
-  // ---- What is live -----------------------------------------------------------------------------------------------
-
-  void known_names() {
-    std::vector<std::string> arrays;
-    for (const Group& group : scene_.groups)
-      for (const Array& array : group.arrays) arrays.push_back(group.full_name(array));
-    const auto known = [&](const usage::FieldUse& use) {
-      const Array* array = scenes::find(scene_, use.array);
-      if (array == nullptr) return error(scene_.location, unknown("array", use.array, arrays));
-      std::vector<std::string> fields;
-      for (const Field& field : array->fields) fields.push_back(field.name);
-      if (std::find(fields.begin(), fields.end(), use.field) == fields.end())
-        error(array->location, "in " + use.array + " " + unknown("field", use.field, fields));
-    };
-    for (const auto& step : usage_.steps) std::for_each(step.fields.begin(), step.fields.end(), known);
-    std::for_each(usage_.unattributed.begin(), usage_.unattributed.end(), known);
-  }
-
-  void roots() {
-    for (const Group& group : scene_.groups)
-      for (const Array& array : group.arrays)
-        for (const Field& field : array.fields)
-          if (array.is_output(field.name)) wanted_.insert({group.full_name(array), field.name});
-    for (const auto& use : usage_.unattributed) {
-      if (reads(use)) wanted_.insert(name_of(use));
-      if (writes(use)) written_.insert(name_of(use));
-    }
-    for (const auto& use : usage_.unknown) unknown_use(use);
-  }
-
-  /// All of the array may be read and written there.
-  void unknown_use(const usage::UnknownUse& use) {
-    const Array* array = scenes::find(scene_, use.array);
-    if (array != nullptr && array->output && array->output->all) return;  // all of it stays
-    error(location(use.place), use.what + " of " + use.array +
-                                   " hides which fields are used; write view[i].field(), or declare the array "
-                                   "output(), which keeps all its fields");
-  }
-
-  [[nodiscard]] bool is_live(const usage::StepUse& step) const {
-    return step.root || std::any_of(step.fields.begin(), step.fields.end(), [&](const usage::FieldUse& use) {
-             return writes(use) && wanted_.contains(name_of(use));
-           });
-  }
-
-  void fixpoint() {
-    live_.assign(usage_.steps.size(), false);
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t i = 0; i < usage_.steps.size(); ++i) {
-        if (live_[i] || !is_live(usage_.steps[i])) continue;
-        live_[i] = changed = true;
-        for (const auto& use : usage_.steps[i].fields) {
-          if (reads(use)) wanted_.insert(name_of(use));
-          if (writes(use)) written_.insert(name_of(use));
-        }
-      }
-    }
-  }
-
-  /// Their kernels are in the program, so that they would read fields that are not there, or run for nothing.
-  void dead_steps() {
-    for (std::size_t i = 0; i < usage_.steps.size(); ++i) {
-      if (live_[i]) continue;
-      const usage::StepUse& step = usage_.steps[i];
-      std::vector<std::string> written;
-      for (const auto& use : step.fields)
-        if (writes(use)) written.push_back(text_of(name_of(use)));
-      const std::string what = "the step " + scenes::name_of(step) + " ";
-      if (written.empty())
-        error(location(step.place), what + "writes no field; take it out of the program");
-      else
-        error(location(step.place), what + "writes only " + listed(written) +
-                                        ", which nothing that is wanted depends on; take the step out of the "
-                                        "program, or declare what it writes output(...)");
-    }
-  }
-
-  // ---- What becomes of each field ----------------------------------------------------------------------------------
-
   void array(const std::string& name, const Array& array) {
     ArrayNeed need;
     need.array = name;
     need.read_only = true;
     for (const Field& field : array.fields) {
       need.fields.push_back(this->field(name, array, field));
-      if (!need.fields.back().writers.empty() || written_.contains({name, field.name})) need.read_only = false;
+      if (!need.fields.back().writers.empty() || live_.written.contains({name, field.name})) need.read_only = false;
     }
     if (array.output && array.output->all &&
         std::none_of(array.fields.begin(), array.fields.end(),
-                     [&](const Field& field) { return written_.contains({name, field.name}); }))
+                     [&](const Field& field) { return live_.written.contains({name, field.name}); }))
       error(array.output->location, "the output " + name +
                                         " is written by no step; run the step that computes it, or "
                                         "take output() away");
-    for (const auto& [key, fields] : pruned_) {
-      std::vector<std::string> names;
-      for (const auto& [place, field] : fields) names.push_back(field);
-      const bool one = names.size() == 1;
-      note(fields.front().first, (one ? "field " : "fields ") + model::joined(names, " and ") + " of " + name +
-                                     (one ? " is pruned: " : " are pruned: ") + key.second + " writes " +
-                                     (one ? "it" : "them") + ", and nothing reads " + (one ? "it" : "them"));
-    }
-    pruned_.clear();
+    say_of_fields();
     if (need.left_out()) note(array.location, "array " + name + " is left out: no field of it is needed");
     needs_.arrays.push_back(std::move(need));
+  }
+
+  /// Fields of one step are one issue.
+  void say_of_fields() {
+    for (const auto& [key, fields] : unwritten_) {
+      const char* them = fields.size() == 1 ? "it" : "them";
+      error(fields.front().first, these(key.first, fields) + " read by " + key.second + ", and no step writes " + them +
+                                      "; declare input(" + quoted(fields) + ") where " + key.first +
+                                      " is declared, or run the step that computes " + them);
+    }
+    for (const auto& [key, fields] : pruned_) {
+      const char* them = fields.size() == 1 ? "it" : "them";
+      note(fields.front().first,
+           these(key.first, fields) + " pruned: " + key.second + " writes " + them + ", and nothing reads " + them);
+    }
+    unwritten_.clear();
+    pruned_.clear();
+  }
+
+  using Places = std::vector<std::pair<Location, std::string>>;  // of fields
+
+  /// "fields U and V of body.svds are"
+  static std::string these(const std::string& array, const Places& fields) {
+    std::vector<std::string> names;
+    for (const auto& [place, field] : fields) names.push_back(field);
+    return (names.size() == 1 ? "field " : "fields ") + model::joined(names, " and ") + " of " + array +
+           (names.size() == 1 ? " is" : " are");
+  }
+  static std::string quoted(const Places& fields) {
+    std::vector<std::string> names;
+    for (const auto& [place, field] : fields) names.push_back("\"" + field + "\"");
+    return model::joined(names);
   }
 
   FieldNeed field(const std::string& array_name, const Array& array, const Field& field) {
     const FieldName name{array_name, field.name};
     FieldNeed need;
     need.field = field;
-    need.kept = wanted_.contains(name);
+    need.kept = live_.wanted.contains(name);
     for (const auto& step : usage_.steps)
       for (const auto& use : step.fields) uses(use, name, scenes::name_of(step), need);
     for (const auto& use : usage_.unattributed) uses(use, name, "code outside of steps", need);
@@ -179,23 +105,20 @@ class Liveness {
 
   void problems(const FieldName& name, const Array& array, const FieldNeed& need) {
     const std::string& field = name.second;
-    const std::string option = "(\"" + field + "\")";
     const bool is_input = array.is_input(field), is_output = array.is_output(field);
     if (array.uniform && !need.writers.empty()) {
       error(array.location, "array " + name.first + " is uniform(), one record for all objects, and " +
                                 need.writers.front().step + " writes its field '" + field +
                                 "' of each; take uniform() away");
-    } else if (need.kept && !written_.contains(name) && !is_input && !need.field.initial) {
+    } else if (need.kept && !live_.written.contains(name) && !is_input && !need.field.initial) {
       if (!need.readers.empty())
-        error(first_place(need.readers.front(), array),
-              "field " + text_of(name) + " is read by " + need.readers.front().step +
-                  ", and no step writes it; declare input" + option + " where " + name.first +
-                  " is declared, or run the step that computes it");
+        unwritten_[{name.first, need.readers.front().step}].push_back(
+            {first_place(need.readers.front(), array), field});
       else if (is_output && !(array.output->all && nothing_written(name.first, array)))
         error(array.output->location,
               "the output " + text_of(name) +
                   " is written by no step; run the step that computes it, or name it no output");
-    } else if (is_output && !array.output->all && !written_.contains(name)) {
+    } else if (is_output && !array.output->all && !live_.written.contains(name)) {
       error(array.output->location, "the output " + text_of(name) +
                                         " is written by no step; run the step that computes it, or name it no output");
     } else if (!need.kept && !need.writers.empty()) {
@@ -208,7 +131,7 @@ class Liveness {
   /// An output that is written nowhere is one error, not one for each of its fields.
   [[nodiscard]] bool nothing_written(const std::string& name, const Array& array) const {
     return std::none_of(array.fields.begin(), array.fields.end(),
-                        [&](const Field& field) { return written_.contains({name, field.name}); });
+                        [&](const Field& field) { return live_.written.contains({name, field.name}); });
   }
 
   static Location first_place(const StepOfField& step, const Array& array) {
@@ -240,10 +163,9 @@ class Liveness {
 
   const Scene& scene_;
   const usage::Usage& usage_;
-  std::set<FieldName> wanted_, written_;  // by live steps
-  std::vector<bool> live_;                // beside usage_.steps
-  // Of one array: its fields that are written in vain, by their first step.
-  std::map<FieldName, std::vector<std::pair<Location, std::string>>> pruned_;
+  Liveness live_;
+  // Fields of the array at hand that are read and never written, or written in vain: by array and first step.
+  std::map<std::pair<std::string, std::string>, Places> unwritten_, pruned_;
   std::vector<Issue> errors_, notes_;
   Needs needs_;
 };
@@ -265,7 +187,7 @@ const ArrayNeed& Needs::of(const std::string& array) const {
   throw std::logic_error("no needs of the array " + array);
 }
 
-Needs find_needs(const Scene& scene, const usage::Usage& usage) { return Liveness(scene, usage).find(); }
+Needs find_needs(const Scene& scene, const usage::Usage& usage) { return NeedsFinder(scene, usage).find(); }
 
 Needs everything(Needs needs) {
   for (ArrayNeed& array : needs.arrays)
@@ -274,7 +196,8 @@ Needs everything(Needs needs) {
 }
 
 std::string name_of(const usage::StepUse& step) {
-  return step.arrays.empty() ? step.kernel : step.kernel + "(" + model::joined(step.arrays) + ")";
+  const std::string kernel = step.kernel.ends_with("()") ? step.kernel.substr(0, step.kernel.size() - 2) : step.kernel;
+  return step.arrays.empty() ? step.kernel : kernel + "(" + model::joined(step.arrays) + ")";
 }
 
 }  // namespace physgen::scenes

@@ -96,6 +96,24 @@ class SceneReader {
     for (const clang::Decl* member : record.decls()) {
       if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(member); alias && alias->getName() == "Real")
         scene.real = alias->getUnderlyingType().getCanonicalType().getAsString();
+    }
+    groups(record, scene);
+    if (scene.groups.empty() && !report_.has_errors())
+      report_.error(record.getLocation(),
+                    "scene " + frontend::quoted(scene.name) +
+                        " has no arrays; write a group, 'struct Body { PHYSGEN_ARRAY(per(\"tet\")) "
+                        "Array<elasticity::TetObject, Real> tets; };'");
+    program(record, scene);
+    return scene;
+  }
+
+  /// Those of what the scene derives from, and then its own.
+  void groups(const clang::CXXRecordDecl& record, Scene& scene) {
+    for (const clang::CXXBaseSpecifier& base : record.bases()) {
+      const auto* type = base.getType()->getAsCXXRecordDecl();
+      if (type != nullptr && type->hasDefinition()) groups(*type->getDefinition(), scene);
+    }
+    for (const clang::Decl* member : record.decls()) {
       const auto* group = llvm::dyn_cast<clang::CXXRecordDecl>(member);
       if (group != nullptr && group->isThisDeclarationADefinition() && !group->isInjectedClassName()) {
         if (!is_group(*group)) continue;
@@ -106,15 +124,7 @@ class SceneReader {
                       "PHYSGEN_ARRAY(...) ...; };'");
       }
     }
-    if (scene.groups.empty() && !report_.has_errors())
-      report_.error(record.getLocation(),
-                    "scene " + frontend::quoted(scene.name) +
-                        " has no arrays; write a group, 'struct Body { PHYSGEN_ARRAY(per(\"tet\")) "
-                        "Array<elasticity::TetObject, Real> tets; };'");
-    program(record, scene);
-    return scene;
   }
-
   /// Others are types of the program's parameters.
   static bool is_group(const clang::CXXRecordDecl& record) {
     return llvm::any_of(record.fields(), [](const clang::FieldDecl* field) {

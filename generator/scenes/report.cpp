@@ -46,7 +46,8 @@ std::vector<Sum> sums(const Scene& scene, const Needs& needs) {
   return sums;
 }
 
-/// "ComputeSvd, ComputeStress": the kernels of steps, without namespaces and arrays, each once.
+/// "ComputeSvd, ComputeStress and 2 more": the kernels of steps, without namespaces and arrays, each once; all of them
+/// stand in report_json() and report_why().
 std::string kernels(const std::vector<StepOfField>& uses) {
   std::vector<std::string> names;
   for (const StepOfField& use : uses) {
@@ -55,7 +56,11 @@ std::string kernels(const std::vector<StepOfField>& uses) {
     if (scope != std::string::npos) name = name.substr(scope + 2);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  return names.empty() ? "-" : model::joined(names);
+  constexpr std::size_t most = 3;
+  if (names.size() <= most) return names.empty() ? "-" : model::joined(names);
+  const std::string more = " and " + std::to_string(names.size() - most) + " more";
+  names.resize(most);
+  return model::joined(names) + more;
 }
 
 std::string columns(const std::vector<std::vector<std::string>>& rows) {

@@ -1,21 +1,12 @@
 // `physgen scene` as a process: what it writes and leaves alone, what it says, and its exit status.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
-#include <iterator>
-
-#include "frontend_case.h"
+#include "command_case.h"
 
 namespace physgen::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 const std::string schema = R"(#include <physgen/schema.h>
 namespace m {
@@ -63,40 +54,25 @@ const std::string two_steps =
     "    on.run(body.first.size(), CopyFields{body.first.view(), body.between.view()});\n"
     "    on.run(body.first.size(), CopyFields{body.between.view(), body.last.view()});\n";
 
-class SceneCommand : public testing::Test {
+class SceneCommand : public Command {
  protected:
-  struct Outcome {
-    int status;
-    std::string out, err;
-  };
-
   void SetUp() override {
-    folder_.write("particles.h", schema);
-    folder_.write("kernel.h", kernel({"a"}));
-    folder_.write("scenes/particles.h", scene_of(two_steps));
-    const auto outcome = run("generate " + path("particles.h") + " -o " + path("generated"));
+    folder.write("particles.h", schema);
+    folder.write("kernel.h", kernel({"a"}));
+    folder.write("scenes/particles.h", scene_of(two_steps));
+    const auto outcome = run("generate particles.h -o generated");
     ASSERT_EQ(outcome.status, 0) << outcome.err;
   }
 
-  [[nodiscard]] std::string path(const std::string& name) const { return "'" + (folder_ / name) + "'"; }
-  [[nodiscard]] std::string written(const std::string& name) const { return text_of(folder_ / ("out/" + name)); }
+  [[nodiscard]] std::string written(const std::string& name) const { return text_of(folder / ("out/" + name)); }
 
-  Outcome run(const std::string& arguments) const {
-    const std::string command =
-        std::string(PHYSGEN_COMMAND) + " " + arguments + " >" + path("stdout") + " 2>" + path("stderr");
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), text_of(folder_ / "stdout"), text_of(folder_ / "stderr")};
-  }
   Outcome scene(const std::string& arguments) const {
-    return run("scene " + path("scenes/particles.h") + " " + arguments + " -- -I" + path(".") + " -I" +
-               path("generated") + " " PHYSGEN_FLAGS);
+    return run("scene scenes/particles.h " + arguments + " -- -I. -Igenerated " PHYSGEN_FLAGS);
   }
-
-  Folder folder_;
 };
 
 TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
-  const std::string arguments = "-o " + path("out") + " --stamp " + path("stamp") + " --depfile " + path("depfile");
+  const std::string arguments = "-o out --stamp stamp --depfile depfile";
   const auto first = scene(arguments);
   ASSERT_EQ(first.status, 0) << first.err;
   const std::string header = written("particles.scene.h");
@@ -105,21 +81,21 @@ TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
   EXPECT_NE(written("particles.need.txt").find("per particle: 12 of 36 bytes, 3 of 9 numbers\n"), std::string::npos);
   EXPECT_NE(written("particles.usage.json").find("\"kernel.h:11:11\""), std::string::npos)
       << written("particles.usage.json");
-  const std::string depends = text_of(folder_ / "depfile");
+  const std::string depends = text_of(folder / "depfile");
   for (const char* name : {"/scenes/particles.h", "/kernel.h", "/particles.physgen.h", "/physgen/scene.h"})
     EXPECT_NE(depends.find(name), std::string::npos) << name << " in\n" << depends;
 
-  const auto long_ago = fs::last_write_time(folder_ / "out/particles.scene.h") - std::chrono::hours(1);
-  fs::last_write_time(folder_ / "out/particles.scene.h", long_ago);
-  folder_.write("kernel.h", "// A comment.\n" + kernel({"a"}));
+  const auto long_ago = fs::last_write_time(folder / "out/particles.scene.h") - std::chrono::hours(1);
+  fs::last_write_time(folder / "out/particles.scene.h", long_ago);
+  folder.write("kernel.h", "// A comment.\n" + kernel({"a"}));
   ASSERT_EQ(scene(arguments).status, 0);
-  EXPECT_EQ(fs::last_write_time(folder_ / "out/particles.scene.h"), long_ago);
+  EXPECT_EQ(fs::last_write_time(folder / "out/particles.scene.h"), long_ago);
   EXPECT_NE(written("particles.usage.json").find("\"kernel.h:12:11\""), std::string::npos) << "one line further down";
 
-  folder_.write("kernel.h", kernel({"a", "b"}));
+  folder.write("kernel.h", kernel({"a", "b"}));
   const auto third = scene(arguments);
   ASSERT_EQ(third.status, 0) << third.err;
-  EXPECT_NE(fs::last_write_time(folder_ / "out/particles.scene.h"), long_ago);
+  EXPECT_NE(fs::last_write_time(folder / "out/particles.scene.h"), long_ago);
   EXPECT_NE(written("particles.need.txt").find("per particle: 20 of 36 bytes, 5 of 9 numbers\n"), std::string::npos)
       << written("particles.need.txt");
   EXPECT_NE(third.err.find("kernel.h:12:11: note: field b of body.last is pruned: CopyFields(body.between, body.last) "
@@ -129,25 +105,25 @@ TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
 }
 
 TEST_F(SceneCommand, writes_nothing_where_a_step_is_missing_or_in_vain) {
-  folder_.write("scenes/particles.h",
-                scene_of("    on.run(body.first.size(), CopyFields{body.between.view(), body.last.view()});\n"));
-  const auto missing = scene("-o " + path("out"));
+  folder.write("scenes/particles.h",
+               scene_of("    on.run(body.first.size(), CopyFields{body.between.view(), body.last.view()});\n"));
+  const auto missing = scene("-o out");
   EXPECT_EQ(missing.status, 1);
-  EXPECT_NE(missing.err.find("kernel.h:11:53: error: field body.between.a is read by CopyFields(body.between, "
+  EXPECT_NE(missing.err.find("kernel.h:11:53: error: field a of body.between is read by CopyFields(body.between, "
                              "body.last), and no step writes it; declare input(\"a\") where body.between is declared, "
                              "or run the step that computes it\n"),
             std::string::npos)
       << missing.err;
-  folder_.write("scenes/particles.h",
-                scene_of("    on.run(body.first.size(), CopyFields{body.first.view(), body.last.view()});\n"
-                         "    on.run(body.first.size(), CopyFields{body.first.view(), body.between.view()});\n"));
-  const auto in_vain = scene("-o " + path("out"));
+  folder.write("scenes/particles.h",
+               scene_of("    on.run(body.first.size(), CopyFields{body.first.view(), body.last.view()});\n"
+                        "    on.run(body.first.size(), CopyFields{body.first.view(), body.between.view()});\n"));
+  const auto in_vain = scene("-o out");
   EXPECT_EQ(in_vain.status, 1);
   EXPECT_NE(in_vain.err.find("error: the step CopyFields(body.first, body.between) writes only body.between.a, which "
                              "nothing that is wanted depends on;"),
             std::string::npos)
       << in_vain.err;
-  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 TEST_F(SceneCommand, explains_fields_and_refuses_names_and_files_that_there_are_not) {
@@ -161,8 +137,8 @@ TEST_F(SceneCommand, explains_fields_and_refuses_names_and_files_that_there_are_
   EXPECT_EQ(unknown.err,
             "physgen: error: in the scene particles there is no array or field 'betwen.a'; did you mean "
             "'between.a'?\n");
-  EXPECT_EQ(run("scene " + path("absent.h")).status, 2);
-  EXPECT_EQ(run("check -- " + path("particles.h")).status, 0) << "a schema, not flags";
+  EXPECT_EQ(run("scene absent.h").status, 2);
+  EXPECT_EQ(run("check -- particles.h").status, 0) << "a schema, not flags";
 }
 
 }  // namespace

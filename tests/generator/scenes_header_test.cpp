@@ -48,6 +48,15 @@ TEST(SceneHeader, prunes_fields_of_nested_objects_and_counts_single_ones) {
     EXPECT_NE(text.find(lines), std::string::npos) << lines << "in\n" << text;
 }
 
+TEST(SceneHeader, means_the_objects_of_a_namespace_that_has_the_scenes_own_name) {
+  auto scene = chain();
+  scene.name = "m";
+  const auto text = scenes::header(scene, scenes::find_needs(scene, chain_usage()));
+  EXPECT_NE(text.find("physgen::FormatsOf<::m::SvdObject, Space>"), std::string::npos) << text;
+  EXPECT_NE(text.find("<::m::SvdArray<float, Space>"), std::string::npos) << text;
+  EXPECT_EQ(text.find(" m::SvdArray"), std::string::npos) << text;
+}
+
 TEST(ProbeUnit, gives_the_program_a_probe_for_every_array_and_something_for_every_parameter) {
   auto scene = chain();
   scene.parameters = {"double"};

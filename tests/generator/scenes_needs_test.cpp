@@ -59,10 +59,11 @@ TEST(SceneNeeds, go_round_loops_through_as_many_steps_as_there_are) {
 TEST(SceneNeeds, refuse_a_field_that_is_read_and_never_written) {
   Usage usage = chain_usage();
   usage.steps[1].fields.push_back(reads("body.extra", "a"));
-  EXPECT_EQ(issues(chain(), usage),
-            "force.h:7:3: error: field body.extra.a is read by Force(body.svd, body.f), and no step writes it; declare "
-            "input(\"a\") where body.extra is declared, or run the step that computes it\n"
-            "svd.h:4:9: note: field U of body.svd is pruned: Svd(body.x, body.svd) writes it, and nothing reads it\n");
+  EXPECT_EQ(
+      issues(chain(), usage),
+      "force.h:7:3: error: field a of body.extra is read by Force(body.svd, body.f), and no step writes it; declare "
+      "input(\"a\") where body.extra is declared, or run the step that computes it\n"
+      "svd.h:4:9: note: field U of body.svd is pruned: Svd(body.x, body.svd) writes it, and nothing reads it\n");
 }
 
 TEST(SceneNeeds, take_an_initial_value_for_a_write) {

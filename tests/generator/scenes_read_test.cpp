@@ -83,6 +83,23 @@ struct PHYSGEN_SCENE() scene {
   EXPECT_EQ(svds.fields, fields);
 }
 
+TEST(SceneDeclaration, has_the_groups_of_what_it_derives_from_before_its_own) {
+  const auto declaration = read(R"(
+struct OfBody { struct Body { PHYSGEN_ARRAY(per("tet")) Array<SvdObject, float> svds; }; };
+struct OfNodes { struct Nodes { PHYSGEN_ARRAY(per("node")) Array<SvdObject, double> nodes; }; };
+struct OfBoth : OfBody, OfNodes {};
+struct PHYSGEN_SCENE() scene : OfBoth {
+  struct Level { PHYSGEN_ARRAY(per("edge")) Array<SvdObject, float> edges; };
+  template <class On, class B, class N, class L> static void program(On& on, B& body, N& nodes, L& level);
+};
+)");
+  ASSERT_TRUE(declaration.scene) << declaration.diagnostics;
+  std::vector<std::string> arrays;
+  for (const auto& group : declaration.scene->groups)
+    for (const auto& array : group.arrays) arrays.push_back(group.full_name(array) + " " + array.real);
+  EXPECT_EQ(arrays, (std::vector<std::string>{"body.svds float", "nodes.nodes double", "level.edges float"}));
+}
+
 TEST(SceneDeclaration, is_named_in_headers_by_the_folder_of_I_that_it_lies_in) {
   const Folder folder;
   folder.write("a/objects.h", objects);

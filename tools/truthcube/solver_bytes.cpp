@@ -27,9 +27,14 @@ template <class Real, class Space, class Stored>
 std::int64_t linear_bytes(const LevelCounts& c, const LevelCounts* coarser) {
   using Level = fem::LinearLevel<Real, Space, Stored>;
   const std::int64_t n = c.nodes;
-  // EdgeSums, which on CUDA has no room for contributions.
-  const std::int64_t contribution = Space::kind == SpaceKind::cuda ? 0 : sizeof(fem::Contribution<Real>);
-  const std::int64_t sums = (2 * (n + 1) + c.edges) * std::int64_t{sizeof(fem::Index)} + c.edges * contribution;
+  // EdgeSums, which on CUDA holds nothing, and EdgeBricks.
+  std::int64_t sums = 0;
+  if (Space::kind == SpaceKind::host) {
+    sums = (2 * (n + 1) + c.edges) * std::int64_t{sizeof(fem::Index)} +
+           c.edges * std::int64_t{sizeof(fem::Contribution<Real>)};
+  } else if (fem::EdgeBricks::pay(n)) {
+    sums = fem::EdgeBricks::bytes_for(n, c.edges);
+  }
   std::int64_t bytes = bytes_of<decltype(Level::constraints)>(n) + bytes_of<decltype(Level::edges)>(c.edges) +
                        bytes_of_rows<decltype(Level::node_edges)>(n, 2 * c.edges) +
                        bytes_of<decltype(Level::node_stiffness)>(n) +
@@ -130,7 +135,8 @@ std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved)
   if (planes == 0 || c.tets == 0) return 0;  // or of a background grid
   const std::int64_t bytes = bytes_of<decltype(Planes::stiffness)>(c.nodes);
   return !solved ? bytes
-                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes);
+                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes) +
+                       bytes_of<decltype(Planes::contact)>(1);
 }
 
 /// As InertiaArrays::bytes().

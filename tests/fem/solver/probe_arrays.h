@@ -130,6 +130,7 @@ struct ProbeLevel {
   using Real = Real_;
   using Space = Space_;
   using Stored = Stored_;
+  using Choices = AnyChoice;
   using Owner = LinearLevel<Real, Space, Stored>;
   bool assembled = true;
   bool is_grid = false;
@@ -156,6 +157,7 @@ struct ProbeLevel {
   PHYSGEN_TEST_PROBE("level", coarse_inverse)
   std::unique_ptr<ProbeSchwarz<Real, Space, typename Stored::template Factors<Space>>> schwarz;
   std::unique_ptr<ProbePlanes<Real, Space>> planes;
+  NoArrays inertia;
 
   [[nodiscard]] index_t nodes() const { return 1; }
   [[nodiscard]] index_t edge_count() const { return 1; }

@@ -4,6 +4,9 @@
 #include <physgen/storage.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <string>
 
 #include "bodies.h"
 #include "irregular.h"
@@ -126,6 +129,53 @@ TEST_F(SolverOnCuda, schwarz_takes_the_steps_that_it_takes_on_the_cpu_again_and_
         double largest = 0;
         for (const Point& x : expected) largest = std::max({largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
         EXPECT_LE(largest_distance(expected, found), 100 * tolerance * largest) << cells;
+      }
+    }
+  }
+}
+
+/// While it lives, levels of more nodes are not run by one thread block.
+class SmallLevels {
+ public:
+  explicit SmallLevels(int most_nodes) { setenv("PHYSGEN_SMALL_LEVELS", std::to_string(most_nodes).c_str(), 1); }
+  SmallLevels(const SmallLevels&) = delete;
+  SmallLevels& operator=(const SmallLevels&) = delete;
+  ~SmallLevels() { unsetenv("PHYSGEN_SMALL_LEVELS"); }
+};
+
+TEST_F(SolverOnCuda, small_levels_in_one_thread_block_correct_as_those_in_launches_do) {
+  for (const TangentPrecision precision :
+       {TangentPrecision::half, TangentPrecision::float32, TangentPrecision::float64}) {
+    for (const Index cells : {8, 16}) {
+      for (const bool patches : {false, true}) {
+        const Body body = make_truth_cube_body(cells, patches);
+        SolverSettings settings;
+        settings.poissons_ratio = 0.49;
+        settings.precision = precision;
+        settings.device = Device::cuda;
+        const auto solver = make_solver(body.levels, body.loading, settings);
+        std::mt19937_64 random(151);
+        std::uniform_real_distribution<double> number(-1, 1);
+        std::vector<Point> forces(body.levels[0].rest.size());
+        for (Point& f : forces) f = {number(random), number(random), number(random)};
+        for (const double tolerance : {0.3, 1e-4}) {  // after few cycles, and many
+          const auto solve = [&](int most_nodes, std::vector<Point>& step) {
+            const SmallLevels small(most_nodes);
+            return solver->solve_linear(forces, tolerance, &step);
+          };
+          std::vector<Point> expected;
+          const LinearResult apart = solve(0, expected);
+          ASSERT_EQ(apart.status, LinearStatus::converged);
+          double largest = 0;
+          for (const Point& x : expected) largest = std::max({largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+          ASSERT_GT(largest, 0);
+          for (const int most_nodes : {1000, 200, 30}) {  // from 8, 4 and 2 cells a side
+            std::vector<Point> found;
+            EXPECT_EQ(solve(most_nodes, found).iterations, apart.iterations) << cells << " " << most_nodes;
+            const double rounding = precision == TangentPrecision::float64 ? 1e-12 : 1e-3;
+            EXPECT_LE(largest_distance(expected, found), rounding * largest) << cells << " " << most_nodes;
+          }
+        }
       }
     }
   }

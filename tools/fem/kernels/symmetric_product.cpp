@@ -40,10 +40,10 @@ EdgeSums::EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrde
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     place[e] = next[static_cast<std::size_t>(mesh.edges[e][1])]++;
   }
+  if (order == SumOrder::any && space == SpaceKind::cuda) return;  // atomics go by no lists
   const auto bytes = static_cast<index_t>(lists.size() * sizeof(Index));
   indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
   copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(lists.data()), SpaceKind::host, bytes);
-  if (order == SumOrder::any && space == SpaceKind::cuda) return;
   contributions_ = Buffer(space, 4 * edges_ * real_bytes, "contributions of " + std::to_string(edges_) + " edges");
 }
 

@@ -37,7 +37,7 @@ class EdgeSums {
   /// @param mesh its edges (m, n) are ascending, as make_tet_mesh() makes them
   /// @param space where the product will run
   /// @param real_bytes of one scalar: sizeof(float) or sizeof(double)
-  /// @param order of the products; SumOrder::any on CUDA needs no room for contributions
+  /// @param order of the products; SumOrder::any on CUDA needs no lists, and no room for contributions
   /// @throw Error when edges are not ascending or the memory cannot be had
   EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrder order = SumOrder::fixed);
 

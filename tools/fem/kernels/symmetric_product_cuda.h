@@ -7,15 +7,20 @@
 
 namespace physgen::fem {
 
-namespace detail {
+/// df = what the nodes have of K dx.
+template <class NodeStiffnessView, class DisplacementView, class DifferentialView>
+struct MultiplyNodes {
+  using Scalar = typename DifferentialView::Precision;
+  NodeStiffnessView node_stiffness;  ///< elasticity::NodeStiffness
+  DisplacementView displacements;    ///< elasticity::NodeDisplacement
+  DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
 
-template <class Product>
-struct WriteNodeContributions {
-  Product product;
-  __device__ void operator()(index_t node) const {
-    product.differentials[node].df() = node_contribution(product, node);
-  }
+  __device__ void operator()(index_t node) const { differentials[node].df() = detail::node_contribution(*this, node); }
 };
+template <class... Views>
+MultiplyNodes(Views...) -> MultiplyNodes<Views...>;
+
+namespace detail {
 
 /// A thread takes an edge. Edges of one node lie side by side: their contributions to it are summed within the warp,
 /// and one thread adds the sum.
@@ -109,7 +114,10 @@ void sum_edges(Cuda space, const SymmetricProduct<Views...>& product, const Edge
   if (sums.nodes() == 0) return;
   const auto blocks = [](index_t objects, int each) { return static_cast<unsigned>((objects + each - 1) / each); };
   if (order == SumOrder::any) {
-    if constexpr (!kAdds) parallel_for(space, sums.nodes(), WriteNodeContributions<Product>{product}, stream);
+    if constexpr (!kAdds) {
+      parallel_for(space, sums.nodes(),
+                   MultiplyNodes{product.node_stiffness, product.displacements, product.differentials}, stream);
+    }
     if (sums.edges() == 0) return;
     constexpr int threads = 256;
     add_edge_products<<<blocks(sums.edges(), threads), threads, 0, stream>>>(product, sums.edges());

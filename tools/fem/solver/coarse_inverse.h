@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/free_part.h>
+#include <fem/solver/row_sums.h>
 #include <physgen/kernel.h>
 
 #include <limits>
@@ -67,24 +68,21 @@ struct ApplyCoarseInverse {
   ResidualView residual;       ///< elasticity::NodeForceDifferential
   CorrectionView corrections;  ///< elasticity::NodeDisplacement, written
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  static constexpr int lanes = 32;  ///< see run_rows()
+
+  PHYSGEN_FUNCTION Vector3<Scalar> part(index_t i, Lane lane) const {
     Vector3<Scalar> sum = Vector3<Scalar>::Zero();
-    for (index_t j = 0; j < nodes; ++j) {
+    for (index_t j = lane.number; j < nodes; j += lane.count) {
       const Matrix3<Scalar> G = inverse[i * nodes + j].G();
       const Vector3<Scalar> r = residual[j].df();
       sum = multiply_add<Scalar>(G, r, sum);
     }
-    corrections[i].dx() = sum;
+    return sum;
   }
+  PHYSGEN_FUNCTION void put(index_t i, const Vector3<Scalar>& sum) const { corrections[i].dx() = sum; }
+  PHYSGEN_FUNCTION void operator()(index_t i) const { put(i, part(i, Lane{})); }
 };
 template <class... Views>
 ApplyCoarseInverse(index_t, Views...) -> ApplyCoarseInverse<Views...>;
-
-/// z of the coarsest level from its r.
-template <class On, class Level>
-void apply_coarsest(On& on, Level& level) {
-  on.run(level.nodes(), ApplyCoarseInverse{level.nodes(), level.coarse_inverse.const_view(),
-                                           level.residual.const_view(), level.correction.view()});
-}
 
 }  // namespace physgen::fem

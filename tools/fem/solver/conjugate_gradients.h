@@ -118,17 +118,22 @@ template <class On, class Arrays, class Levels, class Vectors>
 void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
            const PreconditionerSettings& settings, double tolerance, int most_iterations, double residual_length = 0) {
   auto& level = *levels[top];
-  if (level.assembled) {
-    return solve_assembled(on, loop, levels, top, v, settings, tolerance, most_iterations, residual_length);
+  using Choices = typename std::remove_cvref_t<decltype(level)>::Choices;
+  if constexpr (Choices::assembled) {
+    if (level.assembled) {
+      return solve_assembled(on, loop, levels, top, v, settings, tolerance, most_iterations, residual_length);
+    }
   }
-  const auto product = v.product.view();
-  const auto multiply = [&] {
-    on.run(level.nodes(), TurnDirectionAlone{v.state.const_view(), level.scales.const_view(),
-                                             level.correction.const_view(), v.direction.view(), product});
-    add_tangents(on, a, v.direction.const_view(), product);
-  };
-  conjugate_gradients(on, loop, level, v, tolerance, most_iterations, residual_length, multiply,
-                      [&] { precondition(on, levels, top, settings); });
+  if constexpr (Choices::matrix_free) {
+    const auto product = v.product.view();
+    const auto multiply = [&] {
+      on.run(level.nodes(), TurnDirectionAlone{v.state.const_view(), level.scales.const_view(),
+                                               level.correction.const_view(), v.direction.view(), product});
+      add_tangents(on, a, v.direction.const_view(), product);
+    };
+    conjugate_gradients(on, loop, level, v, tolerance, most_iterations, residual_length, multiply,
+                        [&] { precondition(on, levels, top, settings); });
+  }
 }
 
 /// Waits for a solve. The status is still `running` where the iterations did not suffice.

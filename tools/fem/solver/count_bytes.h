@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product.h>
+#include <fem/solver/cycle.h>
 #include <fem/solver/schwarz.h>
 #include <physgen/rows.h>
 #include <physgen/view.h>
@@ -118,6 +119,17 @@ void multiply(ByteCounter<Space>& on, const SymmetricProduct<Views...>& product,
 template <class Space, class... Views>
 void add_edges(ByteCounter<Space>& on, const SymmetricProduct<Views...>& product, const EdgeSums& /*sums*/) {
   on.add(detail::bytes_of_views(product) - detail::bytes_of_views(product.node_stiffness));
+}
+
+template <class Space, class Level>
+void add_scaled_edges(ByteCounter<Space>& on, Level& level) {
+  const auto product = scaled_product(level, level.direction.const_view(), level.residual.view());
+  if (level.bricks.is_empty()) {
+    add_edges(on, product, level.sums);
+  } else {
+    on.add(detail::bytes_of_views(product.edge_stiffness) + detail::bytes_of_views(product.displacements) +
+           detail::bytes_of_views(product.differentials) + level.bricks.product_bytes());
+  }
 }
 
 /// Blocks of the Schwarz preconditioner.

@@ -5,6 +5,7 @@
 #include <fem/solver/evaluate_tets.h>
 #include <fem/solver/material_split.h>
 #include <fem/solver/node_volume.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/patch_volume.h>
 #include <fem/solver/tet_stress.h>
 #include <physgen/reduce.h>
@@ -75,15 +76,16 @@ class MaterialSteps {
     const auto evaluate = [&](const auto& kernel) {
       on.reduce(a.volumes.size(), kernel, Sum{}, StoreVolumetric{a.state.view()});
     };
-    if (a.patches != nullptr) {
-      auto& p = *a.patches;
+    const auto of_patches = [&](auto& p) {
       evaluate(EvaluatePatches{volume_.law, volume_.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),
                                a.rest.const_view(), positions, a.volumes.view(), p.tangent.view()});
-    } else if (a.rings != nullptr) {
+    };
+    const auto at_nodes = [&](auto& rings) {
       evaluate(EvaluateNodeVolumes{volume_.law, volume_.modulus, restart, a.node_tets.const_view(), a.tets.const_view(),
-                                   a.rest.const_view(), positions, a.volumes.view(), a.rings->nodes.view(),
-                                   a.rings->tangent.view()});
-    }
+                                   a.rest.const_view(), positions, a.volumes.view(), rings.nodes.view(),
+                                   rings.tangent.view()});
+    };
+    if (!where(a.patches, of_patches)) where(a.rings, at_nodes);
   }
   template <class On, class Arrays, class Positions>
   void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const Positions& positions) {
@@ -116,10 +118,14 @@ class MaterialSteps {
   template <class Arrays, class Body>
   static void with_pressures(Arrays& a, const Body& body) {
     if constexpr (splits_volume<Material>) {
-      if (a.patches != nullptr) {
-        return body(PatchPressures{a.patches->tet_patches.const_view(), a.volumes.const_view()});
+      if constexpr (may_have<decltype(a.patches)>) {
+        if (a.patches != nullptr) {
+          return body(PatchPressures{a.patches->tet_patches.const_view(), a.volumes.const_view()});
+        }
       }
-      if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
+      if constexpr (may_have<decltype(a.rings)>) {
+        if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
+      }
     }
     body(NoPatches{});
   }

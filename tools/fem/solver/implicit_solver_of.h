@@ -16,8 +16,8 @@
 namespace physgen::fem {
 
 template <class On, class Real, class Stored>
-class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Real, Stored> {
-  using Parts = SolverParts<On, Real, Stored>;
+class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, SolverTypes<On, Real, Stored>> {
+  using Parts = SolverParts<On, SolverTypes<On, Real, Stored>>;
   using Parts::all_prescribed_;
   using Parts::arrays_;
   using Parts::evaluator_;
@@ -50,14 +50,12 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Rea
   NewtonResult step(double length, double load) override {
     require_step(length, load);
     Arrays& a = *arrays_.front();
-    const auto measured = inertia().measured.view();
-    on_->reduce(a.nodes(), LargestCoordinate{a.positions.const_view()}, Max{}, StoreFarthest{measured});
     NewtonSettings newton = settings_.newton;
     newton.start_load = load_;
     newton.last_reaction = last_reaction_;
     const double inertial = largest_mass_ * (1 / length + damping_) / length;
     newton.rounding_force = rounding_force(node_stiffness(settings_, has_planes_, a.spacing) + inertial,
-                                           on_->value(inertia().measured).farthest, std::size_t(a.nodes()));
+                                           largest_coordinate(*on_, a, *linear_.front()), std::size_t(a.nodes()));
     newton.all_prescribed = all_prescribed_.front();
     const bool moves = moves_.front() && (is_moved_ || load != load_);
     const NewtonResult result = implicit_step(*on_, loops_.front(), a, linear_, *vectors_.front(), *evaluator_, newton,
@@ -95,10 +93,7 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Rea
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override { return Parts::stresses_at(load_); }
   [[nodiscard]] MotionMeasure measure() override {
-    on_->reduce(arrays_.front()->nodes(),
-                NodeMotion{inertia().masses.const_view(), std::as_const(inertia()).velocities.const_view()}, Sum{},
-                StoreMotion{inertia().measured.view()});
-    const auto found = on_->value(inertia().measured);
+    const auto found = measure_motion(*on_, *arrays_.front(), *linear_.front());
     const auto state = Parts::evaluate_now(0, load_);
     return {found.kinetic, state.elastic + state.volumetric, {found.momentum[0], found.momentum[1], found.momentum[2]}};
   }

@@ -28,15 +28,31 @@ struct StoreFarthest {
 template <class View>
 StoreFarthest(View) -> StoreFarthest<View>;
 
+/// The largest coordinate of a node's position [m]. @pre the level has inertia
+template <class On, class Arrays, class Level>
+[[nodiscard]] double largest_coordinate(On& on, const Arrays& a, Level& level) {
+  auto& measured = level.inertia->measured;
+  on.reduce(a.nodes(), LargestCoordinate{a.positions.const_view()}, Max{}, StoreFarthest{measured.view()});
+  return on.value(measured).farthest;
+}
+
+/// What the nodes' velocities amount to: momentum and kinetic energy. @pre the level has inertia
+template <class On, class Arrays, class Level>
+[[nodiscard]] auto measure_motion(On& on, const Arrays& a, Level& level) {
+  auto& inertia = *level.inertia;
+  on.reduce(a.nodes(), NodeMotion{inertia.masses.const_view(), inertia.velocities.const_view()}, Sum{},
+            StoreMotion{inertia.measured.view()});
+  return on.value(inertia.measured);
+}
+
 /// From a.positions and the velocities of levels[0]->inertia to those at the end of the step. Newton's method begins
 /// where inertia leads; where a tet would be flat there, at the positions before. When it does not converge, positions
 /// and velocities are as before.
 /// @param levels finest first, each mesh with inertia
 /// @param moves whether prescribed components or planes are not yet where the load takes them
-template <class On, class Arrays, class Levels, class Vectors>
-NewtonResult implicit_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, Vectors& v,
-                           Evaluator<On, Arrays>& evaluator, const NewtonSettings& settings, const TimeStep& step,
-                           bool moves) {
+template <class On, class Arrays, class Levels, class Vectors, class Evaluator>
+NewtonResult implicit_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, Vectors& v, Evaluator& evaluator,
+                           const NewtonSettings& settings, const TimeStep& step, bool moves) {
   const index_t n = a.nodes();
   auto& level = *levels[0];
   auto& inertia = *level.inertia;

@@ -1,9 +1,11 @@
 // The arrays of one level of the preconditioner, by name.
 #pragma once
 
+#include <fem/kernels/edge_bricks.h>
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/inertia_arrays.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/plane_arrays.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
@@ -49,12 +51,14 @@ struct LinearLevel {
   using Real = Real_;
   using Space = Space_;
   using Stored = Stored_;
+  using Choices = AnyChoice;
 
   bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
   quasistatic::NodeConstraintArray<Real, Space> constraints;
   elasticity::EdgeArray<Real, Space> edges;
   PackedRows<Space> node_edges;
   EdgeSums sums;
+  EdgeBricks bricks;  ///< on CUDA, where they pay
 
   elasticity::NodeStiffnessArray<Real, Space> node_stiffness;
   /// On CUDA as records, since they are gathered: from tiles a block is read from nine places.
@@ -65,6 +69,7 @@ struct LinearLevel {
   // The preconditioner, in unknowns scaled to a unit diagonal.
   quasistatic::NodeScaleArray<Real, Space> scales;
   elasticity::NodeStiffnessArray<Real, Space> scaled_nodes;
+  /// In the order of `bricks`, where there are any.
   elasticity::EdgeStiffnessArray<Real, Space, LayoutOf<elasticity::EdgeStiffnessArray<Real, Space>>,
                                  typename Stored::template Edges<Space>>
       scaled_edges;
@@ -89,11 +94,15 @@ struct LinearLevel {
   std::unique_ptr<PlaneArrays<Real, Space>> planes;  ///< where the body may touch some
   std::unique_ptr<InertiaArrays<Space>> inertia;     ///< where it moves
 
-  LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
+  /// @param rest position of each node
+  LinearLevel(const LevelGraph& graph, const LevelGraph* coarser, const std::vector<Point>& rest)
       : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
         edges(moved_to<decltype(edges)>(host_edges(graph))),
         node_edges(packed_rows<NodeEdgeEntry>(graph.node_edges, index_t(graph.edges.size()), "edges")),
         sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
+        bricks(Space::kind == SpaceKind::cuda && EdgeBricks::pay(graph.nodes)
+                   ? EdgeBricks(as_mesh(graph), rest, Space::kind)
+                   : EdgeBricks()),
         node_stiffness(graph.nodes),
         edge_stiffness(index_t(graph.edges.size())),
         scales(graph.nodes),
@@ -146,8 +155,8 @@ struct LinearLevel {
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
                     parents, grid_parents, children.ranges(), children.entries(), edge_terms.ranges(),
                     edge_terms.entries(), translations, coarse_inverse) +
-           sums.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) + (planes == nullptr ? 0 : planes->bytes()) +
-           (inertia == nullptr ? 0 : inertia->bytes());
+           sums.bytes() + bricks.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) +
+           (planes == nullptr ? 0 : planes->bytes()) + (inertia == nullptr ? 0 : inertia->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
 

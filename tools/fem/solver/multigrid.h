@@ -3,7 +3,7 @@
 // and on CUDA alike.
 #pragma once
 
-#include <fem/solver/coarse_inverse.h>
+#include <fem/solver/cycle.h>
 #include <fem/solver/galerkin.h>
 #include <fem/solver/grid_galerkin.h>
 #include <fem/solver/inertia.h>
@@ -13,9 +13,7 @@
 #include <fem/solver/scaled_blocks.h>
 #include <fem/solver/schwarz.h>
 #include <fem/solver/settings.h>
-#include <fem/solver/smoother.h>
 #include <fem/solver/tangent_blocks.h>
-#include <fem/solver/transfer.h>
 #include <fem/solver/vector_steps.h>
 #include <physgen/reduce.h>
 
@@ -23,13 +21,16 @@
 
 namespace physgen::fem {
 
-/// The product of a level's scaled stiffness with its direction d, whose nodes' part r has: r += K d.
-template <class On, class Level>
-void add_scaled_edges(On& on, Level& level) {
-  add_edges(on,
-            SymmetricProduct{level.scaled_nodes.const_view(), level.scaled_edges.const_view(), level.edges.const_view(),
-                             level.direction.const_view(), level.residual.view()},
-            level.sums);
+/// y = K x of a level's scaled stiffness.
+template <class On, class Level, class DisplacementView, class DifferentialView>
+void multiply_scaled(On& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
+  multiply(on, scaled_product(level, x, y), level.sums);
+}
+
+/// Runs a ScaleEdges over all edges; the scaled blocks lie as the executor's products want them.
+template <class On, class Level, class Kernel>
+void scale_edges(On& on, Level& level, const Kernel& kernel) {
+  on.run(level.edge_count(), kernel);
 }
 
 /// The scaled copy of a level's stiffness, its block inverses, and the largest eigenvalue of both.
@@ -44,9 +45,9 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
   on.run(n, ScaleNodes{level.node_stiffness.const_view(), level.constraints.const_view(), level.scales.const_view(),
                        level.scaled_nodes.view(), inverse});
   if (settings.kind != Preconditioner::multigrid) return;
-  on.run(level.edge_count(),
-         ScaleEdges{level.edges.const_view(), level.constraints.const_view(), level.edge_stiffness.const_view(),
-                    level.scales.const_view(), level.scaled_edges.view()});
+  scale_edges(on, level,
+              ScaleEdges{level.edges.const_view(), level.constraints.const_view(), level.edge_stiffness.const_view(),
+                         level.scales.const_view(), level.scaled_edges.view()});
   if constexpr (Level::Stored::rounds) {
     using Format = typename Level::Stored::template Edges<typename Level::Space>::E;
     on.run(n, keep_translations<Format>(level.node_edges.const_view(), level.edges.const_view(),
@@ -64,10 +65,7 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
     if (k < steps && k % 8 == 0) {  // before a float overflows
       on.run(n, NormalisePower{level.smoother.const_view(), power});
     }
-    multiply(on,
-             SymmetricProduct{level.scaled_nodes.const_view(), level.scaled_edges.const_view(),
-                              level.edges.const_view(), level.power.const_view(), level.residual.view()},
-             level.sums);
+    multiply_scaled(on, level, level.power.const_view(), level.residual.view());
     const IteratePower iterate{level.inverse.const_view(), level.residual.const_view(), power};
     if (k < steps) {
       on.run(n, iterate);
@@ -83,43 +81,45 @@ template <class On, class Level>
 void coarsen_stiffness(On& on, Level& fine, Level& coarse) {
   const auto node_stiffness = fine.node_stiffness.const_view();
   const auto edge_stiffness = fine.edge_stiffness.const_view();
-  if (fine.grid_parents.size() == 0) {
+  if (!lies_in_grid(fine)) {
     on.run(coarse.edge_count(), CoarsenEdgeStiffness{fine.edge_terms.const_view(), node_stiffness, edge_stiffness,
                                                      coarse.edge_stiffness.view()});
-  } else {
+  } else if constexpr (Level::Choices::grids) {
     on.run(coarse.edge_count(), CoarsenToGrid{fine.edge_terms.const_view(), fine.grid_parents.const_view(),
                                               fine.constraints.const_view(), fine.edges.const_view(), node_stiffness,
                                               edge_stiffness, coarse.edges.const_view(), coarse.edge_stiffness.view()});
     on.run(fine.nodes(),
            SumTranslationStiffness{fine.node_edges.const_view(), fine.edges.const_view(), fine.constraints.const_view(),
                                    node_stiffness, edge_stiffness, fine.translations.view()});
-    if (fine.planes != nullptr) {
-      on.run(fine.nodes(), AddPlaneTranslations{fine.constraints.const_view(), fine.planes->stiffness.const_view(),
+    where(fine.planes, [&](auto& planes) {
+      on.run(fine.nodes(), AddPlaneTranslations{fine.constraints.const_view(), planes.stiffness.const_view(),
                                                 fine.translations.view()});
-    }
-    if (fine.inertia != nullptr) {
-      on.run(fine.nodes(), AddInertiaTranslations{fine.inertia->per_mass, fine.constraints.const_view(),
-                                                  fine.inertia->masses.const_view(), fine.translations.view()});
-    }
+    });
+    where(fine.inertia, [&](auto& inertia) {
+      on.run(fine.nodes(), AddInertiaTranslations{inertia.per_mass, fine.constraints.const_view(),
+                                                  inertia.masses.const_view(), fine.translations.view()});
+    });
   }
   on.run(coarse.nodes(), SumNodeStiffness{coarse.node_edges.const_view(), coarse.edge_stiffness.const_view(),
                                           coarse.node_stiffness.view()});
   if (!coarse.is_grid) {
-    if (fine.planes != nullptr) {
-      on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), fine.planes->stiffness.const_view(),
-                                                   coarse.planes->stiffness.view(), coarse.node_stiffness.view()});
-    }
-    if (fine.inertia != nullptr) {
-      on.run(coarse.nodes(), AddInertiaStiffness{fine.inertia->per_mass, coarse.inertia->masses.const_view(),
-                                                 coarse.node_stiffness.view()});
-    }
+    where(fine.planes, coarse.planes, [&](auto& planes, auto& coarse_planes) {
+      on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), planes.stiffness.const_view(),
+                                                   coarse_planes.stiffness.view(), coarse.node_stiffness.view()});
+    });
+    where(fine.inertia, coarse.inertia, [&](auto& inertia, auto& coarse_inertia) {
+      on.run(coarse.nodes(),
+             AddInertiaStiffness{inertia.per_mass, coarse_inertia.masses.const_view(), coarse.node_stiffness.view()});
+    });
     return;
   }
-  with_interpolation(fine, [&](const auto& interpolation) {
-    on.run(coarse.nodes(), CoarsenTranslationStiffness{interpolation, fine.children.const_view(),
-                                                       fine.translations.const_view(), coarse.translations.view()});
-  });
-  on.run(coarse.nodes(), AddTranslationStiffness{coarse.translations.const_view(), coarse.node_stiffness.view()});
+  if constexpr (Level::Choices::grids) {
+    with_interpolation(fine, [&](const auto& interpolation) {
+      on.run(coarse.nodes(), CoarsenTranslationStiffness{interpolation, fine.children.const_view(),
+                                                         fine.translations.const_view(), coarse.translations.view()});
+    });
+    on.run(coarse.nodes(), AddTranslationStiffness{coarse.translations.const_view(), coarse.node_stiffness.view()});
+  }
 }
 
 /// Everything that depends on the stiffness of level `top`, which is given: coarser stiffness, scaled copies,
@@ -138,71 +138,6 @@ void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettin
   invert_coarsest(on, *levels.back());
 }
 
-/// Chebyshev steps on a level: z grows by a polynomial of -D K times D r.
-/// @param residual_after whether r is wanted after the last step
-template <class On, class Level>
-void smooth(On& on, Level& level, int degree, double low, bool grows, bool residual_after) {
-  const index_t n = level.nodes();
-  const auto stiffness = level.scaled_nodes.const_view();
-  const auto inverse = level.inverse.const_view();
-  const auto smoother = level.smoother.const_view();
-  const auto residual = level.residual.view();
-  const auto direction = level.direction.view();
-  const auto correction = level.correction.view();
-  for (int step = 1; step <= degree; ++step) {
-    const bool product = step < degree || residual_after;
-    if (step == 1) {
-      on.run(n, BeginChebyshev{grows, product, low, stiffness, inverse, residual, smoother, direction, correction});
-    } else {
-      on.run(n, ContinueChebyshev{step, product, low, stiffness, inverse, residual, smoother, direction, correction});
-    }
-    if (product) add_scaled_edges(on, level);
-  }
-}
-
-/// r of the next coarser level, of what smoothing has left.
-template <class On, class Level>
-void restrict_residual(On& on, Level& level, Level& coarse) {
-  with_interpolation(level, [&](const auto& interpolation) {
-    on.run(coarse.nodes(), RestrictResidual{interpolation, level.children.const_view(), level.scales.const_view(),
-                                            level.residual.const_view(), coarse.constraints.const_view(),
-                                            coarse.scales.const_view(), coarse.residual.view()});
-  });
-}
-
-/// z takes in that of the next coarser level, and r what follows.
-template <class On, class Level>
-void interpolate_correction(On& on, Level& level, Level& coarse) {
-  with_interpolation(level, [&](const auto& interpolation) {
-    on.run(level.nodes(),
-           InterpolateCorrection{interpolation, coarse.scales.const_view(), coarse.correction.const_view(),
-                                 level.constraints.const_view(), level.scales.const_view(),
-                                 level.scaled_nodes.const_view(), level.direction.view(), level.correction.view(),
-                                 level.residual.view()});
-  });
-  add_scaled_edges(on, level);
-}
-
-/// z of level l from its r; both scaled. r is used up.
-template <class On, class Levels>
-void v_cycle(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
-  auto& level = *levels[l];
-  if (l + 1 == levels.size()) {
-    if (level.coarse_inverse.size() != 0) {
-      apply_coarsest(on, level);
-    } else {  // too large to be inverted: a polynomial of a wider interval
-      smooth(on, level, 24, 0.005, false, false);
-    }
-    return;
-  }
-  auto& coarse = *levels[l + 1];
-  smooth(on, level, settings.degree, settings.low, false, true);
-  restrict_residual(on, level, coarse);
-  v_cycle(on, levels, l + 1, settings);
-  interpolate_correction(on, level, coarse);
-  smooth(on, level, settings.degree, settings.low, true, false);
-}
-
 /// z = M r of level `top`, both scaled. r is used up.
 template <class On, class Levels>
 void precondition(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings) {
@@ -214,7 +149,7 @@ void precondition(On& on, Levels& levels, std::size_t top, const PreconditionerS
     on.run(n, ApplyBlockJacobi{level.inverse.const_view(), level.residual.const_view(), level.correction.view()});
   } else if (settings.kind == Preconditioner::schwarz) {
     apply_schwarz(on, level);
-  } else {
+  } else if constexpr (std::remove_cvref_t<decltype(level)>::Choices::assembled) {
     v_cycle(on, levels, top, settings);
   }
 }

@@ -34,17 +34,9 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluate& evaluator, const 
               Sum{}, StoreForces{state});
   };
   const auto measure_with = [&](const auto& inertia) {
-    if (level.planes == nullptr) {
-      measure(NoPlanes{}, inertia);
-    } else {
-      measure(level.planes->at(at), inertia);
-    }
+    if (!where(level.planes, [&](auto& planes) { measure(planes.at(at), inertia); })) measure(NoPlanes{}, inertia);
   };
-  if (level.inertia == nullptr) {
-    measure_with(NoInertia{});
-  } else {
-    measure_with(level.inertia->at_step());
-  }
+  if (!where(level.inertia, [&](auto& own) { measure_with(own.at_step()); })) measure_with(NoInertia{});
   on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
             StoreSmallestRatio{state});
   return on.value(a.state);
@@ -60,16 +52,13 @@ void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilte
       on.run(chunk.edges(),
              SumEdgeStiffness{chunk, a.edge_tets.const_view(), patches, a.chunk_arrays->tangent.const_view(), edges});
     };
-    if (a.patches != nullptr) {
-      sum(EdgePatchTangents{a.patches->edge_patches.const_view(), a.patches->tangent.const_view()});
-    } else {
-      sum(NoEdgePatches{});
-    }
+    const auto sum_with = [&](auto& p) { sum(EdgePatchTangents{p.edge_patches.const_view(), p.tangent.const_view()}); };
+    if (!where(a.patches, sum_with)) sum(NoEdgePatches{});
   }
-  if (a.rings != nullptr) {
-    on.run(level.edge_count(), AddNodeVolumeStiffness{level.edges.const_view(), a.rings->nodes.const_view(),
-                                                      a.rings->tangent.const_view(), edges});
-  }
+  where(a.rings, [&](auto& rings) {
+    on.run(level.edge_count(), AddNodeVolumeStiffness{level.edges.const_view(), rings.nodes.const_view(),
+                                                      rings.tangent.const_view(), edges});
+  });
   on.run(level.nodes(), SumNodeStiffness{level.node_edges.const_view(), level.edge_stiffness.const_view(),
                                          level.node_stiffness.view()});
 }
@@ -77,12 +66,15 @@ void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilte
 /// df = K dx of the level's tangent, assembled or by tets.
 template <class On, class Arrays, class Level, class DisplacementView, class DifferentialView>
 void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& dx, const DifferentialView& df) {
-  if (level.assembled) {
-    multiply(on,
-             SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
-                              level.edges.const_view(), dx, df},
-             level.sums);
-  } else {
+  if constexpr (Level::Choices::assembled) {
+    if (level.assembled) {
+      return multiply(on,
+                      SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                                       level.edges.const_view(), dx, df},
+                      level.sums);
+    }
+  }
+  if constexpr (Level::Choices::matrix_free) {
     on.run(a.nodes(), ClearDifferentials{df});
     add_tangents(on, a, dx, df);
   }
@@ -92,14 +84,16 @@ void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& d
 template <class On, class Arrays, class Level, class Evaluate>
 void form_tangent(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter, const AtLoad& at) {
   if (!level.assembled) return evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
-  assemble(on, a, level, evaluator, filter);
-  const auto stiffness = level.node_stiffness.view();
-  if (level.planes != nullptr) {
-    on.run(a.nodes(), AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
-                                        level.planes->stiffness.view(), stiffness});
-  }
-  if (level.inertia != nullptr) {
-    on.run(a.nodes(), AddInertiaStiffness{level.inertia->per_mass, level.inertia->masses.const_view(), stiffness});
+  if constexpr (Level::Choices::assembled) {
+    assemble(on, a, level, evaluator, filter);
+    const auto stiffness = level.node_stiffness.view();
+    where(level.planes, [&](auto& planes) {
+      on.run(a.nodes(), AddPlaneStiffness{planes.at(at), a.positions.const_view(), level.constraints.const_view(),
+                                          planes.stiffness.view(), stiffness});
+    });
+    where(level.inertia, [&](auto& inertia) {
+      on.run(a.nodes(), AddInertiaStiffness{inertia.per_mass, inertia.masses.const_view(), stiffness});
+    });
   }
 }
 
@@ -107,11 +101,11 @@ void form_tangent(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentF
 template <class On, class Arrays, class Levels>
 void prepare_tangent(On& on, Arrays& a, Levels& levels, std::size_t top, const PreconditionerSettings& settings,
                      bool fresh) {
-  if (levels[top]->assembled) {
-    prepare(on, levels, top, settings, fresh);
-  } else {
-    prepare_nodes(on, a, *levels[top], settings);
+  using Choices = typename std::remove_cvref_t<decltype(*levels[top])>::Choices;
+  if constexpr (Choices::assembled) {
+    if (levels[top]->assembled) return prepare(on, levels, top, settings, fresh);
   }
+  if constexpr (Choices::matrix_free) prepare_nodes(on, a, *levels[top], settings);
 }
 
 /// Forms the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.

@@ -2,8 +2,10 @@
 // inverse. For CUDA translation units.
 #pragma once
 
+#include <fem/kernels/edge_bricks_cuda.h>
 #include <fem/kernels/symmetric_product_cuda.h>
 #include <fem/solver/coarse_inverse.h>
+#include <fem/solver/cycle.h>
 #include <fem/solver/performs_in.h>
 #include <physgen/cuda/executor.h>
 
@@ -19,6 +21,42 @@ void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums&
 template <PerformsIn<Cuda> On, class... Views>
 void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
   on.perform([&](Stream stream) { add_edges(Cuda{}, product, sums, SumOrder::any, stream); });
+}
+
+namespace detail {
+
+template <class Level, class DisplacementView, class DifferentialView>
+void add_scaled_edges(CudaExecutor& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
+  if (level.bricks.is_empty()) {
+    add_edges(on, scaled_product(level, x, y), level.sums);
+  } else {
+    add_edges(Cuda{}, BrickProduct{level.bricks.view(), level.scaled_edges.const_view(), x, y}, on.stream());
+  }
+}
+
+}  // namespace detail
+
+/// r += the edges' part of K d of a level's scaled stiffness.
+template <class Level>
+void add_scaled_edges(CudaExecutor& on, Level& level) {
+  detail::add_scaled_edges(on, level, level.direction.const_view(), level.residual.view());
+}
+
+/// y = K x of a level's scaled stiffness.
+template <class Level, class DisplacementView, class DifferentialView>
+void multiply_scaled(CudaExecutor& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
+  on.run(level.nodes(), MultiplyNodes{level.scaled_nodes.const_view(), x, y});
+  detail::add_scaled_edges(on, level, x, y);
+}
+
+/// Into the order of bricks, where a level has them.
+template <class Level, class Kernel>
+void scale_edges(CudaExecutor& on, Level& level, const Kernel& kernel) {
+  if (level.bricks.is_empty()) {
+    on.run(level.edge_count(), kernel);
+  } else {
+    for_each_edge(Cuda{}, level.bricks.view(), kernel, on.stream());
+  }
 }
 
 namespace detail {

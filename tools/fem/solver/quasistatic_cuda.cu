@@ -4,6 +4,7 @@
 #include <fem/solver/make_evaluator.h>
 #include <fem/solver/product_cuda.h>
 #include <fem/solver/schwarz_cuda.h>
+#include <fem/solver/small_levels_cuda.h>
 #include <fem/solver/solver_of.h>
 #include <fem/solver/solvers.h>
 

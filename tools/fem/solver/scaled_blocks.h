@@ -94,7 +94,9 @@ struct ScaleEdges {
   ScaleView scales;             ///< quasistatic::NodeScale
   ScaledView scaled;            ///< elasticity::EdgeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const {
+  PHYSGEN_FUNCTION void operator()(index_t edge) const { (*this)(edge, edge); }
+  /// @param place of the scaled block
+  PHYSGEN_FUNCTION void operator()(index_t edge, index_t place) const {
     const auto ends = edges[edge].nodes();
     const index_t m = ends[0], n = ends[1];
     const Scalar factor = Scalar(scales[m].scale()) * Scalar(scales[n].scale());
@@ -102,7 +104,7 @@ struct ScaleEdges {
     Matrix3<Scalar> E = stiffness[edge].E();
     E *= factor;
     if ((of_m | of_n) != 0) E = detail::free_block<Scalar>(E, of_m, of_n);
-    scaled[edge].E() = E;
+    scaled[place].E() = E;
   }
 };
 template <class... Views>

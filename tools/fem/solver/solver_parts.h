@@ -14,18 +14,35 @@
 #include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace physgen::fem {
 
-template <class On, class Real, class Stored>
+/// The types of a solver's arrays and of its material.
+template <class On, class Real_, class Stored>
+struct SolverTypes {
+  using Real = Real_;
+  using Arrays = EquilibriumArrays<Real, typename On::Space>;
+  using Level = LinearLevel<Real, typename On::Space, Stored>;
+  using Vectors = KrylovVectors<Real, typename On::Space>;
+  using Material = Evaluator<On, Arrays>;
+};
+
+/// @tparam Types SolverTypes, or a struct of its names
+template <class On, class Types>
 class SolverParts {
  protected:
+  using Real = typename Types::Real;
   using Space = typename On::Space;
-  using Arrays = EquilibriumArrays<Real, Space>;
-  using Level = LinearLevel<Real, Space, Stored>;
-  using Vectors = KrylovVectors<Real, Space>;
+  using Arrays = typename Types::Arrays;
+  using Level = typename Types::Level;
+  using Vectors = typename Types::Vectors;
+  using Material = typename Types::Material;
 
+  /// Of parts that are made; the caller fills in the rest.
+  SolverParts(On& on, const SolverSettings& settings, std::unique_ptr<Material> material, std::size_t solved)
+      : settings_(settings), on_(&on), evaluator_(std::move(material)), solved_(solved) {}
   SolverParts(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
       : SolverParts(loading, settings, levels_in_use(levels, settings)) {}
 
@@ -42,12 +59,16 @@ class SolverParts {
     Arrays& a = *arrays_[level];
     return evaluate_state(*on_, a, *linear_[level], *evaluator_, a.positions.const_view(), a.forces.view(), load, true);
   }
-  [[nodiscard]] std::vector<std::array<double, 9>> stresses_at(double load) {
+  /// Of the finest level's positions as they are. @param stresses an array of elasticity::Stress in double, one per tet
+  template <class Stresses>
+  void evaluate_stresses(double load, Stresses& stresses) {
     (void)evaluate_now(0, load);
-    Arrays& a = *arrays_.front();
-    typename Evaluator<On, Arrays>::Stresses stresses(a.tet_count());
-    evaluator_->evaluate_stress(*on_, a, stresses);
+    evaluator_->evaluate_stress(*on_, *arrays_.front(), stresses);
     on_->wait();
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses_at(double load) {
+    elasticity::StressArray<double, Space> stresses(arrays_.front()->tet_count());
+    evaluate_stresses(load, stresses);
     return plain_stresses(stresses);
   }
 
@@ -69,8 +90,9 @@ class SolverParts {
   }
 
   SolverSettings settings_;
-  std::unique_ptr<On> on_;
-  std::unique_ptr<Evaluator<On, Arrays>> evaluator_;
+  std::unique_ptr<On> own_on_;
+  On* on_;
+  std::unique_ptr<Material> evaluator_;
   std::vector<std::unique_ptr<Level>> linear_;   ///< finest first
   std::vector<std::unique_ptr<Arrays>> arrays_;  ///< of the levels on which equilibrium is solved
   std::vector<std::unique_ptr<Vectors>> vectors_;
@@ -82,7 +104,8 @@ class SolverParts {
  private:
   SolverParts(const Loading& loading, const SolverSettings& settings, const LevelsInUse& used)
       : settings_(settings),
-        on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
+        own_on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
+        on_(own_on_.get()),
         evaluator_(make_evaluator<On, Arrays>(
             settings.material, settings.youngs_modulus, settings.poissons_ratio,
             used.levels.front().averages_at_nodes || !used.levels.front().patches.nodes.empty())),

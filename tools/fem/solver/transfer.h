@@ -4,6 +4,7 @@
 
 #include <fem/solver/free_part.h>
 #include <fem/solver/interpolation.h>
+#include <fem/solver/row_sums.h>
 #include <fem/solver/smoother.h>
 #include <physgen/kernel.h>
 #include <physgen/rows.h>
@@ -23,16 +24,21 @@ struct RestrictResidual {
   ScaleView scales;             ///< quasistatic::NodeScale, coarse
   CoarseView coarse;            ///< elasticity::NodeForceDifferential, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
-    using Vector = Vector3<Scalar>;
-    const Vector sum = children.sum(node, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
+  static constexpr int lanes = 8;  ///< see run_rows()
+  using Vector = Vector3<Scalar>;
+
+  PHYSGEN_FUNCTION Vector part(index_t node, Lane lane) const {
+    return sum_of_lane(children, node, lane, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
       const index_t child = ChildEntry::element(entry);
       const Vector r = fine[child].df();
       return r * (Scalar(fine_scales[child].inverse()) * interpolation.template weight<Scalar>(entry));
     });
+  }
+  PHYSGEN_FUNCTION void put(index_t node, const Vector& sum) const {
     const Vector scaled = sum * Scalar(scales[node].scale());
     coarse[node].df() = detail::free_part<Scalar>(scaled, constraints[node]);
   }
+  PHYSGEN_FUNCTION void operator()(index_t node) const { put(node, part(node, Lane{})); }
 };
 template <class... Arguments>
 RestrictResidual(Arguments...) -> RestrictResidual<Arguments...>;
@@ -69,11 +75,12 @@ template <class... Arguments>
 InterpolateCorrection(Arguments...) -> InterpolateCorrection<Arguments...>;
 
 /// Moves free components of nodes by how far their parents have moved, interpolated: x += now - before.
-template <class Interpolation, class CoarseView, class ConstraintView, class PositionView>
+template <class Interpolation, class BeforeView, class NowView, class ConstraintView, class PositionView>
 struct InterpolateMotion {
   using Scalar = typename PositionView::Precision;
   Interpolation interpolation;  ///< HalfWay or InGrid
-  CoarseView before, now;       ///< elasticity::NodePosition, of the coarser level
+  BeforeView before;            ///< elasticity::NodePosition, of the coarser level
+  NowView now;                  ///< elasticity::NodePosition, of the coarser level
   ConstraintView constraints;   ///< quasistatic::NodeConstraint
   PositionView positions;       ///< elasticity::NodePosition
 
@@ -85,8 +92,7 @@ struct InterpolateMotion {
     positions[node].x() += detail::free_part<Scalar>(motion, constraints[node]);
   }
 };
-template <class Interpolation, class CoarseView, class ConstraintView, class PositionView>
-InterpolateMotion(Interpolation, CoarseView, CoarseView, ConstraintView, PositionView)
-    -> InterpolateMotion<Interpolation, CoarseView, ConstraintView, PositionView>;
+template <class... Arguments>
+InterpolateMotion(Arguments...) -> InterpolateMotion<Arguments...>;
 
 }  // namespace physgen::fem

@@ -1,0 +1,71 @@
+// What a V-cycle needs of levels, as a kernel on the device is handed it: views under the names of LinearLevel's
+// arrays.
+#pragma once
+
+#include <fem/kernels/edge_bricks.h>
+#include <physgen/kernel.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace physgen::fem {
+
+/// Stands for an array, or for arrays of rows, where there are only views.
+/// @tparam View_ which changes objects, or is the only one
+template <class View_, class ConstView>
+class ArrayViews {
+ public:
+  template <class Array>
+  explicit ArrayViews(Array& array) : view_(array.view()) {}
+
+  [[nodiscard]] PHYSGEN_FUNCTION const View_& view() const { return view_; }
+  [[nodiscard]] PHYSGEN_FUNCTION ConstView const_view() const { return view_; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return view_.size(); }
+
+ private:
+  View_ view_;
+};
+
+/// @tparam Level a LinearLevel
+template <class Level>
+struct LevelViews {
+  template <class Array>
+  using Of = ArrayViews<typename Array::View, typename Array::ConstView>;
+  template <class Rows>
+  using OfRows = ArrayViews<typename Rows::ConstView, typename Rows::ConstView>;
+
+  Of<decltype(Level::constraints)> constraints;
+  EdgeBricks::View bricks;
+  Of<decltype(Level::scales)> scales;
+  Of<decltype(Level::scaled_nodes)> scaled_nodes;
+  Of<decltype(Level::scaled_edges)> scaled_edges;
+  Of<decltype(Level::inverse)> inverse;
+  Of<decltype(Level::smoother)> smoother;
+  Of<decltype(Level::residual)> residual;
+  Of<decltype(Level::correction)> correction;
+  Of<decltype(Level::direction)> direction;
+  Of<decltype(Level::parents)> parents;
+  Of<decltype(Level::grid_parents)> grid_parents;
+  OfRows<decltype(Level::children)> children;
+  Of<decltype(Level::coarse_inverse)> coarse_inverse;
+
+  explicit LevelViews(Level& level)
+      : constraints(level.constraints),
+        bricks(level.bricks.view()),
+        scales(level.scales),
+        scaled_nodes(level.scaled_nodes),
+        scaled_edges(level.scaled_edges),
+        inverse(level.inverse),
+        smoother(level.smoother),
+        residual(level.residual),
+        correction(level.correction),
+        direction(level.direction),
+        parents(level.parents),
+        grid_parents(level.grid_parents),
+        children(std::as_const(level.children)),
+        coarse_inverse(level.coarse_inverse) {}
+
+  [[nodiscard]] PHYSGEN_FUNCTION index_t nodes() const { return constraints.size(); }
+};
+
+}  // namespace physgen::fem
