@@ -1,11 +1,11 @@
 // Accessor classes of the object types in contact.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_CONTACT_H_C61BDC1F11772361
-#define PHYSGEN_CONTACT_H_C61BDC1F11772361
+#ifndef PHYSGEN_CONTACT_H_AAFCF77993B4B926
+#define PHYSGEN_CONTACT_H_AAFCF77993B4B926
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 3
-#error "contact.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 4
+#error "contact.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace contact {
@@ -25,6 +25,15 @@ struct NodeArea {
 template <class Space>
 struct NodeAreaFormats {
   using area = physgen::format::Native;
+};
+
+struct NodeAreaObject;
+/// NodeAreaFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeAreaFormats<physgen::Host>, class Object = NodeAreaObject, int first = 0>
+struct NodeAreaProbe {
+  using array_ = ArrayTag;
+  using area = physgen::Probe<ArrayTag, Object, first + 0, typename Base::area>;
 };
 
 /// Where each field begins in the record of one NodeArea [bytes].
@@ -85,6 +94,8 @@ struct NodeAreaObject {
   }};
   template <class Space>
   using Formats = NodeAreaFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeAreaProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -121,6 +132,17 @@ struct RigidPlaneFormats {
   using normal = physgen::format::Native;
   using offset = physgen::format::Native;
   using travel = physgen::format::Native;
+};
+
+struct RigidPlaneObject;
+/// RigidPlaneFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = RigidPlaneFormats<physgen::Host>, class Object = RigidPlaneObject, int first = 0>
+struct RigidPlaneProbe {
+  using array_ = ArrayTag;
+  using normal = physgen::Probe<ArrayTag, Object, first + 0, typename Base::normal>;
+  using offset = physgen::Probe<ArrayTag, Object, first + 1, typename Base::offset>;
+  using travel = physgen::Probe<ArrayTag, Object, first + 2, typename Base::travel>;
 };
 
 /// Where each field begins in the record of one RigidPlane [bytes].
@@ -205,6 +227,8 @@ struct RigidPlaneObject {
   }};
   template <class Space>
   using Formats = RigidPlaneFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = RigidPlaneProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -238,6 +262,17 @@ template <class Space>
 struct PlaneContactFormats {
   using force = physgen::format::Native;
   using depth = physgen::format::Native;
+};
+
+struct PlaneContactObject;
+/// PlaneContactFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PlaneContactFormats<physgen::Host>, class Object = PlaneContactObject,
+          int first = 0>
+struct PlaneContactProbe {
+  using array_ = ArrayTag;
+  using force = physgen::Probe<ArrayTag, Object, first + 0, typename Base::force>;
+  using depth = physgen::Probe<ArrayTag, Object, first + 1, typename Base::depth>;
 };
 
 /// Where each field begins in the record of one PlaneContact [bytes].
@@ -312,6 +347,8 @@ struct PlaneContactObject {
   }};
   template <class Space>
   using Formats = PlaneContactFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PlaneContactProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -329,4 +366,4 @@ static_assert(physgen::is_sound_record<PlaneContactObject, double, PlaneContactF
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_C61BDC1F11772361
+#endif  // PHYSGEN_CONTACT_H_AAFCF77993B4B926

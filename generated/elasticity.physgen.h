@@ -1,11 +1,11 @@
 // Accessor classes of the object types in elasticity.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_ELASTICITY_H_4ACA8492901E170C
-#define PHYSGEN_ELASTICITY_H_4ACA8492901E170C
+#ifndef PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9
+#define PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 3
-#error "elasticity.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 4
+#error "elasticity.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace elasticity {
@@ -25,6 +25,16 @@ struct DeformationGradient {
 template <class Space>
 struct DeformationGradientFormats {
   using F = physgen::format::Native;
+};
+
+struct DeformationGradientObject;
+/// DeformationGradientFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = DeformationGradientFormats<physgen::Host>,
+          class Object = DeformationGradientObject, int first = 0>
+struct DeformationGradientProbe {
+  using array_ = ArrayTag;
+  using F = physgen::Probe<ArrayTag, Object, first + 0, typename Base::F>;
 };
 
 /// Where each field begins in the record of one DeformationGradient [bytes].
@@ -87,6 +97,8 @@ struct DeformationGradientObject {
   }};
   template <class Space>
   using Formats = DeformationGradientFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = DeformationGradientProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -121,6 +133,16 @@ struct DeformationGradientDifferential {
 template <class Space>
 struct DeformationGradientDifferentialFormats {
   using dF = physgen::format::Native;
+};
+
+struct DeformationGradientDifferentialObject;
+/// DeformationGradientDifferentialFormats whose reads and writes are told apart for the array that the tag ArrayTag
+/// names; see <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = DeformationGradientDifferentialFormats<physgen::Host>,
+          class Object = DeformationGradientDifferentialObject, int first = 0>
+struct DeformationGradientDifferentialProbe {
+  using array_ = ArrayTag;
+  using dF = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dF>;
 };
 
 /// Where each field begins in the record of one DeformationGradientDifferential [bytes].
@@ -184,6 +206,8 @@ struct DeformationGradientDifferentialObject {
   }};
   template <class Space>
   using Formats = DeformationGradientDifferentialFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = DeformationGradientDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -227,6 +251,18 @@ struct DeformationSvdFormats {
   using U = physgen::format::Native;
   using V = physgen::format::Native;
   using s = physgen::format::Native;
+};
+
+struct DeformationSvdObject;
+/// DeformationSvdFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = DeformationSvdFormats<physgen::Host>, class Object = DeformationSvdObject,
+          int first = 0>
+struct DeformationSvdProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
+  using s = physgen::Probe<ArrayTag, Object, first + 2, typename Base::s>;
 };
 
 /// Where each field begins in the record of one DeformationSvd [bytes].
@@ -311,6 +347,8 @@ struct DeformationSvdObject {
   }};
   template <class Space>
   using Formats = DeformationSvdFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = DeformationSvdProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -350,6 +388,18 @@ struct QuaternionSvdFormats {
   using u = physgen::format::Native;
   using v = physgen::format::Native;
   using s = physgen::format::Native;
+};
+
+struct QuaternionSvdObject;
+/// QuaternionSvdFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = QuaternionSvdFormats<physgen::Host>, class Object = QuaternionSvdObject,
+          int first = 0>
+struct QuaternionSvdProbe {
+  using array_ = ArrayTag;
+  using u = physgen::Probe<ArrayTag, Object, first + 0, typename Base::u>;
+  using v = physgen::Probe<ArrayTag, Object, first + 1, typename Base::v>;
+  using s = physgen::Probe<ArrayTag, Object, first + 2, typename Base::s>;
 };
 
 /// Where each field begins in the record of one QuaternionSvd [bytes].
@@ -434,6 +484,8 @@ struct QuaternionSvdObject {
   }};
   template <class Space>
   using Formats = QuaternionSvdFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = QuaternionSvdProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -452,6 +504,129 @@ static_assert(physgen::is_sound_record<QuaternionSvdObject, float, QuaternionSvd
 static_assert(physgen::is_sound_record<QuaternionSvdObject, double, QuaternionSvdFormats<physgen::Host>>(
     88, 8, {0, 32, 64}));
 
+// ---- PrincipalDirections --------------------------------------------------------------------------------------------
+
+/// Principal directions of the deformation gradient alone: what the force differential reads of its SVD.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PrincipalDirections {
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  Eigen::Matrix<Real, 3, 3> U;
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  Eigen::Matrix<Real, 3, 3> V;
+};
+
+/// How the fields of one PrincipalDirections are stored in a memory space. To store some otherwise, derive from it,
+/// declare those anew, and name the derived struct as the last argument of PrincipalDirectionsArray.
+template <class Space>
+struct PrincipalDirectionsFormats {
+  using U = physgen::format::Native;
+  using V = physgen::format::Native;
+};
+
+struct PrincipalDirectionsObject;
+/// PrincipalDirectionsFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PrincipalDirectionsFormats<physgen::Host>,
+          class Object = PrincipalDirectionsObject, int first = 0>
+struct PrincipalDirectionsProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
+};
+
+/// Where each field begins in the record of one PrincipalDirections [bytes].
+template <class Real, class Formats>
+struct PrincipalDirectionsRecord {
+  static constexpr auto plan_ = physgen::plan_record<2>({{
+    physgen::slot<physgen::shape::Rotation, typename Formats::U, Real>(),
+    physgen::slot<physgen::shape::Rotation, typename Formats::V, Real>(),
+  }});
+  static constexpr int U = plan_.offset[0];
+  static constexpr int V = plan_.offset[1];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PrincipalDirections of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PrincipalDirectionsRef {
+  using Record = PrincipalDirectionsRecord<Real, Formats>;
+
+ public:
+  using Value = PrincipalDirections<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PrincipalDirectionsRef(const Cursor& cursor) : at_(cursor) {}
+  PrincipalDirectionsRef(const PrincipalDirectionsRef&) = default;
+  PrincipalDirectionsRef& operator=(const PrincipalDirectionsRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PrincipalDirectionsRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  PHYSGEN_FUNCTION decltype(auto) U() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::U, Real>(Record::U);
+  }
+  /// U in the current, V in the rest shape. Rotation, 9 stored.
+  PHYSGEN_FUNCTION decltype(auto) V() const {
+    return at_.template field<physgen::shape::Rotation, typename Formats::V, Real>(Record::V);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.U = U().get();
+    value.V = V().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    U() = value.U;
+    V() = value.V;
+  }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PrincipalDirections.
+struct PrincipalDirectionsObject {
+  static constexpr std::string_view name = "elasticity::PrincipalDirections";
+  template <class Real>
+  using Value = PrincipalDirections<Real>;
+  template <class Real, class Formats>
+  using Record = PrincipalDirectionsRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PrincipalDirectionsRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
+    physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
+        "U", "", PrincipalDirectionsRecord<Real, Formats>::U, 1, 0.0),
+    physgen::field_info<physgen::shape::Rotation, typename Formats::V, Real>(
+        "V", "", PrincipalDirectionsRecord<Real, Formats>::V, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PrincipalDirectionsFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PrincipalDirectionsProbe<ArrayTag, Base>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PrincipalDirectionsObject, Space>>
+using PrincipalDirectionsView = physgen::View<PrincipalDirectionsObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<PrincipalDirectionsObject, Space>>
+using PrincipalDirectionsArray = physgen::Array<PrincipalDirectionsObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PrincipalDirectionsObject, float, PrincipalDirectionsFormats<physgen::Host>>(
+    72, 4, {0, 36}));
+static_assert(physgen::is_sound_record<PrincipalDirectionsObject, double, PrincipalDirectionsFormats<physgen::Host>>(
+    144, 8, {0, 72}));
+
 // ---- PrincipalStretches ---------------------------------------------------------------------------------------------
 
 /// Principal stretches of the deformation gradient alone.
@@ -467,6 +642,16 @@ struct PrincipalStretches {
 template <class Space>
 struct PrincipalStretchesFormats {
   using s = physgen::format::Native;
+};
+
+struct PrincipalStretchesObject;
+/// PrincipalStretchesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PrincipalStretchesFormats<physgen::Host>,
+          class Object = PrincipalStretchesObject, int first = 0>
+struct PrincipalStretchesProbe {
+  using array_ = ArrayTag;
+  using s = physgen::Probe<ArrayTag, Object, first + 0, typename Base::s>;
 };
 
 /// Where each field begins in the record of one PrincipalStretches [bytes].
@@ -529,6 +714,8 @@ struct PrincipalStretchesObject {
   }};
   template <class Space>
   using Formats = PrincipalStretchesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PrincipalStretchesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -562,6 +749,16 @@ struct ElementRotation {
 template <class Space>
 struct ElementRotationFormats {
   using R = physgen::format::Native;
+};
+
+struct ElementRotationObject;
+/// ElementRotationFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = ElementRotationFormats<physgen::Host>, class Object = ElementRotationObject,
+          int first = 0>
+struct ElementRotationProbe {
+  using array_ = ArrayTag;
+  using R = physgen::Probe<ArrayTag, Object, first + 0, typename Base::R>;
 };
 
 /// Where each field begins in the record of one ElementRotation [bytes].
@@ -624,6 +821,8 @@ struct ElementRotationObject {
   }};
   template <class Space>
   using Formats = ElementRotationFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = ElementRotationProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -691,6 +890,27 @@ struct StressDerivativeFormats {
   using x3113 = physgen::format::Native;
   using x3232 = physgen::format::Native;
   using x3223 = physgen::format::Native;
+};
+
+struct StressDerivativeObject;
+/// StressDerivativeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StressDerivativeFormats<physgen::Host>, class Object = StressDerivativeObject,
+          int first = 0>
+struct StressDerivativeProbe {
+  using array_ = ArrayTag;
+  using x1111 = physgen::Probe<ArrayTag, Object, first + 0, typename Base::x1111>;
+  using x2211 = physgen::Probe<ArrayTag, Object, first + 1, typename Base::x2211>;
+  using x3311 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x3311>;
+  using x2222 = physgen::Probe<ArrayTag, Object, first + 3, typename Base::x2222>;
+  using x3322 = physgen::Probe<ArrayTag, Object, first + 4, typename Base::x3322>;
+  using x3333 = physgen::Probe<ArrayTag, Object, first + 5, typename Base::x3333>;
+  using x2121 = physgen::Probe<ArrayTag, Object, first + 6, typename Base::x2121>;
+  using x2112 = physgen::Probe<ArrayTag, Object, first + 7, typename Base::x2112>;
+  using x3131 = physgen::Probe<ArrayTag, Object, first + 8, typename Base::x3131>;
+  using x3113 = physgen::Probe<ArrayTag, Object, first + 9, typename Base::x3113>;
+  using x3232 = physgen::Probe<ArrayTag, Object, first + 10, typename Base::x3232>;
+  using x3223 = physgen::Probe<ArrayTag, Object, first + 11, typename Base::x3223>;
 };
 
 /// Where each field begins in the record of one StressDerivative [bytes].
@@ -865,6 +1085,8 @@ struct StressDerivativeObject {
   }};
   template <class Space>
   using Formats = StressDerivativeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = StressDerivativeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -898,6 +1120,15 @@ struct Stress {
 template <class Space>
 struct StressFormats {
   using P = physgen::format::Native;
+};
+
+struct StressObject;
+/// StressFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StressFormats<physgen::Host>, class Object = StressObject, int first = 0>
+struct StressProbe {
+  using array_ = ArrayTag;
+  using P = physgen::Probe<ArrayTag, Object, first + 0, typename Base::P>;
 };
 
 /// Where each field begins in the record of one Stress [bytes].
@@ -958,6 +1189,8 @@ struct StressObject {
   }};
   template <class Space>
   using Formats = StressFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = StressProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -989,6 +1222,16 @@ struct StressDifferential {
 template <class Space>
 struct StressDifferentialFormats {
   using dP = physgen::format::Native;
+};
+
+struct StressDifferentialObject;
+/// StressDifferentialFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StressDifferentialFormats<physgen::Host>,
+          class Object = StressDifferentialObject, int first = 0>
+struct StressDifferentialProbe {
+  using array_ = ArrayTag;
+  using dP = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dP>;
 };
 
 /// Where each field begins in the record of one StressDifferential [bytes].
@@ -1051,6 +1294,8 @@ struct StressDifferentialObject {
   }};
   template <class Space>
   using Formats = StressDifferentialFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = StressDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1087,6 +1332,16 @@ template <class Space>
 struct RestShapeFormats {
   using dm_inverse = physgen::format::Native;
   using volume = physgen::format::Native;
+};
+
+struct RestShapeObject;
+/// RestShapeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = RestShapeFormats<physgen::Host>, class Object = RestShapeObject, int first = 0>
+struct RestShapeProbe {
+  using array_ = ArrayTag;
+  using dm_inverse = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dm_inverse>;
+  using volume = physgen::Probe<ArrayTag, Object, first + 1, typename Base::volume>;
 };
 
 /// Where each field begins in the record of one RestShape [bytes].
@@ -1159,6 +1414,8 @@ struct RestShapeObject {
   }};
   template <class Space>
   using Formats = RestShapeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = RestShapeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1190,6 +1447,16 @@ struct CornerForces {
 template <class Space>
 struct CornerForcesFormats {
   using G = physgen::format::Native;
+};
+
+struct CornerForcesObject;
+/// CornerForcesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = CornerForcesFormats<physgen::Host>, class Object = CornerForcesObject,
+          int first = 0>
+struct CornerForcesProbe {
+  using array_ = ArrayTag;
+  using G = physgen::Probe<ArrayTag, Object, first + 0, typename Base::G>;
 };
 
 /// Where each field begins in the record of one CornerForces [bytes].
@@ -1252,6 +1519,8 @@ struct CornerForcesObject {
   }};
   template <class Space>
   using Formats = CornerForcesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = CornerForcesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1329,6 +1598,31 @@ struct ElementRecordFormats {
   using x3223 = physgen::format::Native;
   using dF = physgen::format::Native;
   using dP = physgen::format::Native;
+};
+
+struct ElementRecordObject;
+/// ElementRecordFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = ElementRecordFormats<physgen::Host>, class Object = ElementRecordObject,
+          int first = 0>
+struct ElementRecordProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 1, typename Base::V>;
+  using x1111 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x1111>;
+  using x2211 = physgen::Probe<ArrayTag, Object, first + 3, typename Base::x2211>;
+  using x3311 = physgen::Probe<ArrayTag, Object, first + 4, typename Base::x3311>;
+  using x2222 = physgen::Probe<ArrayTag, Object, first + 5, typename Base::x2222>;
+  using x3322 = physgen::Probe<ArrayTag, Object, first + 6, typename Base::x3322>;
+  using x3333 = physgen::Probe<ArrayTag, Object, first + 7, typename Base::x3333>;
+  using x2121 = physgen::Probe<ArrayTag, Object, first + 8, typename Base::x2121>;
+  using x2112 = physgen::Probe<ArrayTag, Object, first + 9, typename Base::x2112>;
+  using x3131 = physgen::Probe<ArrayTag, Object, first + 10, typename Base::x3131>;
+  using x3113 = physgen::Probe<ArrayTag, Object, first + 11, typename Base::x3113>;
+  using x3232 = physgen::Probe<ArrayTag, Object, first + 12, typename Base::x3232>;
+  using x3223 = physgen::Probe<ArrayTag, Object, first + 13, typename Base::x3223>;
+  using dF = physgen::Probe<ArrayTag, Object, first + 14, typename Base::dF>;
+  using dP = physgen::Probe<ArrayTag, Object, first + 15, typename Base::dP>;
 };
 
 /// Where each field begins in the record of one ElementRecord [bytes].
@@ -1543,6 +1837,8 @@ struct ElementRecordObject {
   }};
   template <class Space>
   using Formats = ElementRecordFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = ElementRecordProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1575,6 +1871,16 @@ struct NodePosition {
 template <class Space>
 struct NodePositionFormats {
   using x = physgen::format::Native;
+};
+
+struct NodePositionObject;
+/// NodePositionFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodePositionFormats<physgen::Host>, class Object = NodePositionObject,
+          int first = 0>
+struct NodePositionProbe {
+  using array_ = ArrayTag;
+  using x = physgen::Probe<ArrayTag, Object, first + 0, typename Base::x>;
 };
 
 /// Where each field begins in the record of one NodePosition [bytes].
@@ -1637,6 +1943,8 @@ struct NodePositionObject {
   }};
   template <class Space>
   using Formats = NodePositionFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodePositionProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1668,6 +1976,15 @@ struct NodeForce {
 template <class Space>
 struct NodeForceFormats {
   using f = physgen::format::Native;
+};
+
+struct NodeForceObject;
+/// NodeForceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeForceFormats<physgen::Host>, class Object = NodeForceObject, int first = 0>
+struct NodeForceProbe {
+  using array_ = ArrayTag;
+  using f = physgen::Probe<ArrayTag, Object, first + 0, typename Base::f>;
 };
 
 /// Where each field begins in the record of one NodeForce [bytes].
@@ -1728,6 +2045,8 @@ struct NodeForceObject {
   }};
   template <class Space>
   using Formats = NodeForceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeForceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1744,6 +2063,111 @@ using NodeForceArray = physgen::Array<NodeForceObject, Real, Space, Layout, Form
 static_assert(physgen::is_sound_record<NodeForceObject, float, NodeForceFormats<physgen::Host>>(12, 4, {0}));
 static_assert(physgen::is_sound_record<NodeForceObject, double, NodeForceFormats<physgen::Host>>(24, 8, {0}));
 
+// ---- PlacedForce ----------------------------------------------------------------------------------------------------
+
+/// Force of one tet on one of its corners, at its place in the row of that corner's node.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct PlacedForce {
+  /// of the tet on the node [N]
+  Eigen::Matrix<Real, 3, 1> f;
+};
+
+/// How the fields of one PlacedForce are stored in a memory space. To store some otherwise, derive from it, declare
+/// those anew, and name the derived struct as the last argument of PlacedForceArray.
+template <class Space>
+struct PlacedForceFormats {
+  using f = physgen::format::Native;
+};
+
+struct PlacedForceObject;
+/// PlacedForceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PlacedForceFormats<physgen::Host>, class Object = PlacedForceObject,
+          int first = 0>
+struct PlacedForceProbe {
+  using array_ = ArrayTag;
+  using f = physgen::Probe<ArrayTag, Object, first + 0, typename Base::f>;
+};
+
+/// Where each field begins in the record of one PlacedForce [bytes].
+template <class Real, class Formats>
+struct PlacedForceRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<3>, typename Formats::f, Real>(),
+  }});
+  static constexpr int f = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One PlacedForce of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class PlacedForceRef {
+  using Record = PlacedForceRecord<Real, Formats>;
+
+ public:
+  using Value = PlacedForce<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit PlacedForceRef(const Cursor& cursor) : at_(cursor) {}
+  PlacedForceRef(const PlacedForceRef&) = default;
+  PlacedForceRef& operator=(const PlacedForceRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const PlacedForceRef&& other) const& {
+    return physgen::assign(*this, other);
+  }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// of the tet on the node [N]
+  PHYSGEN_FUNCTION decltype(auto) f() const {
+    return at_.template field<physgen::shape::Vector<3>, typename Formats::f, Real>(Record::f);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.f = f().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { f() = value.f; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of PlacedForce.
+struct PlacedForceObject {
+  static constexpr std::string_view name = "elasticity::PlacedForce";
+  template <class Real>
+  using Value = PlacedForce<Real>;
+  template <class Real, class Formats>
+  using Record = PlacedForceRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = PlacedForceRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Vector<3>, typename Formats::f, Real>(
+        "f", "N", PlacedForceRecord<Real, Formats>::f, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = PlacedForceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PlacedForceProbe<ArrayTag, Base>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PlacedForceObject, Space>>
+using PlacedForceView = physgen::View<PlacedForceObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::AosPadded, physgen::AosPadded>,
+          class Formats = physgen::FormatsOf<PlacedForceObject, Space>>
+using PlacedForceArray = physgen::Array<PlacedForceObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<PlacedForceObject, float, PlacedForceFormats<physgen::Host>>(12, 4, {0}));
+static_assert(physgen::is_sound_record<PlacedForceObject, double, PlacedForceFormats<physgen::Host>>(24, 8, {0}));
+
 // ---- NodeDisplacement -----------------------------------------------------------------------------------------------
 
 /// Displacement differential of a node.
@@ -1759,6 +2183,16 @@ struct NodeDisplacement {
 template <class Space>
 struct NodeDisplacementFormats {
   using dx = physgen::format::Native;
+};
+
+struct NodeDisplacementObject;
+/// NodeDisplacementFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeDisplacementFormats<physgen::Host>, class Object = NodeDisplacementObject,
+          int first = 0>
+struct NodeDisplacementProbe {
+  using array_ = ArrayTag;
+  using dx = physgen::Probe<ArrayTag, Object, first + 0, typename Base::dx>;
 };
 
 /// Where each field begins in the record of one NodeDisplacement [bytes].
@@ -1821,6 +2255,8 @@ struct NodeDisplacementObject {
   }};
   template <class Space>
   using Formats = NodeDisplacementFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeDisplacementProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1854,6 +2290,16 @@ struct NodeForceDifferential {
 template <class Space>
 struct NodeForceDifferentialFormats {
   using df = physgen::format::Native;
+};
+
+struct NodeForceDifferentialObject;
+/// NodeForceDifferentialFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeForceDifferentialFormats<physgen::Host>,
+          class Object = NodeForceDifferentialObject, int first = 0>
+struct NodeForceDifferentialProbe {
+  using array_ = ArrayTag;
+  using df = physgen::Probe<ArrayTag, Object, first + 0, typename Base::df>;
 };
 
 /// Where each field begins in the record of one NodeForceDifferential [bytes].
@@ -1916,6 +2362,8 @@ struct NodeForceDifferentialObject {
   }};
   template <class Space>
   using Formats = NodeForceDifferentialFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeForceDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1950,6 +2398,16 @@ struct NodeStiffness {
 template <class Space>
 struct NodeStiffnessFormats {
   using K = physgen::format::Native;
+};
+
+struct NodeStiffnessObject;
+/// NodeStiffnessFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeStiffnessFormats<physgen::Host>, class Object = NodeStiffnessObject,
+          int first = 0>
+struct NodeStiffnessProbe {
+  using array_ = ArrayTag;
+  using K = physgen::Probe<ArrayTag, Object, first + 0, typename Base::K>;
 };
 
 /// Where each field begins in the record of one NodeStiffness [bytes].
@@ -2012,6 +2470,8 @@ struct NodeStiffnessObject {
   }};
   template <class Space>
   using Formats = NodeStiffnessFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2043,6 +2503,16 @@ struct EdgeStiffness {
 template <class Space>
 struct EdgeStiffnessFormats {
   using E = physgen::format::Native;
+};
+
+struct EdgeStiffnessObject;
+/// EdgeStiffnessFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = EdgeStiffnessFormats<physgen::Host>, class Object = EdgeStiffnessObject,
+          int first = 0>
+struct EdgeStiffnessProbe {
+  using array_ = ArrayTag;
+  using E = physgen::Probe<ArrayTag, Object, first + 0, typename Base::E>;
 };
 
 /// Where each field begins in the record of one EdgeStiffness [bytes].
@@ -2105,6 +2575,8 @@ struct EdgeStiffnessObject {
   }};
   template <class Space>
   using Formats = EdgeStiffnessFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = EdgeStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2139,6 +2611,17 @@ template <class Space>
 struct TetStiffnessFormats {
   using k = physgen::format::Native;
   using e = physgen::format::Native;
+};
+
+struct TetStiffnessObject;
+/// TetStiffnessFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetStiffnessFormats<physgen::Host>, class Object = TetStiffnessObject,
+          int first = 0>
+struct TetStiffnessProbe {
+  using array_ = ArrayTag;
+  using k = physgen::Probe<ArrayTag, Object, first + 0, typename Base::k>;
+  using e = physgen::Probe<ArrayTag, Object, first + 1, typename Base::e>;
 };
 
 /// Where each field begins in the record of one TetStiffness [bytes].
@@ -2223,6 +2706,8 @@ struct TetStiffnessObject {
   }};
   template <class Space>
   using Formats = TetStiffnessFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2254,13 +2739,23 @@ struct Tet {
 /// and name the derived struct as the last argument of TetArray.
 template <class Space>
 struct TetFormats {
+  using nodes = physgen::format::Native;
+};
+
+struct TetObject;
+/// TetFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetFormats<physgen::Host>, class Object = TetObject, int first = 0>
+struct TetProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
 /// Where each field begins in the record of one Tet [bytes].
 template <class Real, class Formats>
 struct TetRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(),
   }});
   static constexpr int nodes = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -2284,7 +2779,7 @@ class TetRef {
 
   /// corners i, j, k, l; det(Dm) > 0
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2309,11 +2804,13 @@ struct TetObject {
   using Ref = TetRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(
         "nodes", "", TetRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = TetFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<TetObject, Space>>
@@ -2329,6 +2826,108 @@ using TetArray = physgen::Array<TetObject, Real, Space, Layout, Formats>;
 static_assert(physgen::is_sound_record<TetObject, float, TetFormats<physgen::Host>>(16, 4, {0}));
 static_assert(physgen::is_sound_record<TetObject, double, TetFormats<physgen::Host>>(16, 4, {0}));
 
+// ---- TetPlaces ------------------------------------------------------------------------------------------------------
+
+/// Where the corners of a tet stand among the incidences of nodes.
+/// @tparam Real float, double, or a SIMD batch of one of them
+template <class Real>
+struct TetPlaces {
+  /// of corners i, j, k, l: numbers of entries
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places;
+};
+
+/// How the fields of one TetPlaces are stored in a memory space. To store some otherwise, derive from it, declare those
+/// anew, and name the derived struct as the last argument of TetPlacesArray.
+template <class Space>
+struct TetPlacesFormats {
+  using places = physgen::format::Native;
+};
+
+struct TetPlacesObject;
+/// TetPlacesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetPlacesFormats<physgen::Host>, class Object = TetPlacesObject, int first = 0>
+struct TetPlacesProbe {
+  using array_ = ArrayTag;
+  using places = physgen::Probe<ArrayTag, Object, first + 0, typename Base::places>;
+};
+
+/// Where each field begins in the record of one TetPlaces [bytes].
+template <class Real, class Formats>
+struct TetPlacesRecord {
+  static constexpr auto plan_ = physgen::plan_record<1>({{
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(),
+  }});
+  static constexpr int places = plan_.offset[0];
+  static constexpr int bytes = plan_.bytes;
+  static constexpr int alignment = plan_.alignment;
+};
+
+/// One TetPlaces of an array, or those under a SIMD index: fields by name, all of them by get and put.
+template <class Real, class Formats, class Cursor>
+class TetPlacesRef {
+  using Record = TetPlacesRecord<Real, Formats>;
+
+ public:
+  using Value = TetPlaces<typename Cursor::template Lanes<Real>>;
+
+  PHYSGEN_FUNCTION explicit TetPlacesRef(const Cursor& cursor) : at_(cursor) {}
+  TetPlacesRef(const TetPlacesRef&) = default;
+  TetPlacesRef& operator=(const TetPlacesRef&) & = delete;
+  PHYSGEN_FUNCTION decltype(auto) operator=(const TetPlacesRef&& other) const& { return physgen::assign(*this, other); }
+  template <physgen::ReadsAs<Value> Other>
+  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
+
+  /// of corners i, j, k, l: numbers of entries
+  PHYSGEN_FUNCTION decltype(auto) places() const {
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(Record::places);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    Value value;
+    value.places = places().get();
+    return value;
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const { places() = value.places; }
+
+ private:
+  Cursor at_;
+};
+
+/// What the runtime knows of TetPlaces.
+struct TetPlacesObject {
+  static constexpr std::string_view name = "elasticity::TetPlaces";
+  template <class Real>
+  using Value = TetPlaces<Real>;
+  template <class Real, class Formats>
+  using Record = TetPlacesRecord<Real, Formats>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = TetPlacesRef<Real, Formats, Cursor>;
+  template <class Real, class Formats>
+  static constexpr std::array<physgen::FieldInfo, 1> fields = {{
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::places, std::int32_t>(
+        "places", "", TetPlacesRecord<Real, Formats>::places, 1, 0.0),
+  }};
+  template <class Space>
+  using Formats = TetPlacesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetPlacesProbe<ArrayTag, Base>;
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<TetPlacesObject, Space>>
+using TetPlacesView = physgen::View<TetPlacesObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<TetPlacesObject, Space>>
+using TetPlacesArray = physgen::Array<TetPlacesObject, Real, Space, Layout, Formats>;
+
+// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
+// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
+// lies inside its tile.
+static_assert(physgen::is_sound_record<TetPlacesObject, float, TetPlacesFormats<physgen::Host>>(16, 4, {0}));
+static_assert(physgen::is_sound_record<TetPlacesObject, double, TetPlacesFormats<physgen::Host>>(16, 4, {0}));
+
 // ---- Edge -----------------------------------------------------------------------------------------------------------
 
 /// Nodes of an edge.
@@ -2343,13 +2942,23 @@ struct Edge {
 /// anew, and name the derived struct as the last argument of EdgeArray.
 template <class Space>
 struct EdgeFormats {
+  using nodes = physgen::format::Native;
+};
+
+struct EdgeObject;
+/// EdgeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = EdgeFormats<physgen::Host>, class Object = EdgeObject, int first = 0>
+struct EdgeProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
 /// Where each field begins in the record of one Edge [bytes].
 template <class Real, class Formats>
 struct EdgeRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(),
   }});
   static constexpr int nodes = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -2373,7 +2982,7 @@ class EdgeRef {
 
   /// m and n: the block of the edge is df(m)/dx(n)
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2398,11 +3007,13 @@ struct EdgeObject {
   using Ref = EdgeRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(
         "nodes", "", EdgeRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = EdgeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = EdgeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<EdgeObject, Space>>
@@ -2434,14 +3045,27 @@ struct IncidenceRange {
 /// those anew, and name the derived struct as the last argument of IncidenceRangeArray.
 template <class Space>
 struct IncidenceRangeFormats {
+  using begin = physgen::format::Native;
+  using end = physgen::format::Native;
+};
+
+struct IncidenceRangeObject;
+/// IncidenceRangeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = IncidenceRangeFormats<physgen::Host>, class Object = IncidenceRangeObject,
+          int first = 0>
+struct IncidenceRangeProbe {
+  using array_ = ArrayTag;
+  using begin = physgen::Probe<ArrayTag, Object, first + 0, typename Base::begin>;
+  using end = physgen::Probe<ArrayTag, Object, first + 1, typename Base::end>;
 };
 
 /// Where each field begins in the record of one IncidenceRange [bytes].
 template <class Real, class Formats>
 struct IncidenceRangeRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::begin, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::end, std::int32_t>(),
   }});
   static constexpr int begin = plan_.offset[0];
   static constexpr int end = plan_.offset[1];
@@ -2468,11 +3092,11 @@ class IncidenceRangeRef {
 
   /// half-open range
   PHYSGEN_FUNCTION decltype(auto) begin() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::begin);
+    return at_.template field<physgen::shape::Scalar, typename Formats::begin, std::int32_t>(Record::begin);
   }
   /// half-open range
   PHYSGEN_FUNCTION decltype(auto) end() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::end);
+    return at_.template field<physgen::shape::Scalar, typename Formats::end, std::int32_t>(Record::end);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2501,13 +3125,15 @@ struct IncidenceRangeObject {
   using Ref = IncidenceRangeRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::begin, std::int32_t>(
         "begin", "", IncidenceRangeRecord<Real, Formats>::begin, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::end, std::int32_t>(
         "end", "", IncidenceRangeRecord<Real, Formats>::end, 1, 0.0),
   }};
   template <class Space>
   using Formats = IncidenceRangeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = IncidenceRangeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2541,14 +3167,26 @@ struct Incidence {
 /// anew, and name the derived struct as the last argument of IncidenceArray.
 template <class Space>
 struct IncidenceFormats {
+  using element = physgen::format::Native;
+  using local = physgen::format::Native;
+};
+
+struct IncidenceObject;
+/// IncidenceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = IncidenceFormats<physgen::Host>, class Object = IncidenceObject, int first = 0>
+struct IncidenceProbe {
+  using array_ = ArrayTag;
+  using element = physgen::Probe<ArrayTag, Object, first + 0, typename Base::element>;
+  using local = physgen::Probe<ArrayTag, Object, first + 1, typename Base::local>;
 };
 
 /// Where each field begins in the record of one Incidence [bytes].
 template <class Real, class Formats>
 struct IncidenceRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::element, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::local, std::int32_t>(),
   }});
   static constexpr int element = plan_.offset[0];
   static constexpr int local = plan_.offset[1];
@@ -2573,11 +3211,11 @@ class IncidenceRef {
 
   /// which tet, or which edge
   PHYSGEN_FUNCTION decltype(auto) element() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::element);
+    return at_.template field<physgen::shape::Scalar, typename Formats::element, std::int32_t>(Record::element);
   }
   /// which of its corners, or of its edges, it is
   PHYSGEN_FUNCTION decltype(auto) local() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::local);
+    return at_.template field<physgen::shape::Scalar, typename Formats::local, std::int32_t>(Record::local);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2606,13 +3244,15 @@ struct IncidenceObject {
   using Ref = IncidenceRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::element, std::int32_t>(
         "element", "", IncidenceRecord<Real, Formats>::element, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::local, std::int32_t>(
         "local", "", IncidenceRecord<Real, Formats>::local, 1, 0.0),
   }};
   template <class Space>
   using Formats = IncidenceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = IncidenceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2630,4 +3270,4 @@ static_assert(physgen::is_sound_record<IncidenceObject, double, IncidenceFormats
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_4ACA8492901E170C
+#endif  // PHYSGEN_ELASTICITY_H_B477B507AEEAB8D9

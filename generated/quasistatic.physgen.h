@@ -1,11 +1,11 @@
 // Accessor classes of the object types in quasistatic.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_QUASISTATIC_H_FFF5F22CDEF2EEA9
-#define PHYSGEN_QUASISTATIC_H_FFF5F22CDEF2EEA9
+#ifndef PHYSGEN_QUASISTATIC_H_6E3E071CF1659351
+#define PHYSGEN_QUASISTATIC_H_6E3E071CF1659351
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 3
-#error "quasistatic.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 4
+#error "quasistatic.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace quasistatic {
@@ -24,13 +24,24 @@ struct NodeConstraint {
 /// those anew, and name the derived struct as the last argument of NodeConstraintArray.
 template <class Space>
 struct NodeConstraintFormats {
+  using fixed = physgen::format::Native;
+};
+
+struct NodeConstraintObject;
+/// NodeConstraintFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeConstraintFormats<physgen::Host>, class Object = NodeConstraintObject,
+          int first = 0>
+struct NodeConstraintProbe {
+  using array_ = ArrayTag;
+  using fixed = physgen::Probe<ArrayTag, Object, first + 0, typename Base::fixed>;
 };
 
 /// Where each field begins in the record of one NodeConstraint [bytes].
 template <class Real, class Formats>
 struct NodeConstraintRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::fixed, std::int32_t>(),
   }});
   static constexpr int fixed = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -56,7 +67,7 @@ class NodeConstraintRef {
 
   /// 0: free; 7: held in all directions
   PHYSGEN_FUNCTION decltype(auto) fixed() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::fixed);
+    return at_.template field<physgen::shape::Scalar, typename Formats::fixed, std::int32_t>(Record::fixed);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -81,11 +92,13 @@ struct NodeConstraintObject {
   using Ref = NodeConstraintRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::fixed, std::int32_t>(
         "fixed", "", NodeConstraintRecord<Real, Formats>::fixed, 1, 0.0),
   }};
   template <class Space>
   using Formats = NodeConstraintFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeConstraintProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -115,13 +128,24 @@ struct NodeParents {
 /// those anew, and name the derived struct as the last argument of NodeParentsArray.
 template <class Space>
 struct NodeParentsFormats {
+  using nodes = physgen::format::Native;
+};
+
+struct NodeParentsObject;
+/// NodeParentsFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeParentsFormats<physgen::Host>, class Object = NodeParentsObject,
+          int first = 0>
+struct NodeParentsProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
 /// Where each field begins in the record of one NodeParents [bytes].
 template <class Real, class Formats>
 struct NodeParentsRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(),
   }});
   static constexpr int nodes = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -147,7 +171,7 @@ class NodeParentsRef {
 
   /// numbers on the coarser level
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -172,11 +196,13 @@ struct NodeParentsObject {
   using Ref = NodeParentsRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::nodes, std::int32_t>(
         "nodes", "", NodeParentsRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = NodeParentsFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeParentsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -208,14 +234,26 @@ struct GridParents {
 /// those anew, and name the derived struct as the last argument of GridParentsArray.
 template <class Space>
 struct GridParentsFormats {
+  using nodes = physgen::format::Native;
   using weights = physgen::format::Native;
+};
+
+struct GridParentsObject;
+/// GridParentsFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = GridParentsFormats<physgen::Host>, class Object = GridParentsObject,
+          int first = 0>
+struct GridParentsProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
+  using weights = physgen::Probe<ArrayTag, Object, first + 1, typename Base::weights>;
 };
 
 /// Where each field begins in the record of one GridParents [bytes].
 template <class Real, class Formats>
 struct GridParentsRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(),
     physgen::slot<physgen::shape::Vector<4>, typename Formats::weights, Real>(),
   }});
   static constexpr int nodes = plan_.offset[0];
@@ -243,7 +281,7 @@ class GridParentsRef {
 
   /// numbers on the coarser level; a corner without weight repeats the first
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
   /// they add up to 1 [1]
   PHYSGEN_FUNCTION decltype(auto) weights() const {
@@ -276,13 +314,15 @@ struct GridParentsObject {
   using Ref = GridParentsRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(
         "nodes", "", GridParentsRecord<Real, Formats>::nodes, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<4>, typename Formats::weights, Real>(
         "weights", "1", GridParentsRecord<Real, Formats>::weights, 1, 0.0),
   }};
   template <class Space>
   using Formats = GridParentsFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = GridParentsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -316,6 +356,16 @@ template <class Space>
 struct NodeScaleFormats {
   using scale = physgen::format::Native;
   using inverse = physgen::format::Native;
+};
+
+struct NodeScaleObject;
+/// NodeScaleFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeScaleFormats<physgen::Host>, class Object = NodeScaleObject, int first = 0>
+struct NodeScaleProbe {
+  using array_ = ArrayTag;
+  using scale = physgen::Probe<ArrayTag, Object, first + 0, typename Base::scale>;
+  using inverse = physgen::Probe<ArrayTag, Object, first + 1, typename Base::inverse>;
 };
 
 /// Where each field begins in the record of one NodeScale [bytes].
@@ -388,6 +438,8 @@ struct NodeScaleObject {
   }};
   template <class Space>
   using Formats = NodeScaleFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeScaleProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -418,6 +470,16 @@ struct NodeInverse {
 template <class Space>
 struct NodeInverseFormats {
   using D = physgen::format::Native;
+};
+
+struct NodeInverseObject;
+/// NodeInverseFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeInverseFormats<physgen::Host>, class Object = NodeInverseObject,
+          int first = 0>
+struct NodeInverseProbe {
+  using array_ = ArrayTag;
+  using D = physgen::Probe<ArrayTag, Object, first + 0, typename Base::D>;
 };
 
 /// Where each field begins in the record of one NodeInverse [bytes].
@@ -480,6 +542,8 @@ struct NodeInverseObject {
   }};
   template <class Space>
   using Formats = NodeInverseFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeInverseProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -511,6 +575,16 @@ struct TranslationStiffness {
 template <class Space>
 struct TranslationStiffnessFormats {
   using T = physgen::format::Native;
+};
+
+struct TranslationStiffnessObject;
+/// TranslationStiffnessFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TranslationStiffnessFormats<physgen::Host>,
+          class Object = TranslationStiffnessObject, int first = 0>
+struct TranslationStiffnessProbe {
+  using array_ = ArrayTag;
+  using T = physgen::Probe<ArrayTag, Object, first + 0, typename Base::T>;
 };
 
 /// Where each field begins in the record of one TranslationStiffness [bytes].
@@ -573,6 +647,8 @@ struct TranslationStiffnessObject {
   }};
   template <class Space>
   using Formats = TranslationStiffnessFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TranslationStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -644,6 +720,28 @@ struct TetTangentFormats {
   using x3113 = physgen::format::Native;
   using x3232 = physgen::format::Native;
   using x3223 = physgen::format::Native;
+};
+
+struct TetTangentObject;
+/// TetTangentFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetTangentFormats<physgen::Host>, class Object = TetTangentObject, int first = 0>
+struct TetTangentProbe {
+  using array_ = ArrayTag;
+  using U = physgen::Probe<ArrayTag, Object, first + 0, typename Base::U>;
+  using g = physgen::Probe<ArrayTag, Object, first + 1, typename Base::g>;
+  using x1111 = physgen::Probe<ArrayTag, Object, first + 2, typename Base::x1111>;
+  using x2211 = physgen::Probe<ArrayTag, Object, first + 3, typename Base::x2211>;
+  using x3311 = physgen::Probe<ArrayTag, Object, first + 4, typename Base::x3311>;
+  using x2222 = physgen::Probe<ArrayTag, Object, first + 5, typename Base::x2222>;
+  using x3322 = physgen::Probe<ArrayTag, Object, first + 6, typename Base::x3322>;
+  using x3333 = physgen::Probe<ArrayTag, Object, first + 7, typename Base::x3333>;
+  using x2121 = physgen::Probe<ArrayTag, Object, first + 8, typename Base::x2121>;
+  using x2112 = physgen::Probe<ArrayTag, Object, first + 9, typename Base::x2112>;
+  using x3131 = physgen::Probe<ArrayTag, Object, first + 10, typename Base::x3131>;
+  using x3113 = physgen::Probe<ArrayTag, Object, first + 11, typename Base::x3113>;
+  using x3232 = physgen::Probe<ArrayTag, Object, first + 12, typename Base::x3232>;
+  using x3223 = physgen::Probe<ArrayTag, Object, first + 13, typename Base::x3223>;
 };
 
 /// Where each field begins in the record of one TetTangent [bytes].
@@ -838,6 +936,8 @@ struct TetTangentObject {
   }};
   template <class Space>
   using Formats = TetTangentFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetTangentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -870,13 +970,23 @@ struct TetPatch {
 /// anew, and name the derived struct as the last argument of TetPatchArray.
 template <class Space>
 struct TetPatchFormats {
+  using patch = physgen::format::Native;
+};
+
+struct TetPatchObject;
+/// TetPatchFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = TetPatchFormats<physgen::Host>, class Object = TetPatchObject, int first = 0>
+struct TetPatchProbe {
+  using array_ = ArrayTag;
+  using patch = physgen::Probe<ArrayTag, Object, first + 0, typename Base::patch>;
 };
 
 /// Where each field begins in the record of one TetPatch [bytes].
 template <class Real, class Formats>
 struct TetPatchRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::patch, std::int32_t>(),
   }});
   static constexpr int patch = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -900,7 +1010,7 @@ class TetPatchRef {
 
   /// its number
   PHYSGEN_FUNCTION decltype(auto) patch() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::patch);
+    return at_.template field<physgen::shape::Scalar, typename Formats::patch, std::int32_t>(Record::patch);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -925,11 +1035,13 @@ struct TetPatchObject {
   using Ref = TetPatchRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::patch, std::int32_t>(
         "patch", "", TetPatchRecord<Real, Formats>::patch, 1, 0.0),
   }};
   template <class Space>
   using Formats = TetPatchFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = TetPatchProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -960,13 +1072,24 @@ struct PatchParent {
 /// those anew, and name the derived struct as the last argument of PatchParentArray.
 template <class Space>
 struct PatchParentFormats {
+  using patch = physgen::format::Native;
+};
+
+struct PatchParentObject;
+/// PatchParentFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PatchParentFormats<physgen::Host>, class Object = PatchParentObject,
+          int first = 0>
+struct PatchParentProbe {
+  using array_ = ArrayTag;
+  using patch = physgen::Probe<ArrayTag, Object, first + 0, typename Base::patch>;
 };
 
 /// Where each field begins in the record of one PatchParent [bytes].
 template <class Real, class Formats>
 struct PatchParentRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::patch, std::int32_t>(),
   }});
   static constexpr int patch = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -992,7 +1115,7 @@ class PatchParentRef {
 
   /// its number on the coarser level
   PHYSGEN_FUNCTION decltype(auto) patch() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::patch);
+    return at_.template field<physgen::shape::Scalar, typename Formats::patch, std::int32_t>(Record::patch);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -1017,11 +1140,13 @@ struct PatchParentObject {
   using Ref = PatchParentRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::patch, std::int32_t>(
         "patch", "", PatchParentRecord<Real, Formats>::patch, 1, 0.0),
   }};
   template <class Space>
   using Formats = PatchParentFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PatchParentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1052,13 +1177,23 @@ struct PatchNodes {
 /// those anew, and name the derived struct as the last argument of PatchNodesArray.
 template <class Space>
 struct PatchNodesFormats {
+  using nodes = physgen::format::Native;
+};
+
+struct PatchNodesObject;
+/// PatchNodesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PatchNodesFormats<physgen::Host>, class Object = PatchNodesObject, int first = 0>
+struct PatchNodesProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
 };
 
 /// Where each field begins in the record of one PatchNodes [bytes].
 template <class Real, class Formats>
 struct PatchNodesRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Vector<8>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<8>, typename Formats::nodes, std::int32_t>(),
   }});
   static constexpr int nodes = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -1084,7 +1219,7 @@ class PatchNodesRef {
 
   /// unused ones repeat the first
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<8>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<8>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -1109,11 +1244,13 @@ struct PatchNodesObject {
   using Ref = PatchNodesRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Vector<8>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<8>, typename Formats::nodes, std::int32_t>(
         "nodes", "", PatchNodesRecord<Real, Formats>::nodes, 1, 0.0),
   }};
   template <class Space>
   using Formats = PatchNodesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PatchNodesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1146,14 +1283,26 @@ struct PatchTet {
 /// anew, and name the derived struct as the last argument of PatchTetArray.
 template <class Space>
 struct PatchTetFormats {
+  using tet = physgen::format::Native;
+  using slots = physgen::format::Native;
+};
+
+struct PatchTetObject;
+/// PatchTetFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PatchTetFormats<physgen::Host>, class Object = PatchTetObject, int first = 0>
+struct PatchTetProbe {
+  using array_ = ArrayTag;
+  using tet = physgen::Probe<ArrayTag, Object, first + 0, typename Base::tet>;
+  using slots = physgen::Probe<ArrayTag, Object, first + 1, typename Base::slots>;
 };
 
 /// Where each field begins in the record of one PatchTet [bytes].
 template <class Real, class Formats>
 struct PatchTetRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::tet, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::slots, std::int32_t>(),
   }});
   static constexpr int tet = plan_.offset[0];
   static constexpr int slots = plan_.offset[1];
@@ -1178,11 +1327,11 @@ class PatchTetRef {
 
   /// its number
   PHYSGEN_FUNCTION decltype(auto) tet() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::tet);
+    return at_.template field<physgen::shape::Scalar, typename Formats::tet, std::int32_t>(Record::tet);
   }
   /// which of the patch's nodes its corners are: 3 bits each, corner i lowest
   PHYSGEN_FUNCTION decltype(auto) slots() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::slots);
+    return at_.template field<physgen::shape::Scalar, typename Formats::slots, std::int32_t>(Record::slots);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -1211,13 +1360,15 @@ struct PatchTetObject {
   using Ref = PatchTetRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::tet, std::int32_t>(
         "tet", "", PatchTetRecord<Real, Formats>::tet, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::slots, std::int32_t>(
         "slots", "", PatchTetRecord<Real, Formats>::slots, 1, 0.0),
   }};
   template <class Space>
   using Formats = PatchTetFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PatchTetProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1266,6 +1417,21 @@ struct MeanVolumeFormats {
   using tangent_pressure = physgen::format::Native;
   using before = physgen::format::Native;
   using full = physgen::format::Native;
+};
+
+struct MeanVolumeObject;
+/// MeanVolumeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = MeanVolumeFormats<physgen::Host>, class Object = MeanVolumeObject, int first = 0>
+struct MeanVolumeProbe {
+  using array_ = ArrayTag;
+  using volume = physgen::Probe<ArrayTag, Object, first + 0, typename Base::volume>;
+  using ratio = physgen::Probe<ArrayTag, Object, first + 1, typename Base::ratio>;
+  using pressure = physgen::Probe<ArrayTag, Object, first + 2, typename Base::pressure>;
+  using linearised = physgen::Probe<ArrayTag, Object, first + 3, typename Base::linearised>;
+  using tangent_pressure = physgen::Probe<ArrayTag, Object, first + 4, typename Base::tangent_pressure>;
+  using before = physgen::Probe<ArrayTag, Object, first + 5, typename Base::before>;
+  using full = physgen::Probe<ArrayTag, Object, first + 6, typename Base::full>;
 };
 
 /// Where each field begins in the record of one MeanVolume [bytes].
@@ -1391,6 +1557,8 @@ struct MeanVolumeObject {
   }};
   template <class Space>
   using Formats = MeanVolumeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = MeanVolumeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1425,14 +1593,25 @@ struct RingNode {
 /// anew, and name the derived struct as the last argument of RingNodeArray.
 template <class Space>
 struct RingNodeFormats {
+  using node = physgen::format::Native;
   using g = physgen::format::Native;
+};
+
+struct RingNodeObject;
+/// RingNodeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = RingNodeFormats<physgen::Host>, class Object = RingNodeObject, int first = 0>
+struct RingNodeProbe {
+  using array_ = ArrayTag;
+  using node = physgen::Probe<ArrayTag, Object, first + 0, typename Base::node>;
+  using g = physgen::Probe<ArrayTag, Object, first + 1, typename Base::g>;
 };
 
 /// Where each field begins in the record of one RingNode [bytes].
 template <class Real, class Formats>
 struct RingNodeRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::node, std::int32_t>(),
     physgen::slot<physgen::shape::Vector<3>, typename Formats::g, Real>(),
   }});
   static constexpr int node = plan_.offset[0];
@@ -1458,7 +1637,7 @@ class RingNodeRef {
 
   /// its number
   PHYSGEN_FUNCTION decltype(auto) node() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::node);
+    return at_.template field<physgen::shape::Scalar, typename Formats::node, std::int32_t>(Record::node);
   }
   /// change of its mean volume with the node whose ring it is in [m^2]
   PHYSGEN_FUNCTION decltype(auto) g() const {
@@ -1491,13 +1670,15 @@ struct RingNodeObject {
   using Ref = RingNodeRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::node, std::int32_t>(
         "node", "", RingNodeRecord<Real, Formats>::node, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::g, Real>(
         "g", "m^2", RingNodeRecord<Real, Formats>::g, 1, 0.0),
   }};
   template <class Space>
   using Formats = RingNodeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = RingNodeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1528,6 +1709,16 @@ struct NodeVolumeTangent {
 template <class Space>
 struct NodeVolumeTangentFormats {
   using k = physgen::format::Native;
+};
+
+struct NodeVolumeTangentObject;
+/// NodeVolumeTangentFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NodeVolumeTangentFormats<physgen::Host>, class Object = NodeVolumeTangentObject,
+          int first = 0>
+struct NodeVolumeTangentProbe {
+  using array_ = ArrayTag;
+  using k = physgen::Probe<ArrayTag, Object, first + 0, typename Base::k>;
 };
 
 /// Where each field begins in the record of one NodeVolumeTangent [bytes].
@@ -1590,6 +1781,8 @@ struct NodeVolumeTangentObject {
   }};
   template <class Space>
   using Formats = NodeVolumeTangentFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NodeVolumeTangentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1623,6 +1816,16 @@ struct CoarseInverse {
 template <class Space>
 struct CoarseInverseFormats {
   using G = physgen::format::Native;
+};
+
+struct CoarseInverseObject;
+/// CoarseInverseFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = CoarseInverseFormats<physgen::Host>, class Object = CoarseInverseObject,
+          int first = 0>
+struct CoarseInverseProbe {
+  using array_ = ArrayTag;
+  using G = physgen::Probe<ArrayTag, Object, first + 0, typename Base::G>;
 };
 
 /// Where each field begins in the record of one CoarseInverse [bytes].
@@ -1685,6 +1888,8 @@ struct CoarseInverseObject {
   }};
   template <class Space>
   using Formats = CoarseInverseFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = CoarseInverseProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1718,6 +1923,17 @@ template <class Space>
 struct PatchTangentFormats {
   using g = physgen::format::Native;
   using k = physgen::format::Native;
+};
+
+struct PatchTangentObject;
+/// PatchTangentFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PatchTangentFormats<physgen::Host>, class Object = PatchTangentObject,
+          int first = 0>
+struct PatchTangentProbe {
+  using array_ = ArrayTag;
+  using g = physgen::Probe<ArrayTag, Object, first + 0, typename Base::g>;
+  using k = physgen::Probe<ArrayTag, Object, first + 1, typename Base::k>;
 };
 
 /// Where each field begins in the record of one PatchTangent [bytes].
@@ -1792,6 +2008,8 @@ struct PatchTangentObject {
   }};
   template <class Space>
   using Formats = PatchTangentFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PatchTangentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1824,6 +2042,16 @@ struct PatchChange {
 template <class Space>
 struct PatchChangeFormats {
   using change = physgen::format::Native;
+};
+
+struct PatchChangeObject;
+/// PatchChangeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PatchChangeFormats<physgen::Host>, class Object = PatchChangeObject,
+          int first = 0>
+struct PatchChangeProbe {
+  using array_ = ArrayTag;
+  using change = physgen::Probe<ArrayTag, Object, first + 0, typename Base::change>;
 };
 
 /// Where each field begins in the record of one PatchChange [bytes].
@@ -1886,6 +2114,8 @@ struct PatchChangeObject {
   }};
   template <class Space>
   using Formats = PatchChangeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PatchChangeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1916,13 +2146,24 @@ struct SchwarzNode {
 /// those anew, and name the derived struct as the last argument of SchwarzNodeArray.
 template <class Space>
 struct SchwarzNodeFormats {
+  using slot = physgen::format::Native;
+};
+
+struct SchwarzNodeObject;
+/// SchwarzNodeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SchwarzNodeFormats<physgen::Host>, class Object = SchwarzNodeObject,
+          int first = 0>
+struct SchwarzNodeProbe {
+  using array_ = ArrayTag;
+  using slot = physgen::Probe<ArrayTag, Object, first + 0, typename Base::slot>;
 };
 
 /// Where each field begins in the record of one SchwarzNode [bytes].
 template <class Real, class Formats>
 struct SchwarzNodeRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::slot, std::int32_t>(),
   }});
   static constexpr int slot = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -1948,7 +2189,7 @@ class SchwarzNodeRef {
 
   /// number of its SchwarzSlot; -1: all its components are prescribed
   PHYSGEN_FUNCTION decltype(auto) slot() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::slot);
+    return at_.template field<physgen::shape::Scalar, typename Formats::slot, std::int32_t>(Record::slot);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -1973,11 +2214,13 @@ struct SchwarzNodeObject {
   using Ref = SchwarzNodeRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::slot, std::int32_t>(
         "slot", "", SchwarzNodeRecord<Real, Formats>::slot, 1, 0.0),
   }};
   template <class Space>
   using Formats = SchwarzNodeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SchwarzNodeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2009,14 +2252,27 @@ struct SchwarzSlot {
 /// those anew, and name the derived struct as the last argument of SchwarzSlotArray.
 template <class Space>
 struct SchwarzSlotFormats {
+  using source = physgen::format::Native;
+  using parent = physgen::format::Native;
+};
+
+struct SchwarzSlotObject;
+/// SchwarzSlotFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SchwarzSlotFormats<physgen::Host>, class Object = SchwarzSlotObject,
+          int first = 0>
+struct SchwarzSlotProbe {
+  using array_ = ArrayTag;
+  using source = physgen::Probe<ArrayTag, Object, first + 0, typename Base::source>;
+  using parent = physgen::Probe<ArrayTag, Object, first + 1, typename Base::parent>;
 };
 
 /// Where each field begins in the record of one SchwarzSlot [bytes].
 template <class Real, class Formats>
 struct SchwarzSlotRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::source, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::parent, std::int32_t>(),
   }});
   static constexpr int source = plan_.offset[0];
   static constexpr int parent = plan_.offset[1];
@@ -2043,11 +2299,11 @@ class SchwarzSlotRef {
 
   /// which node stands here, or behind the first level which supernode; -1: none
   PHYSGEN_FUNCTION decltype(auto) source() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::source);
+    return at_.template field<physgen::shape::Scalar, typename Formats::source, std::int32_t>(Record::source);
   }
   /// the supernode of the next level that it belongs to; -1 on the last level
   PHYSGEN_FUNCTION decltype(auto) parent() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::parent);
+    return at_.template field<physgen::shape::Scalar, typename Formats::parent, std::int32_t>(Record::parent);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2076,13 +2332,15 @@ struct SchwarzSlotObject {
   using Ref = SchwarzSlotRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::source, std::int32_t>(
         "source", "", SchwarzSlotRecord<Real, Formats>::source, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::parent, std::int32_t>(
         "parent", "", SchwarzSlotRecord<Real, Formats>::parent, 1, 0.0),
   }};
   template <class Space>
   using Formats = SchwarzSlotFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SchwarzSlotProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2119,6 +2377,22 @@ struct SchwarzBlock {
 template <class Space>
 struct SchwarzBlockFormats {
   using scale = physgen::format::Native;
+  using parent = physgen::format::Native;
+  using children = physgen::format::Native;
+  using arrived = physgen::format::Native;
+};
+
+struct SchwarzBlockObject;
+/// SchwarzBlockFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SchwarzBlockFormats<physgen::Host>, class Object = SchwarzBlockObject,
+          int first = 0>
+struct SchwarzBlockProbe {
+  using array_ = ArrayTag;
+  using scale = physgen::Probe<ArrayTag, Object, first + 0, typename Base::scale>;
+  using parent = physgen::Probe<ArrayTag, Object, first + 1, typename Base::parent>;
+  using children = physgen::Probe<ArrayTag, Object, first + 2, typename Base::children>;
+  using arrived = physgen::Probe<ArrayTag, Object, first + 3, typename Base::arrived>;
 };
 
 /// Where each field begins in the record of one SchwarzBlock [bytes].
@@ -2126,9 +2400,9 @@ template <class Real, class Formats>
 struct SchwarzBlockRecord {
   static constexpr auto plan_ = physgen::plan_record<4>({{
     physgen::slot<physgen::shape::Scalar, typename Formats::scale, Real>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::parent, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::children, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::arrived, std::int32_t>(),
   }});
   static constexpr int scale = plan_.offset[0];
   static constexpr int parent = plan_.offset[1];
@@ -2161,15 +2435,15 @@ class SchwarzBlockRef {
   }
   /// the block of the next level that its supernodes belong to; -1 on the last level
   PHYSGEN_FUNCTION decltype(auto) parent() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::parent);
+    return at_.template field<physgen::shape::Scalar, typename Formats::parent, std::int32_t>(Record::parent);
   }
   /// how many blocks of the level before have this one as their parent
   PHYSGEN_FUNCTION decltype(auto) children() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::children);
+    return at_.template field<physgen::shape::Scalar, typename Formats::children, std::int32_t>(Record::children);
   }
   /// how many of them have handed their forces over; 0 between two applications
   PHYSGEN_FUNCTION decltype(auto) arrived() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::arrived);
+    return at_.template field<physgen::shape::Scalar, typename Formats::arrived, std::int32_t>(Record::arrived);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2204,15 +2478,17 @@ struct SchwarzBlockObject {
   static constexpr std::array<physgen::FieldInfo, 4> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::scale, Real>(
         "scale", "", SchwarzBlockRecord<Real, Formats>::scale, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::parent, std::int32_t>(
         "parent", "", SchwarzBlockRecord<Real, Formats>::parent, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::children, std::int32_t>(
         "children", "", SchwarzBlockRecord<Real, Formats>::children, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::arrived, std::int32_t>(
         "arrived", "", SchwarzBlockRecord<Real, Formats>::arrived, 1, 0.0),
   }};
   template <class Space>
   using Formats = SchwarzBlockFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SchwarzBlockProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2248,6 +2524,16 @@ template <class Space>
 struct SupernodeFormats {
   using K = physgen::format::Native;
   using magnitude = physgen::format::Native;
+};
+
+struct SupernodeObject;
+/// SupernodeFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SupernodeFormats<physgen::Host>, class Object = SupernodeObject, int first = 0>
+struct SupernodeProbe {
+  using array_ = ArrayTag;
+  using K = physgen::Probe<ArrayTag, Object, first + 0, typename Base::K>;
+  using magnitude = physgen::Probe<ArrayTag, Object, first + 1, typename Base::magnitude>;
 };
 
 /// Where each field begins in the record of one Supernode [bytes].
@@ -2320,6 +2606,8 @@ struct SupernodeObject {
   }};
   template <class Space>
   using Formats = SupernodeFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SupernodeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2351,14 +2639,27 @@ struct SchwarzTerm {
 /// those anew, and name the derived struct as the last argument of SchwarzTermArray.
 template <class Space>
 struct SchwarzTermFormats {
+  using source = physgen::format::Native;
+  using kind = physgen::format::Native;
+};
+
+struct SchwarzTermObject;
+/// SchwarzTermFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SchwarzTermFormats<physgen::Host>, class Object = SchwarzTermObject,
+          int first = 0>
+struct SchwarzTermProbe {
+  using array_ = ArrayTag;
+  using source = physgen::Probe<ArrayTag, Object, first + 0, typename Base::source>;
+  using kind = physgen::Probe<ArrayTag, Object, first + 1, typename Base::kind>;
 };
 
 /// Where each field begins in the record of one SchwarzTerm [bytes].
 template <class Real, class Formats>
 struct SchwarzTermRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::source, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::kind, std::int32_t>(),
   }});
   static constexpr int source = plan_.offset[0];
   static constexpr int kind = plan_.offset[1];
@@ -2385,11 +2686,11 @@ class SchwarzTermRef {
 
   /// a node or an edge of the level before
   PHYSGEN_FUNCTION decltype(auto) source() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::source);
+    return at_.template field<physgen::shape::Scalar, typename Formats::source, std::int32_t>(Record::source);
   }
   /// of a supernode: 0 a node, 1 an edge inside; of a pair: 0 an edge, 1 an edge the other way round
   PHYSGEN_FUNCTION decltype(auto) kind() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::kind);
+    return at_.template field<physgen::shape::Scalar, typename Formats::kind, std::int32_t>(Record::kind);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2418,13 +2719,15 @@ struct SchwarzTermObject {
   using Ref = SchwarzTermRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::source, std::int32_t>(
         "source", "", SchwarzTermRecord<Real, Formats>::source, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::kind, std::int32_t>(
         "kind", "", SchwarzTermRecord<Real, Formats>::kind, 1, 0.0),
   }};
   template <class Space>
   using Formats = SchwarzTermFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SchwarzTermProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2456,14 +2759,27 @@ struct SchwarzPair {
 /// those anew, and name the derived struct as the last argument of SchwarzPairArray.
 template <class Space>
 struct SchwarzPairFormats {
+  using edge = physgen::format::Native;
+  using places = physgen::format::Native;
+};
+
+struct SchwarzPairObject;
+/// SchwarzPairFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SchwarzPairFormats<physgen::Host>, class Object = SchwarzPairObject,
+          int first = 0>
+struct SchwarzPairProbe {
+  using array_ = ArrayTag;
+  using edge = physgen::Probe<ArrayTag, Object, first + 0, typename Base::edge>;
+  using places = physgen::Probe<ArrayTag, Object, first + 1, typename Base::places>;
 };
 
 /// Where each field begins in the record of one SchwarzPair [bytes].
 template <class Real, class Formats>
 struct SchwarzPairRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::edge, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::places, std::int32_t>(),
   }});
   static constexpr int edge = plan_.offset[0];
   static constexpr int places = plan_.offset[1];
@@ -2490,11 +2806,11 @@ class SchwarzPairRef {
 
   /// its number
   PHYSGEN_FUNCTION decltype(auto) edge() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::edge);
+    return at_.template field<physgen::shape::Scalar, typename Formats::edge, std::int32_t>(Record::edge);
   }
   /// that of m + 32 that of n
   PHYSGEN_FUNCTION decltype(auto) places() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::places);
+    return at_.template field<physgen::shape::Scalar, typename Formats::places, std::int32_t>(Record::places);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2523,13 +2839,15 @@ struct SchwarzPairObject {
   using Ref = SchwarzPairRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::edge, std::int32_t>(
         "edge", "", SchwarzPairRecord<Real, Formats>::edge, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::places, std::int32_t>(
         "places", "", SchwarzPairRecord<Real, Formats>::places, 1, 0.0),
   }};
   template <class Space>
   using Formats = SchwarzPairFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SchwarzPairProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2561,6 +2879,16 @@ struct SchwarzFactor {
 template <class Space>
 struct SchwarzFactorFormats {
   using W = physgen::format::Native;
+};
+
+struct SchwarzFactorObject;
+/// SchwarzFactorFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SchwarzFactorFormats<physgen::Host>, class Object = SchwarzFactorObject,
+          int first = 0>
+struct SchwarzFactorProbe {
+  using array_ = ArrayTag;
+  using W = physgen::Probe<ArrayTag, Object, first + 0, typename Base::W>;
 };
 
 /// Where each field begins in the record of one SchwarzFactor [bytes].
@@ -2623,6 +2951,8 @@ struct SchwarzFactorObject {
   }};
   template <class Space>
   using Formats = SchwarzFactorFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SchwarzFactorProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2670,6 +3000,24 @@ struct LinearSolveFormats {
   using tolerance = physgen::format::Native;
   using alpha = physgen::format::Native;
   using beta = physgen::format::Native;
+  using iterations = physgen::format::Native;
+  using status = physgen::format::Native;
+};
+
+struct LinearSolveObject;
+/// LinearSolveFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = LinearSolveFormats<physgen::Host>, class Object = LinearSolveObject,
+          int first = 0>
+struct LinearSolveProbe {
+  using array_ = ArrayTag;
+  using rz = physgen::Probe<ArrayTag, Object, first + 0, typename Base::rz>;
+  using rz_first = physgen::Probe<ArrayTag, Object, first + 1, typename Base::rz_first>;
+  using tolerance = physgen::Probe<ArrayTag, Object, first + 2, typename Base::tolerance>;
+  using alpha = physgen::Probe<ArrayTag, Object, first + 3, typename Base::alpha>;
+  using beta = physgen::Probe<ArrayTag, Object, first + 4, typename Base::beta>;
+  using iterations = physgen::Probe<ArrayTag, Object, first + 5, typename Base::iterations>;
+  using status = physgen::Probe<ArrayTag, Object, first + 6, typename Base::status>;
 };
 
 /// Where each field begins in the record of one LinearSolve [bytes].
@@ -2681,8 +3029,8 @@ struct LinearSolveRecord {
     physgen::slot<physgen::shape::Scalar, typename Formats::tolerance, Real>(),
     physgen::slot<physgen::shape::Scalar, typename Formats::alpha, Real>(),
     physgen::slot<physgen::shape::Scalar, typename Formats::beta, Real>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::iterations, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::status, std::int32_t>(),
   }});
   static constexpr int rz = plan_.offset[0];
   static constexpr int rz_first = plan_.offset[1];
@@ -2734,11 +3082,11 @@ class LinearSolveRef {
   }
   /// done
   PHYSGEN_FUNCTION decltype(auto) iterations() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::iterations);
+    return at_.template field<physgen::shape::Scalar, typename Formats::iterations, std::int32_t>(Record::iterations);
   }
   /// fem::LinearStatus
   PHYSGEN_FUNCTION decltype(auto) status() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::status);
+    return at_.template field<physgen::shape::Scalar, typename Formats::status, std::int32_t>(Record::status);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2787,13 +3135,15 @@ struct LinearSolveObject {
         "alpha", "1", LinearSolveRecord<Real, Formats>::alpha, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::beta, Real>(
         "beta", "1", LinearSolveRecord<Real, Formats>::beta, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::iterations, std::int32_t>(
         "iterations", "", LinearSolveRecord<Real, Formats>::iterations, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::status, std::int32_t>(
         "status", "", LinearSolveRecord<Real, Formats>::status, 1, 0.0),
   }};
   template <class Space>
   using Formats = LinearSolveFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = LinearSolveProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2825,13 +3175,24 @@ struct PackedIncidence {
 /// those anew, and name the derived struct as the last argument of PackedIncidenceArray.
 template <class Space>
 struct PackedIncidenceFormats {
+  using code = physgen::format::Native;
+};
+
+struct PackedIncidenceObject;
+/// PackedIncidenceFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PackedIncidenceFormats<physgen::Host>, class Object = PackedIncidenceObject,
+          int first = 0>
+struct PackedIncidenceProbe {
+  using array_ = ArrayTag;
+  using code = physgen::Probe<ArrayTag, Object, first + 0, typename Base::code>;
 };
 
 /// Where each field begins in the record of one PackedIncidence [bytes].
 template <class Real, class Formats>
 struct PackedIncidenceRecord {
   static constexpr auto plan_ = physgen::plan_record<1>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::code, std::int32_t>(),
   }});
   static constexpr int code = plan_.offset[0];
   static constexpr int bytes = plan_.bytes;
@@ -2857,7 +3218,7 @@ class PackedIncidenceRef {
 
   /// element 2^bits + local: each list has bits of its own (fem::PackedEntry)
   PHYSGEN_FUNCTION decltype(auto) code() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::code);
+    return at_.template field<physgen::shape::Scalar, typename Formats::code, std::int32_t>(Record::code);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2882,11 +3243,13 @@ struct PackedIncidenceObject {
   using Ref = PackedIncidenceRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 1> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::code, std::int32_t>(
         "code", "", PackedIncidenceRecord<Real, Formats>::code, 1, 0.0),
   }};
   template <class Space>
   using Formats = PackedIncidenceFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PackedIncidenceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2921,6 +3284,16 @@ template <class Space>
 struct SmootherFormats {
   using largest = physgen::format::Native;
   using length = physgen::format::Native;
+};
+
+struct SmootherObject;
+/// SmootherFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = SmootherFormats<physgen::Host>, class Object = SmootherObject, int first = 0>
+struct SmootherProbe {
+  using array_ = ArrayTag;
+  using largest = physgen::Probe<ArrayTag, Object, first + 0, typename Base::largest>;
+  using length = physgen::Probe<ArrayTag, Object, first + 1, typename Base::length>;
 };
 
 /// Where each field begins in the record of one Smoother [bytes].
@@ -2993,6 +3366,8 @@ struct SmootherObject {
   }};
   template <class Space>
   using Formats = SmootherFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = SmootherProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -3041,6 +3416,22 @@ struct EquilibriumFormats {
   using fixed_square = physgen::format::Native;
   using work = physgen::format::Native;
   using smallest_ratio = physgen::format::Native;
+};
+
+struct EquilibriumObject;
+/// EquilibriumFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = EquilibriumFormats<physgen::Host>, class Object = EquilibriumObject,
+          int first = 0>
+struct EquilibriumProbe {
+  using array_ = ArrayTag;
+  using elastic = physgen::Probe<ArrayTag, Object, first + 0, typename Base::elastic>;
+  using volumetric = physgen::Probe<ArrayTag, Object, first + 1, typename Base::volumetric>;
+  using loads = physgen::Probe<ArrayTag, Object, first + 2, typename Base::loads>;
+  using free_square = physgen::Probe<ArrayTag, Object, first + 3, typename Base::free_square>;
+  using fixed_square = physgen::Probe<ArrayTag, Object, first + 4, typename Base::fixed_square>;
+  using work = physgen::Probe<ArrayTag, Object, first + 5, typename Base::work>;
+  using smallest_ratio = physgen::Probe<ArrayTag, Object, first + 6, typename Base::smallest_ratio>;
 };
 
 /// Where each field begins in the record of one Equilibrium [bytes].
@@ -3165,6 +3556,8 @@ struct EquilibriumObject {
   }};
   template <class Space>
   using Formats = EquilibriumFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = EquilibriumProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -3184,4 +3577,4 @@ static_assert(physgen::is_sound_record<EquilibriumObject, double, EquilibriumFor
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_FFF5F22CDEF2EEA9
+#endif  // PHYSGEN_QUASISTATIC_H_6E3E071CF1659351

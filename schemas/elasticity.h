@@ -32,6 +32,11 @@ struct PHYSGEN_OBJECT() QuaternionSvd {
   PHYSGEN(unit("1")) Diagonal<3> s;  ///< principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted
 };
 
+/// Principal directions of the deformation gradient alone: what the force differential reads of its SVD.
+struct PHYSGEN_OBJECT() PrincipalDirections {
+  Rotation U, V;  ///< U in the current, V in the rest shape
+};
+
 /// Principal stretches of the deformation gradient alone.
 struct PHYSGEN_OBJECT() PrincipalStretches {
   PHYSGEN(unit("1")) Diagonal<3> s;  ///< s1 >= s2 >= |s3|; s3 < 0 where inverted
@@ -92,6 +97,11 @@ struct PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos_padded)) NodeFo
   PHYSGEN(unit("N")) Vector<3> f;  ///< sum of the elements' forces on the node
 };
 
+/// Force of one tet on one of its corners, at its place in the row of that corner's node.
+struct PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos_padded)) PlacedForce {
+  PHYSGEN(unit("N")) Vector<3> f;  ///< of the tet on the node
+};
+
 /// Displacement differential of a node.
 struct PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos_padded)) NodeDisplacement {
   PHYSGEN(unit("m")) Vector<3> dx;  ///< direction in which forces are differentiated
@@ -125,6 +135,11 @@ struct PHYSGEN_OBJECT() TetStiffness {
 /// Nodes of a tet.
 struct PHYSGEN_OBJECT() Tet {
   Vector<4, Index> nodes;  ///< corners i, j, k, l; det(Dm) > 0
+};
+
+/// Where the corners of a tet stand among the incidences of nodes.
+struct PHYSGEN_OBJECT() TetPlaces {
+  Vector<4, Index> places;  ///< of corners i, j, k, l: numbers of entries
 };
 
 /// Nodes of an edge.

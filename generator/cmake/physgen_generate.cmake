@@ -2,6 +2,8 @@
 # find_package(physgen), by every other project.
 #
 #   physgen_generate(TARGET name SCHEMAS a.h b.h [OUTPUT_DIR dir] [LAYOUT layout] [CHECKED_IN dir])
+#   physgen_generate(TARGET name SCENES s.h t.h [LIBRARIES library...] [FLAGS flag...] [EVERYTHING] [OUTPUT_DIR dir]
+#                    [CHECKED_IN dir])
 #
 # Makes the library target `name`. A program that links it finds the headers a.physgen.h and b.physgen.h, is compiled
 # after they are written, and links physgen::runtime. physgen runs again when a schema, a header that a schema includes,
@@ -9,17 +11,29 @@
 # compiled again. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder). LAYOUT (aos,
 # aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state. Without a physgen command (it
 # needs LLVM), the headers in CHECKED_IN are used as they are, whose layouts cannot be changed.
+#
+# Of scenes it is the headers s.scene.h and t.scene.h, with reports beside them. LIBRARIES are those whose headers the
+# scenes include, and `name` links them; FLAGS are the compiler's with which programs are read, such as -march=x86-64-v3.
+# With EVERYTHING there is s.everything.h, too, the same arrays with all fields.
+# A scene is looked at again when its declaration or any header that it includes has changed.
 include_guard(DIRECTORY)
 cmake_policy(VERSION 3.25)
 
 function(physgen_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIR;LAYOUT;CHECKED_IN" "SCHEMAS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "EVERYTHING" "TARGET;OUTPUT_DIR;LAYOUT;CHECKED_IN" "SCHEMAS;SCENES;LIBRARIES;FLAGS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "physgen_generate: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   elseif(NOT arg_TARGET)
     message(FATAL_ERROR "physgen_generate: TARGET is missing: the name of the library to make and to link")
-  elseif(NOT arg_SCHEMAS)
-    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): SCHEMAS is missing: at least one schema header")
+  elseif(NOT arg_SCHEMAS AND NOT arg_SCENES)
+    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): SCHEMAS is missing: at least one schema header; or SCENES")
+  elseif(arg_SCHEMAS AND arg_SCENES)
+    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): SCHEMAS and SCENES are two targets: scenes include the headers "
+      "of schemas, which are written before")
+  elseif(arg_SCENES AND arg_LAYOUT)
+    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): LAYOUT is for SCHEMAS; arrays of scenes have their layouts")
+  elseif(arg_SCHEMAS AND (arg_LIBRARIES OR arg_FLAGS))
+    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): LIBRARIES and FLAGS are for SCENES")
   elseif(TARGET ${arg_TARGET})
     message(FATAL_ERROR "physgen_generate(${arg_TARGET}): there is a target of this name already")
   endif()
@@ -28,18 +42,24 @@ function(physgen_generate)
   endif()
   cmake_path(ABSOLUTE_PATH arg_OUTPUT_DIR BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
 
-  set(schemas "")
+  set(schemas "")  # or scenes
   set(headers "")
   set(names "")
-  foreach(schema IN LISTS arg_SCHEMAS)
+  set(kind schema)
+  set(ending physgen.h)
+  if(arg_SCENES)
+    set(kind scene)
+    set(ending scene.h)
+  endif()
+  foreach(schema IN LISTS arg_SCHEMAS arg_SCENES)
     cmake_path(ABSOLUTE_PATH schema BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     if(NOT EXISTS "${schema}" OR IS_DIRECTORY "${schema}")
-      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): the schema ${schema} does not exist")
+      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): the ${kind} ${schema} does not exist")
     endif()
     cmake_path(GET schema STEM LAST_ONLY stem)
-    set(name ${stem}.physgen.h)
+    set(name ${stem}.${ending})
     if(name IN_LIST names)
-      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): two schemas would write ${name}; the second is ${schema}")
+      message(FATAL_ERROR "physgen_generate(${arg_TARGET}): two ${kind}s would write ${name}; the second is ${schema}")
     endif()
     list(APPEND names "${name}")
     list(APPEND schemas "${schema}")
@@ -47,14 +67,21 @@ function(physgen_generate)
   endforeach()
 
   add_library(${arg_TARGET} INTERFACE)
-  target_link_libraries(${arg_TARGET} INTERFACE physgen::runtime)
+  target_link_libraries(${arg_TARGET} INTERFACE physgen::runtime ${arg_LIBRARIES})
+  if(arg_SCENES)  # generated headers name them by folder and file
+    foreach(scene IN LISTS schemas)
+      cmake_path(GET scene PARENT_PATH folder)
+      cmake_path(GET folder PARENT_PATH folder)
+      target_include_directories(${arg_TARGET} INTERFACE ${folder})
+    endforeach()
+  endif()
 
   if(NOT TARGET physgen::physgen)
     if(arg_LAYOUT)
       message(FATAL_ERROR "physgen_generate(${arg_TARGET}): there is no physgen command (physgen was built without "
         "LLVM), which LAYOUT ${arg_LAYOUT} needs")
     endif()
-    _physgen_use_checked_in(${arg_TARGET} "${arg_CHECKED_IN}" "${names}")
+    _physgen_use_checked_in(${arg_TARGET} "${arg_CHECKED_IN}" "${names}" "${kind}")
     return()
   endif()
 
@@ -66,6 +93,13 @@ function(physgen_generate)
     endif()
   endforeach()
   set_property(GLOBAL APPEND PROPERTY PHYSGEN_WRITTEN_HEADERS ${headers})
+
+  target_include_directories(${arg_TARGET} INTERFACE ${arg_OUTPUT_DIR})
+  if(arg_SCENES)
+    _physgen_scenes(${arg_TARGET} "${schemas}" "${arg_OUTPUT_DIR}" "${arg_LIBRARIES}" "${arg_FLAGS}"
+      "${arg_EVERYTHING}")
+    return()
+  endif()
 
   # The stamp stands for "physgen has run", with a time of its own: headers keep theirs when their text does not change,
   # and Make would run physgen for ever. The list of schemas is an input, because Make does not compare commands.
@@ -86,20 +120,62 @@ function(physgen_generate)
     COMMAND_EXPAND_LISTS VERBATIM)
   add_custom_target(${arg_TARGET}_headers DEPENDS ${state}.stamp)
   add_dependencies(${arg_TARGET} ${arg_TARGET}_headers)
-  target_include_directories(${arg_TARGET} INTERFACE ${arg_OUTPUT_DIR})
+endfunction()
+
+# Writes the headers of scenes, each by a command of its own: reading a program takes seconds.
+function(_physgen_scenes target scenes output_dir libraries flags everything)
+  set(folders "$<TARGET_PROPERTY:${target},INTERFACE_INCLUDE_DIRECTORIES>")  # those of its libraries, too
+  set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${target})
+  set(stamps "")
+  set(options "")
+  if(everything)
+    set(options --everything)
+  endif()
+  foreach(scene IN LISTS scenes)
+    cmake_path(GET scene STEM LAST_ONLY name)
+    file(CONFIGURE OUTPUT ${state}/${name}.flags CONTENT "${scene}\n${output_dir}\n${flags}\n" @ONLY)
+    set(written "")
+    foreach(ending scene.h need.txt need.json usage.json)
+      list(APPEND written ${output_dir}/${name}.${ending})
+    endforeach()
+    if(everything)
+      list(APPEND written ${output_dir}/${name}.everything.h)
+    endif()
+    add_custom_command(
+      OUTPUT ${state}/${name}.stamp
+      BYPRODUCTS ${written}
+      COMMAND physgen::physgen scene ${scene} -o ${output_dir} ${options} --depfile ${state}/${name}.d --stamp ${state}/${name}.stamp
+              -- "-I$<JOIN:${folders},;-I>" ${flags}
+      DEPENDS ${scene} ${state}/${name}.flags physgen::physgen
+      DEPFILE ${state}/${name}.d
+      COMMENT "Looking at what the scene ${name} needs"
+      COMMAND_EXPAND_LISTS VERBATIM)
+    list(APPEND stamps ${state}/${name}.stamp)
+  endforeach()
+  add_custom_target(${target}_scenes DEPENDS ${stamps})
+  foreach(library IN LISTS libraries)
+    if(TARGET ${library})
+      add_dependencies(${target}_scenes ${library})  # headers that it generates
+    endif()
+  endforeach()
+  add_dependencies(${target} ${target}_scenes)
 endfunction()
 
 # Makes `target` use the headers `names` of the folder `checked_in`, as they are.
-function(_physgen_use_checked_in target checked_in names)
+function(_physgen_use_checked_in target checked_in names kind)
   if(NOT checked_in)
     message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command to write ${names} with (physgen was "
       "built without LLVM), and no CHECKED_IN folder to take them from")
   endif()
   cmake_path(ABSOLUTE_PATH checked_in BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  set(command "generate SCHEMA")
+  if(kind STREQUAL "scene")
+    set(command "scene SCENE")
+  endif()
   foreach(name IN LISTS names)
     if(NOT EXISTS "${checked_in}/${name}")
       message(FATAL_ERROR "physgen_generate(${target}): there is no physgen command (physgen was built without LLVM), "
-        "and ${checked_in} has no ${name}; write it on a machine with LLVM: physgen generate SCHEMA -o ${checked_in}")
+        "and ${checked_in} has no ${name}; write it on a machine with LLVM: physgen ${command} -o ${checked_in}")
     endif()
   endforeach()
   message(STATUS "physgen_generate(${target}): no physgen command; using the checked-in headers of ${checked_in}")

@@ -58,6 +58,8 @@ void object_code(Printer& out, const plan::Record& host, const plan::Record& cud
   out.line();
   formats_struct(out, object);
   out.line();
+  probe_struct(out, host);
+  out.line();
   record_struct(out, host);
   out.line();
   ref_class(out, host);

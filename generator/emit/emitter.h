@@ -9,7 +9,7 @@
 namespace physgen::emit {
 
 /// The runtime that generated code is written for: PHYSGEN_RUNTIME_VERSION of its <physgen/config.h>.
-inline constexpr int runtime_version = 3;
+inline constexpr int runtime_version = 4;
 
 /// The text of the header with the accessor classes of all objects of `schema`; the same text for the same schema,
 /// whatever the machine and the time, so that several targets may generate one schema. It depends on the runtime and on

@@ -29,7 +29,6 @@ std::string offset(const plan::Run& run, const model::Object& user) {
 
 // "typename Formats::svd::U"
 std::string format(const plan::Run& run) {
-  if (!has_format(run.field())) return "physgen::format::Native";
   std::string text = "typename Formats";
   for (const plan::Step& step : run.path) text += "::" + step.declaration().name;
   return text;
@@ -132,6 +131,8 @@ void object_tag(Printer& out, const plan::Record& host, const plan::Record& cuda
   // One type where the spaces agree, so that kernels may name views without saying for which space.
   const std::string space = same_formats(host, cuda) ? "physgen::Host" : "Space";
   out.line("using Formats = " + object.name + "Formats<" + space + ">;");
+  out.line("template <class ArrayTag, class Base>");
+  out.line("using Probe = " + object.name + "Probe<ArrayTag, Base>;");
   out.close("};");
   out.line();
   aliases(out, object);

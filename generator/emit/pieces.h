@@ -12,6 +12,9 @@ void value_struct(Printer& out, const plan::Record& record);
 /// `NameFormats<Space>`: how the fields are stored.
 void formats_struct(Printer& out, const model::Object& object);
 
+/// `NameProbe<ArrayTag, Base>`: the formats that tell reads and writes apart.
+void probe_struct(Printer& out, const plan::Record& record);
+
 /// `NameRecord<Real, Formats>`: the byte offsets of the fields.
 void record_struct(Printer& out, const plan::Record& record);
 

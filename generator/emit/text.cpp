@@ -156,10 +156,6 @@ std::string shape_type(const model::Field& field) {
   return type + "<" + std::to_string(field.rows) + columns + ">";
 }
 
-bool has_format(const model::Field& field) {
-  return field.shape == model::Shape::object || !model::facts(field.element).integer;
-}
-
 std::string format_type(const model::Field& field, model::Space space) {
   const auto& [kind, quaternion] = field.format(space);
   const model::EncodingFacts& encoding = model::facts(kind);
@@ -170,8 +166,7 @@ std::string format_type(const model::Field& field, model::Space space) {
 }
 
 std::string stored_as(const model::Field& field) {
-  const std::string format = has_format(field) ? "typename Formats::" + field.name : "physgen::format::Native";
-  return shape_type(field) + ", " + format + ", " + stored_type(field.element);
+  return shape_type(field) + ", typename Formats::" + field.name + ", " + stored_type(field.element);
 }
 
 std::string nested_type_name(const model::Field& field, const char* ending, const model::Object& user) {

@@ -22,10 +22,7 @@ namespace physgen::emit {
 /// "physgen::shape::Symmetric<3>". @pre not an object
 [[nodiscard]] std::string shape_type(const model::Field& field);
 
-/// Whether the schema can say how the field is stored: integers have one form.
-[[nodiscard]] bool has_format(const model::Field& field);
-
-/// "physgen::format::Half<4>": how elements of the field are stored in a space. @pre has_format(), and not an object
+/// "physgen::format::Half<4>": how elements of the field are stored in a space. @pre not an object
 [[nodiscard]] std::string format_type(const model::Field& field, model::Space space);
 
 /// Shape, format and type to compute with, as template arguments: "physgen::shape::Rotation, typename Formats::U,

@@ -8,6 +8,8 @@
 
 #include <functional>
 
+#include "frontend/constants.h"
+
 namespace physgen::frontend {
 namespace {
 
@@ -25,13 +27,7 @@ struct Member {
     return {value.getStructField(number), std::next(type->getAsCXXRecordDecl()->field_begin(), number)->getType()};
   }
   /// The name of the enumerator; none: it is another number, by a cast.
-  [[nodiscard]] std::optional<std::string> enumerator() const {
-    const auto* enumeration = llvm::dyn_cast_or_null<clang::EnumDecl>(type->getAsTagDecl());
-    if (enumeration == nullptr || !value.isInt()) return std::nullopt;
-    for (const auto* candidate : enumeration->enumerators())
-      if (llvm::APSInt::isSameValue(candidate->getInitVal(), value.getInt())) return candidate->getName().str();
-    return std::nullopt;
-  }
+  [[nodiscard]] std::optional<std::string> enumerator() const { return frontend::enumerator(value, type); }
 };
 
 /// One argument of a macro: which option it is, and its evaluated members.
@@ -47,16 +43,6 @@ struct Option {
   [[nodiscard]] double real(unsigned member) const { return value.getStructField(member).getFloat().convertToDouble(); }
   [[nodiscard]] clang::SourceRange range() const { return expression->getSourceRange(); }
 };
-
-/// The text of a string literal that a `const char*` member points to; none: it points elsewhere.
-std::optional<std::string> literal(const clang::APValue& pointer) {
-  if (!pointer.isLValue() || !pointer.getLValueOffset().isZero()) return std::nullopt;
-  const auto* base = pointer.getLValueBase().dyn_cast<const clang::Expr*>();
-  if (base == nullptr) return std::nullopt;
-  const auto* string = llvm::dyn_cast<clang::StringLiteral>(base->IgnoreParenImpCasts());
-  if (string == nullptr || string->getCharByteWidth() != 1) return std::nullopt;
-  return string->getString().str();
-}
 
 Option evaluated(const clang::Expr* argument, const clang::ASTContext& context) {
   Option option{argument->IgnoreImplicit(), {}, {}};

@@ -19,14 +19,14 @@ ObjectSize HeaderSizes::of(const Object& object) {
   const double name = length(object.name), qualified = length(object.qualified_name());
   Runs all;
   ObjectSize size;
-  size.bytes = 2900 + 48 * name + qualified + length(object.scope) + length(object.doc);
+  size.bytes = 3300 + 55 * name + qualified + length(object.scope) + length(object.doc);
   double largest = 0, nested_bytes = 0;
   for (int f = 0; const Field& field : object.fields) {
     const double own = length(field.name);
     const double entries = field.array_extent == 0 ? 1 : field.array_extent;
     const double index = field.array_extent == 0 ? 0 : digits(entries) + 2;
-    // Its lines in the value, formats, record and reference, with its comment twice.
-    size.bytes += 560 + 11 * own + 2 * (length(field.doc) + length(field.unit)) + 3 * length(field.object);
+    // Its lines in the value, formats, probe, record and reference, with its comment twice.
+    size.bytes += 635 + 13 * own + 2 * (length(field.doc) + length(field.unit)) + 3 * length(field.object);
     const double record = name + 25 + own;  // NameRecord<Real, Formats>::field
     Runs runs;
     if (field.shape != Shape::object) {

@@ -11,8 +11,8 @@ namespace physgen::model {
 enum class NameOf { field, object, scope };
 
 /// Endings of the types generated for an object `Name`; "" is the value struct itself.
-inline constexpr std::array<std::string_view, 7> generated_endings = {"",       "Formats", "Record", "Ref",
-                                                                      "Object", "View",    "Array"};
+inline constexpr std::array<std::string_view, 8> generated_endings = {"",    "Formats", "Probe", "Record",
+                                                                      "Ref", "Object",  "View",  "Array"};
 
 /// Why `name` cannot be the name of such a thing, without subject ("is a keyword of C++; ..."); empty if it can be.
 [[nodiscard]] std::string name_problem(std::string_view name, NameOf of);

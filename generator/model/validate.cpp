@@ -157,7 +157,7 @@ class Checker {
   static Names nested_types(const Object& object) {
     Names names;
     for (const Field& field : object.fields)
-      for (const char* ending : {"", "Formats", "Record", "Ref"})
+      for (const char* ending : {"", "Formats", "Probe", "Record", "Ref"})
         if (field.shape == Shape::object)
           names.types.emplace(field.object.substr(field.object.rfind(':') + 1) + ending, field.object + ending);
     return names;

@@ -66,7 +66,7 @@ struct RotationMove {
   }
 };
 
-/// All of a conversion.
+/// All of a conversion. Fields of which one side stores nothing are left out.
 struct Conversion {
   std::vector<ElementMove> elements;
   std::vector<RotationMove> rotations;
@@ -75,6 +75,7 @@ struct Conversion {
   Conversion(const Storage& to, const Storage& from) {
     for (std::size_t f = 0; f < to.fields.size(); ++f) {
       const FieldInfo &a = to.fields[f], &b = from.fields[f];
+      if (!a.is_stored() || !b.is_stored()) continue;
       const int to_size = element_bytes(a.type), from_size = element_bytes(b.type);
       const ElementMove first{a.offset, b.offset, encoding_of(a), encoding_of(b)};
       const auto at = [&](int to_element, int from_element) {
@@ -95,7 +96,7 @@ struct Conversion {
   }
 };
 
-/// The initial value of one field, as it is stored.
+/// The initial value of one field, as it is stored. @pre the field is stored
 struct Fill {
   int offset;
   int count;
@@ -142,7 +143,7 @@ struct Fill {
 [[nodiscard]] inline const FieldInfo* changed_by_own_functions(const Storage& to, const Storage& from) {
   for (std::size_t f = 0; f < to.fields.size(); ++f) {
     const FieldInfo &a = to.fields[f], &b = from.fields[f];
-    if (a.own == nullptr && b.own == nullptr) continue;
+    if ((a.own == nullptr && b.own == nullptr) || !a.is_stored() || !b.is_stored()) continue;
     if (a.quaternion != b.quaternion || !(encoding_of(a) == encoding_of(b))) return &a;
   }
   return nullptr;

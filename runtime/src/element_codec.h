@@ -87,11 +87,12 @@ PHYSGEN_FUNCTION inline void with_codec(const Encoding& encoding, const Visit& v
     case ElementType::float32:
     case ElementType::float64:
     case ElementType::int32:
+    case ElementType::none:
       break;
   }
 }
 
-/// The value of an element. @tparam S float or double. Integers are not converted to float.
+/// The value of an element. @tparam S float or double. Integers are not converted to float. @pre an element is stored
 template <class S>
 [[nodiscard]] PHYSGEN_FUNCTION inline S decode(const std::byte* from, const Encoding& encoding) {
 #ifndef __CUDA_ARCH__
@@ -120,12 +121,14 @@ template <class S>
     case ElementType::bfloat16:
       value = static_cast<S>(format::detail::bfloat16_to_float(*reinterpret_cast<const std::uint16_t*>(from)));
       break;
+    case ElementType::none:
+      break;
   }
   if (!encoding.scaled) return value;
   return format::detail::to_scale<S>(value, static_cast<S>(encoding.scale), static_cast<S>(encoding.centre));
 }
 
-/// Stores a value.
+/// Stores a value. @pre an element is stored
 template <class S>
 PHYSGEN_FUNCTION inline void encode(std::byte* to, const Encoding& encoding, S value) {
 #ifndef __CUDA_ARCH__

@@ -10,10 +10,11 @@
 
 namespace physgen::detail {
 
-/// @throw Error naming the fields of indices that there are, when this is none
+/// @throw Error when the field is pruned; naming the fields of indices that there are, when this is none
 [[nodiscard]] inline const FieldInfo& find_index_field(const Storage& storage, std::string_view name) {
   std::string fields_of_indices;
   for (const FieldInfo& field : storage.fields) {
+    if (field.name == name && !field.is_stored()) refuse_unstored(storage, field, "its indices are needed");
     if (field.type != ElementType::int32) continue;
     if (field.name == name) return field;
     fields_of_indices += " " + std::string(field.name);

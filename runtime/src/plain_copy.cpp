@@ -48,6 +48,7 @@ bool same_runs(const Storage& a, const Storage& b) {
 index_t copy_plain(const Storage& to, index_t to_begin, const Storage& from, index_t from_begin, index_t count,
                    Stream stream) {
   const bool on_host = host_accessible(to.space) && host_accessible(from.space);
+  if (to.record_bytes == 0) return 0;
   index_t moved = 0;
   for (index_t done = 0, piece = 0; done < count; done += piece) {
     const index_t rest = count - done;
@@ -65,6 +66,7 @@ index_t copy_plain(const Storage& to, index_t to_begin, const Storage& from, ind
     piece = std::min({rest, to.pitch - to_lane, from.pitch - from_lane});
     for (const FieldInfo& field : to.fields) {
       const int size = element_bytes(field.type);
+      if (size == 0) continue;
       copy_rows(
           {to_tile + field.offset * to.pitch + to_lane * size, to.pitch * size,
            from_tile + field.offset * from.pitch + from_lane * size, from.pitch * size, piece * size, field.count},

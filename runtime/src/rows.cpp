@@ -158,6 +158,7 @@ ChosenRows choose_rows(std::span<const RowRange> rows, const Storage& entries, c
 
 void pick_records(const Storage& to, const Storage& from, std::span<const index_t> numbers) {
   const auto bytes = static_cast<std::size_t>(to.record_bytes);
+  if (bytes == 0) return;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     std::memcpy(to.base + static_cast<index_t>(i) * to.record_bytes, from.base + numbers[i] * from.record_bytes, bytes);
   }

@@ -1,11 +1,10 @@
-// Copies between arrays, initial values and single elements, over arrays without their types.
+// Copies between arrays and initial values, over arrays without their types.
 #include <physgen/chunked_transfer.h>
+#include <physgen/copy_fields.h>
 #include <physgen/error.h>
 #include <physgen/storage.h>
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <sstream>
 #include <string>
 
@@ -21,46 +20,45 @@ namespace {
 
 using detail::describe;
 
-// A field and which of its elements, as code counts them.
-struct Found {
-  const FieldInfo& field;
-  int element;
-};
-
-Found find_element(const Storage& storage, index_t i, int k) {
-  if (i < 0 || i >= storage.size) {
-    throw Error(describe(storage) + ": there is no object " + std::to_string(i) + "; numbers go from 0 to " +
-                std::to_string(storage.size - 1));
+// Whether all that `to` stores is there, and nothing is lost that `to` was not told to leave out.
+void require_fields(const Storage& to, const Storage& from) {
+  const auto refuse = [&](int f, const std::string& why) {
+    const std::string field(to.fields[static_cast<std::size_t>(f)].name);
+    throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + field + why);
+  };
+  if (const int f = detail::first_not_given(to.fields, from.fields); f >= 0) {
+    refuse(f,
+           " is stored in the array that is copied to, and nothing is stored of it (format::Nothing or Pruned) in "
+           "the one that is copied from; prune it in both, or in none");
   }
-  int rest = k;
-  for (const FieldInfo& field : storage.fields) {
-    if (rest >= 0 && rest < field.visible_count()) return {field, rest};
-    rest -= field.visible_count();
+  if (const int f = detail::first_not_taken(to.fields, from.fields); f >= 0) {
+    refuse(f,
+           " would be lost: the array that is copied to stores nothing of it (format::Nothing); give it the format "
+           "Pruned<scene, array, field> there, which says that this is meant");
   }
-  int count = 0;
-  for (const FieldInfo& field : storage.fields) count += field.visible_count();
-  throw Error(describe(storage) + ": there is no element " + std::to_string(k) + "; numbers go from 0 to " +
-              std::to_string(count - 1));
 }
 
 bool overlap(const Storage& a, const Storage& b) {
   return a.bytes() > 0 && b.bytes() > 0 && a.base < b.base + b.bytes() && b.base < a.base + a.bytes();
 }
 
+bool has_no_memory(const Storage& array) { return array.size > 0 && array.record_bytes > 0 && array.base == nullptr; }
+
 void require_two_arrays_of_one_type(const Storage& to, const Storage& from) {
   std::string why;
   if (to.object != from.object) {
     why = "the object types differ";
-  } else if ((to.size > 0 && to.base == nullptr) || (from.size > 0 && from.base == nullptr)) {
+  } else if (has_no_memory(to) || has_no_memory(from)) {
     why = "one of them has no memory (null)";
   } else if (overlap(to, from)) {
     why = "they share memory; copy to an array of its own";
   }
   if (!why.empty()) throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + why);
+  require_fields(to, from);
 }
 
 Losses count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
-  if (begin == end) return {};
+  if (begin == end || to.record_bytes == 0) return {};
   if (host_accessible(from.space)) {
     detail::wait_for_host_work(from.space, stream);
     return detail::count_on_host(to, from, begin, end);
@@ -80,7 +78,7 @@ index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_
     throw Error("cannot copy objects " + std::to_string(begin) + " up to " + std::to_string(end) + " of " +
                 describe(from) + " to " + describe(to));
   }
-  if (begin == end) return 0;
+  if (begin == end || to.record_bytes == 0) return 0;
   const bool on_host = host_accessible(from.space) && host_accessible(to.space);
   if (on_host) {
     detail::wait_for_host_work(from.space, stream);
@@ -127,6 +125,7 @@ void copy(const Storage& to, const Storage& from, Stream stream) {
 }
 
 Losses losses_of_copy(const Storage& to, const Storage& from, Stream stream) {
+  require_fields(to, from);
   return count_losses(to, from, 0, from.size, stream);
 }
 
@@ -192,6 +191,7 @@ void initialize(const Storage& storage, index_t begin, index_t end) {
   if (begin == end) return;
   detail::wait_for_host_work(storage.space);
   for (const FieldInfo& field : storage.fields) {
+    if (!field.is_stored()) continue;
     const detail::Fill fill(field);
     if (fill.is_zero()) continue;
     if (host_accessible(storage.space)) {
@@ -201,79 +201,6 @@ void initialize(const Storage& storage, index_t begin, index_t end) {
     } else {
       backend::fill(storage, fill, begin, end);
     }
-  }
-}
-
-namespace {
-
-// Before a transfer of one element: it sees what the default stream has done.
-void refuse_or_wait(SpaceKind space, const char* what) {
-  if (space == SpaceKind::host) return;
-  detail::refuse_capture(nullptr, what);
-  detail::wait_for_host_work(space);
-}
-
-// The nearest number that an int32 may be converted from; 0 for NaN.
-double limited(double value) {
-  constexpr double low = -2147483648.0, high = 2147483647.0;
-  return value != value ? 0 : std::clamp(value, low, high);
-}
-
-}  // namespace
-
-double getdata(const Storage& storage, index_t i, int k) {
-  const auto [field, element] = find_element(storage, i, k);
-  refuse_or_wait(storage.space, "getdata()");
-  const int size = element_bytes(field.type);
-  // A single element, or all those of a quaternion.
-  alignas(8) std::array<std::byte, 32> bytes{};
-  const int first = field.quaternion ? element / 9 * 4 : element, count = field.quaternion ? 4 : 1;
-  const detail::Addressing array(storage);
-  for (int e = 0; e < count; ++e) {
-    const std::byte* from = array.address(i, field.offset + (first + e) * size, size);
-    if (host_accessible(storage.space)) {
-      std::memcpy(bytes.data() + e * size, from, static_cast<std::size_t>(size));
-    } else {
-      backend::copy_bytes(bytes.data() + e * size, from, size, nullptr);
-    }
-  }
-  if (!host_accessible(storage.space)) synchronize();
-  const detail::Encoding encoding = detail::encoding_of(field);
-  if (!field.quaternion) return detail::decode<double>(bytes.data(), encoding);
-  const auto R =
-      detail::decode_rotation<double>(encoding, true, [&bytes, size](int e) { return bytes.data() + e * size; });
-  return R(element % 9 % 3, element % 9 / 3);
-}
-
-void putdata(const Storage& storage, index_t i, int k, double value) {
-  const auto [field, element] = find_element(storage, i, k);
-  if (field.quaternion) {
-    throw Error(describe(storage) + ": " + std::string(field.name) +
-                " is stored as a quaternion, which has no single matrix elements; assign the rotation through a view");
-  }
-  if (field.type == ElementType::int32 && static_cast<double>(static_cast<std::int32_t>(limited(value))) != value) {
-    std::ostringstream message;
-    message << describe(storage) << ": " << value << " is no index; " << field.name
-            << " holds whole numbers from -2147483648 to 2147483647";
-    throw Error(message.str());
-  }
-  const int size = element_bytes(field.type);
-  std::byte* to = detail::Addressing(storage).address(i, field.offset + element * size, size);
-  alignas(8) std::array<std::byte, 8> bytes{};
-  const detail::Encoding encoding = detail::encoding_of(field);
-  detail::encode(bytes.data(), encoding, value);
-  if (checked_build) {
-    Losses losses;
-    detail::count_loss(losses, encoding.type, encoding.scale, value, detail::decode<double>(bytes.data(), encoding), i,
-                       field.offset + element * size);
-    throw_if_falsified(losses, storage);
-  }
-  refuse_or_wait(storage.space, "putdata()");
-  if (host_accessible(storage.space)) {
-    std::memcpy(to, bytes.data(), static_cast<std::size_t>(size));
-  } else {
-    backend::copy_bytes(to, bytes.data(), size, nullptr);
-    synchronize();
   }
 }
 

@@ -37,6 +37,7 @@ void pick_on_host(const Storage& to, index_t begin, const Storage& from, const P
       continue;
     }
     for (const FieldInfo& field : to.fields) {
+      if (!field.is_stored()) continue;
       const detail::Elements elements(field);
       for (int k = 0; k < elements.count; ++k) {
         const int offset = elements.offset + k * elements.bytes;
@@ -72,7 +73,7 @@ void renumber_on_host(const Storage& storage, const FieldInfo& field, const deta
                                std::span<const index_t> new_number) {
   int element = 0;  // the field's first
   for (const FieldInfo& before : storage.fields) {
-    if (before.offset == field.offset) break;
+    if (&before == &field) break;
     element += before.visible_count();
   }
   const detail::NewNumbers numbers{new_number.data(), static_cast<index_t>(new_number.size())};
@@ -132,7 +133,7 @@ Numbers::Numbers(std::span<const index_t> numbers, std::span<const Storage> arra
 }
 
 void pick(const Storage& to, const Storage& from, const Numbers& order) {
-  if (to.size == 0) return;
+  if (to.size == 0 || to.record_bytes == 0) return;
   if (to.space == SpaceKind::cuda) {
     const auto* numbers = reinterpret_cast<const index_t*>(order.on_device.data());
     backend::pick(to, 0, from, Picked{numbers, 0}, to.size, nullptr);
@@ -142,7 +143,7 @@ void pick(const Storage& to, const Storage& from, const Numbers& order) {
 }
 
 void insert(const Storage& to, index_t begin, const Storage& from) {
-  if (from.size == 0) return;
+  if (from.size == 0 || to.record_bytes == 0) return;
   if (to.space == SpaceKind::cuda) {
     backend::pick(to, begin, from, Picked{nullptr, 0}, from.size, nullptr);
   } else {

@@ -1,6 +1,5 @@
 // The command physgen as its users run it: a process with exit status, output and files.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +8,7 @@
 #include <functional>
 #include <iterator>
 
-#include "frontend_case.h"
+#include "command_case.h"
 #include "model/json.h"
 
 namespace physgen::test {
@@ -19,38 +18,6 @@ namespace fs = std::filesystem;
 
 const std::string sound = schema_of(object("Scalar x;"));
 const std::string broken = schema_of(object("Scalar& x;"));
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-class Command : public testing::Test {
- protected:
-  struct Outcome {
-    int status;
-    std::string out, err;
-  };
-
-  /// Runs physgen with arguments as a shell reads them, in the test's folder.
-  Outcome run(const std::string& arguments) const {
-    const std::string line = "cd '" + (folder / ".") + "' && '" PHYSGEN_COMMAND "' " + arguments + " > '" +
-                             (streams / "out") + "' 2> '" + (streams / "err") + "'";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(streams / "out"), text_of(streams / "err")};
-  }
-
-  [[nodiscard]] bool exists(const std::string& name) const { return fs::exists(folder / name); }
-
-  [[nodiscard]] std::vector<std::string> files(const std::string& name) const {
-    std::vector<std::string> result;
-    for (const auto& entry : fs::directory_iterator(folder / name)) result.push_back(entry.path().filename().string());
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  Folder folder, streams;
-};
 
 TEST_F(Command, generates_a_header_per_schema) {
   folder.write("a.h", sound);

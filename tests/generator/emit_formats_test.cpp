@@ -46,6 +46,7 @@ TEST(Formats, are_listed_per_field_in_order_of_declaration) {
                   "template <class Space>\nstruct AFormats {\n"
                   "  using x = physgen::format::Native;\n"
                   "  using y = physgen::format::Half<>;\n"
+                  "  using i = physgen::format::Native;\n"
                   "  using F = physgen::format::Bfloat16;\n};\n");
 }
 
@@ -71,10 +72,37 @@ TEST(Formats, of_nested_objects_are_those_of_their_type) {
                   "1, 0.0),\n");
 }
 
-TEST(Formats, leave_integers_as_they_are) {
-  const std::string text = header({scalar("i", Element::index), scalar("x")});
-  EXPECT_EQ(text.find("using i"), std::string::npos);
-  expect_contains(text, "at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::i)");
+TEST(Formats, of_integers_have_entries_as_those_of_real_numbers_do) {
+  const std::string text = header({scalar("i", Element::index), field("v", Shape::vector, 4, 1, Element::index)});
+  expect_contains(text, "  using i = physgen::format::Native;\n  using v = physgen::format::Native;\n");
+  expect_contains(text, "slot<physgen::shape::Scalar, typename Formats::i, std::int32_t>()");
+  expect_contains(text, "at_.template field<physgen::shape::Scalar, typename Formats::i, std::int32_t>(Record::i)");
+  expect_contains(text, "field_info<physgen::shape::Vector<4>, typename Formats::v, std::int32_t>(");
+}
+
+TEST(Probes, number_the_fields_as_the_list_of_fields_does) {
+  auto all = schema({object("B", {scalar("x"), scalar("y")}),
+                     object("A", {scalar("m"), nested("b", "test::B"), nested("c", "test::B"), scalar("n")})});
+  all.objects[1].fields[1].array_extent = 3;
+  const std::string text = accessor_header(all);
+  expect_contains(text,
+                  "struct AObject;\n"
+                  "/// AFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see "
+                  "<physgen/probe.h>. The\n/// list of fields of Object has the first of these as number first.\n"
+                  "template <class ArrayTag, class Base = AFormats<physgen::Host>, class Object = AObject, "
+                  "int first = 0>\n"
+                  "struct AProbe {\n"
+                  "  using array_ = ArrayTag;\n"
+                  "  using m = physgen::Probe<ArrayTag, Object, first + 0, typename Base::m>;\n"
+                  "  using b = BProbe<ArrayTag, typename Base::b, Object, first + 1>;\n"
+                  "  using c = BProbe<ArrayTag, typename Base::c, Object, first + 7>;\n"
+                  "  using n = physgen::Probe<ArrayTag, Object, first + 9, typename Base::n>;\n};\n");
+  expect_contains(text, "  template <class ArrayTag, class Base>\n  using Probe = AProbe<ArrayTag, Base>;\n");
+}
+
+TEST(Probes, give_way_to_fields_that_are_called_as_their_parameters) {
+  const std::string text = header({scalar("Base"), scalar("first"), scalar("Object"), scalar("ArrayTag")});
+  expect_contains(text, "  using Base = physgen::Probe<ArrayTag_, Object_, first_ + 0, typename Base_::Base>;\n");
 }
 
 TEST(Formats, are_spelled_as_the_runtime_calls_them) {

@@ -31,7 +31,7 @@ TEST(Emitter, is_written_for_this_runtime) { EXPECT_EQ(runtime_version, PHYSGEN_
 
 TEST(Emitter, refuses_another_runtime_by_an_error) {
   const std::string text = accessor_header(schema({object("A", {scalar("x")})}));
-  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 3\n#error \"test.physgen.h is for version 3 of the physgen");
+  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 4\n#error \"test.physgen.h is for version 4 of the physgen");
 }
 
 TEST(Emitter, writes_the_same_text_for_the_same_model) {

@@ -328,7 +328,7 @@ TEST(Rules, keep_the_names_of_formats_for_generated_code) {
 
 // Its record says BRecord, its formats BFormats, its references BRef: fields of these names would change the meaning.
 TEST(Rules, refuse_fields_named_as_a_type_of_a_nested_object_that_is_said_beside_them) {
-  for (const char* ending : {"", "Formats", "Record", "Ref"}) {
+  for (const char* ending : {"", "Formats", "Probe", "Record", "Ref"}) {
     Schema schema = with({scalar("x")});
     schema.objects[0].name = "B";
     schema.objects.push_back(schema.objects[0]);
@@ -412,7 +412,7 @@ TEST(Rules, refuse_objects_outside_all_namespaces_and_namespaces_of_the_c_librar
 }
 
 TEST(Rules, refuse_objects_whose_generated_types_are_namespaces) {
-  for (const char* ending : {"", "Formats", "Record", "Ref", "Object", "View", "Array"}) {
+  for (const char* ending : {"", "Formats", "Probe", "Record", "Ref", "Object", "View", "Array"}) {
     Schema schema = with({scalar("x")});
     schema.objects.push_back(schema.objects[0]);
     schema.objects[1].name = "B";

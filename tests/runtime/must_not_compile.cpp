@@ -1,5 +1,6 @@
 // Programs that a compiler must refuse, with words that say what to do: one per CASE_..., which CMakeLists.txt defines.
 #include <elasticity.physgen.h>
+#include <physgen/fuse.h>
 #include <physgen/parallel_for.h>
 #include <physgen/parallel_reduce.h>
 #include <physgen/rows.h>
@@ -14,6 +15,20 @@ using Indices = batch_t<std::int32_t, native_lanes<float>>;
 
 struct Halves : elasticity::StressDerivativeFormats<Host> {
   using x1111 = format::Half<>;
+};
+
+const auto kept = local<elasticity::StressDerivativeObject, float>();
+
+/// A step of a fused kernel, with a body.
+template <class Body>
+void fused(const Body& body) {
+  parallel_for(Host{}, 5, fuse(locals(kept), over<float>(body)));
+}
+
+/// A kernel that takes one object at a time.
+struct OneObject {
+  using Scalar = float;
+  void operator()(index_t /*i*/) const {}
 };
 
 }  // namespace
@@ -69,10 +84,43 @@ void refused(const Derivatives::View& view, Pack<native_lanes<float>> i, const I
   const Rows rows(elasticity::IncidenceRangeArray<float>::ConstView(), elasticity::IncidenceArray<float>::ConstView(),
                   0);
   (void)rows.fold(index_t{0}, 0.0F, [&](float total, const auto&) { return total + 0.5; });
+#elif defined(CASE_a_gather_from_a_local)
+  fused([](auto k) { kept[k].x1111() = kept[numbers(k)].x2211().get(); });
+#elif defined(CASE_a_local_outside_of_a_fused_kernel)
+  parallel_for(Host{}, 5, over<float>([](auto k) { kept[k].x1111() = S(1.0F); }));
+#elif defined(CASE_a_masked_store_to_a_local)
+  fused([](auto k) { store_where(wanted<float>(k), kept[k].x1111(), lanes_t<float, decltype(k)>(1.0F)); });
+#elif defined(CASE_a_masked_store_to_a_local_of_one_object)
+  parallel_for<1>(Host{}, 5, fuse(locals(kept), over<float>([](auto k) { store_where(true, kept[k].x1111(), 1.0F); })));
+#elif defined(CASE_a_masked_store_to_a_field_of_a_local)
+  const auto forces = local<elasticity::NodeForceObject, float>();
+  parallel_for(Host{}, 5, fuse(locals(forces), over<float>([=](auto k) {
+                                 using Number = lanes_t<float, decltype(k)>;
+                                 store_where(wanted<float>(k), forces[k].f(), Eigen::Matrix<Number, 3, 1>());
+                               })));
+#elif defined(CASE_a_sum_at_a_local)
+  fused([](auto k) { add(k, kept[k].x1111(), lanes_t<float, decltype(k)>(1.0F)); });
+#elif defined(CASE_a_local_that_is_not_named)
+  const auto other = local<elasticity::StressDerivativeObject, float, FormatsOfSpace, struct Other>();
+  fused([=](auto k) { kept[k].x1111() = other[k].x1111().get(); });
+#elif defined(CASE_two_locals_of_one_type)
+  const auto other = local<elasticity::StressDerivativeObject, float>();
+  (void)fuse(locals(kept, other), over<float>([](auto) {}));
+#elif defined(CASE_a_fused_step_of_single_objects)
+  parallel_for(Host{}, 5, fuse(locals(kept), over<float>([](auto) {}), OneObject{}));
+#elif defined(CASE_a_term_of_a_step_in_the_middle)
+  parallel_for(Host{}, 5,
+               fuse(locals(kept), over<float>([](auto k) { return lanes_t<float, decltype(k)>(1.0F); }),
+                    over<float>([](auto) {})));
+#elif defined(CASE_a_fused_lambda_without_a_width)
+  (void)fuse(locals(kept), [](auto) {});
+#elif defined(CASE_a_neighbour_in_a_fused_kernel)
+  fused([](auto k) { kept[k].x1111() = kept[k + 1].x1111().get(); });
 #elif defined(CASE_a_lambda_without_a_width)
   parallel_for(Host{}, 5, [](auto) {});
 #else
   (void)m, (void)j, (void)nodes;
+  fused([](auto k) { kept[k].x1111() = lanes_t<float, decltype(k)>(1.0F); });
   view[i].x1111() = m;
 #endif
 }

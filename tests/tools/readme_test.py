@@ -87,6 +87,10 @@ class ReadmeTest(unittest.TestCase):
 
     def test_every_result_file_has_figures_in_a_readme(self):
         used = {sentence.file for sentence in readme_figures.SENTENCES}
+        for readme in readme_figures.READMES:
+            text = (self.root / readme).read_text(encoding="utf-8")
+            files = [file for *_, file in readme_numbers.tables(readme, text)]
+            used |= {file for file in files if file.endswith(".json") and "/" not in file}
         self.assertEqual(used, {path.name for path in self.result_files()})
 
     # ---- What is found -------------------------------------------------------------------------------------------
@@ -170,6 +174,36 @@ class ReadmeTest(unittest.TestCase):
         self.assertIn("| 8³ | 0.49, tets | 1.00 : 2.50 | 1.00 : 2.20 |", (self.root / "README.md").read_text(encoding="utf-8"))
         (self.root / name).write_text(json.dumps({"rows": [slow]}))
         self.refused("linear_solves.json: 8 cells", "no solve by multigrid")
+
+    def test_a_table_of_fused_kernels_stands_them_beside_the_separate_ones(self):
+        results = self.root / readme_numbers.RESULTS
+        content = json.loads((results / "h200.json").read_text())
+        like = next(row for row in content["benchmarks"] if row["name"].startswith("dp_from_df/aosoa32/float/cuda/"))
+        times = {"force_chain_separate": 1.6, "force_chain_fused": 0.32, "force_chain_fused_fixed_order": 0.5}
+        times |= {"newton_update_separate": 1.0, "newton_update_fused": 0.4}
+        times |= {"matrix_free_separate": 1.1, "matrix_free_fused": 0.55}
+        content["benchmarks"] = [
+            dict(
+                like,
+                name=f"{kernel}/aosoa32/float/cuda/{1000 if kernel.startswith('newton') else 200}",
+                real_time=ms,
+                time_unit="ms",
+                bytes_per_object=300,
+                copy_fraction=0.75,
+            )
+            for kernel, ms in times.items()
+        ]
+        (results / "h200_fused.json").write_text(json.dumps(content))
+        place = "<!-- figures: fused, from h200_fused.json -->\n"
+        self.change("README.md", "## Measured", f"{place}<!-- end of figures -->\n\n## Measured")
+        self.assertEqual(command("--write", self.root).returncode, 0)
+        text = (self.root / "README.md").read_text(encoding="utf-8")
+        self.assertIn("| positions to forces on nodes, sums in any order | 1.600 | 0.320 | 5.00x | 60 | 0.75 |", text)
+        self.assertIn("| the same in a fixed order | 1.600 | 0.500 | 3.20x | 60 | 0.75 |", text)
+        self.assertIn("clamped derivative | 1.000 | 0.400 | 2.50x | 300 | 0.75 |", text)
+        del content["benchmarks"][-2]
+        (results / "h200_fused.json").write_text(json.dumps(content))
+        self.refused("h200_fused.json has no row matrix_free_separate/aosoa32/float/cuda/*")
 
     # ---- What is written -----------------------------------------------------------------------------------------
     def test_write_changes_nothing_where_all_agrees(self):

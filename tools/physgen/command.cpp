@@ -17,6 +17,9 @@
 #include "layout_words.h"
 #include "model/json.h"
 #include "model/model.h"
+#include "scene_command.h"
+#include "scenes/report.h"
+#include "usage_command.h"
 
 namespace physgen::command {
 namespace {
@@ -31,6 +34,8 @@ struct Arguments {
   frontend::ParseOptions options;
   std::optional<std::string> layout_of_all;  // of every object, in place of the schema's
   LayoutRequest layout;
+  SceneRequest scene;
+  UsageRequest usage;
   std::string picture;  // file of the SVG; empty: standard output
   bool svg = false;
   bool verbose = false;
@@ -207,10 +212,12 @@ void describe(CLI::App& app, Arguments& arguments) {
   auto* model = add_command(app, "model", "Print what physgen reads from a schema, as JSON", arguments);
   model->add_option("SCHEMA", arguments.schemas, "Schema header")->required()->expected(1);
   describe_layout(app, arguments);
+  describe_scene(app, arguments.scene);
+  describe_usage(app, arguments.usage);
 }
 
 bool names_command(const std::string& argument) {
-  for (const char* known : {"generate", "check", "model", "layout", "-h", "--help", "--version"})
+  for (const char* known : {"generate", "check", "model", "layout", "scene", "usage", "-h", "--help", "--version"})
     if (argument == known) return true;
   return false;
 }
@@ -220,7 +227,7 @@ void require_command_or_schema(const std::string& first) {
   std::error_code ignored;
   if (first.starts_with('-') || std::filesystem::exists(first, ignored)) return;
   throw UsageError("there is no command or schema '" + first +
-                   "'; commands are generate, check, model and layout, and a schema is a file");
+                   "'; commands are generate, check, model, layout, scene and usage, and a schema is a file");
 }
 
 }  // namespace
@@ -239,6 +246,12 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
     }
     arguments.insert(arguments.begin(), "generate");
   }
+  if (!arguments.empty() && (arguments.front() == "scene" || arguments.front() == "usage")) {
+    const auto flags = std::find(arguments.begin(), arguments.end(), "--");
+    if (flags != arguments.end()) values.scene.flags.assign(flags + 1, arguments.end());
+    values.usage.flags = values.scene.flags;
+    arguments.erase(flags, arguments.end());
+  }
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
   try {
     app.parse(std::move(arguments));
@@ -249,11 +262,15 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   try {
     if (app.got_subcommand("generate")) return generate(values, streams);
     if (app.got_subcommand("check")) return check(values, streams);
+    if (app.got_subcommand("scene")) return scene(values.scene, out, err);
+    if (app.got_subcommand("usage")) return usage(values.usage, out, err);
     if (app.got_subcommand("layout")) return print_layout(values, streams);
     return print_model(values, streams);
   } catch (const FileError& error) {
     err << "physgen: error: " << error.what() << '\n';
   } catch (const UsageError& error) {
+    err << "physgen: error: " << error.what() << '\n';
+  } catch (const scenes::UnknownName& error) {
     err << "physgen: error: " << error.what() << '\n';
   } catch (const LayoutError& error) {
     err << "physgen: error: " << error.what() << '\n';

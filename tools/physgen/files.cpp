@@ -87,6 +87,13 @@ void require_readable(const std::string& path) {
   if (!std::ifstream(path, std::ios::binary)) fail("read", path, last_error());
 }
 
+std::string read_file(const std::string& path) {
+  require_readable(path);
+  auto text = text_of(path);
+  if (!text) fail("read", path, std::make_error_code(std::errc::invalid_argument));
+  return std::move(*text);
+}
+
 std::vector<bool> write_changed(const std::vector<File>& files) {
   std::vector<bool> changed;
   Staged staged;

@@ -20,6 +20,9 @@ struct File {
 /// @throws FileError if `path` is no file that can be read
 void require_readable(const std::string& path);
 
+/// @throws FileError if `path` is no file that can be read
+[[nodiscard]] std::string read_file(const std::string& path);
+
 /// Writes the files whose text is not there already; makes their folders. Each is written beside its place under
 /// another name and renamed, after all of them have been written: a failure leaves no half-written file and no
 /// temporary one. If a renaming fails, files before it in the list are new already.

@@ -3,7 +3,13 @@ import re
 
 KERNELS = {
     "dp_from_df": "dP from dF",
+    "force_chain_fused": "positions to forces, fused",
+    "force_chain_fused_fixed_order": "positions to forces, fused, in a fixed order",
     "force_chain_separate": "positions to forces, five kernels",
+    "matrix_free_fused": "matrix-free product, fused",
+    "matrix_free_separate": "matrix-free product, two kernels",
+    "newton_update_fused": "Newton update, fused",
+    "newton_update_separate": "Newton update, five kernels",
     "svd": "SVD",
     "svd_3_sweeps": "SVD, 3 sweeps",
     "svd_5_sweeps": "SVD, 5 sweeps",

@@ -114,6 +114,32 @@ def _storage(file):
     return _lines(["storage", "bytes", "ms", "over AoS", "err p50", "p99", "max"], body)
 
 
+FUSED = {
+    "force_chain_fused": ("force_chain_separate", "positions to forces on nodes, sums in any order"),
+    "force_chain_fused_fixed_order": ("force_chain_separate", "the same in a fixed order"),
+    "newton_update_fused": ("newton_update_separate", "positions to corner forces, U, V, clamped derivative"),
+    "matrix_free_fused": ("matrix_free_separate", "displacements to force differentials on nodes"),
+}
+
+
+def _fused_in(tiles):
+    """Each fused group in float beside the kernels that it is made of; bytes of the fused ones, per tet."""
+
+    def table(file):
+        tets = file.one(f"newton_update_fused/{tiles}/*").objects
+        body = []
+        for kernel, (separate, words) in FUSED.items():
+            fused, apart = file.one(f"{kernel}/{tiles}/*"), file.one(f"{separate}/{tiles}/*")
+            per_tet = fused.counter("bytes_per_object") * fused.objects / tets
+            body.append(
+                [words, _ms(apart), _ms(fused), f"{apart.ms / fused.ms:.2f}x", f"{per_tet:.0f}"]
+                + [f"{fused.copy_fraction:.2f}", _error(fused, "p50"), _error(fused, "max")]
+            )
+        return _lines("group,separate [ms],fused [ms],,bytes per tet,/copy,err p50,max".split(","), body)
+
+    return table
+
+
 def _packages(text):
     """Those of tools/packages.txt, which says what its lines are."""
     lines = dict(line.split(maxsplit=1) for line in text.splitlines() if line and line[0] != "#")
@@ -159,6 +185,8 @@ TABLES = {
     "kernels": _kernels,
     "errors": _errors,
     "storage": _storage,
+    "fused": _fused_in("aosoa32/float/cuda"),
+    "fused_host": _fused_in("aosoa16/float/host"),
     "packages": _packages,
     "truthcube": _truthcube,
     "linear_solves": _linear_solves,

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_line.h"
+#include "scene_choice.h"
 #include "sizes.h"
 
 namespace physgen::truthcube {
@@ -19,7 +20,7 @@ constexpr const char* about =
     R"(Compresses the Truth Cube (Kerdok et al. 2003), a silicone cube of 8 cm side with 343 beads inside, or a mesh of
 your own, between two plates, and solves for its quasistatic equilibrium. Prints a line for each Newton step: the
 residual |force on free components| / |force on prescribed ones|, iterations of conjugate gradients, energy, the
-smallest current over rest volume of a tet, and the time.)";
+smallest current over rest volume of a tet, and the time. Other scenes move it in time, or take it for linear elastic.)";
 
 constexpr const char* footer =
     R"(Free sides bulge towards the plates near bonded edges. With --plates held they fold past them, on fine meshes from a
@@ -27,6 +28,8 @@ compression of about 0.1 on, in a zone of 1 to 2 mm of the cube. With --plates c
 friction: a node that is past one by d is pushed back by k d per area of the surface at rest, so that the body stays past
 it by its pressure over k. --plate-stiffness F gives k = F E / h [Pa/m], E being Young's modulus and h the mean spacing of
 nodes: where the pressure is E/10 and F is 100, by a thousandth of h. Each step says how far the sides reach past.
+Scenes that move begin at rest; the upper plate goes to its compression smoothly in the first half of the duration, and
+stays there. A line is a state that is written: its time, compression, energies, reaction and what led to it.
 Exit status: 0 done, 1 a file or the memory failed, 2 wrong use, 3 no convergence, 130 interrupted; whatever steps were
 done are then written.
 Built: every material, precision and treatment of volume, on the CPU)"
@@ -98,6 +101,7 @@ void check(const Options& options) {
   const double stiffness = options.solver.plane_stiffness;
   require(stiffness >= 1e-3 && stiffness <= 1e4,
           "--plate-stiffness " + number(stiffness) + ": the stiffness of plates is a number from 0.001 to 1e4");
+  check_motion(options.motion);
   double before = 0;
   for (const double c : options.compressions) {
     require(std::isfinite(c) && c > before && c < 1,
@@ -133,6 +137,14 @@ std::string built_layout() { return PHYSGEN_TRUTHCUBE_LAYOUT; }
 
 std::string Options::settings_json() const {
   nlohmann::json json;
+  json["scene"] = name_of(scene_kinds, scene);
+  if (moves()) {
+    json["time_step"] = motion.time_step;
+    json["duration"] = motion.duration;
+    json["density"] = motion.density;
+    json["damping"] = motion.damping;
+    json["frames"] = motion.frames;
+  }
   if (is_cube()) {
     json["cells"] = cells;
   } else {
@@ -174,6 +186,11 @@ Options parse(const std::vector<std::string>& arguments) {
                  "cut each tet of the mesh into 8, so many times; --stepping nested needs 1 at least")
       ->check(CLI::Range(0, 6))
       ->type_name("N");
+  add_choice(
+      app, "--scene", options.scene, scene_kinds, "scene",
+      "what is solved: equilibria by Newton's method (quasistatic), also without blocks of edges (matrix-free) or "
+      "of that material (fixed-corotated); motion in time by backward Euler (implicit-dynamics) or symplectic "
+      "Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
   add_choice(app, "--material", options.solver.material, materials(), "material", "law of elasticity");
   app.add_option("--young", options.solver.youngs_modulus, "Young's modulus [Pa]")->type_name("E");
   app.add_option("--poisson", options.solver.poissons_ratio, "Poisson's ratio, above -1 and below 0.5")
@@ -192,6 +209,19 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_option("--compress", options.compressions, "plate travel over height, a step each, ascending")
       ->expected(1, -1)
       ->type_name("C");
+  app.add_option("--duration", options.motion.duration, "of a motion [s]; the plate moves in its first half")
+      ->type_name("T");
+  app.add_option(
+         "--time-step", options.motion.time_step,
+         "at most [s]; 0: implicit-dynamics takes a hundredth of the duration, explicit-dynamics half of what is "
+         "stable")
+      ->type_name("DT");
+  app.add_option("--frames", options.motion.frames, "states of a motion that are written, evenly in time")
+      ->check(CLI::Range(1, 100000))
+      ->type_name("N");
+  app.add_option("--density", options.motion.density, "of a body that moves [kg/m^3]")->type_name("RHO");
+  app.add_option("--damping", options.motion.damping, "of a body that moves [1/s]: the force -D m v on each node")
+      ->type_name("D");
   add_choice(app, "--device", options.solver.device, devices, "device", "where it is solved");
   auto* precision = add_choice(app, "--precision", options.solver.precision, precisions, "precision",
                                "of the tangent and its solver; half: in float, the preconditioner's matrices in half. "
@@ -236,7 +266,9 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_flag("-q,--quiet", options.quiet, "print errors only");
   options.help = parse_words(app, arguments);
   if (!options.help.empty()) return options;
-  if (volume->count() == 0 && !fem::can_average_volume(options.solver.material)) {
+  apply_scene(options, [&app](const std::string& flag) { return app.get_option(flag)->count() > 0; });
+  if (volume->count() == 0 && options.volume != VolumeTreatment::tets &&
+      !fem::can_average_volume(options.solver.material)) {
     options.volume = VolumeTreatment::tets;
     options.notes.push_back("the energy of '" + options.solver.material +
                             "' has no separate part of the volume to be averaged: --volume tets, which lock near a "

@@ -14,7 +14,28 @@ enum class TopPlate { bonded, frictionless };
 /// What plates do to the sides of the body: nothing, or they push back what reaches them.
 enum class Plates { held, contact };
 
+/// What is solved; see scene_choice.h.
+enum class SceneKind {
+  quasistatic,
+  matrix_free,
+  fixed_corotated,
+  implicit_dynamics,
+  explicit_dynamics,
+  linear_elastic
+};
+
+/// Of scenes that move.
+struct MotionOptions {
+  double time_step = 0;   ///< at most [s]; 0: a hundredth of the duration, or half of what is stable
+  double duration = 0.4;  ///< [s]
+  double density = 1000;  ///< [kg/m^3]
+  double damping = 0;     ///< [1/s]
+  int frames = 20;        ///< how many states are written, evenly in time
+};
+
 struct Options {
+  SceneKind scene = SceneKind::quasistatic;
+  MotionOptions motion;
   int cells = 16;
   std::filesystem::path mesh;  ///< in place of the cube
   int refinements = 0;         ///< of that mesh
@@ -33,6 +54,9 @@ struct Options {
   std::string help;                ///< what to print where help was asked for
 
   [[nodiscard]] bool is_cube() const { return mesh.empty(); }
+  [[nodiscard]] bool moves() const {
+    return scene == SceneKind::implicit_dynamics || scene == SceneKind::explicit_dynamics;
+  }
   /// What a run that is continued must not change, as a JSON object.
   [[nodiscard]] std::string settings_json() const;
 };

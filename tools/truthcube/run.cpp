@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "memory.h"
+#include "motion.h"
 #include "output/hash.h"
 #include "run_files.h"
 #include "scene.h"
@@ -23,7 +25,8 @@ using Clock = std::chrono::steady_clock;
 void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, const Options& options,
                  const Terminal& terminal) {
   terminal.text("  level        nodes         tets        edges            bytes");
-  const bool assembled = options.solver.newton.product == fem::Product::assembled;
+  const bool assembled =
+      options.solver.newton.product == fem::Product::assembled && options.scene != SceneKind::explicit_dynamics;
   for (std::size_t l = 0; l < bytes.levels.size(); ++l) {
     const LevelCounts& c = levels[l];
     terminal.line("  %5zu %12lld %12lld %12lld %16lld", l, static_cast<long long>(c.nodes),
@@ -77,7 +80,7 @@ Outcome run(Options options, const std::string& command) {
   append(notes, options.notes);
   append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
-  const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0);
+  const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0, options.scene);
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;
@@ -119,10 +122,18 @@ Outcome run(Options options, const std::string& command) {
   if (!options.beads.empty()) beads.emplace(options.beads, finest);
 
   terminal.set_up(4, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
-  const auto solver = fem::make_solver(scene.levels, scene.loading, options.solver);
+  std::unique_ptr<fem::EquilibriumSolver> solver;
+  std::unique_ptr<fem::DynamicSolver> dynamic;
+  if (options.moves()) {
+    dynamic = make_dynamic_solver(options, scene);
+  } else if (options.scene == SceneKind::linear_elastic) {
+    solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
+  } else {
+    solver = fem::make_solver(scene.levels, scene.loading, options.solver);
+  }
   record.nodes = finest.mesh.nodes;
   record.tets = static_cast<std::int64_t>(finest.mesh.tets.size());
-  record.bytes = solver->bytes();
+  record.bytes = dynamic != nullptr ? dynamic->bytes() : solver->bytes();
   record.device = fem::device_name(options.solver.device);
   record.layout = built_layout();
   record.command = command;
@@ -138,8 +149,10 @@ Outcome run(Options options, const std::string& command) {
   }
   RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()));
   files.write_record(record);
+  if (dynamic != nullptr) return run_motion(options, scene, *dynamic, files, record, terminal);
   const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
-  return Steps(scene, *solver, files, record, beads, terminal, tolerance)
+  const char* what = options.scene == SceneKind::linear_elastic ? "linear solves" : "Newton steps";
+  return Steps(scene, *solver, files, record, beads, terminal, tolerance, what)
       .run(options.compressions, options.repetitions);
 }
 

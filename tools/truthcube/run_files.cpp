@@ -58,22 +58,26 @@ void RunFiles::write_record(const RunRecord& record) const {
   if (writes()) write_run_json(file(record_name), record);
 }
 
-void RunFiles::write_step(const RunRecord& record, const std::vector<Point>& positions,
-                          const std::vector<std::array<double, 9>>& stresses, const fem::SolverState& state) {
+void RunFiles::write_step(const RunRecord& record, double time, const std::vector<Point>& positions,
+                          const std::vector<std::array<double, 9>>& stresses) {
   if (!vtk_) return;
-  const double compression = record.steps.back().compression;
   const Fields fields = make_fields(mesh_, rest_, positions, stresses);
   const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
   const std::vector<Field> of_cells{
       {"stress", 6, fields.stress}, {"von_mises", 1, fields.von_mises}, {"J", 1, fields.volume_ratio}};
-  vtk_->write_step(compression, of_points, of_cells);
+  vtk_->write_step(time, of_points, of_cells);
   if (beads_) {
-    beads_->write_step(compression, interpolate_displacements(locations_, mesh_, rest_, positions));
+    beads_->write_step(record.steps.back().compression, interpolate_displacements(locations_, mesh_, rest_, positions));
   }
   write_record(record);
+}
+
+void RunFiles::write_checkpoint(const RunRecord& record, const fem::SolverState& state) const {
+  if (!writes()) return;
   // Last: what it counts is complete.
-  write_checkpoint(file(checkpoint_name),
-                   {settings_, mesh_hash_, static_cast<int>(record.steps.size()), compression, flat(state), {}});
+  truthcube::write_checkpoint(
+      file(checkpoint_name),
+      {settings_, mesh_hash_, static_cast<int>(record.steps.size()), record.steps.back().compression, flat(state), {}});
 }
 
 Checkpoint read_last_step(const Options& options, std::uint64_t mesh_hash) {

@@ -31,9 +31,11 @@ class RunFiles {
   [[nodiscard]] bool writes() const { return vtk_.has_value(); }
   /// The record without steps of this run, for whoever looks before the first.
   void write_record(const RunRecord& record) const;
-  /// Everything of the last step in the record. @param stresses first Piola-Kirchhoff, per tet [Pa]
-  void write_step(const RunRecord& record, const std::vector<fem::Point>& positions,
-                  const std::vector<std::array<double, 9>>& stresses, const fem::SolverState& state);
+  /// The last step in the record. @param time as viewers show it @param stresses first Piola-Kirchhoff, per tet [Pa]
+  void write_step(const RunRecord& record, double time, const std::vector<fem::Point>& positions,
+                  const std::vector<std::array<double, 9>>& stresses);
+  /// From which a run goes on behind that step. @pre it is written
+  void write_checkpoint(const RunRecord& record, const fem::SolverState& state) const;
 
  private:
   [[nodiscard]] std::filesystem::path file(const char* name) const { return folder_ / name; }

@@ -1,7 +1,9 @@
 #include "solver_bytes.h"
 
+#include <fem/dynamics/explicit_body.h>
 #include <fem/solver/conjugate_gradients.h>
 #include <fem/solver/equilibrium_arrays.h>
+#include <fem/solver/linear_body.h>
 #include <fem/solver/linear_level.h>
 
 #include <algorithm>
@@ -133,15 +135,65 @@ std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved)
   if (planes == 0 || c.tets == 0) return 0;  // or of a background grid
   const std::int64_t bytes = bytes_of<decltype(Planes::stiffness)>(c.nodes);
   return !solved ? bytes
-                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes);
+                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes) +
+                       bytes_of<decltype(Planes::contact)>(1);
+}
+
+/// As InertiaArrays::bytes().
+template <class Space>
+std::int64_t inertia_bytes(const LevelCounts& c, bool solved) {
+  using Arrays = fem::InertiaArrays<Space>;
+  if (c.tets == 0) return 0;  // of a background grid
+  const std::int64_t bytes = bytes_of<decltype(Arrays::masses)>(c.nodes);
+  return !solved ? bytes
+                 : bytes + bytes_of<decltype(Arrays::centres)>(c.nodes) +
+                       bytes_of<decltype(Arrays::velocities)>(c.nodes) + bytes_of<decltype(Arrays::measured)>(1);
+}
+
+/// As LinearBody::bytes() and KrylovVectors::bytes().
+template <class Real, class Space>
+std::int64_t linear_body_bytes(const LevelCounts& c, bool assembled) {
+  using Body = fem::LinearBody<Real, Space>;
+  using Vectors = fem::KrylovVectors<Real, Space>;
+  const std::int64_t n = c.nodes;
+  return bytes_of<decltype(Body::tets)>(c.tets) + bytes_of<decltype(Body::rest)>(c.tets) +
+         bytes_of_rows<decltype(Body::node_tets)>(n, 4 * c.tets) +
+         (assembled ? bytes_of_rows<decltype(Body::edge_tets)>(c.edges, 6 * c.tets) : 0) +
+         bytes_of<decltype(Body::displacements)>(n) + bytes_of<decltype(Body::motion)>(n) +
+         bytes_of<decltype(Body::loads)>(n) + bytes_of<decltype(Body::forces)>(n) + bytes_of<decltype(Body::state)>(1) +
+         bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
+         bytes_of<decltype(Vectors::direction)>(n) + bytes_of<decltype(Vectors::product)>(n) +
+         bytes_of<decltype(Vectors::state)>(1);
+}
+
+/// As ExplicitBody::bytes().
+template <class Real, class Space>
+RunBytes explicit_bytes(const LevelCounts& c) {
+  using Body = fem::ExplicitBody<Real, Space>;
+  const std::int64_t n = c.nodes;
+  RunBytes bytes;
+  bytes.solver = bytes_of<decltype(Body::tets)>(c.tets) + bytes_of<decltype(Body::rest)>(c.tets) +
+                 bytes_of<decltype(Body::gradients)>(c.tets) + bytes_of<decltype(Body::svds)>(c.tets) +
+                 bytes_of<decltype(Body::stresses)>(c.tets) + bytes_of<decltype(Body::corners)>(c.tets) +
+                 bytes_of<decltype(Body::node_tet_ranges)>(n) + bytes_of<decltype(Body::node_tets)>(4 * c.tets) +
+                 bytes_of<decltype(Body::constraints)>(n) + bytes_of<decltype(Body::masses)>(n) +
+                 bytes_of<decltype(Body::loads)>(n) + bytes_of<decltype(Body::motion)>(n) +
+                 bytes_of<decltype(Body::displacements)>(n) + bytes_of<decltype(Body::rounded)>(n) +
+                 bytes_of<decltype(Body::velocities)>(n) + bytes_of<decltype(Body::forces)>(n) +
+                 bytes_of<decltype(Body::measured)>(1);
+  bytes.levels = {bytes.solver};
+  bytes.stresses = bytes_of<elasticity::StressArray<Real, Space>>(c.tets);
+  return bytes;
 }
 
 template <class Real, class Space, class Stored>
-RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes) {
+RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
+                  SceneKind scene) {
   const auto meshes = static_cast<std::size_t>(
       std::ranges::count_if(levels, [](const LevelCounts& level) { return level.tets > 0; }));  // the rest are grids
   const auto [used, solved] = fem::used_levels(settings, levels.size(), meshes);
   const bool assembled = settings.newton.product == fem::Product::assembled;
+  const bool linear_elastic = scene == SceneKind::linear_elastic;
   const fem::TangentLists lists = fem::tangent_lists<Space>(settings.newton);
   const bool blocks = settings.newton.preconditioner.kind != fem::Preconditioner::none;
   const bool schwarz = settings.newton.preconditioner.kind == fem::Preconditioner::schwarz;
@@ -150,36 +202,45 @@ RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSetti
     const std::int64_t linear =
         assembled ? linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
                   : matrix_free_bytes<Real, Space, Stored>(levels[l], {blocks, l + 1 < used});
-    bytes.levels.push_back(linear +
-                           (l < solved ? equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved, lists) : 0) +
+    const auto body = [&] {
+      return linear_elastic ? linear_body_bytes<Real, Space>(levels[l], assembled)
+                            : equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved, lists);
+    };
+    bytes.levels.push_back(linear + (l < solved ? body() : 0) +
                            (l < solved && schwarz ? schwarz_bytes<Real, Space, Stored>(levels[l]) : 0) +
-                           plane_bytes<Real, Space>(levels[l], planes, l < solved));
+                           plane_bytes<Real, Space>(levels[l], planes, l < solved) +
+                           (scene == SceneKind::implicit_dynamics ? inertia_bytes<Space>(levels[l], l < solved) : 0));
   }
-  bytes.levels.front() += chunk_bytes<Real, Space>(levels.front(), assembled);
+  if (!linear_elastic) bytes.levels.front() += chunk_bytes<Real, Space>(levels.front(), assembled);
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
   bytes.stresses = bytes_of<elasticity::StressArray<double, Space>>(levels.front().tets);
   return bytes;
 }
 
 template <class Space>
-RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes) {
+RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
+                  SceneKind scene) {
+  if (scene == SceneKind::explicit_dynamics) {
+    return settings.precision == fem::TangentPrecision::float64 ? explicit_bytes<double, Space>(levels.front())
+                                                                : explicit_bytes<float, Space>(levels.front());
+  }
   switch (settings.precision) {
     case fem::TangentPrecision::half:
-      return bytes_in<float, Space, fem::StoredInHalf>(levels, settings, planes);
+      return bytes_in<float, Space, fem::StoredInHalf>(levels, settings, planes, scene);
     case fem::TangentPrecision::float32:
-      return bytes_in<float, Space, fem::StoredAsComputed>(levels, settings, planes);
+      return bytes_in<float, Space, fem::StoredAsComputed>(levels, settings, planes, scene);
     case fem::TangentPrecision::float64:
       break;
   }
-  return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings, planes);
+  return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings, planes, scene);
 }
 
 }  // namespace
 
-RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
-                      std::int64_t planes) {
-  return settings.device == fem::Device::cuda ? bytes_in<Cuda>(levels, settings, planes)
-                                              : bytes_in<Host>(levels, settings, planes);
+RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
+                      SceneKind scene) {
+  return settings.device == fem::Device::cuda ? bytes_in<Cuda>(levels, settings, planes, scene)
+                                              : bytes_in<Host>(levels, settings, planes, scene);
 }
 
 }  // namespace physgen::truthcube

@@ -12,6 +12,6 @@ namespace physgen::truthcube {
 
 /// All of RunBytes but what lies in lists. @param planes fem::Loading::planes, their number
 [[nodiscard]] RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
-                                    std::int64_t planes);
+                                    std::int64_t planes, SceneKind scene);
 
 }  // namespace physgen::truthcube

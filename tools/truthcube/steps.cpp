@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "estimates.h"
 #include "fields.h"
+#include "interrupts.h"
 
 namespace physgen::truthcube {
 
@@ -21,26 +21,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// While it lives, the first Ctrl-C ends the run after the Newton step under way, and the second at once.
-class Interrupts {
- public:
-  Interrupts() {
-    interrupted = 0;
-    struct sigaction action = {};
-    action.sa_handler = [](int) { interrupted = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);  // writing goes on
-    ::sigaction(SIGINT, &action, &old_);
-  }
-  ~Interrupts() { ::sigaction(SIGINT, &old_, nullptr); }
-  Interrupts(const Interrupts&) = delete;
-  Interrupts& operator=(const Interrupts&) = delete;
-
- private:
-  struct sigaction old_ = {};
-};
 
 /// Thrown out of a solve by Ctrl-C.
 struct Interrupt {};
@@ -67,7 +47,7 @@ const char* reason(fem::NewtonStatus status) {
 /// its equilibrium.
 class LastEquilibrium {
  public:
-  explicit LastEquilibrium(const fem::QuasistaticSolver& solver) : solver_(solver), load_(solver.load()) {}
+  explicit LastEquilibrium(const fem::EquilibriumSolver& solver) : solver_(solver), load_(solver.load()) {}
 
   void see(std::size_t level, const fem::NewtonStep& step) {
     look();
@@ -101,7 +81,7 @@ class LastEquilibrium {
     last_count_ = newton_.size();
   }
 
-  const fem::QuasistaticSolver& solver_;
+  const fem::EquilibriumSolver& solver_;
   double load_;
   fem::NewtonResult now_;
   std::optional<fem::NewtonResult> last_;
@@ -177,12 +157,12 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
                            result.smallest_J, reaction, estimates.reaction, estimates.error_rms, reach, seconds,
-                           std::numeric_limits<double>::quiet_NaN(), std::move(newton)});
+                           std::numeric_limits<double>::quiet_NaN(), 0, 0, std::move(newton)});
   const std::string coarse = result.coarse_steps == 0
                                  ? ""
                                  : ", " + std::to_string(result.coarse_steps) + " and " +
                                        std::to_string(result.coarse_iterations) + " on coarser meshes";
-  terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations%s; reaction %.6g N", seconds, result.steps,
+  terminal_.line("  solved in %.3f s: %d %s and %d PCG iterations%s; reaction %.6g N", seconds, result.steps, what_,
                  result.iterations, coarse.c_str(), reaction);
   if (std::isfinite(estimates.reaction)) {
     terminal_.line(
@@ -202,7 +182,9 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   }
   if (result.smallest_J <= 0) terminal_.text("  some tets are inverted: this equilibrium is none of a real body");
   compare(compression, positions);
-  if (files_.writes()) files_.write_step(record_, positions, solver_.stresses(), solver_.state());
+  if (!files_.writes()) return;
+  files_.write_step(record_, compression, positions, solver_.stresses());
+  files_.write_checkpoint(record_, solver_.state());
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {

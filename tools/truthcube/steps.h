@@ -32,16 +32,17 @@ class LastEquilibrium;
 class Steps {
  public:
   /// All stay alive as long as this. @param record gets an entry for each step
-  /// @param tolerance of the residual; 0: of another measure
-  Steps(const Scene& scene, fem::QuasistaticSolver& solver, RunFiles& files, RunRecord& record,
-        const std::optional<MeasuredBeads>& beads, const Terminal& terminal, double tolerance)
+  /// @param tolerance of the residual; 0: of another measure @param what its steps are, in the plural
+  Steps(const Scene& scene, fem::EquilibriumSolver& solver, RunFiles& files, RunRecord& record,
+        const std::optional<MeasuredBeads>& beads, const Terminal& terminal, double tolerance, const char* what)
       : scene_(scene),
         solver_(solver),
         files_(files),
         record_(record),
         beads_(beads),
         terminal_(terminal),
-        tolerance_(tolerance) {}
+        tolerance_(tolerance),
+        what_(what) {}
 
   /// Solves for those behind the solver's load. Ctrl-C ends this after a Newton step; a second one ends the process.
   /// @param repetitions of all solves once more from where they began, for their time without what a program does once
@@ -59,12 +60,13 @@ class Steps {
   void compare(double compression, const std::vector<fem::Point>& positions) const;
 
   const Scene& scene_;
-  fem::QuasistaticSolver& solver_;
+  fem::EquilibriumSolver& solver_;
   RunFiles& files_;
   RunRecord& record_;
   const std::optional<MeasuredBeads>& beads_;
   const Terminal& terminal_;
   double tolerance_;
+  const char* what_;
 };
 
 }  // namespace physgen::truthcube

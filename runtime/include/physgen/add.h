@@ -36,7 +36,7 @@ detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself add(
 template <class I, class T, class Value>
   requires std::is_arithmetic_v<T>
 PHYSGEN_FUNCTION void add(const I& /*own*/, T& to, const Value& value) {
-  static_assert(std::is_integral_v<I>,
+  static_assert(std::is_integral_v<detail::Bare<I>>,
                 "add(): the kernel's index is a pack and the object's index is none, so there is one sum for W values; "
                 "name the object by a batch, view[lanes_t<std::int32_t, I>(0)], or return the term to sum()");
   static_assert(std::is_floating_point_v<T> || !std::is_floating_point_v<Value>,

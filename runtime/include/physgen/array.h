@@ -2,6 +2,7 @@
 #pragma once
 
 #include <physgen/buffer.h>
+#include <physgen/copy_fields.h>
 #include <physgen/object_info.h>
 #include <physgen/storage.h>
 #include <physgen/view.h>
@@ -116,7 +117,7 @@ class Array {
 
  private:
   [[nodiscard]] static index_t checked_bytes(index_t size) {
-    constexpr index_t limit = std::numeric_limits<index_t>::max() / record_bytes / 4;  // room for padding
+    constexpr index_t limit = std::numeric_limits<index_t>::max() / std::max(record_bytes, 1) / 4;  // room for padding
     if (size < 0 || size > limit) {
       throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) + " objects of " +
                   std::to_string(record_bytes) + " bytes cannot exist; 0 to " + std::to_string(limit) + " can");
@@ -136,12 +137,14 @@ class Array {
 };
 
 /// Copies all objects between any two arrays of one object type: layouts, storage formats, precisions and spaces may
-/// differ.
+/// differ. Fields that `to` prunes are left out; where `from` does not store a field that `to` has, or `to` stores
+/// nothing of one without pruning it (format/nothing.h), this does not compile.
 /// See copy(const Storage&, const Storage&, Stream) for order and errors.
 template <class Object, class RealTo, class SpaceTo, class LayoutTo, class FormatsTo, class RealFrom, class SpaceFrom,
           class LayoutFrom, class FormatsFrom>
 void copy(Array<Object, RealTo, SpaceTo, LayoutTo, FormatsTo>& to,
           const Array<Object, RealFrom, SpaceFrom, LayoutFrom, FormatsFrom>& from, Stream stream = nullptr) {
+  detail::require_copied_fields<Object, FormatsTo, FormatsFrom>();
   copy(to.storage(), from.storage(), stream);
 }
 

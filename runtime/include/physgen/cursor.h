@@ -29,10 +29,12 @@ class LossSink {
   template <class Format, class T>
   PHYSGEN_FUNCTION void count(int offset, const T& value, typename Format::template Stored<T> stored,
                               index_t further = 0) const {
-    constexpr ElementType type = Format::template type<T>;
-    if (losses_ == nullptr || object_ + further >= losses_->objects) return;
-    detail::count_loss(*losses_, type, Format::scale, static_cast<double>(value),
-                       static_cast<double>(Format::template decode<T>(stored)), object_ + further, offset_ + offset);
+    if constexpr (!format::is_probe<Format>) {  // of which this would be a read
+      constexpr ElementType type = Format::template type<T>;
+      if (losses_ == nullptr || object_ + further >= losses_->objects) return;
+      detail::count_loss(*losses_, type, Format::scale, static_cast<double>(value),
+                         static_cast<double>(Format::template decode<T>(stored)), object_ + further, offset_ + offset);
+    }
   }
   template <class Matrix>
   PHYSGEN_FUNCTION void count_rotation(const Matrix& R, index_t further = 0) const {
@@ -108,6 +110,8 @@ class Cursor : private LossSink {
   using Lanes = T;
   /// Whether two lanes may stand on one object.
   static constexpr bool gathered = false;
+  /// Whether it stands on a local of a fused kernel.
+  static constexpr bool of_a_local = requires { Layout::of_locals; };
 
   /// Stands on object i of the array at `base`.
   PHYSGEN_FUNCTION Cursor(Byte* base, Pitch pitch, I i, Losses* losses)
@@ -128,10 +132,10 @@ class Cursor : private LossSink {
   }
 
   /// Element k of those that follow each other from byte `offset` of the record on: T& (const T& in a read-only array)
-  /// where memory holds T, else an ElementRef.
+  /// where memory holds T, else an ElementRef; of a local, which has no masked stores and no sums, always that.
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) element(int offset, int k = 0) const {
-    if constexpr (format::is_plain<Format, T>) {
+    if constexpr (format::is_plain<Format, T> && !of_a_local) {
       return static_cast<Element<T>&>(address<T>(offset)[k * pitch_.value()]);
     } else {
       return ElementRef<Format, T, Cursor>(*this, offset, k);
@@ -147,16 +151,19 @@ class Cursor : private LossSink {
   template <class Format, class T>
   PHYSGEN_FUNCTION void store(int offset, int k, const T& value) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    using Stored = typename Format::template Stored<T>;
-    const Stored stored = Format::template encode<T>(value);
-    this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
-    address<Stored>(offset)[k * pitch_.value()] = stored;
+    if constexpr (!format::StoresNothing<Format>) {
+      using Stored = typename Format::template Stored<T>;
+      const Stored stored = Format::template encode<T>(value);
+      this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
+      address<Stored>(offset)[k * pitch_.value()] = stored;
+    }
   }
   /// Adds to kCount elements, from the k-th on, to which other threads may add at the same time.
   template <class Format, class T, int kCount>
   PHYSGEN_FUNCTION void add(LaneRange /*range*/, int offset, int k, const T* values) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    static_assert(format::is_plain<Format, T>,
+    if constexpr (format::StoresNothing<Format>) (void)Format::template decode<T>({});  // adding reads
+    static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
                   "add() needs a field that is stored as it is computed: give it the format Native");
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
     // All elements of a padded vector at once. What is added behind them is zero, to padding.
@@ -174,6 +181,11 @@ class Cursor : private LossSink {
 #endif
     PHYSGEN_UNROLL
     for (int e = 0; e < kCount; ++e) detail::add_atomically(address<T>(offset)[(k + e) * pitch_.value()], values[e]);
+  }
+  /// Of an element whose format is a probe. @return T*, or const T* in a read-only array
+  template <class Format, class T>
+  [[nodiscard]] PHYSGEN_FUNCTION auto address_of(int offset, int k) const {
+    return Format::template address<T>(address<typename Format::template Stored<T>>(offset) + k * pitch_.value());
   }
   /// In checked builds, counts a matrix that is none of a rotation.
   template <class T>

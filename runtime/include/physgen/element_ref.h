@@ -6,6 +6,7 @@
 #pragma once
 
 #include <physgen/config.h>
+#include <physgen/format/probe.h>
 
 #include <type_traits>
 #include <utility>
@@ -49,6 +50,20 @@ struct an_empty_value_so_use_setZero {};
 struct a_named_reference_is_not_assigned_so_write_to_the_view_itself {};
 struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
 
+/// Of references to locals of a fused kernel (fuse.h).
+template <class Ref>
+PHYSGEN_FUNCTION constexpr void refuse_masks() {
+  static_assert(!Ref::of_a_local,
+                "store_where() to a local of fuse(): where the condition does not hold, the local would have no value; "
+                "write all of it, local[i].m() = select(condition, value, other), or keep an array in its place");
+}
+template <class Ref>
+PHYSGEN_FUNCTION constexpr void refuse_sums() {
+  static_assert(!Ref::of_a_local,
+                "add() to a local of fuse(): no other thread or lane knows it; write local[i].m() = value, or keep an "
+                "array in its place");
+}
+
 }  // namespace detail
 
 /// @tparam Format of the element (format.h)
@@ -59,6 +74,7 @@ class ElementRef {
  public:
   using Value = typename Cursor::template Lanes<T>;
   using Lanes = Value;  ///< one element's
+  static constexpr bool of_a_local = requires { requires Cursor::of_a_local; };
 
   /// @param offset of the first element of its run in the record [bytes]
   /// @param k which element of the run
@@ -138,14 +154,27 @@ class ElementRef {
     requires(Cursor::gathered)
   = delete;
 
+  /// The address of an element, of a probe alone: what any code may read and write. Nothing lies there.
+  PHYSGEN_FUNCTION auto operator&() const&&
+    requires(format::is_probe<Format>)
+  {
+    return at_.template address_of<Format, T>(offset_, k_);
+  }
+
   /// Stores those lanes of `value` whose bits are set in `lanes`; see store_where() and add(). For packs.
   void write_where(std::uint64_t lanes, const Value& value) const {
+    detail::refuse_masks<ElementRef>();
     at_.template store_where<Format, T>(offset_, k_, value, lanes);
   }
   /// Adds atomically; see add().
   template <class Range>
   PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
-    at_.template add<Format, T, 1>(range, offset_, k_, &value);
+    detail::refuse_sums<ElementRef>();
+    if constexpr (format::is_probe<Format>) {
+      write(Value(read() + value));
+    } else {
+      at_.template add<Format, T, 1>(range, offset_, k_, &value);
+    }
   }
 
  private:
@@ -180,6 +209,15 @@ PHYSGEN_ELEMENT_OPERATOR(>=)
 PHYSGEN_ELEMENT_OPERATOR(==)
 PHYSGEN_ELEMENT_OPERATOR(!=)
 #undef PHYSGEN_ELEMENT_OPERATOR
+
+/// Exchanges elements that are stored in two formats.
+template <detail::ElementReference A, detail::ElementReference B>
+  requires(!std::is_same_v<std::remove_cvref_t<A>, std::remove_cvref_t<B>>)
+PHYSGEN_FUNCTION void swap(A&& a, B&& b) {
+  const auto old = detail::operand(std::forward<A>(a));
+  std::forward<A>(a) = detail::operand(std::forward<B>(b));
+  std::forward<B>(b) = old;
+}
 
 template <detail::ElementReference A>
 PHYSGEN_FUNCTION auto operator-(A&& a) {

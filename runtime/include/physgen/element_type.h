@@ -8,11 +8,12 @@
 namespace physgen {
 
 /// The stored type of an element. The 16-bit ones are bit patterns; their formats (format.h) say what they stand for.
-enum class ElementType : std::uint8_t { float32, float64, int32, half, bfloat16, snorm16 };
+/// none: nothing is stored.
+enum class ElementType : std::uint8_t { float32, float64, int32, half, bfloat16, snorm16, none };
 
 /// What holds for all elements of a stored type.
 struct ElementTypeFacts {
-  int bytes;              ///< also its alignment
+  int bytes;              ///< also its alignment; 0 of none
   double relative_error;  ///< largest of an ordinary value; 0 for integers and for equal steps
   int steps;              ///< to either side of the centre, where they are equal and errors absolute; else 0
 };
@@ -28,6 +29,8 @@ struct ElementTypeFacts {
       return {2, 0x1p-11, 0};
     case ElementType::bfloat16:
       return {2, 0x1p-8, 0};
+    case ElementType::none:
+      return {0, 0, 0};
     case ElementType::snorm16:
       break;
   }

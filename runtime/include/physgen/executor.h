@@ -1,8 +1,10 @@
 // Runs the steps of a program over arrays. Programs are templates over their executor, `template <class On> void
-// solve(On& on, ...)`, so that one source runs on the CPU and on CUDA (cuda/executor.h has that executor).
+// solve(On& on, ...)`, so that one source runs on the CPU and on CUDA (cuda/executor.h has that executor), and tells
+// which fields it needs (probe.h).
 //
 //   on.run(n, kernel)                    kernel(i) for the objects 0 .. n-1
 //   on.reduce(n, kernel, fold, then)     the same; then(value) runs where the value was formed, and nothing waits
+//   on.perform(work)                     work(stream): steps in a way of their own, such as kernels that share memory
 //   on.repeat(loop, most, body, done)    body() until done() holds or `most` bodies were run; nothing waits. `loop` is
 //                                        an On::Loop that belongs to this place in the program and to these arrays
 //   on.wait()                            until all that was given to `on` is done
@@ -33,6 +35,13 @@ class HostExecutor {
   template <class Kernel, class Fold, class Then>
   void reduce(index_t n, const Kernel& kernel, Fold fold, const Then& then) {
     then(parallel_reduce(Host{}, n, kernel, fold));
+  }
+
+  /// @param work a function object `void operator()(Stream) const`
+  /// @throw what it throws
+  template <class Work>
+  void perform(const Work& work) {
+    work(stream());
   }
 
   /// @param done a function object of what arrays hold, `bool operator()() const`

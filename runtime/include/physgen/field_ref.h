@@ -23,6 +23,7 @@ class FieldRef {
   using Scalar = typename Cursor::template Lanes<T>;
   using Value = typename Shape::template Value<Scalar>;
   using Lanes = Scalar;  ///< one element's
+  static constexpr bool of_a_local = requires { requires Cursor::of_a_local; };
 
   /// @param at the object's cursor, moved to the field's first byte by nested()
   PHYSGEN_FUNCTION explicit FieldRef(const Cursor& at) : at_(at) {}
@@ -136,6 +137,7 @@ class FieldRef {
 
   /// Stores those lanes of `value` whose bits are set in `lanes`; see store_where(). For packs.
   void write_where(std::uint64_t lanes, const Value& value) const {
+    detail::refuse_masks<FieldRef>();
     if constexpr (format::is_quaternion<Format>) {
       at_.check_rotation(value, lanes);
       const Quaternion<Scalar> q = unit_quaternion<Scalar>(value);
@@ -149,10 +151,15 @@ class FieldRef {
   /// Adds atomically; see add().
   template <class Range>
   PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
+    detail::refuse_sums<FieldRef>();
     static_assert(!is_rotation, "the sum of two rotations is none");
-    Scalar elements[Shape::count];
-    Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
-    at_.template add<Format, T, Shape::count>(range, 0, 0, static_cast<const Scalar*>(elements));
+    if constexpr (format::is_probe<Format>) {
+      write(Value(read() + value));
+    } else {
+      Scalar elements[Shape::count];
+      Shape::template store<Scalar>(value, static_cast<Scalar*>(elements));
+      at_.template add<Format, T, Shape::count>(range, 0, 0, static_cast<const Scalar*>(elements));
+    }
   }
 
  private:
@@ -223,6 +230,15 @@ concept SomeFieldReference = is_field_ref<std::remove_cvref_t<A>> || is_field_re
 struct a_field_is_no_value_so_calculate_with_what_its_get_returns {};  // complete: clang 14 asks for that
 
 }  // namespace detail
+
+/// Exchanges fields of one shape that are stored in two formats.
+template <class Shape, class FormatA, class FormatB, class T, class CursorA, class CursorB>
+  requires(!std::is_same_v<FormatA, FormatB>)
+PHYSGEN_FUNCTION void swap(FieldRef<Shape, FormatA, T, CursorA>&& a, FieldRef<Shape, FormatB, T, CursorB>&& b) {
+  const auto old = std::move(a).get();
+  std::move(a) = std::move(b).get();
+  std::move(b) = old;
+}
 
 template <class A, class B>
   requires detail::SomeFieldReference<A, B>

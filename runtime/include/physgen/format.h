@@ -2,8 +2,8 @@
 //
 // The library's are Native, Float32, Float64, Half<k>, Bfloat16, Snorm16<Interval{low, high}>, Scaled<Base,
 // Affine{scale, centre}>, and Quaternion<Component> for rotations. Their meaning is data, so that they are converted
-// everywhere: by accessors, packs, kernels and copies, on the host and on the device. What is a unit or an offset needs
-// no more:
+// everywhere: by accessors, packs, kernels and copies, on the host and on the device. Nothing and Pruned<Scene, Array,
+// Field> store no bytes: for fields that a program does not read. What is a unit or an offset needs no more:
 //
 //   using Kilometres = physgen::format::Scaled<physgen::format::Float32, physgen::format::Affine{.scale = 1000}>;
 //
@@ -37,6 +37,8 @@
 #include <physgen/format/from_library.h>
 #include <physgen/format/half.h>
 #include <physgen/format/native.h>
+#include <physgen/format/nothing.h>
+#include <physgen/format/probe.h>
 #include <physgen/format/quaternion.h>
 #include <physgen/format/scaled.h>
 #include <physgen/format/snorm16.h>

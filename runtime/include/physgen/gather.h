@@ -54,7 +54,9 @@ void check_different(std::span<T* const> objects, std::string_view object_type) 
 }  // namespace detail
 
 /// Makes `array` hold object_of(i) for i = 0 .. size-1, resized to fit: for handles of any kind. Done when this
-/// returns; on CUDA and in pinned memory behind what is ordered in `stream`, which this waits for.
+/// returns; on CUDA and in pinned memory behind what is ordered in `stream`, which this waits for. Fields that the
+/// array prunes are left out; where it stores Nothing of one without pruning it (format/nothing.h), this does not
+/// compile.
 /// @param object_of index_t -> Value of one object; called on several threads at once. Where it is noexcept, a CUDA
 ///        array that has the size already is filled in place, which saves its allocation
 /// @throw Error when the memory cannot be had, and in checked builds when a format cannot hold a value; what object_of
@@ -62,6 +64,7 @@ void check_different(std::span<T* const> objects, std::string_view object_type) 
 template <class Object, class Real, class Space, class Layout, class Formats, class ObjectOf>
 void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array, const ObjectOf& object_of,
                Stream stream = nullptr) {
+  detail::require_copied_fields<Object, Formats, FormatsOf<Object, Space>>();
   using Gathered = Array<Object, Real, Space, Layout, Formats>;
   if constexpr (host_accessible(Space::kind)) {
     detail::wait_for_host_work(Space::kind, stream);

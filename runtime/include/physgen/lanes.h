@@ -2,6 +2,7 @@
 // its range, their numbers, and questions to all of them. simd_lanes.h has the forms for packs.
 #pragma once
 
+#include <physgen/element_ref.h>
 #include <physgen/pack.h>
 
 #include <concepts>
@@ -71,10 +72,38 @@ template <std::integral I, class T>
   return value;
 }
 
+// In a fused kernel: what the index that it holds says.
+template <class T, class I, class Frame>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr auto wanted(const Own<I, Frame>& i) {
+  return wanted<T>(i.index);
+}
+template <class I, class Frame>
+[[nodiscard]] PHYSGEN_FUNCTION auto numbers(const Own<I, Frame>& i) {
+  return numbers(i.index);
+}
+template <class I, class Frame, class Mask>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr bool any(const Own<I, Frame>& i, const Mask& condition) {
+  return any(i.index, condition);
+}
+template <class I, class Frame, class Mask>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr bool all(const Own<I, Frame>& i, const Mask& condition) {
+  return all(i.index, condition);
+}
+template <class I, class Frame, class Numbers>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr auto largest(const Own<I, Frame>& i, const Numbers& value) {
+  return largest(i.index, value);
+}
+template <class I, class Frame, class Numbers>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr auto smallest(const Own<I, Frame>& i, const Numbers& value) {
+  return smallest(i.index, value);
+}
+
 /// Stores `value` where `condition` holds: `store_where(m > S(4), view[i].u(), S(100))`.
 /// @param to what a view's accessor returns: a field or an element
 template <class To, class Value>
 PHYSGEN_FUNCTION void store_where(bool condition, To&& to, const Value& value) {
+  if constexpr (requires { requires std::remove_cvref_t<To>::of_a_local; })
+    detail::refuse_masks<std::remove_cvref_t<To>>();
   if (condition) static_cast<To&&>(to) = value;
 }
 

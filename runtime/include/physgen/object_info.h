@@ -24,18 +24,20 @@ struct OwnCodec {
 struct FieldInfo {
   std::string_view name;  ///< "svd.U" for a field of a nested object
   std::string_view unit;  ///< empty: none stated
-  ElementType type;
-  int offset;      ///< [bytes]
-  int count;       ///< stored elements, 4 for each rotation that is a quaternion
-  double initial;  ///< value of every element of a new object, but of rotations, which begin as the identity
+  ElementType type;       ///< none: the field takes no bytes, and its elements cannot be read
+  int offset;             ///< [bytes]
+  int count;              ///< stored elements, 4 for each rotation that is a quaternion; those that code sees, of none
+  double initial;         ///< value of every element of a new object, but of rotations, which begin as the identity
   double scale;
   double centre;
   bool rotation;                  ///< one or an array of them
   bool quaternion;                ///< rotations, stored as w, x, y, z
   const OwnCodec* own = nullptr;  ///< where the format is none of the library's
+  bool pruned = false;            ///< of type none, and copies to the array leave it out
 
   /// Elements that code sees: 9 for a rotation, however it is stored.
   [[nodiscard]] PHYSGEN_FUNCTION constexpr int visible_count() const { return quaternion ? count / 4 * 9 : count; }
+  [[nodiscard]] PHYSGEN_FUNCTION constexpr bool is_stored() const { return type != ElementType::none; }
 };
 
 /// Elements of a field of this shape and format that are stored.
@@ -67,7 +69,7 @@ struct OwnFunctions {
 /// The functions of Format where copies do not know it by its numbers, else null.
 template <class Format, class T>
 [[nodiscard]] constexpr const OwnCodec* own_codec() {
-  if constexpr (format::FromLibrary<Format>) {
+  if constexpr (format::FromLibrary<Format> || format::StoresNothing<Format> || format::is_probe<Format>) {
     return nullptr;
   } else {
     return &OwnFunctions<Format, T>::codec;
@@ -92,7 +94,8 @@ template <class Shape, class Format, class T>
           Element::centre,
           std::is_same_v<Shape, shape::Rotation>,
           format::is_quaternion<Format>,
-          detail::own_codec<Element, T>()};
+          detail::own_codec<Element, T>(),
+          format::is_pruned<Element>};
 }
 
 /// Number of elements over all fields, as code sees them.
@@ -105,7 +108,7 @@ template <std::size_t N>
 
 /// The room a field takes in a record.
 struct Slot {
-  int bytes;      ///< of one entry; a fixed array has several
+  int bytes;      ///< of one entry; a fixed array has several. 0: nothing is stored
   int alignment;  ///< a power of two up to 8
   int entries;
 };
@@ -114,8 +117,15 @@ template <class Shape, class Format, class T>
 [[nodiscard]] constexpr Slot slot(int entries = 1) {
   static_assert(!format::is_quaternion<Format> || std::is_same_v<Shape, shape::Rotation>,
                 "only a Rotation can be stored as a quaternion");
-  constexpr int size = sizeof(typename format::ElementFormat<Format>::template Stored<T>);
-  return {stored_count<Shape, Format> * size, size, entries};
+  static_assert(!std::is_integral_v<T> || format::holds_indices<format::ElementFormat<Format>>,
+                "a field of integers is stored as it is, in format::Native: no other format keeps every index");
+  using Element = format::ElementFormat<Format>;
+  if constexpr (format::StoresNothing<Element>) {
+    return {0, 1, entries};
+  } else {
+    constexpr int size = sizeof(typename Element::template Stored<T>);
+    return {stored_count<Shape, Format> * size, size, entries};
+  }
 }
 
 /// The room of nested objects with this record.
@@ -134,13 +144,14 @@ struct RecordPlan {
 };
 
 /// Fields lie by alignment, largest first, and in order of declaration among equals: that leaves no gaps between them.
+/// Those of no bytes are at 0.
 template <int N>
 [[nodiscard]] constexpr RecordPlan<N> plan_record(const std::array<Slot, N>& slots) {
   RecordPlan<N> plan{};
   plan.alignment = 1;
   for (int alignment = 8; alignment > 0; alignment /= 2) {
     for (std::size_t f = 0; f < N; ++f) {
-      if (slots[f].alignment != alignment) continue;
+      if (slots[f].alignment != alignment || slots[f].bytes == 0) continue;
       plan.offset[f] = plan.bytes;
       plan.stride[f] = slots[f].bytes;
       plan.bytes += slots[f].entries * slots[f].bytes;
@@ -167,6 +178,7 @@ template <class Object, class Real, class Formats>
   int end = 0;  // of the fields so far
   for (const FieldInfo& field : fields) {
     const int size = element_bytes(field.type);
+    if (size == 0) continue;
     if (field.offset < end || field.offset % size != 0 || alignment % size != 0) return false;
     end = field.offset + field.count * size;
   }

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <type_traits>
+#include <utility>
 
 namespace physgen {
 
@@ -30,7 +31,32 @@ struct PartialPack {
   [[nodiscard]] constexpr int lane(int l) const { return l < first ? first : l < last ? l : last - 1; }
 };
 
+/// The index that the kernels of a fused kernel are called with (fuse.h): one of the others, and where the locals of
+/// its objects lie. Views and all words that ask an index take it as the one that it holds.
+template <class I, class Frame>
+struct Own {
+  I index;
+  Frame* frame;
+};
+
 namespace detail {
+
+template <class I>
+inline constexpr bool is_own = false;
+template <class I, class Frame>
+inline constexpr bool is_own<Own<I, Frame>> = true;
+
+/// The index that says which objects are meant: an Own's, which may hold another one.
+template <class I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr decltype(auto) bare(const I& i) {
+  if constexpr (is_own<I>) {
+    return bare(i.index);
+  } else {
+    return (i);
+  }
+}
+template <class I>
+using Bare = std::remove_cvref_t<decltype(bare(std::declval<const I&>()))>;
 
 template <class I>
 concept AnyPack = std::same_as<I, Pack<I::width>> || std::same_as<I, PartialPack<I::width>>;
@@ -44,6 +70,12 @@ template <detail::AnyPack I, std::integral Number>
 detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator+(const I&, Number) = delete;
 template <detail::AnyPack I, std::integral Number>
 detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator-(const I&, Number) = delete;
+template <class I, class Frame, std::integral Number>
+detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator+(const Own<I, Frame>&,
+                                                                                  Number) = delete;
+template <class I, class Frame, std::integral Number>
+detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator-(const Own<I, Frame>&,
+                                                                                  Number) = delete;
 
 /// Lanes first .. last-1 of a pack.
 struct LaneRange {
@@ -53,10 +85,10 @@ struct LaneRange {
 /// How many objects an index stands for.
 template <class I>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr int index_width(const I& /*i*/) {
-  if constexpr (std::is_integral_v<I>) {
+  if constexpr (std::is_integral_v<detail::Bare<I>>) {
     return 1;
   } else {
-    return I::width;
+    return detail::Bare<I>::width;
   }
 }
 
@@ -75,6 +107,11 @@ template <int W>
   return {i.first, i.last};
 }
 
+template <class I, class Frame>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr LaneRange lane_range(const Own<I, Frame>& i) {
+  return lane_range(i.index);
+}
+
 /// The pack that begins at `at`, as far as it lies in begin .. end-1.
 /// @pre `at` is a multiple of W, and the pack holds at least one object of the range
 template <int W>
@@ -88,6 +125,8 @@ struct Lanes {
   static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd_access.h>");
   using type = T;
 };
+template <class T, class I, class Frame>
+struct Lanes<T, Own<I, Frame>> : Lanes<T, I> {};
 template <class T, class I>
 using lanes_t = typename Lanes<T, I>::type;
 

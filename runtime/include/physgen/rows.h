@@ -107,7 +107,7 @@ class Rows {
   /// S(0)))`. (Entries are written by kernels over entries, where no two lanes are one.)
   template <class T = Precision, class I, class Body>
   PHYSGEN_FUNCTION void for_each(const I& i, const Body& body) const {
-    detail::RowVisit<I>::template each<T>(ranges_, detail::read_only(entries_), i, body);
+    detail::RowVisit<detail::Bare<I>>::template each<T>(ranges_, detail::read_only(entries_), detail::bare(i), body);
   }
 
   /// For each entry of row(s) i, in their order: total = step(total, entry). Lanes whose rows have ended keep theirs.
@@ -118,13 +118,14 @@ class Rows {
     using Sum = typename detail::Summand<Value>::type;
     using T = lane_of_t<typename detail::Summand<Value>::Scalar>;
     Sum sum = total;
-    if constexpr (std::is_integral_v<I>) {
+    if constexpr (std::is_integral_v<detail::Bare<I>>) {
       for_each<T>(i, [&](const auto& entry, bool /*active*/) {
         sum = detail::next_total<Sum>(step(std::as_const(sum), entry));
       });
     } else {
       for_each<T>(i, [&](const auto& entry, const auto& active) {
-        detail::RowVisit<I>::replace_where(active, sum, detail::next_total<Sum>(step(std::as_const(sum), entry)));
+        detail::RowVisit<detail::Bare<I>>::replace_where(active, sum,
+                                                         detail::next_total<Sum>(step(std::as_const(sum), entry)));
       });
     }
     return sum;

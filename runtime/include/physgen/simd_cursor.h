@@ -168,6 +168,8 @@ class SimdCursor : protected LossSink {
   void store(int offset, int k, const batch_t<T, W>& value) const {
     if constexpr (format::is_plain<Format, T>) {
       self().template write<T>(offset + k * int{sizeof(T)}, value);
+    } else if constexpr (format::StoresNothing<Format>) {
+      store_nothing<Format, T>();
     } else {
       store_encoded<Format, T>(offset, k, value, self().written(), std::bool_constant<Derived::whole>());
     }
@@ -175,20 +177,22 @@ class SimdCursor : protected LossSink {
   /// Stores the lanes whose bits are set in `lanes`.
   template <class Format, class T>
   void store_where(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes) const {
-    lanes &= self().written();
     if constexpr (format::is_plain<Format, T>) {
       alignas(64) std::array<T, W> values;
       value.store_aligned(values.data());
-      self().write_some_lanes(offset + k * int{sizeof(T)}, values, lanes);
+      self().write_some_lanes(offset + k * int{sizeof(T)}, values, lanes & self().written());
+    } else if constexpr (format::StoresNothing<Format>) {
+      store_nothing<Format, T>();
     } else {
-      store_encoded<Format, T>(offset, k, value, lanes, std::false_type());
+      store_encoded<Format, T>(offset, k, value, lanes & self().written(), std::false_type());
     }
   }
 
   /// Adds lanes of `range` to kCount elements, from the k-th on, one after the other: equal objects get all of them.
   template <class Format, class T, int kCount>
   void add(LaneRange range, int offset, int k, const batch_t<T, W>* values) const {
-    static_assert(format::is_plain<Format, T>,
+    if constexpr (format::StoresNothing<Format>) (void)Format::template decode<T>({});  // adding reads
+    static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
                   "add() needs a field that is stored as it is computed: give it the format Native");
     for (int e = 0; e < kCount; ++e) {
       alignas(64) std::array<T, W> lanes;
@@ -216,6 +220,11 @@ class SimdCursor : protected LossSink {
   }
 
  private:
+  template <class Format, class T>
+  void store_nothing() const {
+    using To = decltype(self().template address<typename Format::template Stored<T>>(0, 0));
+    static_assert(!std::is_const_v<std::remove_pointer_t<To>>, "this array is read-only here");
+  }
   template <class Format, class T, bool kWhole>
   void store_encoded(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes,
                      [[maybe_unused]] std::bool_constant<kWhole> whole) const {

@@ -3,6 +3,8 @@
 
 #include <physgen/config.h>
 
+#include <concepts>
+
 struct CUstream_st;  // CUDA's stream, so that host code needs no CUDA headers
 
 namespace physgen {
@@ -30,6 +32,10 @@ struct Cuda {
 
 /// Whether device code may dereference pointers of this space.
 [[nodiscard]] PHYSGEN_FUNCTION constexpr bool device_accessible(SpaceKind space) { return space != SpaceKind::host; }
+
+/// An executor that runs its steps in this space: what functions take that do a step in a way of its own there.
+template <class On, class Space>
+concept RunsIn = std::same_as<typename On::Space, Space>;
 
 /// The name of a space as messages and benchmark names print it.
 [[nodiscard]] constexpr const char* name(SpaceKind space) {

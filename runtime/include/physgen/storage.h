@@ -38,11 +38,14 @@ struct Storage {
 /// Copies all objects of `from` to `to`, converting layout, storage format, precision and space in one pass. Where both
 /// lie on the host, pinned or not, or one lies in host memory that is not pinned, it is done when this returns; else
 /// only ordered in `stream`.
-/// @throw Error when the sizes or the object types differ, an array is null, or they share memory; in checked builds
+/// A field that `to` prunes is left out.
+/// @throw Error when the sizes or the object types differ, an array is null, or they share memory; when `from` does not
+/// store a field that `to` has, or `to` stores nothing of one without pruning it (format/nothing.h); in checked builds
 /// also when a format cannot hold a value (losses_of_copy() falsifies one). `to` is then unchanged
 void copy(const Storage& to, const Storage& from, Stream stream = nullptr);
 
 /// What the formats of `to` could not hold of `from`: a look before a copy. On CUDA this is done when it returns.
+/// @throw Error where their fields keep copy() from copying
 /// @pre both describe the same object type; only the memory of `from` is read
 [[nodiscard]] Losses losses_of_copy(const Storage& to, const Storage& from, Stream stream = nullptr);
 
@@ -70,8 +73,9 @@ void initialize(const Storage& storage, index_t begin, index_t end);
 
 /// Element k (counted over the fields in order, 9 for a rotation) of object i, converted to double and back. On CUDA a
 /// transfer each.
-/// @throw Error when i or k is out of range; putdata also for an element of a rotation stored as a quaternion, for a
-/// value that is no index where one is stored, and in checked builds for one that the format cannot hold
+/// @throw Error when i or k is out of range, or nothing is stored of the field; putdata also for an element of a
+/// rotation stored as a quaternion, for a value that is no index where one is stored, and in checked builds for one
+/// that the format cannot hold
 [[nodiscard]] double getdata(const Storage& storage, index_t i, int k);
 void putdata(const Storage& storage, index_t i, int k, double value);
 

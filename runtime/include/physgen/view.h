@@ -71,8 +71,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   using Byte = std::conditional_t<std::is_const_v<Real>, const std::byte, std::byte>;
   using Record = typename Object::template Record<Precision, Formats>;
   static constexpr int record_bytes = Layout::record_bytes(Record::bytes, Record::alignment);
-  static constexpr int lane_bytes =
-      Record::alignment < int{sizeof(Precision)} ? Record::alignment : int{sizeof(Precision)};
+  static constexpr int lane_bytes = Record::bytes == 0                           ? 0
+                                    : Record::alignment < int{sizeof(Precision)} ? Record::alignment
+                                                                                 : int{sizeof(Precision)};
   template <class I>
   using CursorAt = Cursor<Byte, Layout, RecordSize{Record::bytes, record_bytes, lane_bytes}, I>;
   /// The reference to object(s) under an index of type I, and its value type.
@@ -101,29 +102,57 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
              (std::is_same_v<FromSpace, Space> || std::is_same_v<FromSpace, PinnedHost>) &&
              !std::is_same_v<View<Object, From, Layout, Formats, FromSpace>, View>)
   PHYSGEN_FUNCTION View(const View<Object, From, Layout, Formats, FromSpace>& other)  // NOLINT: as T* to const T*
-      : View(other.data(), other.size(), other.pitch(), other.losses()) {}
+      : View(other.base_, other.size(), other.pitch(), other.losses()) {}
+  /// A kernel that names this type of view cannot be told the formats of an array whose reads and writes are looked
+  /// for.
+  template <class From, class FromLayout, class FromFormats, class FromSpace>
+    requires(format::are_probes<FromFormats> && !format::are_probes<Formats>)
+  View(const View<Object, From, FromLayout, FromFormats, FromSpace>&,
+       format::detail::this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_views = {}) = delete;
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
-  [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const { return base_; }
+  [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const
+    requires(!format::are_probes<Formats>)
+  {
+    return base_;
+  }
+  format::detail::a_probed_array_has_no_raw_memory_so_read_and_write_its_fields data() const
+    requires(format::are_probes<Formats>)
+  = delete;
   [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
   /// Where the objects lie.
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr SpaceKind space() { return Space::kind; }
 
   /// The object at index i; for a Pack or a SIMD batch of indices, the objects at them.
   template <class I>
+    requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
     check(i);
     return Ref<I>(CursorAt<I>(base_, *this, i, losses()));
   }
+  /// The object(s) at indices that another array holds: `nodes[tets[i].nodes()[0]]`.
+  template <detail::ElementReference I>
+  [[nodiscard]] PHYSGEN_FUNCTION auto operator[](I&& i) const {
+    return (*this)[detail::operand(std::forward<I>(i))];
+  }
+  template <class I, class Frame>
+  [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) operator[](const Own<I, Frame>& i) const {
+    return (*this)[i.index];
+  }
   /// All fields of object(s) i, by value.
   template <class I>
+    requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION const Value<I> get(I i) const {
     return (*this)[i].get();
   }
+  template <detail::ElementReference I>
+  [[nodiscard]] PHYSGEN_FUNCTION auto get(I&& i) const {
+    return get(detail::operand(std::forward<I>(i)));
+  }
   /// Stores all fields of object(s) i.
   template <class I>
-  PHYSGEN_FUNCTION void put(I i, const Value<I>& value) const {
-    (*this)[i].put(value);
+  PHYSGEN_FUNCTION void put(I&& i, const Value<std::remove_cvref_t<detail::Operand<I>>>& value) const {
+    (*this)[std::forward<I>(i)].put(value);
   }
 
   /// What checked builds count for these objects; null in others.
@@ -136,6 +165,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   }
 
  private:
+  template <class, class, class, class, class>
+  friend class View;
+
   template <class I>
   PHYSGEN_FUNCTION void check(const I& i) const {
 #ifdef __CUDA_ARCH__
@@ -163,7 +195,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
 #ifdef PHYSGEN_CHECKED
   PHYSGEN_FUNCTION void check_range(index_t begin, index_t end) const {
 #ifdef __CUDA_ARCH__
-    if (base_ == nullptr || begin < 0 || end > size_) {
+    if ((base_ == nullptr && record_bytes > 0) || begin < 0 || end > size_) {
       printf("physgen: object %lld of an array of %lld on the device\n", static_cast<long long>(begin),
              static_cast<long long>(size_));
       __trap();
@@ -173,7 +205,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
       throw Error(std::string(Object::name) + ": a view of " + physgen::name(Space::kind) +
                   " memory is used on the host; copy the array to Host first");
     }
-    if (base_ == nullptr || begin < 0 || end > size_) {
+    if ((base_ == nullptr && record_bytes > 0) || begin < 0 || end > size_) {
       const index_t wrong = begin < 0 || begin >= size_ ? begin : size_;
       throw Error(std::string(Object::name) + ": object " + std::to_string(wrong) + " of an array of " +
                   std::to_string(size_));

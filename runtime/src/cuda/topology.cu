@@ -99,13 +99,12 @@ void pick(const Storage& to, index_t begin, const Storage& from, Picked picked, 
     pick_records(to, begin, from, picked, count, stream);
     return;
   }
-  for (std::size_t first = 0; first < to.fields.size(); first += fields_per_launch) {
+  for (std::size_t f = 0; f < to.fields.size();) {
     PickElements kernel{Addressing(to), Addressing(from), picked, begin, 0, {}};
-    kernel.count = static_cast<int>(std::min<std::size_t>(fields_per_launch, to.fields.size() - first));
-    for (int f = 0; f < kernel.count; ++f) {
-      kernel.fields[f] = detail::Elements(to.fields[first + static_cast<std::size_t>(f)]);
+    for (; f < to.fields.size() && kernel.count < fields_per_launch; ++f) {
+      if (to.fields[f].is_stored()) kernel.fields[kernel.count++] = detail::Elements(to.fields[f]);
     }
-    parallel_for(Cuda{}, count, kernel, stream);
+    if (kernel.count > 0) parallel_for(Cuda{}, count, kernel, stream);
   }
 }
 

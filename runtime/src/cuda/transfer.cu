@@ -80,8 +80,9 @@ index_t convert_pinned(const Storage& to, const Storage& from, index_t begin, in
 bool processor_converts(const Storage& host, const Storage& device) {
   if (detail::changed_by_own_functions(host, device) != nullptr) return true;
   const auto plain = [](const Storage& array) {
-    return std::all_of(array.fields.begin(), array.fields.end(),
-                       [](const FieldInfo& field) { return element_bytes(field.type) >= 4 && !field.quaternion; });
+    return std::all_of(array.fields.begin(), array.fields.end(), [](const FieldInfo& field) {
+      return !field.is_stored() || (element_bytes(field.type) >= 4 && !field.quaternion);
+    });
   };
   return device.record_bytes < host.record_bytes && plain(host) && plain(device);
 }

@@ -154,9 +154,10 @@ index_t transpose(const Storage& to, index_t to_first, const Storage& from, inde
       !wide_tiles(to) || !wide_tiles(from)) {
     return begin;
   }
-  int elements = 0;
-  const int size = element_bytes(to.fields.front().type);
+  int elements = 0, size = 0;
   for (const FieldInfo& field : to.fields) {
+    if (!field.is_stored()) continue;
+    if (size == 0) size = element_bytes(field.type);
     if (element_bytes(field.type) != size) return begin;
     elements += field.count;
   }

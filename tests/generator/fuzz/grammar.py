@@ -9,11 +9,12 @@ TRICKY_FIELDS = [
     "Index", "Vector", "min", "max", "abs", "int32_t", "same_lanes_t", "all_lanes", "shape", "format", "nested", "slot",
     "N", "I", "E", "Aos", "ElementRef", "FieldRef", "batch", "select", "sum", "add", "detail", "SIGMA", "string_view",
     "array", "int8_t", "B0", "is_sound_record", "Native", "Rotation", "Diagonal", "source", "result", "target", "that",
+    "ArrayTag", "Base", "first", "Probe",
 ]
 ORDINARY_OBJECTS = ["Node", "Tet", "Stress", "Svd", "Corner", "Edge", "Grain", "Shell", "Beam", "Link"]
 TRICKY_OBJECTS = [
-    "Foo", "FooRef", "FooArray", "FooView", "FooFormats", "FooRecord", "FooObject", "index", "time", "Host", "Cuda",
-    "Field", "Soa", "Slot", "T", "E", "detail", "format", "shape", "FILE", "Error", "Losses", "Stream", "Half",
+    "Foo", "FooRef", "FooArray", "FooView", "FooFormats", "FooProbe", "FooRecord", "FooObject", "index", "time", "Host",
+    "Cuda", "Field", "Soa", "Slot", "T", "E", "detail", "format", "shape", "FILE", "Error", "Losses", "Stream", "Half",
     "Native", "Unit", "Range", "Pattern", "x", "F", "value", "entry", "string_view", "array", "FieldInfo", "Lanes",
     "Tile", "S", "A", "B", "int32_t", "Ref2",
 ]

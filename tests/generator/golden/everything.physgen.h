@@ -1,11 +1,11 @@
 // Accessor classes of the object types in everything.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_EVERYTHING_H_3C2256D3605F5B68
-#define PHYSGEN_EVERYTHING_H_3C2256D3605F5B68
+#ifndef PHYSGEN_EVERYTHING_H_26A5FF71BFE41386
+#define PHYSGEN_EVERYTHING_H_26A5FF71BFE41386
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 3
-#error "everything.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 4
+#error "everything.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 #include "materials.physgen.h"
@@ -28,6 +28,17 @@ struct Stamp {
 template <class Space>
 struct StampFormats {
   using time = physgen::format::Native;
+  using step = physgen::format::Native;
+};
+
+struct StampObject;
+/// StampFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StampFormats<physgen::Host>, class Object = StampObject, int first = 0>
+struct StampProbe {
+  using array_ = ArrayTag;
+  using time = physgen::Probe<ArrayTag, Object, first + 0, typename Base::time>;
+  using step = physgen::Probe<ArrayTag, Object, first + 1, typename Base::step>;
 };
 
 /// Where each field begins in the record of one Stamp [bytes].
@@ -35,7 +46,7 @@ template <class Real, class Formats>
 struct StampRecord {
   static constexpr auto plan_ = physgen::plan_record<2>({{
     physgen::slot<physgen::shape::Scalar, typename Formats::time, double>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::step, std::int32_t>(),
   }});
   static constexpr int time = plan_.offset[0];
   static constexpr int step = plan_.offset[1];
@@ -63,7 +74,7 @@ class StampRef {
     return at_.template field<physgen::shape::Scalar, typename Formats::time, double>(Record::time);
   }
   PHYSGEN_FUNCTION decltype(auto) step() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::step);
+    return at_.template field<physgen::shape::Scalar, typename Formats::step, std::int32_t>(Record::step);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -94,11 +105,13 @@ struct StampObject {
   static constexpr std::array<physgen::FieldInfo, 2> fields = {{
     physgen::field_info<physgen::shape::Scalar, typename Formats::time, double>(
         "time", "s", StampRecord<Real, Formats>::time, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::step, std::int32_t>(
         "step", "", StampRecord<Real, Formats>::step, 1, 0.0),
   }};
   template <class Space>
   using Formats = StampFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = StampProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<StampObject, Space>>
@@ -155,6 +168,7 @@ template <class Space>
 struct ShapesFormats {
   using a = physgen::format::Native;
   using v = physgen::format::Native;
+  using nodes = physgen::format::Native;
   using F = physgen::format::Native;
   using B = physgen::format::Native;
   using row = physgen::format::Native;
@@ -164,7 +178,30 @@ struct ShapesFormats {
   using W = physgen::format::Native;
   using U = physgen::format::Native;
   using V = physgen::format::Native;
+  using count = physgen::format::Native;
   using M = physgen::format::Native;
+};
+
+struct ShapesObject;
+/// ShapesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = ShapesFormats<physgen::Host>, class Object = ShapesObject, int first = 0>
+struct ShapesProbe {
+  using array_ = ArrayTag;
+  using a = physgen::Probe<ArrayTag, Object, first + 0, typename Base::a>;
+  using v = physgen::Probe<ArrayTag, Object, first + 1, typename Base::v>;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 2, typename Base::nodes>;
+  using F = physgen::Probe<ArrayTag, Object, first + 3, typename Base::F>;
+  using B = physgen::Probe<ArrayTag, Object, first + 4, typename Base::B>;
+  using row = physgen::Probe<ArrayTag, Object, first + 5, typename Base::row>;
+  using K = physgen::Probe<ArrayTag, Object, first + 6, typename Base::K>;
+  using C2 = physgen::Probe<ArrayTag, Object, first + 7, typename Base::C2>;
+  using s = physgen::Probe<ArrayTag, Object, first + 8, typename Base::s>;
+  using W = physgen::Probe<ArrayTag, Object, first + 9, typename Base::W>;
+  using U = physgen::Probe<ArrayTag, Object, first + 10, typename Base::U>;
+  using V = physgen::Probe<ArrayTag, Object, first + 11, typename Base::V>;
+  using count = physgen::Probe<ArrayTag, Object, first + 12, typename Base::count>;
+  using M = physgen::Probe<ArrayTag, Object, first + 13, typename Base::M>;
 };
 
 /// Where each field begins in the record of one Shapes [bytes].
@@ -173,7 +210,7 @@ struct ShapesRecord {
   static constexpr auto plan_ = physgen::plan_record<14>({{
     physgen::slot<physgen::shape::Scalar, typename Formats::a, Real>(),
     physgen::slot<physgen::shape::Vector<3>, typename Formats::v, Real>(),
-    physgen::slot<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(),
     physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),
     physgen::slot<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(),
     physgen::slot<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(),
@@ -183,7 +220,7 @@ struct ShapesRecord {
     physgen::slot<physgen::shape::Skew<3>, typename Formats::W, Real>(),
     physgen::slot<physgen::shape::Rotation, typename Formats::U, Real>(),
     physgen::slot<physgen::shape::Rotation, typename Formats::V, float>(),
-    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<2>, typename Formats::count, std::int32_t>(),
     physgen::slot<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(),
   }});
   static constexpr int a = plan_.offset[0];
@@ -228,7 +265,7 @@ class ShapesRef {
   }
   /// corners i, j, k, l
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(Record::nodes);
+    return at_.template field<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(Record::nodes);
   }
   /// deformation gradient [1]
   PHYSGEN_FUNCTION decltype(auto) F() const {
@@ -265,7 +302,7 @@ class ShapesRef {
     return at_.template field<physgen::shape::Rotation, typename Formats::V, float>(Record::V);
   }
   PHYSGEN_FUNCTION decltype(auto) count() const {
-    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::count);
+    return at_.template field<physgen::shape::Vector<2>, typename Formats::count, std::int32_t>(Record::count);
   }
   PHYSGEN_FUNCTION decltype(auto) M() const {
     return at_.template field<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(Record::M);
@@ -325,7 +362,7 @@ struct ShapesObject {
         "a", "", ShapesRecord<Real, Formats>::a, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::v, Real>(
         "v", "", ShapesRecord<Real, Formats>::v, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(
         "nodes", "", ShapesRecord<Real, Formats>::nodes, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
         "F", "1", ShapesRecord<Real, Formats>::F, 1, 0.0),
@@ -345,13 +382,15 @@ struct ShapesObject {
         "U", "", ShapesRecord<Real, Formats>::U, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::V, float>(
         "V", "", ShapesRecord<Real, Formats>::V, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::count, std::int32_t>(
         "count", "", ShapesRecord<Real, Formats>::count, 1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(
         "M", "", ShapesRecord<Real, Formats>::M, 1, 0.0),
   }};
   template <class Space>
   using Formats = ShapesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = ShapesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -426,6 +465,36 @@ struct NamesFormats {
   using nested = physgen::format::Native;
   using self = physgen::format::Native;
   using tissue = physgen::format::Native;
+};
+
+struct NamesObject;
+/// NamesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = NamesFormats<physgen::Host>, class Object = NamesObject, int first = 0>
+struct NamesProbe {
+  using array_ = ArrayTag;
+  using value = physgen::Probe<ArrayTag, Object, first + 0, typename Base::value>;
+  using entry = physgen::Probe<ArrayTag, Object, first + 1, typename Base::entry>;
+  using S = physgen::Probe<ArrayTag, Object, first + 2, typename Base::S>;
+  using R = physgen::Probe<ArrayTag, Object, first + 3, typename Base::R>;
+  using at = physgen::Probe<ArrayTag, Object, first + 4, typename Base::at>;
+  using cursor = physgen::Probe<ArrayTag, Object, first + 5, typename Base::cursor>;
+  using name = physgen::Probe<ArrayTag, Object, first + 6, typename Base::name>;
+  using fields = physgen::Probe<ArrayTag, Object, first + 7, typename Base::fields>;
+  using Layout = physgen::Probe<ArrayTag, Object, first + 8, typename Base::Layout>;
+  using host = physgen::Probe<ArrayTag, Object, first + 9, typename Base::host>;
+  using plan = physgen::Probe<ArrayTag, Object, first + 10, typename Base::plan>;
+  using slot = physgen::Probe<ArrayTag, Object, first + 11, typename Base::slot>;
+  using stride = physgen::Probe<ArrayTag, Object, first + 12, typename Base::stride>;
+  using offset = physgen::Probe<ArrayTag, Object, first + 13, typename Base::offset>;
+  using format = physgen::Probe<ArrayTag, Object, first + 14, typename Base::format>;
+  using Native = physgen::Probe<ArrayTag, Object, first + 15, typename Base::Native>;
+  using PerSpace = physgen::Probe<ArrayTag, Object, first + 16, typename Base::PerSpace>;
+  using field = physgen::Probe<ArrayTag, Object, first + 17, typename Base::field>;
+  using element = physgen::Probe<ArrayTag, Object, first + 18, typename Base::element>;
+  using nested = physgen::Probe<ArrayTag, Object, first + 19, typename Base::nested>;
+  using self = physgen::Probe<ArrayTag, Object, first + 20, typename Base::self>;
+  using tissue = physgen::Probe<ArrayTag, Object, first + 21, typename Base::tissue>;
 };
 
 /// Where each field begins in the record of one Names [bytes].
@@ -681,6 +750,8 @@ struct NamesObject {
   }};
   template <class Space>
   using Formats = NamesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = NamesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<NamesObject, Space>>
@@ -722,8 +793,24 @@ template <class Space>
 struct EntriesFormats {
   using weights = physgen::format::Native;
   using k = physgen::format::Native;
+  using flags = physgen::format::Native;
   using history = physgen::format::Native;
+  using edges = physgen::format::Native;
   using entry = physgen::format::Native;
+};
+
+struct EntriesObject;
+/// EntriesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = EntriesFormats<physgen::Host>, class Object = EntriesObject, int first = 0>
+struct EntriesProbe {
+  using array_ = ArrayTag;
+  using weights = physgen::Probe<ArrayTag, Object, first + 0, typename Base::weights>;
+  using k = physgen::Probe<ArrayTag, Object, first + 1, typename Base::k>;
+  using flags = physgen::Probe<ArrayTag, Object, first + 2, typename Base::flags>;
+  using history = physgen::Probe<ArrayTag, Object, first + 3, typename Base::history>;
+  using edges = physgen::Probe<ArrayTag, Object, first + 4, typename Base::edges>;
+  using entry = physgen::Probe<ArrayTag, Object, first + 5, typename Base::entry>;
 };
 
 /// Where each field begins in the record of one Entries [bytes].
@@ -732,9 +819,9 @@ struct EntriesRecord {
   static constexpr auto plan_ = physgen::plan_record<6>({{
     physgen::slot<physgen::shape::Scalar, typename Formats::weights, Real>(5),
     physgen::slot<physgen::shape::Symmetric<3>, typename Formats::k, Real>(4),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(3),
+    physgen::slot<physgen::shape::Scalar, typename Formats::flags, std::int32_t>(3),
     physgen::slot<physgen::shape::Scalar, typename Formats::history, double>(40),
-    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(6),
+    physgen::slot<physgen::shape::Vector<2>, typename Formats::edges, std::int32_t>(6),
     physgen::slot<physgen::shape::Scalar, typename Formats::entry, Real>(2),
   }});
   static constexpr int weights = plan_.offset[0];
@@ -780,7 +867,7 @@ class EntriesRef {
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) flags(int entry) const {
     physgen::check_inner(entry, 3, "an entry of tissue::model::Entries::flags");
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    return at_.template field<physgen::shape::Scalar, typename Formats::flags, std::int32_t>(
         Record::flags + entry * Record::plan_.stride[2]);
   }
   /// More entries than are worth unrolling
@@ -793,7 +880,7 @@ class EntriesRef {
   /// @pre 0 <= entry < 6
   PHYSGEN_FUNCTION decltype(auto) edges(int entry) const {
     physgen::check_inner(entry, 6, "an entry of tissue::model::Entries::edges");
-    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    return at_.template field<physgen::shape::Vector<2>, typename Formats::edges, std::int32_t>(
         Record::edges + entry * Record::plan_.stride[4]);
   }
   /// @pre 0 <= entry < 2
@@ -851,17 +938,19 @@ struct EntriesObject {
         "weights", "1", EntriesRecord<Real, Formats>::weights, 5, 0.0),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
         "k", "N/m", EntriesRecord<Real, Formats>::k, 4, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::flags, std::int32_t>(
         "flags", "", EntriesRecord<Real, Formats>::flags, 3, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::history, double>(
         "history", "", EntriesRecord<Real, Formats>::history, 40, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::edges, std::int32_t>(
         "edges", "", EntriesRecord<Real, Formats>::edges, 6, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::entry, Real>(
         "entry", "", EntriesRecord<Real, Formats>::entry, 2, 0.0),
   }};
   template <class Space>
   using Formats = EntriesFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = EntriesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -916,8 +1005,26 @@ struct OptionsFormats {
   using nu = physgen::format::Native;
   using direction = physgen::format::Native;
   using metric = physgen::format::Native;
+  using label = physgen::format::Native;
+  using group = physgen::format::Native;
   using spin = physgen::format::Native;
   using fixed = physgen::format::Native;
+};
+
+struct OptionsObject;
+/// OptionsFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = OptionsFormats<physgen::Host>, class Object = OptionsObject, int first = 0>
+struct OptionsProbe {
+  using array_ = ArrayTag;
+  using density = physgen::Probe<ArrayTag, Object, first + 0, typename Base::density>;
+  using nu = physgen::Probe<ArrayTag, Object, first + 1, typename Base::nu>;
+  using direction = physgen::Probe<ArrayTag, Object, first + 2, typename Base::direction>;
+  using metric = physgen::Probe<ArrayTag, Object, first + 3, typename Base::metric>;
+  using label = physgen::Probe<ArrayTag, Object, first + 4, typename Base::label>;
+  using group = physgen::Probe<ArrayTag, Object, first + 5, typename Base::group>;
+  using spin = physgen::Probe<ArrayTag, Object, first + 6, typename Base::spin>;
+  using fixed = physgen::Probe<ArrayTag, Object, first + 7, typename Base::fixed>;
 };
 
 /// Where each field begins in the record of one Options [bytes].
@@ -928,8 +1035,8 @@ struct OptionsRecord {
     physgen::slot<physgen::shape::Scalar, typename Formats::nu, Real>(),
     physgen::slot<physgen::shape::Vector<3>, typename Formats::direction, Real>(),
     physgen::slot<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
-    physgen::slot<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::label, std::int32_t>(),
+    physgen::slot<physgen::shape::Vector<2>, typename Formats::group, std::int32_t>(),
     physgen::slot<physgen::shape::Skew<3>, typename Formats::spin, Real>(),
     physgen::slot<physgen::shape::Scalar, typename Formats::fixed, double>(),
   }});
@@ -978,11 +1085,11 @@ class OptionsRef {
   }
   /// Initially -1.
   PHYSGEN_FUNCTION decltype(auto) label() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::label);
+    return at_.template field<physgen::shape::Scalar, typename Formats::label, std::int32_t>(Record::label);
   }
   /// Initially 7.
   PHYSGEN_FUNCTION decltype(auto) group() const {
-    return at_.template field<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(Record::group);
+    return at_.template field<physgen::shape::Vector<2>, typename Formats::group, std::int32_t>(Record::group);
   }
   /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
   PHYSGEN_FUNCTION decltype(auto) spin() const {
@@ -1039,9 +1146,9 @@ struct OptionsObject {
         "direction", "1", OptionsRecord<Real, Formats>::direction, 1, 0.5),
     physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(
         "metric", "", OptionsRecord<Real, Formats>::metric, 1, 1.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::label, std::int32_t>(
         "label", "", OptionsRecord<Real, Formats>::label, 1, -1.0),
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::group, std::int32_t>(
         "group", "", OptionsRecord<Real, Formats>::group, 1, 7.0),
     physgen::field_info<physgen::shape::Skew<3>, typename Formats::spin, Real>(
         "spin", "", OptionsRecord<Real, Formats>::spin, 1, 0.25),
@@ -1050,6 +1157,8 @@ struct OptionsObject {
   }};
   template <class Space>
   using Formats = OptionsFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = OptionsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1089,6 +1198,7 @@ struct Element {
 /// anew, and name the derived struct as the last argument of ElementArray.
 template <class Space>
 struct ElementFormats {
+  using flag = physgen::format::Native;
   using lame = ::material::LameFormats<Space>;
   using fibres = ::material::FibreFormats<Space>;
   using stamp = ::tissue::StampFormats<Space>;
@@ -1096,11 +1206,25 @@ struct ElementFormats {
   using volume = physgen::format::Native;
 };
 
+struct ElementObject;
+/// ElementFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = ElementFormats<physgen::Host>, class Object = ElementObject, int first = 0>
+struct ElementProbe {
+  using array_ = ArrayTag;
+  using flag = physgen::Probe<ArrayTag, Object, first + 0, typename Base::flag>;
+  using lame = ::material::LameProbe<ArrayTag, typename Base::lame, Object, first + 1>;
+  using fibres = ::material::FibreProbe<ArrayTag, typename Base::fibres, Object, first + 3>;
+  using stamp = ::tissue::StampProbe<ArrayTag, typename Base::stamp, Object, first + 7>;
+  using shapes = ShapesProbe<ArrayTag, typename Base::shapes, Object, first + 9>;
+  using volume = physgen::Probe<ArrayTag, Object, first + 23, typename Base::volume>;
+};
+
 /// Where each field begins in the record of one Element [bytes].
 template <class Real, class Formats>
 struct ElementRecord {
   static constexpr auto plan_ = physgen::plan_record<6>({{
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::flag, std::int32_t>(),
     physgen::nested_slot<::material::LameRecord<Real, typename Formats::lame>>(),
     physgen::nested_slot<::material::FibreRecord<Real, typename Formats::fibres>>(2),
     physgen::nested_slot<::tissue::StampRecord<Real, typename Formats::stamp>>(),
@@ -1134,7 +1258,7 @@ class ElementRef {
 
   /// Before the nested objects by name, behind them in the record.
   PHYSGEN_FUNCTION decltype(auto) flag() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::flag);
+    return at_.template field<physgen::shape::Scalar, typename Formats::flag, std::int32_t>(Record::flag);
   }
   /// Constants of the tissue.
   PHYSGEN_FUNCTION ::material::LameRef<Real, typename Formats::lame, Cursor> lame() const {
@@ -1193,7 +1317,7 @@ struct ElementObject {
   using Ref = ElementRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 24> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::flag, std::int32_t>(
         "flag", "", ElementRecord<Real, Formats>::flag, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::lame::mu, Real>(
         "lame.mu", "Pa", ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::mu,
@@ -1222,14 +1346,14 @@ struct ElementObject {
     physgen::field_info<physgen::shape::Scalar, typename Formats::stamp::time, double>(
         "stamp.time", "s",
         ElementRecord<Real, Formats>::stamp + ::tissue::StampRecord<Real, typename Formats::stamp>::time, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::stamp::step, std::int32_t>(
         "stamp.step", "",
         ElementRecord<Real, Formats>::stamp + ::tissue::StampRecord<Real, typename Formats::stamp>::step, 1, 0.0),
     physgen::field_info<physgen::shape::Scalar, typename Formats::shapes::a, Real>(
         "shapes.a", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::a, 1, 0.0),
     physgen::field_info<physgen::shape::Vector<3>, typename Formats::shapes::v, Real>(
         "shapes.v", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::v, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::shapes::nodes, std::int32_t>(
         "shapes.nodes", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::nodes,
         1, 0.0),
     physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::shapes::F, Real>(
@@ -1255,7 +1379,7 @@ struct ElementObject {
         "shapes.U", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::U, 1, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::shapes::V, float>(
         "shapes.V", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::V, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::shapes::count, std::int32_t>(
         "shapes.count", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::count,
         1, 0.0),
     physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::shapes::M, double>(
@@ -1265,6 +1389,8 @@ struct ElementObject {
   }};
   template <class Space>
   using Formats = ElementFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = ElementProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1307,6 +1433,17 @@ struct PatchFormats {
   using elements = ::tissue::model::ElementFormats<Space>;
   using weight = physgen::format::Native;
   using options = ::tissue::model::OptionsFormats<Space>;
+};
+
+struct PatchObject;
+/// PatchFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = PatchFormats<physgen::Host>, class Object = PatchObject, int first = 0>
+struct PatchProbe {
+  using array_ = ArrayTag;
+  using elements = ::tissue::model::ElementProbe<ArrayTag, typename Base::elements, Object, first + 0>;
+  using weight = physgen::Probe<ArrayTag, Object, first + 48, typename Base::weight>;
+  using options = ::tissue::model::OptionsProbe<ArrayTag, typename Base::options, Object, first + 49>;
 };
 
 /// Where each field begins in the record of one Patch [bytes].
@@ -1382,7 +1519,7 @@ struct PatchObject {
   using Ref = PatchRef<Real, Formats, Cursor>;
   template <class Real, class Formats>
   static constexpr std::array<physgen::FieldInfo, 57> fields = {{
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::flag, std::int32_t>(
         "elements[0].flag", "",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
         1, 0.0),
@@ -1427,7 +1564,7 @@ struct PatchObject {
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
             ::tissue::StampRecord<Real, typename Formats::elements::stamp>::time,
         1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::step, std::int32_t>(
         "elements[0].stamp.step", "",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
             ::tissue::StampRecord<Real, typename Formats::elements::stamp>::step,
@@ -1444,7 +1581,7 @@ struct PatchObject {
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
         1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::elements::shapes::nodes, std::int32_t>(
         "elements[0].shapes.nodes", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
@@ -1504,7 +1641,7 @@ struct PatchObject {
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
         1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::elements::shapes::count, std::int32_t>(
         "elements[0].shapes.count", "",
         PatchRecord<Real, Formats>::elements +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
@@ -1520,7 +1657,7 @@ struct PatchObject {
         "elements[0].volume", "m^3",
         PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::volume,
         1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::flag, std::int32_t>(
         "elements[1].flag", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
@@ -1569,7 +1706,7 @@ struct PatchObject {
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
                 ::tissue::StampRecord<Real, typename Formats::elements::stamp>::time,
         1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::step, std::int32_t>(
         "elements[1].stamp.step", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
@@ -1587,7 +1724,7 @@ struct PatchObject {
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
         1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<4>, typename Formats::elements::shapes::nodes, std::int32_t>(
         "elements[1].shapes.nodes", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
@@ -1647,7 +1784,7 @@ struct PatchObject {
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
                 ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
         1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::elements::shapes::count, std::int32_t>(
         "elements[1].shapes.count", "",
         PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
             ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
@@ -1683,11 +1820,11 @@ struct PatchObject {
         "options.metric", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::metric,
         1, 1.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::options::label, std::int32_t>(
         "options.label", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::label, 1,
         -1.0),
-    physgen::field_info<physgen::shape::Vector<2>, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Vector<2>, typename Formats::options::group, std::int32_t>(
         "options.group", "",
         PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::group, 1,
         7.0),
@@ -1702,6 +1839,8 @@ struct PatchObject {
   }};
   template <class Space>
   using Formats = PatchFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = PatchProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<PatchObject, Space>>
@@ -1749,6 +1888,17 @@ struct FrameFormats {
   using turn = physgen::PerSpace<Space, physgen::format::Quaternion<>, physgen::format::Quaternion16>;
   using origin = physgen::PerSpace<Space, physgen::format::Native, physgen::format::Half<>>;
   using weight = physgen::format::Snorm16<physgen::format::Interval{0.0, 1.0}>;
+};
+
+struct FrameObject;
+/// FrameFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = FrameFormats<physgen::Host>, class Object = FrameObject, int first = 0>
+struct FrameProbe {
+  using array_ = ArrayTag;
+  using turn = physgen::Probe<ArrayTag, Object, first + 0, typename Base::turn>;
+  using origin = physgen::Probe<ArrayTag, Object, first + 1, typename Base::origin>;
+  using weight = physgen::Probe<ArrayTag, Object, first + 2, typename Base::weight>;
 };
 
 /// Where each field begins in the record of one Frame [bytes].
@@ -1832,6 +1982,8 @@ struct FrameObject {
   }};
   template <class Space>
   using Formats = FrameFormats<Space>;
+  template <class ArrayTag, class Base>
+  using Probe = FrameProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FrameObject, Space>>
@@ -1936,8 +2088,42 @@ struct StoredFormats {
   using halves = physgen::format::Half<>;
   using turns = physgen::format::Quaternion<physgen::format::Half<>>;
   using many = physgen::format::Quaternion16;
+  using count = physgen::format::Native;
   using frame = FrameFormats<Space>;
   using frames = FrameFormats<Space>;
+};
+
+struct StoredObject;
+/// StoredFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
+/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = StoredFormats<physgen::Host>, class Object = StoredObject, int first = 0>
+struct StoredProbe {
+  using array_ = ArrayTag;
+  using single = physgen::Probe<ArrayTag, Object, first + 0, typename Base::single>;
+  using twice = physgen::Probe<ArrayTag, Object, first + 1, typename Base::twice>;
+  using narrowed = physgen::Probe<ArrayTag, Object, first + 2, typename Base::narrowed>;
+  using plain_half = physgen::Probe<ArrayTag, Object, first + 3, typename Base::plain_half>;
+  using load = physgen::Probe<ArrayTag, Object, first + 4, typename Base::load>;
+  using wide = physgen::Probe<ArrayTag, Object, first + 5, typename Base::wide>;
+  using angle = physgen::Probe<ArrayTag, Object, first + 6, typename Base::angle>;
+  using temperature = physgen::Probe<ArrayTag, Object, first + 7, typename Base::temperature>;
+  using stress = physgen::Probe<ArrayTag, Object, first + 8, typename Base::stress>;
+  using F = physgen::Probe<ArrayTag, Object, first + 9, typename Base::F>;
+  using stretch = physgen::Probe<ArrayTag, Object, first + 10, typename Base::stretch>;
+  using spin = physgen::Probe<ArrayTag, Object, first + 11, typename Base::spin>;
+  using R = physgen::Probe<ArrayTag, Object, first + 12, typename Base::R>;
+  using R32 = physgen::Probe<ArrayTag, Object, first + 13, typename Base::R32>;
+  using R64 = physgen::Probe<ArrayTag, Object, first + 14, typename Base::R64>;
+  using Rhalf = physgen::Probe<ArrayTag, Object, first + 15, typename Base::Rhalf>;
+  using Rbfloat = physgen::Probe<ArrayTag, Object, first + 16, typename Base::Rbfloat>;
+  using R16 = physgen::Probe<ArrayTag, Object, first + 17, typename Base::R16>;
+  using entries = physgen::Probe<ArrayTag, Object, first + 18, typename Base::entries>;
+  using halves = physgen::Probe<ArrayTag, Object, first + 19, typename Base::halves>;
+  using turns = physgen::Probe<ArrayTag, Object, first + 20, typename Base::turns>;
+  using many = physgen::Probe<ArrayTag, Object, first + 21, typename Base::many>;
+  using count = physgen::Probe<ArrayTag, Object, first + 22, typename Base::count>;
+  using frame = FrameProbe<ArrayTag, typename Base::frame, Object, first + 23>;
+  using frames = FrameProbe<ArrayTag, typename Base::frames, Object, first + 26>;
 };
 
 /// Where each field begins in the record of one Stored [bytes].
@@ -1966,7 +2152,7 @@ struct StoredRecord {
     physgen::slot<physgen::shape::Scalar, typename Formats::halves, Real>(5),
     physgen::slot<physgen::shape::Rotation, typename Formats::turns, Real>(3),
     physgen::slot<physgen::shape::Rotation, typename Formats::many, Real>(33),
-    physgen::slot<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(),
+    physgen::slot<physgen::shape::Scalar, typename Formats::count, std::int32_t>(),
     physgen::nested_slot<FrameRecord<Real, typename Formats::frame>>(),
     physgen::nested_slot<FrameRecord<Real, typename Formats::frames>>(2),
   }});
@@ -2116,7 +2302,7 @@ class StoredRef {
   }
   /// Initially 7.
   PHYSGEN_FUNCTION decltype(auto) count() const {
-    return at_.template field<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(Record::count);
+    return at_.template field<physgen::shape::Scalar, typename Formats::count, std::int32_t>(Record::count);
   }
   PHYSGEN_FUNCTION FrameRef<Real, typename Formats::frame, Cursor> frame() const {
     return FrameRef<Real, typename Formats::frame, Cursor>(at_.nested(Record::frame));
@@ -2250,7 +2436,7 @@ struct StoredObject {
         "turns", "", StoredRecord<Real, Formats>::turns, 3, 0.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::many, Real>(
         "many", "", StoredRecord<Real, Formats>::many, 33, 0.0),
-    physgen::field_info<physgen::shape::Scalar, physgen::format::Native, std::int32_t>(
+    physgen::field_info<physgen::shape::Scalar, typename Formats::count, std::int32_t>(
         "count", "", StoredRecord<Real, Formats>::count, 1, 7.0),
     physgen::field_info<physgen::shape::Rotation, typename Formats::frame::turn, Real>(
         "frame.turn", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::turn, 1,
@@ -2288,6 +2474,8 @@ struct StoredObject {
   }};
   template <class Space>
   using Formats = StoredFormats<Space>;
+  template <class ArrayTag, class Base>
+  using Probe = StoredProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2316,4 +2504,4 @@ static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physg
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_3C2256D3605F5B68
+#endif  // PHYSGEN_EVERYTHING_H_26A5FF71BFE41386

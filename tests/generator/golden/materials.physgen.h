@@ -1,11 +1,11 @@
 // Accessor classes of the object types in materials.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_MATERIALS_H_1E79CE9D6ADCE904
-#define PHYSGEN_MATERIALS_H_1E79CE9D6ADCE904
+#ifndef PHYSGEN_MATERIALS_H_66B56C20E9066756
+#define PHYSGEN_MATERIALS_H_66B56C20E9066756
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 3
-#error "materials.physgen.h is for version 3 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 4
+#error "materials.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace material {
@@ -28,6 +28,16 @@ template <class Space>
 struct LameFormats {
   using mu = physgen::format::Native;
   using lambda = physgen::format::Native;
+};
+
+struct LameObject;
+/// LameFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = LameFormats<physgen::Host>, class Object = LameObject, int first = 0>
+struct LameProbe {
+  using array_ = ArrayTag;
+  using mu = physgen::Probe<ArrayTag, Object, first + 0, typename Base::mu>;
+  using lambda = physgen::Probe<ArrayTag, Object, first + 1, typename Base::lambda>;
 };
 
 /// Where each field begins in the record of one Lame [bytes].
@@ -100,6 +110,8 @@ struct LameObject {
   }};
   template <class Space>
   using Formats = LameFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = LameProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<LameObject, Space>>
@@ -133,6 +145,16 @@ template <class Space>
 struct FibreFormats {
   using direction = physgen::format::Native;
   using strength = physgen::format::Native;
+};
+
+struct FibreObject;
+/// FibreFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
+/// The list of fields of Object has the first of these as number first.
+template <class ArrayTag, class Base = FibreFormats<physgen::Host>, class Object = FibreObject, int first = 0>
+struct FibreProbe {
+  using array_ = ArrayTag;
+  using direction = physgen::Probe<ArrayTag, Object, first + 0, typename Base::direction>;
+  using strength = physgen::Probe<ArrayTag, Object, first + 1, typename Base::strength>;
 };
 
 /// Where each field begins in the record of one Fibre [bytes].
@@ -205,6 +227,8 @@ struct FibreObject {
   }};
   template <class Space>
   using Formats = FibreFormats<physgen::Host>;
+  template <class ArrayTag, class Base>
+  using Probe = FibreProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FibreObject, Space>>
@@ -222,4 +246,4 @@ static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_1E79CE9D6ADCE904
+#endif  // PHYSGEN_MATERIALS_H_66B56C20E9066756

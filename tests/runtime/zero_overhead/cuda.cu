@@ -16,4 +16,14 @@ __global__ void soa_by_hand(const float* svd, index_t svd_pitch, float* h, index
   by_hand_soa(svd, svd_pitch, h, h_pitch, thread());
 }
 __global__ void aosoa32_by_hand(const float* svd, float* h) { by_hand_aosoa<32>(svd, h, thread()); }
+
+// Of arrays that prune what is not used.
+__global__ void aos_pruned_generated(PrunedViews<Aos> v) { generated_and_pruned<Aos>(v, thread()); }
+__global__ void soa_pruned_generated(PrunedViews<Soa> v) { generated_and_pruned<Soa>(v, thread()); }
+__global__ void aosoa32_pruned_generated(PrunedViews<Aosoa<32>> v) { generated_and_pruned<Aosoa<32>>(v, thread()); }
+__global__ void aos_pruned_by_hand(const float* svd, float* h) { by_hand_aos<Part>(svd, h, thread()); }
+__global__ void soa_pruned_by_hand(const float* svd, index_t svd_pitch, float* h, index_t h_pitch) {
+  by_hand_soa<Part>(svd, svd_pitch, h, h_pitch, thread());
+}
+__global__ void aosoa32_pruned_by_hand(const float* svd, float* h) { by_hand_aosoa<32, Part>(svd, h, thread()); }
 }

@@ -2,28 +2,13 @@
 # Tests of the command truthcube as its users run it: command_test.sh RULE PROGRAM FOLDER [LAYOUT]
 set -euo pipefail
 rule=$1 program=$2 folder=$3/$1 built=${4:-schema} # the layout
+here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$folder"
 mkdir -p "$folder"
 cd "$folder"
 export OMP_NUM_THREADS=1
 
-fail() { printf '%s: %s\n' "$rule" "$*" >&2; cat out err >&2; exit 1; }
-# Runs the command; its output is in the files out and err.
-expect_exit() {
-  local wanted=$1 got=0
-  shift
-  "$program" "$@" >out 2>err || got=$?
-  ((got == wanted)) || fail "exit $got instead of $wanted: $*"
-}
-expect() { grep -qE -- "$2" "$1" || fail "not found in $1: $2"; }
-expect_no() { ! grep -qE -- "$2" "$1" || fail "found in $1: $2"; }
-expect_same() { cmp "$1" "$2" >&2 || fail "$1 and $2 differ"; }
-expect_refused() { # pattern arguments...
-  expect_exit 2 "${@:2}"
-  expect err "$1"
-  [[ ! -s out ]] || fail 'output in spite of an error'
-}
-number_of() { grep -oE "\"$1\": [-+.0-9e]+" "$2" | sed 's/.*: //'; }
+. "$here/command_helpers.sh"
 # A box of N^3 cells and 0.08 m in Gmsh's format, version 2.2; tet number $2, if given, has two corners exchanged.
 write_mesh() {
   awk -v n="$1" -v inverted="${2:-0}" 'BEGIN {
@@ -49,7 +34,8 @@ case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
     for flag in cells mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
-      product tolerance stepping historical out restart beads threads repeat dry-run quiet; do expect out "--$flag"; done
+      product tolerance stepping historical out restart beads threads repeat dry-run quiet scene time-step duration density damping \
+      frames; do expect out "--$flag"; done
     expect out "layout \{$built\}"
     expect out "in the layout $built, with products assembled .* or matrix-free"
     expect out 'product \{assembled, matrix-free\}'
@@ -217,7 +203,7 @@ case $rule in
       fail 'beads as above'
     keys() { grep -oE "^ {$1}\"[A-Za-z_]+\"" o/p/run.json | tr -d ' "' | tr '\n' ' '; }
     [[ $(keys 2) == 'nodes tets bytes device layout command setup_seconds settings steps ' ]] || fail "keys $(keys 2)"
-    step='compression newton_iterations pcg_iterations residual energy smallest_J reaction reaction_estimate error_estimate past_plates seconds warm_seconds newton '
+    step='compression newton_iterations pcg_iterations residual energy smallest_J reaction reaction_estimate error_estimate past_plates seconds warm_seconds time kinetic_energy newton '
     [[ $(keys 6) == "$step$step" ]] || fail "keys of steps $(keys 6)"
     # A line for each Newton step that was printed, those of coarser meshes too.
     printed=$(grep -cE '^ +[0-9]+ +[0-9.e+-]+ +[0-9]+ ' out)

@@ -31,7 +31,8 @@ RunRecord record_of(int steps) {
                 .setup_seconds = 0.1,
                 .steps = {}};
   for (int s = 0; s < steps; ++s) {
-    run.steps.push_back({0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, -1.05, 1e-4, 2e-5, 0.04, 0.03, {}});
+    run.steps.push_back(
+        {0.05 * (s + 1), 4 + s, 60 + s, 1e-4 / 3, 0.7, 0.94, -1.1, -1.05, 1e-4, 2e-5, 0.04, 0.03, 0.2, 3e-4, {}});
     run.steps.back().newton = {{2, 9, 0.3, 0.9, 0.8, 0.001}, {0, 11 + s, 1e-4 / 3, 0.7, 0.94, 0.02}};
   }
   return run;
@@ -61,7 +62,7 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(keys_of(step),
             (std::vector<std::string>{"compression", "newton_iterations", "pcg_iterations", "residual", "energy",
                                       "smallest_J", "reaction", "reaction_estimate", "error_estimate", "past_plates",
-                                      "seconds", "warm_seconds", "newton"}));
+                                      "seconds", "warm_seconds", "time", "kinetic_energy", "newton"}));
   EXPECT_EQ(step["compression"], 0.1);
   EXPECT_EQ(step["newton_iterations"], 5);
   EXPECT_EQ(step["pcg_iterations"], 61);
@@ -71,6 +72,8 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(step["reaction"], -1.1);
   EXPECT_EQ(step["past_plates"], 2e-5);
   EXPECT_EQ(step["seconds"], 0.04);
+  EXPECT_EQ(step["time"], 0.2);
+  EXPECT_EQ(step["kinetic_energy"], 3e-4);
 }
 
 TEST_F(RunJson, has_every_newton_step_in_order) {

@@ -1,4 +1,5 @@
 // What truthcube says of sizes and bytes before anything is allocated, against what is allocated then.
+#include <fem/dynamics/explicit.h>
 #include <fem/solver/background_grid.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
@@ -100,6 +101,29 @@ TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fe
       EXPECT_LT(real, assembled);
       EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, 0).lists, lists.lists);
     }
+  }
+}
+
+TEST_P(Bytes, of_other_scenes_are_those_of_their_solvers) {
+  const std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, GetParam().volume);
+  const auto counts = count_cube(GetParam().cells, GetParam().volume);
+  const fem::Loading loading{std::vector<fem::Point>(levels.front().rest.size(), fem::Point{}), {}};
+  for (const auto precision :
+       {fem::TangentPrecision::half, fem::TangentPrecision::float32, fem::TangentPrecision::float64}) {
+    fem::DynamicSettings settings;
+    settings.solver.precision = precision;
+    settings.solver.nested = false;
+    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::implicit_dynamics).solver,
+              fem::make_implicit_solver(levels, loading, settings)->bytes());
+    if (GetParam().volume != VolumeTreatment::tets) continue;
+    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::explicit_dynamics).solver,
+              fem::make_explicit_solver(levels.front(), loading, settings)->bytes());
+    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::linear_elastic).solver,
+              fem::make_linear_solver(levels, loading, settings.solver)->bytes());
+    settings.solver.newton.product = fem::Product::matrix_free;
+    settings.solver.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
+    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::linear_elastic).solver,
+              fem::make_linear_solver(levels, loading, settings.solver)->bytes());
   }
 }
 

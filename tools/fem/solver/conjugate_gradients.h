@@ -49,23 +49,23 @@ template <class View>
 ClearStep(View) -> ClearStep<View>;
 
 /// Solves K dx = -f to sqrt(r . z) <= tolerance times its first value.
-/// @param loop of this level and these vectors, and of `residual_length`, which it is recorded with
-/// @param a whose tangents are multiplied with where the level's stiffness is not assembled
+/// @param loop of this level, these vectors, `multiply`, and `residual_length`, which it is recorded with
+/// @param level LinearLevel, or arrays of its names: in scaled unknowns the preconditioner's r and z
 /// @param v its residual holds f, 0 in prescribed components; on return dx, and the recurrence's residual
 /// @param residual_length where it is above 0: solves to |r| <= this [N] in place of the tolerance
-/// @pre prepare() has been called for this level and its stiffness, or prepare_nodes()
-template <class On, class Arrays, class Levels, class Vectors>
-void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-           const PreconditionerSettings& settings, double tolerance, int most_iterations, double residual_length = 0) {
-  auto& level = *levels[top];
-  const index_t n = level.nodes();
+/// @param multiply turns v.direction p and leaves K p in v.product
+/// @param precondition leaves z = M r in level.correction; level.residual is used up
+template <class On, class Level, class Vectors, class Multiply, class Precondition>
+void conjugate_gradients(On& on, typename On::Loop& loop, Level& level, Vectors& v, double tolerance,
+                         int most_iterations, double residual_length, const Multiply& multiply,
+                         const Precondition& precondition) {
+  const index_t n = level.scales.size();
   const auto state = v.state.view();
   const auto scales = level.scales.const_view();
   const auto scaled = level.residual.view();
   const auto step = v.step.view();
   const auto residual = v.residual.view();
   const auto direction = v.direction.view();
-  const auto product = v.product.view();
   const auto z = level.correction.const_view();
   const auto p = v.direction.const_view();
   const auto r = v.residual.const_view();
@@ -75,25 +75,15 @@ void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size
   on.run(n, ClearStep{step});
   on.run(n, ClearStep{direction});
   on.run(n, ScaleResidual{scales, r, scaled});
-  precondition(on, levels, top, settings);
+  precondition();
   on.reduce(n, ResidualNorm{scales, r, z}, Sum{}, SetFirstNorm{state});
   on.repeat(
       loop, most_iterations,
       [&] {
-        if (level.assembled) {
-          on.run(n,
-                 TurnDirection{v.state.const_view(), scales, z, level.node_stiffness.const_view(), direction, product});
-          add_edges(on,
-                    SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
-                                     level.edges.const_view(), p, product},
-                    level.sums);
-        } else {
-          on.run(n, TurnDirectionAlone{v.state.const_view(), scales, z, direction, product});
-          add_tangents(on, a, p, product);
-        }
+        multiply();
         on.reduce(n, Curvature{p, q}, Sum{}, SetLength{state});
         on.run(n, TakeStep{v.state.const_view(), level.constraints.const_view(), scales, p, q, step, residual, scaled});
-        precondition(on, levels, top, settings);
+        precondition();
         if (residual_length > 0) {
           on.reduce(n, ResidualNorms{scales, r, z}, Sum{}, SetNextNorms{state, residual_length});
         } else {
@@ -101,6 +91,49 @@ void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size
         }
       },
       HasEnded{v.state.const_view()});
+}
+
+/// The same with the assembled stiffness of level `top`. @pre prepare() has been called for it
+template <class On, class Levels, class Vectors>
+void solve_assembled(On& on, typename On::Loop& loop, Levels& levels, std::size_t top, Vectors& v,
+                     const PreconditionerSettings& settings, double tolerance, int most_iterations,
+                     double residual_length = 0) {
+  auto& level = *levels[top];
+  const auto product = v.product.view();
+  const auto multiply = [&] {
+    on.run(level.nodes(), TurnDirection{v.state.const_view(), level.scales.const_view(), level.correction.const_view(),
+                                        level.node_stiffness.const_view(), v.direction.view(), product});
+    add_edges(on,
+              SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                               level.edges.const_view(), v.direction.const_view(), product},
+              level.sums);
+  };
+  conjugate_gradients(on, loop, level, v, tolerance, most_iterations, residual_length, multiply,
+                      [&] { precondition(on, levels, top, settings); });
+}
+
+/// The same with the stiffness of level `top` as it is: assembled, or the tangents in `a`.
+/// @pre prepare() has been called for this level and its stiffness, or prepare_nodes()
+template <class On, class Arrays, class Levels, class Vectors>
+void solve(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
+           const PreconditionerSettings& settings, double tolerance, int most_iterations, double residual_length = 0) {
+  auto& level = *levels[top];
+  using Choices = typename std::remove_cvref_t<decltype(level)>::Choices;
+  if constexpr (Choices::assembled) {
+    if (level.assembled) {
+      return solve_assembled(on, loop, levels, top, v, settings, tolerance, most_iterations, residual_length);
+    }
+  }
+  if constexpr (Choices::matrix_free) {
+    const auto product = v.product.view();
+    const auto multiply = [&] {
+      on.run(level.nodes(), TurnDirectionAlone{v.state.const_view(), level.scales.const_view(),
+                                               level.correction.const_view(), v.direction.view(), product});
+      add_tangents(on, a, v.direction.const_view(), product);
+    };
+    conjugate_gradients(on, loop, level, v, tolerance, most_iterations, residual_length, multiply,
+                        [&] { precondition(on, levels, top, settings); });
+  }
 }
 
 /// Waits for a solve. The status is still `running` where the iterations did not suffice.

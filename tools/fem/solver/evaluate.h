@@ -5,6 +5,7 @@
 #include <fem/solver/evaluate_tets.h>
 #include <fem/solver/material_split.h>
 #include <fem/solver/node_volume.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/patch_volume.h>
 #include <fem/solver/tet_stress.h>
 #include <physgen/reduce.h>
@@ -36,7 +37,7 @@ struct StoreVolumetric {
 template <class StateView>
 StoreVolumetric(StateView) -> StoreVolumetric<StateView>;
 
-/// A material, as the solver sees it.
+/// A material, as the solver sees it that is compiled for all of them.
 /// @tparam Arrays EquilibriumArrays
 template <class On, class Arrays>
 class Evaluator {
@@ -60,33 +61,34 @@ class Evaluator {
   [[nodiscard]] virtual VolumeTerm volume() const = 0;
 };
 
-template <class On, class Arrays, class Material>
-class MaterialEvaluator final : public Evaluator<On, Arrays> {
+/// The steps of a material.
+template <class Material>
+class MaterialSteps {
  public:
-  using typename Evaluator<On, Arrays>::PositionView;
-  using typename Evaluator<On, Arrays>::Stresses;
-
   /// @param averages whether volumes are averaged. @pre then the material's volume can be split off
-  MaterialEvaluator(const Material& material, bool averages) : material_(material) {
+  MaterialSteps(const Material& material, bool averages) : material_(material) {
     if constexpr (splits_volume<Material>) {
       if (averages) volume_ = split_volume(material_);
     }
   }
-  void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) override {
+  template <class On, class Arrays, class Positions>
+  void evaluate_volumes(On& on, Arrays& a, const Positions& positions, bool restart) {
     const auto evaluate = [&](const auto& kernel) {
       on.reduce(a.volumes.size(), kernel, Sum{}, StoreVolumetric{a.state.view()});
     };
-    if (a.patches != nullptr) {
-      auto& p = *a.patches;
+    const auto of_patches = [&](auto& p) {
       evaluate(EvaluatePatches{volume_.law, volume_.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),
                                a.rest.const_view(), positions, a.volumes.view(), p.tangent.view()});
-    } else if (a.rings != nullptr) {
+    };
+    const auto at_nodes = [&](auto& rings) {
       evaluate(EvaluateNodeVolumes{volume_.law, volume_.modulus, restart, a.node_tets.const_view(), a.tets.const_view(),
-                                   a.rest.const_view(), positions, a.volumes.view(), a.rings->nodes.view(),
-                                   a.rings->tangent.view()});
-    }
+                                   a.rest.const_view(), positions, a.volumes.view(), rings.nodes.view(),
+                                   rings.tangent.view()});
+    };
+    if (!where(a.patches, of_patches)) where(a.rings, at_nodes);
   }
-  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const PositionView& positions) override {
+  template <class On, class Arrays, class Positions>
+  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const Positions& positions) {
     with_pressures(a, [&](const auto& pressures) {
       on.reduce(chunk.tets(),
                 ComputeTetForces{chunk, material_, pressures, a.tets.const_view(), a.rest.const_view(), positions,
@@ -94,36 +96,66 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
                 Sum{}, AddElastic{a.state.view(), chunk.is_first()});
     });
   }
-  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) override {
+  template <class On, class Arrays>
+  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) {
     with_pressures(a, [&](const auto& pressures) {
       on.run(chunk.tets(),
              ComputeTetTangents{chunk, filter, material_, pressures, a.tets.const_view(), a.rest.const_view(),
                                 a.positions.const_view(), a.chunk_arrays->tangent.view()});
     });
   }
-  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override {
+  template <class On, class Arrays, class Stresses>
+  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) {
     with_pressures(a, [&](const auto& pressures) {
       on.run(a.tet_count(), EvaluateStress{material_, pressures, a.tets.const_view(), a.rest.const_view(),
                                            a.positions.const_view(), stresses.view()});
     });
   }
-  [[nodiscard]] VolumeTerm volume() const override { return volume_; }
+  [[nodiscard]] VolumeTerm volume() const { return volume_; }
 
  private:
   /// Calls body with what tells kernels of tets the pressures of mean volumes.
-  template <class Body>
+  template <class Arrays, class Body>
   static void with_pressures(Arrays& a, const Body& body) {
     if constexpr (splits_volume<Material>) {
-      if (a.patches != nullptr) {
-        return body(PatchPressures{a.patches->tet_patches.const_view(), a.volumes.const_view()});
+      if constexpr (may_have<decltype(a.patches)>) {
+        if (a.patches != nullptr) {
+          return body(PatchPressures{a.patches->tet_patches.const_view(), a.volumes.const_view()});
+        }
       }
-      if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
+      if constexpr (may_have<decltype(a.rings)>) {
+        if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
+      }
     }
     body(NoPatches{});
   }
 
   Material material_;
   VolumeTerm volume_;
+};
+
+template <class On, class Arrays, class Material>
+class MaterialEvaluator final : public Evaluator<On, Arrays> {
+ public:
+  using typename Evaluator<On, Arrays>::PositionView;
+  using typename Evaluator<On, Arrays>::Stresses;
+
+  /// See MaterialSteps.
+  MaterialEvaluator(const Material& material, bool averages) : steps_(material, averages) {}
+  void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) override {
+    steps_.evaluate_volumes(on, a, positions, restart);
+  }
+  void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const PositionView& positions) override {
+    steps_.evaluate_forces(on, a, chunk, positions);
+  }
+  void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) override {
+    steps_.evaluate_tangents(on, a, chunk, filter);
+  }
+  void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override { steps_.evaluate_stress(on, a, stresses); }
+  [[nodiscard]] VolumeTerm volume() const override { return steps_.volume(); }
+
+ private:
+  MaterialSteps<Material> steps_;
 };
 
 /// @throw Error when constants are out of range

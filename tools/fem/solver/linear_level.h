@@ -4,6 +4,8 @@
 #include <fem/kernels/edge_bricks.h>
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/assembled_stiffness.h>
+#include <fem/solver/inertia_arrays.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/plane_arrays.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
@@ -49,6 +51,7 @@ struct LinearLevel {
   using Real = Real_;
   using Space = Space_;
   using Stored = Stored_;
+  using Choices = AnyChoice;
 
   bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
   quasistatic::NodeConstraintArray<Real, Space> constraints;
@@ -89,6 +92,7 @@ struct LinearLevel {
   /// Where that preconditioner is used.
   std::unique_ptr<SchwarzArrays<Real, Space, typename Stored::template Factors<Space>>> schwarz;
   std::unique_ptr<PlaneArrays<Real, Space>> planes;  ///< where the body may touch some
+  std::unique_ptr<InertiaArrays<Space>> inertia;     ///< where it moves
 
   /// @param rest position of each node
   LinearLevel(const LevelGraph& graph, const LevelGraph* coarser, const std::vector<Point>& rest)
@@ -152,7 +156,7 @@ struct LinearLevel {
                     parents, grid_parents, children.ranges(), children.entries(), edge_terms.ranges(),
                     edge_terms.entries(), translations, coarse_inverse) +
            sums.bytes() + bricks.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) +
-           (planes == nullptr ? 0 : planes->bytes());
+           (planes == nullptr ? 0 : planes->bytes()) + (inertia == nullptr ? 0 : inertia->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
 

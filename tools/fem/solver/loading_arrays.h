@@ -49,8 +49,20 @@ inline void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vect
   forces = std::move(coarse_forces);
 }
 
-/// Rounding of positions, eps |x|, times the stiffness of a node, with a factor for few numbers that add up.
+/// Rounding of positions, eps |x|, times the stiffness of a node [N/m], with a factor for few numbers that add up [N].
+/// @param farthest |x| at most [m]
+[[nodiscard]] inline double rounding_force(double stiffness, double farthest, std::size_t nodes) {
+  return 32 * std::numeric_limits<double>::epsilon() * farthest * stiffness * std::sqrt(double(nodes));
+}
+
+/// About the stiffness of a node, with that of planes where there are some [N/m].
 /// @param spacing mean distance of neighbours [m]
+[[nodiscard]] inline double node_stiffness(const SolverSettings& settings, bool planes, double spacing) {
+  return spacing * settings.youngs_modulus *
+         (1 / (1 - 2 * std::min(settings.poissons_ratio, 0.4999)) + (planes ? settings.plane_stiffness : 0.0));
+}
+
+/// Of a load between 0 and 1.
 [[nodiscard]] inline double rounding_force(const SolverSettings& settings, const MeshLevel& level,
                                            const std::vector<Point>& motion, bool planes, double spacing) {
   double farthest = 0;
@@ -60,10 +72,7 @@ inline void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vect
       farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
     }
   }
-  const double modulus = settings.youngs_modulus * (1 / (1 - 2 * std::min(settings.poissons_ratio, 0.4999)) +
-                                                    (planes ? settings.plane_stiffness : 0.0));
-  return 32 * std::numeric_limits<double>::epsilon() * farthest * modulus * spacing *
-         std::sqrt(double(level.rest.size()));
+  return rounding_force(node_stiffness(settings, planes, spacing), farthest, level.rest.size());
 }
 
 }  // namespace physgen::fem

@@ -7,16 +7,17 @@
 
 namespace physgen::fem {
 
-/// Calls visit.operator()<Material>(name) for every material, in double.
-template <class Visit>
+/// Calls visit.operator()<Material>(name) for every material.
+/// @tparam Real its precision
+template <class Real = double, class Visit>
 void for_each_material(const Visit& visit) {
-  visit.template operator()<NeoHookean<double>>("neo-hookean");
-  visit.template operator()<StVenantKirchhoff<double>>("st-venant-kirchhoff");
-  visit.template operator()<Corotated<double>>("corotated");
-  visit.template operator()<FixedCorotated<double>>("fixed-corotated");
-  visit.template operator()<StableNeoHookean<double>>("stable-neo-hookean");
-  visit.template operator()<StableNeoHookeanFull<double>>("stable-neo-hookean-full");
-  visit.template operator()<MooneyRivlin<double>>("mooney-rivlin");
+  visit.template operator()<NeoHookean<Real>>("neo-hookean");
+  visit.template operator()<StVenantKirchhoff<Real>>("st-venant-kirchhoff");
+  visit.template operator()<Corotated<Real>>("corotated");
+  visit.template operator()<FixedCorotated<Real>>("fixed-corotated");
+  visit.template operator()<StableNeoHookean<Real>>("stable-neo-hookean");
+  visit.template operator()<StableNeoHookeanFull<Real>>("stable-neo-hookean-full");
+  visit.template operator()<MooneyRivlin<Real>>("mooney-rivlin");
 }
 
 /// @throw Error naming the materials there are, and the nearest

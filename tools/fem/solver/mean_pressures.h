@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/node_volume.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/patch_volume.h>
 
 namespace physgen::fem {
@@ -10,35 +11,41 @@ namespace physgen::fem {
 /// Along with a step dx from the state that was evaluated last. @param dx view of elasticity::NodeDisplacement
 template <class On, class Arrays, class Displacements>
 void advance_pressures(On& on, Arrays& a, const VolumeTerm& volume, const Displacements& dx) {
-  if (a.patches != nullptr) {
-    on.run(a.volumes.size(), AdvancePatches{volume.law, volume.modulus, a.volumes.view(), a.patches->nodes.const_view(),
-                                            a.patches->tangent.const_view(), dx});
-  } else if (a.rings != nullptr) {
+  const auto of_patches = [&](auto& p) {
+    on.run(a.volumes.size(), AdvancePatches{volume.law, volume.modulus, a.volumes.view(), p.nodes.const_view(),
+                                            p.tangent.const_view(), dx});
+  };
+  const auto at_nodes = [&](auto& rings) {
     on.run(a.volumes.size(),
-           AdvanceNodeVolumes{volume.law, volume.modulus, a.volumes.view(), a.rings->nodes.const_view(), dx});
-  }
+           AdvanceNodeVolumes{volume.law, volume.modulus, a.volumes.view(), rings.nodes.const_view(), dx});
+  };
+  if (!where(a.patches, of_patches)) where(a.rings, at_nodes);
 }
 
 /// Along with a part of the step, 0 to 1. @pre advance_pressures() for all of it
 template <class On, class Arrays>
 void shorten_pressures(On& on, Arrays& a, double length) {
-  if (a.volumes.size() != 0) on.run(a.volumes.size(), ShortenPressures{length, a.volumes.view()});
+  if constexpr (may_have<decltype(a.patches)> || may_have<decltype(a.rings)>) {
+    if (a.volumes.size() != 0) on.run(a.volumes.size(), ShortenPressures{length, a.volumes.view()});
+  }
 }
 
 /// To begin with, those that a coarser level has found. @return whether there are any
 /// @param parents view of quasistatic::NodeParents, to the coarser level
 template <class On, class Arrays, class Parents>
 [[nodiscard]] bool inject_pressures(On& on, const Arrays& coarse, Arrays& a, const Parents& parents) {
-  if (a.patches != nullptr && a.patches->parents.size() != 0) {
+  bool injected = false;
+  where(a.patches, [&](auto& p) {
+    if (p.parents.size() == 0) return;
     on.run(a.volumes.size(),
-           InjectPatchPressures{a.patches->parents.const_view(), coarse.volumes.const_view(), a.volumes.view()});
-    return true;
-  }
-  if (a.rings != nullptr) {
+           InjectPatchPressures{p.parents.const_view(), coarse.volumes.const_view(), a.volumes.view()});
+    injected = true;
+  });
+  where(a.rings, [&](auto& /*rings*/) {
     on.run(a.volumes.size(), InjectNodePressures{parents, coarse.volumes.const_view(), a.volumes.view()});
-    return true;
-  }
-  return false;
+    injected = true;
+  });
+  return injected;
 }
 
 }  // namespace physgen::fem

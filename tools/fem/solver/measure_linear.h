@@ -56,11 +56,10 @@ void read_step(const Array& array, std::vector<Point>& step) {
 }  // namespace detail
 
 /// Solves for the step of the tangents in `a` and a force, on the finest level; times and bytes where repeats > 0.
-template <class On, class Arrays, class Levels, class Vectors>
-[[nodiscard]] LinearMeasurement measure_linear(On& on, Arrays& a, Levels& levels, Vectors& v,
-                                               Evaluator<On, Arrays>& evaluator, NewtonSettings settings,
-                                               const AtLoad& at, const LinearTask& task, std::span<const Point> force,
-                                               std::vector<Point>* step) {
+template <class On, class Arrays, class Levels, class Vectors, class Evaluator>
+[[nodiscard]] LinearMeasurement measure_linear(On& on, Arrays& a, Levels& levels, Vectors& v, Evaluator& evaluator,
+                                               NewtonSettings settings, const AtLoad& at, const LinearTask& task,
+                                               std::span<const Point> force, std::vector<Point>* step) {
   auto& level = *levels[0];
   const PreconditionerSettings& preconditioner = settings.preconditioner;
   settings.most_iterations = std::max(settings.most_iterations, 100000);

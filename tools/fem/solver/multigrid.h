@@ -6,6 +6,7 @@
 #include <fem/solver/cycle.h>
 #include <fem/solver/galerkin.h>
 #include <fem/solver/grid_galerkin.h>
+#include <fem/solver/inertia.h>
 #include <fem/solver/linear_level.h>
 #include <fem/solver/power_iteration.h>
 #include <fem/solver/rigid_planes.h>
@@ -80,35 +81,45 @@ template <class On, class Level>
 void coarsen_stiffness(On& on, Level& fine, Level& coarse) {
   const auto node_stiffness = fine.node_stiffness.const_view();
   const auto edge_stiffness = fine.edge_stiffness.const_view();
-  if (fine.grid_parents.size() == 0) {
+  if (!lies_in_grid(fine)) {
     on.run(coarse.edge_count(), CoarsenEdgeStiffness{fine.edge_terms.const_view(), node_stiffness, edge_stiffness,
                                                      coarse.edge_stiffness.view()});
-  } else {
+  } else if constexpr (Level::Choices::grids) {
     on.run(coarse.edge_count(), CoarsenToGrid{fine.edge_terms.const_view(), fine.grid_parents.const_view(),
                                               fine.constraints.const_view(), fine.edges.const_view(), node_stiffness,
                                               edge_stiffness, coarse.edges.const_view(), coarse.edge_stiffness.view()});
     on.run(fine.nodes(),
            SumTranslationStiffness{fine.node_edges.const_view(), fine.edges.const_view(), fine.constraints.const_view(),
                                    node_stiffness, edge_stiffness, fine.translations.view()});
-    if (fine.planes != nullptr) {
-      on.run(fine.nodes(), AddPlaneTranslations{fine.constraints.const_view(), fine.planes->stiffness.const_view(),
+    where(fine.planes, [&](auto& planes) {
+      on.run(fine.nodes(), AddPlaneTranslations{fine.constraints.const_view(), planes.stiffness.const_view(),
                                                 fine.translations.view()});
-    }
+    });
+    where(fine.inertia, [&](auto& inertia) {
+      on.run(fine.nodes(), AddInertiaTranslations{inertia.per_mass, fine.constraints.const_view(),
+                                                  inertia.masses.const_view(), fine.translations.view()});
+    });
   }
   on.run(coarse.nodes(), SumNodeStiffness{coarse.node_edges.const_view(), coarse.edge_stiffness.const_view(),
                                           coarse.node_stiffness.view()});
   if (!coarse.is_grid) {
-    if (fine.planes != nullptr) {
-      on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), fine.planes->stiffness.const_view(),
-                                                   coarse.planes->stiffness.view(), coarse.node_stiffness.view()});
-    }
+    where(fine.planes, coarse.planes, [&](auto& planes, auto& coarse_planes) {
+      on.run(coarse.nodes(), CoarsenPlaneStiffness{fine.children.const_view(), planes.stiffness.const_view(),
+                                                   coarse_planes.stiffness.view(), coarse.node_stiffness.view()});
+    });
+    where(fine.inertia, coarse.inertia, [&](auto& inertia, auto& coarse_inertia) {
+      on.run(coarse.nodes(),
+             AddInertiaStiffness{inertia.per_mass, coarse_inertia.masses.const_view(), coarse.node_stiffness.view()});
+    });
     return;
   }
-  with_interpolation(fine, [&](const auto& interpolation) {
-    on.run(coarse.nodes(), CoarsenTranslationStiffness{interpolation, fine.children.const_view(),
-                                                       fine.translations.const_view(), coarse.translations.view()});
-  });
-  on.run(coarse.nodes(), AddTranslationStiffness{coarse.translations.const_view(), coarse.node_stiffness.view()});
+  if constexpr (Level::Choices::grids) {
+    with_interpolation(fine, [&](const auto& interpolation) {
+      on.run(coarse.nodes(), CoarsenTranslationStiffness{interpolation, fine.children.const_view(),
+                                                         fine.translations.const_view(), coarse.translations.view()});
+    });
+    on.run(coarse.nodes(), AddTranslationStiffness{coarse.translations.const_view(), coarse.node_stiffness.view()});
+  }
 }
 
 /// Everything that depends on the stiffness of level `top`, which is given: coarser stiffness, scaled copies,
@@ -138,7 +149,7 @@ void precondition(On& on, Levels& levels, std::size_t top, const PreconditionerS
     on.run(n, ApplyBlockJacobi{level.inverse.const_view(), level.residual.const_view(), level.correction.view()});
   } else if (settings.kind == Preconditioner::schwarz) {
     apply_schwarz(on, level);
-  } else {
+  } else if constexpr (std::remove_cvref_t<decltype(level)>::Choices::assembled) {
     v_cycle(on, levels, top, settings);
   }
 }

@@ -15,9 +15,10 @@
 namespace physgen::fem {
 
 /// Energy, forces and residual of the state at `positions`.
+/// @param evaluator an Evaluator of these arrays, or MaterialSteps
 /// @param restart averaged volumes begin their linearised pressure anew
-template <class On, class Arrays, class Level, class Positions, class Forces>
-auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, const Positions& positions,
+template <class On, class Arrays, class Level, class Evaluate, class Positions, class Forces>
+auto evaluate_state(On& on, Arrays& a, Level& level, Evaluate& evaluator, const Positions& positions,
                     const Forces& forces, const AtLoad& at, bool restart) {
   const auto state = a.state.view();
   evaluator.evaluate_volumes(on, a, positions, restart);
@@ -26,25 +27,24 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& eval
     on.run(chunk.nodes(), SumForces{chunk, at.load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
                                     a.loads.const_view(), forces});
   }
-  const auto measure = [&](const auto& planes) {
+  const auto measure = [&](const auto& planes, const auto& inertia) {
     on.reduce(a.nodes(),
               MeasureForces{at.load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(),
-                            positions, forces, planes},
+                            positions, forces, planes, inertia},
               Sum{}, StoreForces{state});
   };
-  if (level.planes == nullptr) {
-    measure(NoPlanes{});
-  } else {
-    measure(level.planes->at(at));
-  }
+  const auto measure_with = [&](const auto& inertia) {
+    if (!where(level.planes, [&](auto& planes) { measure(planes.at(at), inertia); })) measure(NoPlanes{}, inertia);
+  };
+  if (!where(level.inertia, [&](auto& own) { measure_with(own.at_step()); })) measure_with(NoInertia{});
   on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
             StoreSmallestRatio{state});
   return on.value(a.state);
 }
 
 /// The stiffness of a level at the arrays' positions. @pre they are those of the last evaluate_state()
-template <class On, class Arrays, class Level>
-void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter) {
+template <class On, class Arrays, class Level, class Evaluate>
+void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter) {
   const auto edges = level.edge_stiffness.view();
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_tangents(on, a, chunk, filter);
@@ -52,16 +52,13 @@ void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator,
       on.run(chunk.edges(),
              SumEdgeStiffness{chunk, a.edge_tets.const_view(), patches, a.chunk_arrays->tangent.const_view(), edges});
     };
-    if (a.patches != nullptr) {
-      sum(EdgePatchTangents{a.patches->edge_patches.const_view(), a.patches->tangent.const_view()});
-    } else {
-      sum(NoEdgePatches{});
-    }
+    const auto sum_with = [&](auto& p) { sum(EdgePatchTangents{p.edge_patches.const_view(), p.tangent.const_view()}); };
+    if (!where(a.patches, sum_with)) sum(NoEdgePatches{});
   }
-  if (a.rings != nullptr) {
-    on.run(level.edge_count(), AddNodeVolumeStiffness{level.edges.const_view(), a.rings->nodes.const_view(),
-                                                      a.rings->tangent.const_view(), edges});
-  }
+  where(a.rings, [&](auto& rings) {
+    on.run(level.edge_count(), AddNodeVolumeStiffness{level.edges.const_view(), rings.nodes.const_view(),
+                                                      rings.tangent.const_view(), edges});
+  });
   on.run(level.nodes(), SumNodeStiffness{level.node_edges.const_view(), level.edge_stiffness.const_view(),
                                          level.node_stiffness.view()});
 }
@@ -69,44 +66,53 @@ void assemble(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator,
 /// df = K dx of the level's tangent, assembled or by tets.
 template <class On, class Arrays, class Level, class DisplacementView, class DifferentialView>
 void multiply_tangent(On& on, Arrays& a, Level& level, const DisplacementView& dx, const DifferentialView& df) {
-  if (level.assembled) {
-    multiply(on,
-             SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
-                              level.edges.const_view(), dx, df},
-             level.sums);
-  } else {
+  if constexpr (Level::Choices::assembled) {
+    if (level.assembled) {
+      return multiply(on,
+                      SymmetricProduct{level.node_stiffness.const_view(), level.edge_stiffness.const_view(),
+                                       level.edges.const_view(), dx, df},
+                      level.sums);
+    }
+  }
+  if constexpr (Level::Choices::matrix_free) {
     on.run(a.nodes(), ClearDifferentials{df});
     add_tangents(on, a, dx, df);
   }
 }
 
 /// The tangent at the arrays' positions: assembled, or by tets. @pre they are those of the last evaluate_state()
-template <class On, class Arrays, class Level>
-void form_tangent(On& on, Arrays& a, Level& level, Evaluator<On, Arrays>& evaluator, TangentFilter filter,
-                  const AtLoad& at) {
+template <class On, class Arrays, class Level, class Evaluate>
+void form_tangent(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter, const AtLoad& at) {
   if (!level.assembled) return evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
-  assemble(on, a, level, evaluator, filter);
-  if (level.planes == nullptr) return;
-  on.run(a.nodes(), AddPlaneStiffness{level.planes->at(at), a.positions.const_view(), level.constraints.const_view(),
-                                      level.planes->stiffness.view(), level.node_stiffness.view()});
+  if constexpr (Level::Choices::assembled) {
+    assemble(on, a, level, evaluator, filter);
+    const auto stiffness = level.node_stiffness.view();
+    where(level.planes, [&](auto& planes) {
+      on.run(a.nodes(), AddPlaneStiffness{planes.at(at), a.positions.const_view(), level.constraints.const_view(),
+                                          planes.stiffness.view(), stiffness});
+    });
+    where(level.inertia, [&](auto& inertia) {
+      on.run(a.nodes(), AddInertiaStiffness{inertia.per_mass, inertia.masses.const_view(), stiffness});
+    });
+  }
 }
 
 /// The preconditioner of that tangent. @param fresh whether power iterations begin anew
 template <class On, class Arrays, class Levels>
 void prepare_tangent(On& on, Arrays& a, Levels& levels, std::size_t top, const PreconditionerSettings& settings,
                      bool fresh) {
-  if (levels[top]->assembled) {
-    prepare(on, levels, top, settings, fresh);
-  } else {
-    prepare_nodes(on, a, *levels[top], settings);
+  using Choices = typename std::remove_cvref_t<decltype(*levels[top])>::Choices;
+  if constexpr (Choices::assembled) {
+    if (levels[top]->assembled) return prepare(on, levels, top, settings, fresh);
   }
+  if constexpr (Choices::matrix_free) prepare_nodes(on, a, *levels[top], settings);
 }
 
 /// Forms the tangent at the arrays' positions, and solves for the step; a.increment is taken in where there is one.
-template <class On, class Arrays, class Levels, class Vectors>
+template <class On, class Arrays, class Levels, class Vectors, class Evaluate>
 LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-                        Evaluator<On, Arrays>& evaluator, TangentFilter filter, const NewtonSettings& settings,
-                        const AtLoad& at, bool has_increment, bool fresh, double forcing) {
+                        Evaluate& evaluator, TangentFilter filter, const NewtonSettings& settings, const AtLoad& at,
+                        bool has_increment, bool fresh, double forcing) {
   auto& level = *levels[top];
   form_tangent(on, a, level, evaluator, filter, at);
   if (has_increment) {
@@ -124,10 +130,10 @@ LinearResult solve_step(On& on, typename On::Loop& loop, Arrays& a, Levels& leve
 /// are not yet where the load takes them (a.increment), the first linear solve moves them.
 /// @param restart whether linearised pressures begin anew, at those of the forces; else they are kept
 /// @param report called after every step
-template <class On, class Arrays, class Levels, class Vectors>
+template <class On, class Arrays, class Levels, class Vectors, class Evaluate>
 NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, std::size_t top, Vectors& v,
-                              Evaluator<On, Arrays>& evaluator, const NewtonSettings& settings, double load,
-                              bool has_increment, bool restart, const std::function<void(const NewtonStep&)>& report) {
+                              Evaluate& evaluator, const NewtonSettings& settings, double load, bool has_increment,
+                              bool restart, const std::function<void(const NewtonStep&)>& report) {
   using Clock = std::chrono::steady_clock;
   auto& level = *levels[top];
   const index_t n = a.nodes();

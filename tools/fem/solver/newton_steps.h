@@ -4,6 +4,7 @@
 #include <fem/numerics/scalar.h>
 #include <fem/solver/corner_sums.h>
 #include <fem/solver/free_part.h>
+#include <fem/solver/inertia.h>
 #include <fem/solver/rigid_planes.h>
 #include <physgen/kernel.h>
 
@@ -32,9 +33,11 @@ struct SumForces {
 template <class... Views>
 SumForces(TetChunk, double, Views...) -> SumForces<Views...>;
 
-/// f takes in what planes push the node with. Returns |f|^2 over free components, and of the forces that hold the body,
-/// those on prescribed components and of planes; and the load's potential, -load . (x - rest), with that of planes.
-template <class LoadView, class ConstraintView, class RestView, class PositionView, class ForceView, class Planes>
+/// f takes in what planes push the node with and inertia pulls it with. Returns |f|^2 over free components, and of the
+/// forces that hold the body, those on prescribed components, of planes and of inertia; and the load's potential, -load
+/// . (x - rest), with those of planes and inertia.
+template <class LoadView, class ConstraintView, class RestView, class PositionView, class ForceView, class Planes,
+          class Inertia>
 struct MeasureForces {
   using Scalar = typename ForceView::Precision;
   double load;                 ///< what `loads` are multiplied by
@@ -42,18 +45,25 @@ struct MeasureForces {
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
   RestView rest;               ///< elasticity::NodePosition
   PositionView positions;      ///< elasticity::NodePosition
-  ForceView forces;            ///< elasticity::NodeForce: planes' are added
+  ForceView forces;            ///< elasticity::NodeForce: planes' and inertia's are added
   Planes planes;               ///< RigidPlanes or NoPlanes
+  Inertia inertia;             ///< Inertia or NoInertia
 
   PHYSGEN_FUNCTION Vector3<Scalar> operator()(index_t node) const {
     using Vector = Vector3<Scalar>;
-    Vector f = forces[node].f(), more = Vector::Zero();  // more: what planes add to what is returned
+    Vector f = forces[node].f(), more = Vector::Zero();  // more: what planes and inertia add to what is returned
     const Vector x = positions[node].x();
     if constexpr (Planes::push) {
       const PlanePush push = planes.on_node(node, x, constraints[node]);
       f += push.force;
       forces[node].f() = f;
       more = Vector(0, dot3<Scalar>(push.force, push.force), push.energy);
+    }
+    if constexpr (Inertia::pulls) {
+      const InertiaPull pull = inertia.on_node(node, x);
+      f += pull.force;
+      forces[node].f() = f;
+      more += Vector(0, dot3<Scalar>(pull.force, pull.force), pull.energy);
     }
     const Vector free = detail::free_part<Scalar>(f, constraints[node]);
     const Vector fixed = f - free;

@@ -17,6 +17,7 @@ struct PlaneArrays {
   contact::RigidPlaneArray<double, Space> planes;
   contact::NodeAreaArray<double, Space> areas;            ///< empty where equilibrium is not solved
   elasticity::NodeStiffnessArray<Real, Space> stiffness;  ///< the part of the nodes' blocks that planes have
+  contact::PlaneContactArray<double, Space> contact;      ///< of one plane, where equilibrium is solved
   double per_area = 0;                                    ///< stiffness [Pa/m]
 
   /// Of a level on which equilibrium is solved.
@@ -25,12 +26,13 @@ struct PlaneArrays {
       : planes(moved_to<decltype(planes)>(host_planes(given))),
         areas(moved_to<decltype(areas)>(host_areas(level))),
         stiffness(level.mesh.nodes),
+        contact(1),
         per_area(stiffness_per_area) {}
 
   /// Of a level of the preconditioner alone.
   explicit PlaneArrays(index_t nodes) : stiffness(nodes) {}
 
-  [[nodiscard]] index_t bytes() const { return bytes_of(planes, areas, stiffness); }
+  [[nodiscard]] index_t bytes() const { return bytes_of(planes, areas, stiffness, contact); }
 
   /// For kernels. @pre equilibrium is solved on the level
   [[nodiscard]] auto at(const AtLoad& load) const {
@@ -58,11 +60,11 @@ struct PlaneArrays {
 
 /// Force and depth of each plane with a level's nodes. @pre equilibrium is solved on it, and it has planes
 template <class On, class Level, class PositionView>
-[[nodiscard]] std::vector<PlaneContact> measure_planes(On& on, const Level& level, const PositionView& positions,
+[[nodiscard]] std::vector<PlaneContact> measure_planes(On& on, Level& level, const PositionView& positions,
                                                        double load) {
   const auto planes = level.planes->at(load);
   const auto constraints = level.constraints.const_view();
-  contact::PlaneContactArray<double, typename On::Space> contact(1);
+  auto& contact = level.planes->contact;
   std::vector<PlaneContact> contacts;
   for (index_t p = 0; p < planes.planes.size(); ++p) {
     on.reduce(level.nodes(), PlaneForce{p, planes, positions, constraints}, Sum{}, StorePlaneForce{contact.view()});

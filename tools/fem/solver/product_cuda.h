@@ -11,15 +11,15 @@
 namespace physgen::fem {
 
 /// df = K dx; see symmetric_product_cuda.h.
-template <class... Views>
-void multiply(CudaExecutor& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  multiply(Cuda{}, product, sums, SumOrder::any, on.stream());
+template <RunsIn<Cuda> On, class... Views>
+void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
+  on.perform([&](Stream stream) { multiply(Cuda{}, product, sums, SumOrder::any, stream); });
 }
 
 /// df += the edges' part of K dx.
-template <class... Views>
-void add_edges(CudaExecutor& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  add_edges(Cuda{}, product, sums, SumOrder::any, on.stream());
+template <RunsIn<Cuda> On, class... Views>
+void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
+  on.perform([&](Stream stream) { add_edges(Cuda{}, product, sums, SumOrder::any, stream); });
 }
 
 namespace detail {
@@ -118,17 +118,19 @@ __global__ void __launch_bounds__(1024)
 }  // namespace detail
 
 /// Makes the inverse of the scaled stiffness over its free components. @pre the level has its scales
-template <class Level>
-void invert_coarsest(CudaExecutor& on, Level& level) {
+template <RunsIn<Cuda> On, class Level>
+void invert_coarsest(On& on, Level& level) {
   if (level.coarse_inverse.size() == 0) return;
   constexpr std::size_t most_shared = 48 * 1024;
   const auto size = static_cast<std::size_t>(3 * level.nodes());
   const std::size_t lines = 2 * size * sizeof(typename Level::Real), whole = lines + size * lines / 2;
   const bool shared = whole <= most_shared;
-  detail::invert_dense<<<1, dim3(32, 32), shared ? whole : lines, on.stream()>>>(
-      static_cast<int>(level.nodes()), static_cast<int>(level.edge_count()), shared, detail::scaled_stiffness(level),
-      level.coarse_inverse.view());
-  cuda::check(cudaGetLastError(), "inverting the coarsest level");
+  on.perform([&](Stream stream) {
+    detail::invert_dense<<<1, dim3(32, 32), shared ? whole : lines, stream>>>(
+        static_cast<int>(level.nodes()), static_cast<int>(level.edge_count()), shared, detail::scaled_stiffness(level),
+        level.coarse_inverse.view());
+    cuda::check(cudaGetLastError(), "inverting the coarsest level");
+  });
 }
 
 }  // namespace physgen::fem

@@ -11,25 +11,25 @@
 namespace physgen::fem {
 
 /// df = K dx; see symmetric_product_host.h.
-template <class... Views>
-void multiply(HostExecutor& /*on*/, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  multiply(Host{}, product, sums, SumOrder::fixed);
+template <RunsIn<Host> On, class... Views>
+void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
+  on.perform([&](Stream /*stream*/) { multiply(Host{}, product, sums, SumOrder::fixed); });
 }
 
 /// df += the edges' part of K dx.
-template <class... Views>
-void add_edges(HostExecutor& /*on*/, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
-  add_edges(Host{}, product, sums, SumOrder::fixed);
+template <RunsIn<Host> On, class... Views>
+void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
+  on.perform([&](Stream /*stream*/) { add_edges(Host{}, product, sums, SumOrder::fixed); });
 }
 
-/// Makes the inverse of the scaled stiffness over its free components. @pre the level has its scales
+namespace detail {
+
 template <class Level>
-void invert_coarsest(HostExecutor& /*on*/, Level& level) {
+void invert_dense(Level& level) {
   const index_t n = level.nodes();
-  if (level.coarse_inverse.size() == 0) return;
   using Dense = Eigen::MatrixXd;
   Dense A = Dense::Zero(3 * n, 3 * n);
-  const auto stiffness = detail::scaled_stiffness(level);
+  const auto stiffness = scaled_stiffness(level);
   const auto put = [&](index_t i, index_t j, const auto& block) {
     A.block<3, 3>(3 * i, 3 * j) = block.template cast<double>();
   };
@@ -39,7 +39,7 @@ void invert_coarsest(HostExecutor& /*on*/, Level& level) {
   Dense G = factors.matrixL().solve(Dense(factors.transpositionsP() * Dense::Identity(3 * n, 3 * n)));
   for (index_t k = 0; k < 3 * n; ++k) {
     const double pivot = factors.vectorD()[k];
-    G.row(k) *= pivot > double{detail::least_coarse_pivot<typename Level::Real>} ? 1 / pivot : 0;
+    G.row(k) *= pivot > double{least_coarse_pivot<typename Level::Real>} ? 1 / pivot : 0;
   }
   G = factors.transpositionsP().transpose() * Dense(factors.matrixU().solve(G));
   const auto inverse = level.coarse_inverse.view();
@@ -49,6 +49,15 @@ void invert_coarsest(HostExecutor& /*on*/, Level& level) {
           Eigen::Matrix<typename Level::Real, 3, 3>(G.block<3, 3>(3 * i, 3 * j).template cast<typename Level::Real>());
     }
   }
+}
+
+}  // namespace detail
+
+/// Makes the inverse of the scaled stiffness over its free components. @pre the level has its scales
+template <RunsIn<Host> On, class Level>
+void invert_coarsest(On& on, Level& level) {
+  if (level.coarse_inverse.size() == 0) return;
+  on.perform([&](Stream /*stream*/) { detail::invert_dense(level); });
 }
 
 }  // namespace physgen::fem

@@ -1,4 +1,5 @@
 #include <fem/solver/material_names.h>
+#include <fem/solver/require.h>
 #include <fem/solver/solvers.h>
 #include <physgen/error.h>
 
@@ -9,23 +10,15 @@ namespace physgen::fem {
 
 namespace {
 
-#ifndef PHYSGEN_SOLVER_HAS_CUDA
-[[noreturn]] void refuse_cuda() {
-  throw Error("this build has no CUDA: configure it with -DPHYSGEN_CUDA=ON, or solve on the CPU");
-}
-#endif
-
-void require_positive(const char* what, double value) {
-  if (!(value > 0) || !std::isfinite(value)) {
-    throw Error(std::string(what) + " is " + std::to_string(value) + " and must be a positive number");
-  }
-}
-
 void require_least(const char* what, int value, int least) {
   if (value < least) {
     throw Error(std::string(what) + " is " + std::to_string(value) + " and must be " + std::to_string(least) +
                 " or more");
   }
+}
+
+void require_meshes(const std::vector<MeshLevel>& levels) {
+  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
 }
 
 void require_settings(const SolverSettings& settings) {
@@ -57,51 +50,11 @@ void require_settings(const SolverSettings& settings) {
   require_least("the number of power iterations", preconditioner.next_power_steps, 1);
 }
 
-void require_vectors(const char* what, const std::vector<Point>& vectors, std::size_t nodes) {
-  if (vectors.size() != nodes) {
-    throw Error(std::string(what) + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
-                " nodes");
-  }
-  for (std::size_t n = 0; n < nodes; ++n) {
-    for (const double x : vectors[n]) {
-      if (!std::isfinite(x)) throw Error(std::string(what) + " of node " + std::to_string(n) + " is not finite");
-    }
-  }
-}
-
-void require_planes(const std::vector<RigidPlane>& planes) {
-  for (std::size_t p = 0; p < planes.size(); ++p) {
-    const RigidPlane& plane = planes[p];
-    const std::string which = "rigid plane " + std::to_string(p);
-    const double length = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
-    if (!(std::abs(length - 1) <= 1e-9)) {
-      throw Error(which + ": its normal has a length of " + std::to_string(length) + " and must have 1");
-    }
-    if (!std::isfinite(plane.offset) || !std::isfinite(plane.travel)) {
-      throw Error(which + ": its offset or travel is not finite");
-    }
-  }
-}
-
-}  // namespace
-
-std::string device_name(Device device) {
-  if (device == Device::cpu) return "cpu";
-#ifdef PHYSGEN_SOLVER_HAS_CUDA
-  return cuda_device_name();
-#else
-  refuse_cuda();
-#endif
-}
-
-std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
-                                               const SolverSettings& settings) {
-  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
+/// @throw Error naming what is wrong with what a solver by Newton's method is given
+void require_nonlinear(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings) {
+  require_meshes(levels);
   require_settings(settings);
-  const auto nodes = static_cast<std::size_t>(levels.front().mesh.nodes);
-  require_vectors("the motion of prescribed components", loading.motion, nodes);
-  if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
-  require_planes(loading.planes);
+  require_loading(levels.front(), loading);
   if (!loading.planes.empty() && settings.newton.product == Product::matrix_free) {
     throw Error("rigid planes go with the assembled product: the matrix-free one has the stiffness of tets alone");
   }
@@ -136,9 +89,53 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
     }
   }
   if (!can_average_volume(settings.material) && (patches || nodes_average)) refuse_averages(settings.material);
+}
+
+}  // namespace
+
+std::string device_name(Device device) {
+  if (device == Device::cpu) return "cpu";
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return cuda_device_name();
+#else
+  refuse_cuda();
+#endif
+}
+
+std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                               const SolverSettings& settings) {
+  require_nonlinear(levels, loading, settings);
   if (settings.device == Device::cpu) return make_host_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   return make_cuda_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
+}
+
+std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                      const SolverSettings& settings) {
+  require_meshes(levels);
+  require_settings(settings);
+  require_plain("linear elasticity", levels.front(), loading);
+  if (settings.device == Device::cpu) return make_host_linear_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_linear_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
+}
+
+std::unique_ptr<DynamicSolver> make_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                    const DynamicSettings& settings) {
+  require_nonlinear(levels, loading, settings.solver);
+  require_motion(settings);
+  if (settings.solver.newton.product == Product::matrix_free) {
+    throw Error("inertia goes with the assembled product: the matrix-free one has the stiffness of tets alone");
+  }
+  if (settings.solver.device == Device::cpu) return make_host_implicit_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_implicit_solver(levels, loading, settings);
 #else
   refuse_cuda();
 #endif

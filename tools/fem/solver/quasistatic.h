@@ -53,10 +53,10 @@ struct NodeState {
   std::vector<PlaneContact> planes;
 };
 
-/// Solves for one body, along growing loads.
-class QuasistaticSolver {
+/// Finds equilibria of one body, along growing loads.
+class EquilibriumSolver {
  public:
-  virtual ~QuasistaticSolver() = default;
+  virtual ~EquilibriumSolver() = default;
 
   /// Goes from the last equilibrium to that of a load. Where Newton's method does not get there, the increment is
   /// halved, up to settings.most_bisections times.
@@ -73,9 +73,9 @@ class QuasistaticSolver {
   /// The same load's equilibrium on the next coarser mesh, where nested iteration has found one: how far it is from the
   /// finest mesh's is an estimate of the error of the finest (linear tets converge with first order at edges of
   /// plates).
-  [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() = 0;
+  [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() { return std::nullopt; }
   /// Of each plane with the finest mesh at its positions.
-  [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() = 0;
+  [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() { return {}; }
   /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch or of its
   /// nodes where volumes are averaged.
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
@@ -84,7 +84,11 @@ class QuasistaticSolver {
   [[nodiscard]] virtual SolverState state() const = 0;
   /// @throw Error when the state is not of these meshes
   virtual void restore(const SolverState& state) = 0;
+};
 
+/// Solves by Newton's method.
+class QuasistaticSolver : public EquilibriumSolver {
+ public:
   /// Moves the free nodes of the finest mesh, such as to random places. The next solve begins there; where tets are
   /// inverted or flat there, on the straight way from rest, before the first of them is flat.
   /// @throw Error when sizes differ
@@ -107,6 +111,17 @@ class QuasistaticSolver {
 /// @throw Error naming what is wrong with settings, levels or loading; or when the memory cannot be had
 [[nodiscard]] std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels,
                                                              const Loading& loading, const SolverSettings& settings);
+
+/// A linear elastic body, whose strain is the symmetric part of grad u: right where displacements are small. One linear
+/// solve finds an equilibrium, which conjugate gradients in float may need a second one for, down to the tolerance;
+/// these are what NewtonResult counts as steps. Of the settings, those of equilibrium on coarser meshes, of Newton's
+/// method and of materials count for nothing.
+/// @param levels finest first; at least one
+/// @throw Error naming what is wrong with settings, levels or loading, averaged volumes and planes among it; or when
+/// the memory cannot be had
+[[nodiscard]] std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLevel>& levels,
+                                                                    const Loading& loading,
+                                                                    const SolverSettings& settings);
 
 /// "cpu", or the name of the GPU that would be used. @throw Error when there is none
 [[nodiscard]] std::string device_name(Device device);

@@ -1,4 +1,6 @@
 // The solver on CUDA, in each precision.
+#include <fem/solver/implicit_solver_of.h>
+#include <fem/solver/linear_solver_of.h>
 #include <fem/solver/make_evaluator.h>
 #include <fem/solver/product_cuda.h>
 #include <fem/solver/schwarz_cuda.h>
@@ -11,17 +13,46 @@ namespace physgen::fem {
 PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(CudaExecutor, float, Cuda)
 PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(CudaExecutor, double, Cuda)
 
-std::unique_ptr<QuasistaticSolver> make_cuda_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
-                                                    const SolverSettings& settings) {
-  switch (settings.precision) {
+namespace {
+
+/// Calls make.operator()<Real, Stored>() for a precision.
+template <class Make>
+auto in_precision(TangentPrecision precision, const Make& make) {
+  switch (precision) {
     case TangentPrecision::half:
-      return std::make_unique<SolverOf<CudaExecutor, float, StoredInHalf>>(levels, loading, settings);
+      return make.template operator()<float, StoredInHalf>();
     case TangentPrecision::float32:
-      return std::make_unique<SolverOf<CudaExecutor, float, StoredAsComputed>>(levels, loading, settings);
+      return make.template operator()<float, StoredAsComputed>();
     case TangentPrecision::float64:
       break;
   }
-  return std::make_unique<SolverOf<CudaExecutor, double, StoredAsComputed>>(levels, loading, settings);
+  return make.template operator()<double, StoredAsComputed>();
+}
+
+}  // namespace
+
+std::unique_ptr<QuasistaticSolver> make_cuda_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                    const SolverSettings& settings) {
+  using Made = std::unique_ptr<QuasistaticSolver>;
+  return in_precision(settings.precision, [&]<class Real, class Stored>() -> Made {
+    return std::make_unique<SolverOf<CudaExecutor, Real, Stored>>(levels, loading, settings);
+  });
+}
+
+std::unique_ptr<EquilibriumSolver> make_cuda_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                           const SolverSettings& settings) {
+  using Made = std::unique_ptr<EquilibriumSolver>;
+  return in_precision(settings.precision, [&]<class Real, class Stored>() -> Made {
+    return std::make_unique<LinearSolverOf<CudaExecutor, Real, Stored>>(levels, loading, settings);
+  });
+}
+
+std::unique_ptr<DynamicSolver> make_cuda_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                         const DynamicSettings& settings) {
+  using Made = std::unique_ptr<DynamicSolver>;
+  return in_precision(settings.solver.precision, [&]<class Real, class Stored>() -> Made {
+    return std::make_unique<ImplicitSolverOf<CudaExecutor, Real, Stored>>(levels, loading, settings);
+  });
 }
 
 std::string cuda_device_name() {

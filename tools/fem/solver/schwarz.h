@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fem/solver/free_part.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <physgen/kernel.h>
 
@@ -195,40 +196,42 @@ SchwarzProduct(index_t, Views...) -> SchwarzProduct<Views...>;
 /// without prescribed components
 template <class On, class Level>
 void prepare_schwarz(On& on, Level& level) {
-  auto& s = *level.schwarz;
-  const StiffnessOfNodes of_nodes{level.scaled_nodes.const_view(), level.edge_stiffness.const_view(),
-                                  level.edges.const_view(), level.constraints.const_view()};
-  const StiffnessOfSupernodes of_supernodes{s.supernodes.const_view(), s.pair_stiffness.const_view()};
-  const auto sum = [&](std::size_t l, const auto& stiffness) {
-    const index_t first = schwarz_slots * (index_t{s.first_block[l]} - s.node_blocks());
-    on.run(schwarz_slots * index_t{s.first_block[l + 1] - s.first_block[l]},
-           SumSupernodes{first, s.supernode_terms.const_view(), stiffness, s.supernodes.view()});
-    on.run(s.first_pair[l] - s.first_pair[l - 1],
-           SumPairs{index_t{s.first_pair[l - 1]}, s.pair_terms.const_view(), stiffness, s.pair_stiffness.view()});
-  };
-  factor_blocks(on, 0, s.node_blocks(), of_nodes, s);
-  for (std::size_t l = 1; l + 1 < s.first_block.size(); ++l) {
-    if (l == 1) {
-      sum(l, of_nodes);
-    } else {
-      sum(l, of_supernodes);
+  where(level.schwarz, [&](auto& s) {
+    const StiffnessOfNodes of_nodes{level.scaled_nodes.const_view(), level.edge_stiffness.const_view(),
+                                    level.edges.const_view(), level.constraints.const_view()};
+    const StiffnessOfSupernodes of_supernodes{s.supernodes.const_view(), s.pair_stiffness.const_view()};
+    const auto sum = [&](std::size_t l, const auto& stiffness) {
+      const index_t first = schwarz_slots * (index_t{s.first_block[l]} - s.node_blocks());
+      on.run(schwarz_slots * index_t{s.first_block[l + 1] - s.first_block[l]},
+             SumSupernodes{first, s.supernode_terms.const_view(), stiffness, s.supernodes.view()});
+      on.run(s.first_pair[l] - s.first_pair[l - 1],
+             SumPairs{index_t{s.first_pair[l - 1]}, s.pair_terms.const_view(), stiffness, s.pair_stiffness.view()});
+    };
+    factor_blocks(on, 0, s.node_blocks(), of_nodes, s);
+    for (std::size_t l = 1; l + 1 < s.first_block.size(); ++l) {
+      if (l == 1) {
+        sum(l, of_nodes);
+      } else {
+        sum(l, of_supernodes);
+      }
     }
-  }
-  factor_blocks(on, s.node_blocks(), s.block_count(), of_supernodes, s);
+    factor_blocks(on, s.node_blocks(), s.block_count(), of_supernodes, s);
+  });
 }
 
 /// z = M r of a level.
 template <class On, class Level>
 void apply_schwarz(On& on, Level& level) {
-  auto& s = *level.schwarz;
-  apply_blocks(
-      on,
-      SchwarzProduct{s.node_blocks(), s.slots.const_view(), s.blocks.view(), s.factors.const_view(),
-                     level.residual.const_view(), level.correction.view(), s.residual.view(), s.correction.view()},
-      s.first_block);
-  on.run(level.nodes(),
-         AddSupernodes{schwarz_slots * s.node_blocks(), s.nodes.const_view(), s.slots.const_view(),
-                       level.constraints.const_view(), s.correction.const_view(), level.correction.view()});
+  where(level.schwarz, [&](auto& s) {
+    apply_blocks(
+        on,
+        SchwarzProduct{s.node_blocks(), s.slots.const_view(), s.blocks.view(), s.factors.const_view(),
+                       level.residual.const_view(), level.correction.view(), s.residual.view(), s.correction.view()},
+        s.first_block);
+    on.run(level.nodes(),
+           AddSupernodes{schwarz_slots * s.node_blocks(), s.nodes.const_view(), s.slots.const_view(),
+                         level.constraints.const_view(), s.correction.const_view(), level.correction.view()});
+  });
 }
 
 }  // namespace physgen::fem

@@ -215,8 +215,8 @@ __global__ void __launch_bounds__(128) apply_schwarz_blocks(const Product produc
 }  // namespace detail
 
 /// Makes the factors of the blocks begin .. end-1, from the stiffness of what stands in them.
-template <class Stiffness, class Arrays>
-void factor_blocks(CudaExecutor& on, index_t begin, index_t end, const Stiffness& stiffness, Arrays& arrays) {
+template <RunsIn<Cuda> On, class Stiffness, class Arrays>
+void factor_blocks(On& on, index_t begin, index_t end, const Stiffness& stiffness, Arrays& arrays) {
   using Real = typename Arrays::Real;
   if (begin == end) return;
   constexpr int bytes = (detail::schwarz_size + 2) * detail::schwarz_size * static_cast<int>(sizeof(Real));
@@ -227,22 +227,25 @@ void factor_blocks(CudaExecutor& on, index_t begin, index_t end, const Stiffness
   const auto kernel =
       detail::factor_schwarz<Stiffness, std::remove_const_t<decltype(edges)>, std::remove_const_t<decltype(slots)>,
                              std::remove_const_t<decltype(blocks)>, std::remove_const_t<decltype(factors)>>;
-  cuda::check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, bytes),
-              "asking for the shared memory of a Schwarz block");
-  kernel<<<static_cast<unsigned>(end - begin), detail::factor_threads, bytes, on.stream()>>>(begin, stiffness, edges,
-                                                                                             slots, blocks, factors);
-  cuda::check(cudaGetLastError(), "factoring Schwarz blocks");
+  on.perform([&](Stream stream) {
+    cuda::check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, bytes),
+                "asking for the shared memory of a Schwarz block");
+    kernel<<<static_cast<unsigned>(end - begin), detail::factor_threads, bytes, stream>>>(begin, stiffness, edges,
+                                                                                          slots, blocks, factors);
+    cuda::check(cudaGetLastError(), "factoring Schwarz blocks");
+  });
 }
 
 /// z of all blocks.
-template <class... Views>
-void apply_blocks(CudaExecutor& on, const SchwarzProduct<Views...>& product,
-                  const std::vector<Index>& /*first_block*/) {
+template <RunsIn<Cuda> On, class... Views>
+void apply_blocks(On& on, const SchwarzProduct<Views...>& product, const std::vector<Index>& /*first_block*/) {
   if (product.node_blocks == 0) return;
   constexpr int threads = 128;
   const index_t warps = threads / 32, blocks = (product.node_blocks + warps - 1) / warps;
-  detail::apply_schwarz_blocks<<<static_cast<unsigned>(blocks), threads, 0, on.stream()>>>(product);
-  cuda::check(cudaGetLastError(), "applying Schwarz blocks");
+  on.perform([&](Stream stream) {
+    detail::apply_schwarz_blocks<<<static_cast<unsigned>(blocks), threads, 0, stream>>>(product);
+    cuda::check(cudaGetLastError(), "applying Schwarz blocks");
+  });
 }
 
 }  // namespace physgen::fem

@@ -173,15 +173,15 @@ struct ApplyBlock {
 }  // namespace detail
 
 /// Makes the factors of the blocks begin .. end-1, from the stiffness of what stands in them.
-template <class Stiffness, class Arrays>
-void factor_blocks(HostExecutor& on, index_t begin, index_t end, const Stiffness& stiffness, Arrays& arrays) {
+template <RunsIn<Host> On, class Stiffness, class Arrays>
+void factor_blocks(On& on, index_t begin, index_t end, const Stiffness& stiffness, Arrays& arrays) {
   on.run(end - begin, detail::FactorBlock{begin, stiffness, arrays.block_edges.const_view(), arrays.slots.const_view(),
                                           arrays.blocks.view(), arrays.factors.view()});
 }
 
 /// z of all blocks, level after level.
-template <class... Views>
-void apply_blocks(HostExecutor& on, const SchwarzProduct<Views...>& product, const std::vector<Index>& first_block) {
+template <RunsIn<Host> On, class... Views>
+void apply_blocks(On& on, const SchwarzProduct<Views...>& product, const std::vector<Index>& first_block) {
   for (std::size_t l = 0; l + 1 < first_block.size(); ++l) {
     on.run(first_block[l + 1] - first_block[l],
            detail::ApplyBlock<SchwarzProduct<Views...>>{product, index_t{first_block[l]}});

@@ -249,9 +249,9 @@ void add_tangents(On& on, Arrays& a, const DisplacementView& dx, const Different
   const auto tangent = a.chunk_arrays->tangent.const_view();
   if constexpr (On::Space::kind == SpaceKind::cuda) {
     on.run(a.tet_count(), AddTetDifferentials{tets, tangent, dx, df});
-    if (a.patches == nullptr) return;
-    const auto& p = *a.patches;
-    on.run(a.volumes.size(), AddPatchDifferentials{p.nodes.const_view(), p.tangent.const_view(), dx, df});
+    where(a.patches, [&](auto& p) {
+      on.run(a.volumes.size(), AddPatchDifferentials{p.nodes.const_view(), p.tangent.const_view(), dx, df});
+    });
   } else {
     const auto sum = [&](const auto& patches) {
       for (const TetChunk& chunk : a.chunks) {
@@ -260,11 +260,12 @@ void add_tangents(On& on, Arrays& a, const DisplacementView& dx, const Different
                SumDifferentials{chunk, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(), patches, df});
       }
     };
-    if (a.patches == nullptr) return sum(NoNodePatches{});
-    auto& p = *a.patches;
-    const auto tangents = p.tangent.const_view();
-    on.run(a.volumes.size(), ComputePatchChanges{p.nodes.const_view(), tangents, dx, p.changes.view()});
-    sum(NodePatchChanges{p.node_patches.const_view(), tangents, p.changes.const_view()});
+    const auto sum_with = [&](auto& p) {
+      const auto tangents = p.tangent.const_view();
+      on.run(a.volumes.size(), ComputePatchChanges{p.nodes.const_view(), tangents, dx, p.changes.view()});
+      sum(NodePatchChanges{p.node_patches.const_view(), tangents, p.changes.const_view()});
+    };
+    if (!where(a.patches, sum_with)) sum(NoNodePatches{});
   }
 }
 
@@ -276,13 +277,11 @@ void prepare_nodes(On& on, Arrays& a, Level& level, const PreconditionerSettings
   const auto node_tets = a.node_tets.const_view();
   const auto tangent = a.chunk_arrays->tangent.const_view();
   const auto blocks = level.node_stiffness.view();
-  if (a.patches == nullptr) {
-    on.run(a.nodes(), SumNodeTangents{node_tets, tangent, NoNodePatches{}, blocks});
-  } else {
-    const auto& p = *a.patches;
-    on.run(a.nodes(), SumNodeTangents{node_tets, tangent,
-                                      NodePatchTangents{p.node_patches.const_view(), p.tangent.const_view()}, blocks});
-  }
+  const auto sum = [&](const auto& patches) {
+    on.run(a.nodes(), SumNodeTangents{node_tets, tangent, patches, blocks});
+  };
+  const auto sum_with = [&](auto& p) { sum(NodePatchTangents{p.node_patches.const_view(), p.tangent.const_view()}); };
+  if (!where(a.patches, sum_with)) sum(NoNodePatches{});
   const auto scales = level.scales.view();
   on.run(a.nodes(), ComputeNodeScale{false, level.node_stiffness.const_view(), scales});
   on.run(a.nodes(), ScaleNodes{level.node_stiffness.const_view(), level.constraints.const_view(),

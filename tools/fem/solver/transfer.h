@@ -75,11 +75,12 @@ template <class... Arguments>
 InterpolateCorrection(Arguments...) -> InterpolateCorrection<Arguments...>;
 
 /// Moves free components of nodes by how far their parents have moved, interpolated: x += now - before.
-template <class Interpolation, class CoarseView, class ConstraintView, class PositionView>
+template <class Interpolation, class BeforeView, class NowView, class ConstraintView, class PositionView>
 struct InterpolateMotion {
   using Scalar = typename PositionView::Precision;
   Interpolation interpolation;  ///< HalfWay or InGrid
-  CoarseView before, now;       ///< elasticity::NodePosition, of the coarser level
+  BeforeView before;            ///< elasticity::NodePosition, of the coarser level
+  NowView now;                  ///< elasticity::NodePosition, of the coarser level
   ConstraintView constraints;   ///< quasistatic::NodeConstraint
   PositionView positions;       ///< elasticity::NodePosition
 
@@ -91,8 +92,7 @@ struct InterpolateMotion {
     positions[node].x() += detail::free_part<Scalar>(motion, constraints[node]);
   }
 };
-template <class Interpolation, class CoarseView, class ConstraintView, class PositionView>
-InterpolateMotion(Interpolation, CoarseView, CoarseView, ConstraintView, PositionView)
-    -> InterpolateMotion<Interpolation, CoarseView, ConstraintView, PositionView>;
+template <class... Arguments>
+InterpolateMotion(Arguments...) -> InterpolateMotion<Arguments...>;
 
 }  // namespace physgen::fem

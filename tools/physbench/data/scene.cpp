@@ -169,6 +169,17 @@ const Incidences& incidences(Scene& scene, Domain entries) {
   });
 }
 
+const Master<elasticity::TetPlacesObject>& TetPlaces::of(Scene& scene) {
+  return filled<TetPlaces>(scene, "places", [&](const auto& view) {
+    const auto entries = incidences(scene, Domain::node_tets).entries.view();
+#pragma omp parallel for
+    for (index_t k = 0; k < entries.size(); ++k) {
+      const elasticity::Incidence<double> entry = entries.get(k);
+      view[index_t{entry.element}].places()[entry.local] = static_cast<std::int32_t>(k);
+    }
+  });
+}
+
 }  // namespace source
 
 }  // namespace physgen::bench

@@ -101,6 +101,11 @@ struct Entries : Of<elasticity::IncidenceObject, kEntries> {
   static const auto& of(Scene& scene) { return incidences(scene, kEntries).entries; }
 };
 
+/// Where tets' corners stand among the entries of nodes.
+struct TetPlaces : Of<elasticity::TetPlacesObject, Domain::tets> {
+  static const Master<Object>& of(Scene& scene);
+};
+
 }  // namespace source
 
 }  // namespace physgen::bench

@@ -41,7 +41,10 @@ struct StressDerivativeProblem {
   }
 
   static Reference reference(const Input& input) {
-    Result x = formula::entries<T>(formula::stress_derivative<T, Real>(input.s.template cast<T>()));
+    return filtered(formula::entries<T>(formula::stress_derivative<T, Real>(input.s.template cast<T>())));
+  }
+  /// The entries after the filter.
+  static Result filtered(Result x) {
     if constexpr (requires { Filter::value(T()); }) {
       if (!x.allFinite()) return Result::Constant(std::numeric_limits<T>::quiet_NaN());
       Matrix3<T> block;

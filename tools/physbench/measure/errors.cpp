@@ -23,6 +23,7 @@ void poison(const Storage& storage) { std::memset(storage.base, 0xff, static_cas
 
 void check_written(const Storage& storage) {
   for (const FieldInfo& field : storage.fields) {
+    if (!field.is_stored()) continue;
     const int size = element_bytes(field.type);
     for (index_t begin = 0; begin < storage.size; begin += storage.pitch) {
       const index_t lanes = std::min(storage.pitch, storage.size - begin);

@@ -37,6 +37,8 @@ void visit_step(Record& step, const Visit& visit) {
   visit("past_plates", step.past_plates);
   visit("seconds", step.seconds);
   visit("warm_seconds", step.warm_seconds);
+  visit("time", step.time);
+  visit("kinetic_energy", step.kinetic_energy);
 }
 
 template <class Record, class Visit>

@@ -31,7 +31,9 @@ struct StepRecord {
   double past_plates = 0;        ///< how far the body reaches past the plates at most [m]
   double seconds = 0;            ///< wall time of the solve, without set-up and output
   double warm_seconds = 0;       ///< the shortest of its repetitions; NaN where it was not repeated
-  /// Every Newton step in the order in which it was done, on coarser meshes too.
+  double time = 0;               ///< of a motion [s]
+  double kinetic_energy = 0;     ///< of a motion [J]
+  /// Every Newton step in the order in which it was done, on coarser meshes too; none of a motion.
   std::vector<NewtonRecord> newton{};
   bool operator==(const StepRecord&) const = default;
 };

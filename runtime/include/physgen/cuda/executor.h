@@ -87,6 +87,13 @@ class CudaExecutor {
     parallel_reduce(Cuda{}, 0, n, kernel, fold, then, workspace_, stream_);
   }
 
+  /// @param work orders what it does in the stream that it is given
+  /// @throw what it throws
+  template <class Work>
+  void perform(const Work& work) {
+    work(stream());
+  }
+
   /// @param most rounds, of this call
   /// @param body is called once, when the loop is recorded: it must run the same steps each time
   /// @param done a function object of what arrays hold, which the device calls

@@ -49,6 +49,10 @@ struct Floating {
 
 }  // namespace detail
 
+/// Whether a field of integers may have this format: they are indices, which no format may round.
+template <class Format>
+inline constexpr bool holds_indices = std::is_same_v<Format, Native>;
+
 /// IEEE single precision: relative error <= 2^-24 for magnitudes from 1.2e-38 to 3.4e38.
 struct Float32 : detail::Floating<float> {
   using Library = Float32;

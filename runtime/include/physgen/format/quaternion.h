@@ -3,6 +3,7 @@
 
 #include <physgen/format/from_library.h>
 #include <physgen/format/native.h>
+#include <physgen/format/nothing.h>
 #include <physgen/format/snorm16.h>
 #include <physgen/quaternion.h>
 
@@ -13,6 +14,7 @@ namespace physgen::format {
 /// orthogonal to a few eps whatever the component's format, since a quaternion is made one of length 1 again.
 template <class Component_ = Native>
 struct Quaternion {
+  static_assert(!StoresNothing<Component_>, "a rotation is pruned as a whole: its format is Nothing or Pruned itself");
   static constexpr const char* name = "quaternion";
   using Component = Component_;
 };

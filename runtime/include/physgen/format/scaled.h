@@ -3,6 +3,7 @@
 
 #include <physgen/format/from_library.h>
 #include <physgen/format/native.h>
+#include <physgen/format/nothing.h>
 #include <physgen/format/rounding.h>
 
 #include <type_traits>
@@ -21,7 +22,7 @@ struct Affine {
 /// @tparam Base_ Native, Float32, Float64, Half<> or Bfloat16
 template <class Base_, Affine kOf>
 struct Scaled {
-  static_assert(FromLibrary<Base_> && Base_::scale == 1 && Base_::centre == 0,
+  static_assert(FromLibrary<Base_> && !StoresNothing<Base_> && Base_::scale == 1 && Base_::centre == 0,
                 "what is scaled is Native, Float32, Float64, Half<> or Bfloat16");
   static_assert(kOf.scale >= 0x1p-100 && kOf.scale <= 0x1p100, "numbers are scaled by 2^-100 to 2^100");
   static_assert(kOf.centre >= -0x1p126 && kOf.centre <= 0x1p126, "the centre is a number that float has");

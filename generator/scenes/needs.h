@@ -1,0 +1,70 @@
+// What a scene needs: which fields of its arrays some step reads or the caller wants, and which fields nothing misses.
+// The rules do not look at the order of steps, since loops carry values round, and hold at a fixpoint:
+//
+//   - outputs are wanted, and what a predicate of a loop, the host, or code outside of all steps reads
+//   - a step that writes a wanted field is live; what it reads is wanted
+//   - a field that is not wanted is pruned: its stores vanish
+//   - a wanted field that no live step writes must be an input, or have an initial value in its schema
+//   - a step that is not live is an error: its kernel would read what is not there
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+#include "usage/usage.h"
+
+namespace physgen::scenes {
+
+/// A step that reads or writes a field, and where in its source.
+struct StepOfField {
+  std::string step;  ///< "physgen::fem::ComputeSvd(body.gradients, body.svds)"
+  std::vector<usage::Place> places;
+  bool operator==(const StepOfField&) const = default;
+};
+
+struct FieldNeed {
+  Field field;
+  bool kept = false;
+  std::vector<StepOfField> writers, readers;
+  std::string why;  ///< "written by physgen::fem::ComputeSvd(...); nothing reads it"
+  bool operator==(const FieldNeed&) const = default;
+};
+
+struct ArrayNeed {
+  std::string array;  ///< "body.svds"
+  std::vector<FieldNeed> fields;
+  bool read_only = false;  ///< no step writes it
+  bool operator==(const ArrayNeed&) const = default;
+
+  /// Whether nothing of it is kept.
+  [[nodiscard]] bool left_out() const;
+};
+
+struct Issue {
+  enum class Kind { error, note } kind = Kind::error;
+  Location place;
+  std::string message;  ///< what is wrong and what to write instead, one line without a full stop
+  bool operator==(const Issue&) const = default;
+};
+
+struct Needs {
+  std::vector<ArrayNeed> arrays;  ///< in order of declaration, as are the fields of each
+  std::vector<Issue> issues;      ///< errors first
+  bool operator==(const Needs&) const = default;
+
+  [[nodiscard]] bool sound() const;
+  /// @pre there is an array of this full name
+  [[nodiscard]] const ArrayNeed& of(const std::string& array) const;
+};
+
+/// @param usage of the scene's program; its arrays have the scene's full names
+[[nodiscard]] Needs find_needs(const Scene& scene, const usage::Usage& usage);
+
+/// The same with every field kept, which is what needs are compared with.
+[[nodiscard]] Needs everything(Needs needs);
+
+/// "physgen::fem::ComputeSvd(body.gradients, body.svds)"
+[[nodiscard]] std::string name_of(const usage::StepUse& step);
+
+}  // namespace physgen::scenes

@@ -1,0 +1,51 @@
+// See probe_unit.h.
+#include "scenes/probe_unit.h"
+
+#include "emit/printer.h"
+
+namespace physgen::scenes {
+
+std::string probe_unit(const Scene& scene, const std::string& space, const std::string& declaration) {
+  emit::Printer out;
+  out.comment("//", "The program of the scene " + scene.name + ", instantiated over probes. Written by physgen.");
+  out.line("#include <physgen/probe.h>");
+  out.line();
+  out.line("#include \"" + declaration + "\"");
+  out.line();
+  out.line("namespace physgen_probe_unit {");
+  out.line();
+  out.line("using Space = physgen::" + space + ";");
+  out.line();
+  for (const Group& group : scene.groups) {
+    out.line("namespace tags_of_" + group.name + " {");
+    for (const Array& array : group.arrays)
+      out.line("struct " + array.name + " { static constexpr const char* name = \"" + group.full_name(array) +
+               "\"; };");
+    out.line("}");
+    out.open("struct " + group.name + " {");
+    out.line("using Space = physgen_probe_unit::Space;");
+    if (!scene.real.empty()) out.line("using Real = " + scene.real + ";");
+    for (const Array& array : group.arrays)
+      out.line("physgen::ProbeOf<" + generated_name(array, "Array") + "<" + array.real + ", Space>, tags_of_" +
+               group.name + "::" + array.name + "> " + array.name + ";");
+    out.close("};");
+    out.line();
+  }
+  out.line("template <class T>");
+  out.line("std::remove_reference_t<T>& some();");
+  out.line();
+  std::string parameters = "physgen::ProbeExecutor<Space>& on", arguments = "on";
+  for (const Group& group : scene.groups) {
+    parameters += ", " + group.name + "& the_" + group.variable;
+    arguments += ", the_" + group.variable;
+  }
+  for (const std::string& type : scene.parameters) arguments += ", some<" + type + ">()";
+  out.open("void instantiate(" + parameters + ") {");
+  out.line("::" + scene.qualified_name() + "::program(" + arguments + ");");
+  out.close("}");
+  out.line();
+  out.line("}  // namespace physgen_probe_unit");
+  return std::move(out).text();
+}
+
+}  // namespace physgen::scenes

@@ -1,0 +1,215 @@
+// See read_options.h.
+#include "scenes/read_options.h"
+
+#include <clang/AST/Attr.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/Expr.h>
+#include <clang/Basic/SourceManager.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "frontend/constants.h"
+
+namespace physgen::scenes {
+namespace {
+
+using frontend::Constant;
+using frontend::quoted;
+
+constexpr const char* array_options = "per(...), input(...), output(...) and uniform()";
+
+/// "physgen::scene::detail::Per" gives "Per"; empty: it is no option.
+std::string option_name(clang::QualType type) {
+  const auto* record = type->getAsCXXRecordDecl();
+  if (record == nullptr) return {};
+  const std::string name = record->getQualifiedNameAsString(), scope = "physgen::scene::detail::";
+  return name.starts_with(scope) ? name.substr(scope.size()) : std::string();
+}
+
+int bytes_of(const std::string& type) {
+  static const std::map<std::string, int> bytes = {{"float32", 4}, {"float64", 8},  {"int32", 4},
+                                                   {"half", 2},    {"bfloat16", 2}, {"snorm16", 2}};
+  const auto known = bytes.find(type);
+  return known == bytes.end() ? 0 : known->second;
+}
+
+/// The text of a std::string_view: its one member that is a pointer, to at least as many letters as the other says.
+std::optional<std::string> text_of(const Constant& view) {
+  std::optional<std::string> text;
+  std::size_t size = 0;
+  for (const auto* field : view.type->getAsCXXRecordDecl()->fields()) {
+    const clang::APValue& member = view.value.getStructField(field->getFieldIndex());
+    if (member.isLValue()) text = frontend::literal(member);
+    if (member.isInt()) size = member.getInt().getZExtValue();
+  }
+  if (text) text->resize(std::min(text->size(), size));
+  return text;
+}
+
+/// "points[2].x" gives "points.x": the entries of a fixed array are stored alike.
+std::string without_entries(const std::string& name) {
+  std::string result;
+  bool inside = false;
+  for (const char c : name) {
+    inside = (inside || c == '[') && c != ']';
+    if (!inside && c != ']') result += c;
+  }
+  return result;
+}
+
+std::optional<Field> field_of(const Constant& info) {
+  Field field;
+  const auto name = text_of(info.member("name"));
+  const Constant type = info.member("type");
+  const auto type_name = frontend::enumerator(type.value, type.type);
+  if (!name || !type_name) return std::nullopt;
+  field.name = without_entries(*name);
+  field.type = *type_name;
+  field.elements = static_cast<int>(info.member("count").value.getInt().getExtValue());
+  field.bytes = field.elements * bytes_of(field.type);
+  field.initial = !info.member("initial").value.getFloat().isZero();
+  return field;
+}
+
+void add(std::vector<Field>& fields, Field field) {
+  for (Field& known : fields)
+    if (known.name == field.name) {
+      known.elements += field.elements;
+      known.bytes += field.bytes;
+      return;
+    }
+  fields.push_back(std::move(field));
+}
+
+Selection selection_of(const Constant& names, Location where) {
+  Selection selection;
+  selection.location = std::move(where);
+  const auto count = static_cast<unsigned>(names.member("count").value.getInt().getZExtValue());
+  selection.all = count == 0;
+  for (unsigned i = 0; i < count; ++i)
+    selection.names.push_back(frontend::literal(names.member("names").element(i).value).value_or(""));
+  return selection;
+}
+
+class OptionReader {
+ public:
+  OptionReader(const clang::FieldDecl& declaration, Array& array, frontend::Report& report)
+      : declaration_(declaration), array_(array), report_(report) {}
+
+  void read() {
+    for (const auto* attribute : declaration_.specific_attrs<clang::AnnotateAttr>())
+      if (attribute->getAnnotation() == array_annotation)
+        for (const clang::Expr* argument : attribute->args())
+          if (!argument->containsErrors()) option(*argument->IgnoreImplicit());
+    if (!seen_.contains("Per"))
+      error(declaration_.getLocation(),
+            "says not how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or per(1) for one object");
+    if (array_.uniform && array_.output)
+      error(declaration_.getLocation(), "is uniform(), which programs only read, and an output; remove one of them");
+  }
+
+ private:
+  void error(clang::SourceRange range, const std::string& message) {
+    report_.error(range, "array " + quoted(array_.name) + " " + message);
+  }
+
+  void option(const clang::Expr& argument) {
+    const clang::SourceRange range = argument.getSourceRange();
+    const std::string name = option_name(argument.getType());
+    clang::Expr::EvalResult result;
+    if (name.empty() || !argument.EvaluateAsConstantExpr(result, report_.context()) || !result.Val.isStruct())
+      return report_.error(range, std::string("this is not an option; PHYSGEN_ARRAY takes ") + array_options);
+    if (!seen_.insert(name).second) return error(range, "has this option twice; remove one of them");
+    const Constant value{result.Val, argument.getType()};
+    const Location where = location(report_.context(), range.getBegin());
+    if (name == "Per") {
+      per(value, range);
+    } else if (name == "Uniform") {
+      array_.uniform = true;
+    } else {
+      (name == "Input" ? array_.input : array_.output) = selection_of(value.member("fields"), where);
+      known_fields(name == "Input" ? *array_.input : *array_.output, range);
+    }
+  }
+
+  void per(const Constant& value, clang::SourceRange range) {
+    array_.count = static_cast<int>(value.member("count").value.getInt().getExtValue());
+    array_.set = frontend::literal(value.member("set").value).value_or("");
+    const bool is_name = !array_.set.empty() && std::isdigit(static_cast<unsigned char>(array_.set.front())) == 0 &&
+                         std::all_of(array_.set.begin(), array_.set.end(),
+                                     [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); });
+    if (!is_name && array_.count < 1)
+      error(range,
+            "is per what is neither a name nor a number of objects; write per(\"tet\"), with letters, digits and '_', "
+            "or per(1)");
+  }
+
+  void known_fields(const Selection& selection, clang::SourceRange range) {
+    std::vector<std::string> names;
+    for (const Field& field : array_.fields) names.push_back(field.name);
+    for (const std::string& name : selection.names)
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        error(range, "holds " + array_.object + "; " + unknown("field", name, names));
+  }
+
+  const clang::FieldDecl& declaration_;
+  Array& array_;
+  frontend::Report& report_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+Location location(const clang::ASTContext& context, clang::SourceLocation where) {
+  const auto& sources = context.getSourceManager();
+  const auto place = sources.getPresumedLoc(sources.getFileLoc(where));
+  return {place.getFilename(), static_cast<int>(place.getLine()), static_cast<int>(place.getColumn())};
+}
+
+bool is_array(clang::QualType type) {
+  const auto* record = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  return record != nullptr && record->getQualifiedNameAsString() == "physgen::scene::Array";
+}
+
+bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Report& report) {
+  const auto wrong = [&](const std::string& message) {
+    report.error(declaration.getTypeSpecStartLoc(), "array " + quoted(array.name) + " " + message);
+    return false;
+  };
+  if (declaration.isInvalidDecl()) return false;  // Clang has reported it
+  if (!is_array(declaration.getType()))
+    return wrong("is no array of objects; write 'Array<elasticity::TetObject, Real> " + array.name + ";'");
+  const auto* type = llvm::cast<clang::ClassTemplateSpecializationDecl>(declaration.getType()->getAsCXXRecordDecl());
+  if (type->isInvalidDecl()) return false;
+  const auto* object = type->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
+  const std::string name = object == nullptr ? "" : object->getQualifiedNameAsString(), ending = "Object";
+  if (!name.ends_with(ending) || name == ending)
+    return wrong(
+        "holds no generated object; write 'Array<elasticity::TetObject, Real>' for objects "
+        "elasticity::Tet");
+  array.object = name.substr(0, name.size() - ending.size());
+  const clang::QualType real = type->getTemplateArgs()[1].getAsType().getCanonicalType();
+  array.real = real.getUnqualifiedType().getAsString();
+  if (array.real != "float" && array.real != "double")
+    return wrong("has the precision " + quoted(array.real) + "; it is float or double");
+  for (const clang::Decl* member : type->decls()) {
+    const auto* fields = llvm::dyn_cast<clang::VarDecl>(member);
+    if (fields == nullptr || fields->getName() != "fields") continue;
+    const clang::APValue* value = fields->evaluateValue();
+    if (value == nullptr) break;
+    const auto* array_type = fields->getType()->getAsCXXRecordDecl();  // std::array: its one member
+    const Constant rows{value->getStructField(0), array_type->field_begin()->getType()};
+    for (unsigned i = 0; i < rows.value.getArraySize(); ++i)
+      if (auto field = field_of(rows.element(i))) add(array.fields, std::move(*field));
+  }
+  if (array.fields.empty()) return wrong("holds objects whose fields could not be read");
+  return true;
+}
+
+void read_options(const clang::FieldDecl& declaration, Array& array, frontend::Report& report) {
+  OptionReader(declaration, array, report).read();
+}
+
+}  // namespace physgen::scenes

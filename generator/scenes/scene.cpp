@@ -1,0 +1,118 @@
+// See scene.h.
+#include "scenes/scene.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace physgen::scenes {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json write(const Selection& selection) {
+  if (selection.all) return "all";
+  return selection.names;
+}
+
+Json write(const Array& array) {
+  Json json = {{"name", array.name}, {"object", array.object}, {"real", array.real}};
+  if (!array.doc.empty()) json["doc"] = array.doc;
+  if (array.set.empty())
+    json["count"] = array.count;
+  else
+    json["per"] = array.set;
+  if (array.input) json["input"] = write(*array.input);
+  if (array.output) json["output"] = write(*array.output);
+  if (array.uniform) json["uniform"] = true;
+  json["fields"] = Json::array();
+  for (const Field& field : array.fields) {
+    Json written = {{"name", field.name}, {"type", field.type}, {"elements", field.elements}, {"bytes", field.bytes}};
+    if (field.initial) written["initial"] = true;
+    json["fields"].push_back(std::move(written));
+  }
+  return json;
+}
+
+/// How many letters are changed, added, left out or exchanged with their neighbour between two words.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> table(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t k = 0; k <= b.size(); ++k) {
+      if (i == 0 || k == 0) {
+        table[i][k] = i + k;
+        continue;
+      }
+      const std::size_t changed = table[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
+      table[i][k] = std::min({changed, table[i - 1][k] + 1, table[i][k - 1] + 1});
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+        table[i][k] = std::min(table[i][k], table[i - 2][k - 2] + 1);
+    }
+  return table[a.size()][b.size()];
+}
+
+}  // namespace
+
+bool Selection::has(const std::string& field) const {
+  return all || std::find(names.begin(), names.end(), field) != names.end();
+}
+
+std::vector<std::string> Group::sets() const {
+  std::vector<std::string> sets;
+  for (const Array& array : arrays)
+    if (!array.set.empty() && std::find(sets.begin(), sets.end(), array.set) == sets.end()) sets.push_back(array.set);
+  return sets;
+}
+
+std::string set_of(const Array& array) {
+  if (!array.set.empty()) return "per " + array.set;
+  return std::to_string(array.count) + (array.count == 1 ? " object" : " objects");
+}
+
+const Array* find(const Scene& scene, const std::string& full_name) {
+  for (const Group& group : scene.groups)
+    for (const Array& array : group.arrays)
+      if (group.full_name(array) == full_name) return &array;
+  return nullptr;
+}
+
+std::string generated_name(const Array& array, const std::string& ending) { return array.object + ending; }
+
+std::string to_json(const Scene& scene) {
+  Json json = {{"name", scene.qualified_name()}, {"include", scene.include}};
+  if (!scene.doc.empty()) json["doc"] = scene.doc;
+  if (!scene.real.empty()) json["real"] = scene.real;
+  json["groups"] = Json::array();
+  for (const Group& group : scene.groups) {
+    Json written = {{"name", group.name}, {"variable", group.variable}};
+    if (!group.doc.empty()) written["doc"] = group.doc;
+    written["arrays"] = Json::array();
+    for (const Array& array : group.arrays) written["arrays"].push_back(write(array));
+    json["groups"].push_back(std::move(written));
+  }
+  json["parameters"] = scene.parameters;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& names) {
+  std::string best;
+  std::size_t least = word.size() / 2 + 1;
+  for (const std::string& name : names)
+    if (const std::size_t changes = distance(word, name); changes < least) {
+      least = changes;
+      best = name;
+    }
+  return best;
+}
+
+std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& names) {
+  const std::string near = nearest(word, names);
+  std::string other = "did you mean '" + near + "'?";
+  if (near.empty()) {
+    constexpr std::size_t most = 12;
+    other = "there are " + (names.size() <= most ? model::joined(names, " and ")
+                                                 : model::joined({names.begin(), names.begin() + most}) + ", ...");
+  }
+  return "there is no " + kind + " '" + word + "'; " + other;
+}
+
+}  // namespace physgen::scenes

@@ -1,0 +1,102 @@
+// The model of a scene: what its declaration says, as plain comparable structs. read.h fills it; the probing unit, the
+// needs and the emitters read it. Nothing of Clang or LLVM appears here.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+namespace physgen::scenes {
+
+using model::Location;
+
+/// One field of an array's objects.
+struct Field {
+  std::string name;      ///< "svd.U" of a nested object, "points.x" of a fixed array of them
+  std::string type;      ///< of its stored elements: "float32", "int32", ...
+  int elements = 0;      ///< stored ones of one object
+  int bytes = 0;         ///< of one object
+  bool initial = false;  ///< its schema gives its elements a value other than zero
+  bool operator==(const Field&) const = default;
+};
+
+/// Fields that an option names.
+struct Selection {
+  bool all = false;
+  std::vector<std::string> names;
+  Location location;  ///< of the option
+  bool operator==(const Selection&) const = default;
+
+  [[nodiscard]] bool has(const std::string& field) const;
+};
+
+struct Array {
+  std::string name;
+  std::string doc;
+  std::string object;  ///< "elasticity::Tet"
+  std::string real;    ///< float or double
+  std::string set;     ///< "tet"; empty: `count` objects
+  int count = 0;
+  std::optional<Selection> input;
+  std::optional<Selection> output;
+  bool uniform = false;
+  std::vector<Field> fields;
+  Location location;
+  bool operator==(const Array&) const = default;
+
+  [[nodiscard]] bool is_input(const std::string& field) const { return input && input->has(field); }
+  [[nodiscard]] bool is_output(const std::string& field) const { return output && output->has(field); }
+};
+
+/// Arrays that are made and handed over together.
+struct Group {
+  std::string name;      ///< "Body"
+  std::string variable;  ///< "body": the program's parameter
+  std::string doc;
+  std::vector<Array> arrays;
+  Location location;
+  bool operator==(const Group&) const = default;
+
+  /// What the analysis and messages call one of its arrays: "body.tets".
+  [[nodiscard]] std::string full_name(const Array& array) const { return variable + "." + array.name; }
+  /// The sets that its arrays are per, in order of declaration, each once.
+  [[nodiscard]] std::vector<std::string> sets() const;
+};
+
+struct Scene {
+  std::string name;   ///< "force_chain"
+  std::string scope;  ///< enclosing namespaces, "scenes"; empty: global
+  std::string doc;
+  std::string file;     ///< as it was given
+  std::string include;  ///< what follows #include in the generated header: "scenes/force_chain.h"
+  std::string real;     ///< the precision, where the scene declares one as Real: float or double
+  std::vector<Group> groups;
+  std::vector<std::string> parameters;  ///< types of what the program takes behind its groups
+  Location location;
+  bool operator==(const Scene&) const = default;
+
+  [[nodiscard]] std::string qualified_name() const { return scope.empty() ? name : scope + "::" + name; }
+};
+
+/// "per tet", "1 object", "3 objects".
+[[nodiscard]] std::string set_of(const Array& array);
+
+/// What tells scenes' arrays apart for analysis and emission. @return null: there is none of this full name
+[[nodiscard]] const Array* find(const Scene& scene, const std::string& full_name);
+
+/// "elasticity::Tet", "Array" gives "elasticity::TetArray"; the name of what is generated for an object.
+[[nodiscard]] std::string generated_name(const Array& array, const std::string& ending);
+
+/// The scene as indented JSON, the same bytes for the same scene.
+[[nodiscard]] std::string to_json(const Scene& scene);
+
+/// The name among `names` that `word` is most like; empty: it is like none.
+[[nodiscard]] std::string nearest(const std::string& word, const std::vector<std::string>& names);
+
+/// "there is no KIND 'word'; did you mean 'x'?", or, where it is like none, what there is.
+[[nodiscard]] std::string unknown(const std::string& kind, const std::string& word,
+                                  const std::vector<std::string>& names);
+
+}  // namespace physgen::scenes

@@ -1,0 +1,153 @@
+// See analyse.h. How a side is compiled stands here: flags, and the place of a CUDA toolkit.
+#include "usage/analyse.h"
+
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/DeclCXX.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Frontend/FrontendAction.h>
+#include <clang/Lex/HeaderSearchOptions.h>
+#include <clang/Lex/PPCallbacks.h>
+#include <clang/Lex/Preprocessor.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+#include "frontend/program.h"
+#include "usage/walk.h"
+
+namespace physgen::usage {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Reading {
+  Usage usage;
+  Clock::time_point headers_end = Clock::now();
+};
+
+/// Notes when the last header has been parsed.
+class HeaderEnd : public clang::PPCallbacks {
+ public:
+  explicit HeaderEnd(Reading& reading) : reading_(reading) {}
+  void FileChanged(clang::SourceLocation /*place*/, FileChangeReason reason, clang::SrcMgr::CharacteristicKind /*kind*/,
+                   clang::FileID /*before*/) override {
+    if (reason == ExitFile) reading_.headers_end = Clock::now();
+  }
+
+ private:
+  Reading& reading_;
+};
+
+/// Collects the functions that the parser and the instantiation of templates hand over.
+class Consumer : public clang::ASTConsumer {
+ public:
+  Consumer(clang::CompilerInstance& compiler, Reading& reading) : compiler_(compiler), reading_(reading) {}
+
+  bool HandleTopLevelDecl(clang::DeclGroupRef group) override {
+    for (const clang::Decl* declaration : group) collect(declaration);
+    return true;
+  }
+  void HandleInlineFunctionDefinition(clang::FunctionDecl* function) override { collect(function); }
+
+  void HandleTranslationUnit(clang::ASTContext& context) override {
+    if (context.getDiagnostics().hasErrorOccurred()) return;
+    std::vector<std::string> folders;
+    for (const auto& entry : compiler_.getHeaderSearchOpts().UserEntries) {
+      std::string folder = entry.Path;
+      while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+      folders.push_back(std::move(folder));
+    }
+    folders.emplace_back("/physgen.program");  // of the source itself
+    reading_.usage = attribute(read_graph(context, functions_, folders));
+  }
+
+ private:
+  void collect(const clang::Decl* declaration) {
+    if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(declaration)) {
+      for (const clang::Decl* inner : space->decls()) collect(inner);
+    } else if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(declaration)) {
+      if (!function->isDependentContext()) functions_.push_back(function);
+    }
+  }
+
+  clang::CompilerInstance& compiler_;
+  Reading& reading_;
+  std::vector<const clang::FunctionDecl*> functions_;
+};
+
+class Action : public clang::ASTFrontendAction {
+ public:
+  explicit Action(Reading& reading) : reading_(reading) {}
+
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
+    compiler.getPreprocessor().addPPCallbacks(std::make_unique<HeaderEnd>(reading_));
+    return std::make_unique<Consumer>(compiler, reading_);
+  }
+
+ private:
+  Reading& reading_;
+};
+
+/// The folder of the CUDA toolkit; empty: there is none.
+std::string cuda_folder() {
+  std::vector<std::string> candidates;
+  for (const char* variable : {"CUDA_HOME", "CUDA_PATH"})
+    if (const char* folder = std::getenv(variable); folder != nullptr && *folder != 0) candidates.emplace_back(folder);
+  candidates.emplace_back("/usr/local/cuda");
+  std::error_code ignored;
+  for (const std::string& folder : candidates)
+    if (std::filesystem::exists(folder + "/include/cuda_runtime.h", ignored)) return folder;
+  return {};
+}
+
+std::vector<std::string> flags_of(Side side, const std::vector<std::string>& flags) {
+  std::vector<std::string> result;
+  if (side == Side::device)
+    result = {"-x", "cuda", "--cuda-device-only", "--cuda-gpu-arch=sm_90", "--cuda-path=" + cuda_folder()};
+  for (const std::string& flag : flags) {
+    const bool of_processor = flag.starts_with("-march=") || flag.starts_with("-mcpu=") || flag.starts_with("-mtune=");
+    if (side == Side::host || !of_processor) result.push_back(flag);
+  }
+  return result;
+}
+
+/// Clang has its own list of toolkits that it knows; what it says of others concerns no program.
+std::string without_toolkit_warning(std::string text) {
+  const auto warning = text.find("warning: CUDA version is newer");
+  if (warning != std::string::npos) text.erase(warning, text.find('\n', warning) - warning + 1);
+  return text;
+}
+
+/// What to do, where Clang can only say that types do not fit.
+std::string notes(const std::string& diagnostics) {
+  const bool of_probes = diagnostics.find("Probe<") != std::string::npos;
+  bool does_not_fit = false;
+  for (const char* message : {"no viable", "no matching", "could not match", "invokes a deleted function"})
+    does_not_fit = does_not_fit || diagnostics.find(message) != std::string::npos;
+  if (!of_probes || !does_not_fit) return {};
+  return "note: a kernel over one type of view takes no others: write it as a template over its views, "
+         "'template <class View> struct Kernel { View view; ... };'\n";
+}
+
+double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+}  // namespace
+
+bool has_device_side() { return !cuda_folder().empty(); }
+
+std::optional<Usage> analyse(const std::string& name, const std::string& source, const std::vector<std::string>& flags,
+                             Side side, Diagnostics& diagnostics) {
+  const auto begin = Clock::now();
+  Reading reading;
+  Action action(reading);
+  const auto outcome = frontend::run({name, source, flags_of(side, flags), false}, action);
+  diagnostics.text = without_toolkit_warning(outcome.diagnostics) + notes(outcome.diagnostics);
+  diagnostics.dependencies = outcome.dependencies;
+  diagnostics.headers_seconds = seconds(reading.headers_end - begin);
+  diagnostics.seconds = seconds(Clock::now() - begin);
+  if (!outcome.parsed) return std::nullopt;
+  return std::move(reading.usage);
+}
+
+}  // namespace physgen::usage

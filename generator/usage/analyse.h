@@ -1,0 +1,35 @@
+// Finds what a program's steps read and write, with Clang: a translation unit that gives steps to a ProbeExecutor is
+// parsed as a compiler parses it, and the instantiated functions are followed from each step to the decode, encode and
+// address of probes. No Clang type is in this interface.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "usage/usage.h"
+
+namespace physgen::usage {
+
+/// Which functions a compiler sees: those of the CPU, or of a CUDA device.
+enum class Side { host, device };
+
+struct Diagnostics {
+  std::string text;                       ///< as Clang prints them, with source line and caret
+  std::vector<std::string> dependencies;  ///< files that were read, without the system's
+  double headers_seconds = 0;             ///< until the last header had been parsed
+  double seconds = 0;                     ///< of the whole analysis
+};
+
+/// @param name of the source, for messages; its folder is where its #include "..." look first
+/// @param source the text, which need not be a file
+/// @param flags as of a compiler
+/// @return none: the source has errors. All accesses that any instantiated code can make are in the result, those
+///         that no step leads to as unattributed
+[[nodiscard]] std::optional<Usage> analyse(const std::string& name, const std::string& source,
+                                           const std::vector<std::string>& flags, Side side, Diagnostics& diagnostics);
+
+/// Whether there is a CUDA toolkit for the device's side.
+[[nodiscard]] bool has_device_side();
+
+}  // namespace physgen::usage

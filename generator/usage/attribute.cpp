@@ -1,0 +1,160 @@
+// See graph.h.
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "usage/graph.h"
+
+namespace physgen::usage {
+namespace {
+
+/// A field that functions lead to, and whether by a get() or put() of whole objects.
+struct Reached {
+  int function = 0;  // that makes the access
+  bool whole_object = false;
+  auto operator<=>(const Reached&) const = default;
+};
+
+class Attribution {
+ public:
+  explicit Attribution(const Graph& graph)
+      : graph_(graph), callers_(graph.functions.size()), leads_(graph.functions.size(), false) {
+    find_what_leads_to_accesses();
+  }
+
+  Usage usage() {
+    Usage result;
+    std::set<int> steps_lead_to;
+    for (const Step& step : graph_.steps) {
+      if (is_part_of_a_step(step.function)) continue;
+      StepUse use = step.use;
+      use.fields = accesses({step.function}, [&](const Function& f) { return step.own_files.count(f.file) != 0; });
+      steps_lead_to.merge(reached_);
+      result.steps.push_back(std::move(use));
+    }
+    unattributed(steps_lead_to, result);
+    result.unknown = graph_.unknown;
+    sort(result);
+    return result;
+  }
+
+ private:
+  using Own = std::function<bool(const Function&)>;
+
+  [[nodiscard]] const Function& at(int f) const { return graph_.functions[static_cast<std::size_t>(f)]; }
+
+  /// Whether a function is called by functions of steps alone: of a reduction, the kernel.
+  [[nodiscard]] bool is_part_of_a_step(int function) const {
+    const auto& callers = callers_[static_cast<std::size_t>(function)];
+    return !callers.empty() && std::all_of(callers.begin(), callers.end(), [&](int caller) {
+      return std::any_of(graph_.steps.begin(), graph_.steps.end(),
+                         [&](const Step& step) { return step.function == caller; });
+    });
+  }
+
+  /// Most functions of a program lead to no access and need not be looked at again.
+  void find_what_leads_to_accesses() {
+    std::vector<int> next;
+    for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
+      for (const Call& call : graph_.functions[f].calls)
+        callers_[static_cast<std::size_t>(call.to)].push_back(static_cast<int>(f));
+      if (graph_.functions[f].access != Access::none) next.push_back(static_cast<int>(f));
+    }
+    while (!next.empty()) {
+      const auto f = static_cast<std::size_t>(next.back());
+      next.pop_back();
+      if (leads_[f]) continue;
+      leads_[f] = true;
+      next.insert(next.end(), callers_[f].begin(), callers_[f].end());
+    }
+  }
+
+  [[nodiscard]] bool leads(int f) const { return leads_[static_cast<std::size_t>(f)]; }
+
+  [[nodiscard]] std::set<int> reachable(const std::vector<int>& from) const {
+    std::set<int> result;
+    std::vector<int> next = from;
+    while (!next.empty()) {
+      const int f = next.back();
+      next.pop_back();
+      if (!leads(f) || stop_.count(f) != 0 || !result.insert(f).second) continue;
+      for (const Call& call : at(f).calls) next.push_back(call.to);
+    }
+    return result;
+  }
+
+  /// Accesses that `from` leads to through functions that are not the step's own.
+  [[nodiscard]] std::set<Reached> through_others(int from, const Own& own) const {
+    std::set<Reached> seen, result;
+    std::vector<Reached> next = {{from, false}};
+    while (!next.empty()) {
+      Reached here = next.back();
+      next.pop_back();
+      if (!leads(here.function) || stop_.count(here.function) != 0 || own(at(here.function))) continue;
+      if (!seen.insert(here).second) continue;
+      if (at(here.function).access != Access::none) result.insert(here);
+      here.whole_object = here.whole_object || at(here.function).whole_object;
+      for (const Call& call : at(here.function).calls) next.push_back({call.to, here.whole_object});
+    }
+    return result;
+  }
+
+  [[nodiscard]] FieldUse use_of(const Function& access) const {
+    FieldUse use = graph_.fields[static_cast<std::size_t>(access.field)];
+    use.address_taken = access.access == Access::address;
+    use.read = access.access == Access::read;
+    use.written = access.access == Access::write;
+    return use;
+  }
+
+  /// All accesses that `from` leads to, with the calls of own functions that lead there; fills reached_.
+  std::vector<FieldUse> accesses(const std::vector<int>& from, const Own& own) {
+    std::vector<FieldUse> result;
+    std::map<int, std::set<Reached>> known;
+    reached_ = reachable(from);
+    for (const int f : reached_) {
+      if (at(f).access != Access::none) add(result, use_of(at(f)));
+      if (!own(at(f))) continue;
+      for (const Call& call : at(f).calls) {
+        if (!leads(call.to)) continue;
+        const auto [entry, is_new] = known.try_emplace(call.to);
+        if (is_new) entry->second = through_others(call.to, own);
+        for (const Reached& reached : entry->second) {
+          FieldUse use = use_of(at(reached.function));
+          use.places = {call.place};
+          use.whole_object = reached.whole_object;
+          if (use.whole_object) use.whole_places = use.places;
+          add(result, use);
+        }
+      }
+    }
+    return result;
+  }
+
+  /// What functions of the program do that no step leads to, and what nothing that is known leads to.
+  void unattributed(const std::set<int>& steps_lead_to, Usage& result) {
+    std::vector<int> entries;
+    for (const int f : graph_.entries)
+      if (steps_lead_to.count(f) == 0) entries.push_back(f);
+    for (const Step& step : graph_.steps) stop_.insert(step.function);
+    result.unattributed = accesses(entries, [](const Function& f) { return !f.of_library; });
+    for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
+      const bool known = steps_lead_to.count(static_cast<int>(f)) != 0 || reached_.count(static_cast<int>(f)) != 0;
+      if (graph_.functions[f].access != Access::none && !known) add(result.unattributed, use_of(graph_.functions[f]));
+    }
+  }
+
+  const Graph& graph_;
+  std::vector<std::vector<int>> callers_;
+  std::vector<bool> leads_;
+  std::set<int> reached_;  // functions on the way to accesses, of the last call of accesses()
+  std::set<int> stop_;     // not followed
+};
+
+}  // namespace
+
+Usage attribute(const Graph& graph) { return Attribution(graph).usage(); }
+
+}  // namespace physgen::usage

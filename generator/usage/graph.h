@@ -1,0 +1,48 @@
+// Instantiated functions and what they call, as numbers: what is left of a program for finding which step makes which
+// access. walk.h fills it from Clang's syntax tree; attribute() knows nothing of Clang.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "usage/usage.h"
+
+namespace physgen::usage {
+
+enum class Access { none, read, write, address };
+
+struct Call {
+  int to = 0;  ///< index of a function
+  Place place;
+};
+
+struct Function {
+  std::string file;           ///< where it is defined
+  bool of_library = false;    ///< of the runtime, generated, or the system's
+  bool whole_object = false;  ///< get() or put() of a generated reference
+  Access access = Access::none;
+  int field = -1;  ///< that it accesses: index into Graph::fields
+  std::vector<Call> calls;
+};
+
+struct Step {
+  int function = 0;
+  StepUse use;                      ///< without its fields
+  std::set<std::string> own_files;  ///< where its kernel and what the kernel is made of are defined
+};
+
+struct Graph {
+  std::vector<Function> functions;
+  std::vector<FieldUse> fields;  ///< array and field alone
+  std::vector<Step> steps;
+  std::vector<int> entries;  ///< functions of the program, for places of accesses that no step leads to
+  std::vector<UnknownUse> unknown;
+};
+
+/// Gives every access to the steps that lead to it. Its places are those calls in the step's own files that lead to it
+/// through functions of other files alone.
+[[nodiscard]] Usage attribute(const Graph& graph);
+
+}  // namespace physgen::usage

@@ -1,0 +1,56 @@
+// What declarations of Clang's syntax tree are called in a report: files, places, kernels, arrays and fields.
+#pragma once
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/Basic/SourceManager.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "usage/graph.h"
+
+namespace physgen::usage {
+
+class Names {
+ public:
+  /// @param folders in which #include looks: files are named without them
+  Names(clang::ASTContext& context, const std::vector<std::string>& folders);
+
+  [[nodiscard]] Place place(clang::SourceLocation location) const;
+  /// Whether the file is the runtime's, generated, or the system's.
+  [[nodiscard]] bool is_library(clang::SourceLocation location) const;
+
+  /// Specialisations of physgen::Probe that the program uses.
+  [[nodiscard]] std::vector<const clang::ClassTemplateSpecializationDecl*> probes() const;
+  /// The array and field of a specialisation of Probe.
+  [[nodiscard]] FieldUse field(const clang::ClassTemplateSpecializationDecl& probe);
+  /// Specialisations of the function templates that executors of probes instantiate.
+  [[nodiscard]] std::vector<const clang::FunctionDecl*> steps() const;
+  /// Name, place, arrays and own files of a step.
+  [[nodiscard]] Step step(const clang::FunctionDecl& function);
+  /// Arrays whose tags a type mentions, in the order of its parameters and members.
+  [[nodiscard]] std::vector<std::string> arrays(clang::QualType type);
+  /// Whether a class is a generated reference to objects, such as elasticity::TetRef.
+  [[nodiscard]] static bool is_object_reference(const clang::CXXRecordDecl& record);
+  /// Whether a class is `name` of namespace physgen.
+  [[nodiscard]] static bool is_physgen(const clang::CXXRecordDecl* record, llvm::StringRef name);
+
+ private:
+  using Visit = std::function<bool(const clang::CXXRecordDecl&)>;
+  [[nodiscard]] const clang::DeclContext* space(std::initializer_list<llvm::StringRef> path) const;
+  void classes(clang::QualType type, const Visit& visit, std::set<const clang::Decl*>& seen) const;
+  void classes(const clang::TemplateArgument& argument, const Visit& visit, std::set<const clang::Decl*>& seen) const;
+  [[nodiscard]] std::string tag_name(const clang::CXXRecordDecl& tag);
+  [[nodiscard]] std::string kernel_name(const clang::CXXRecordDecl& kernel) const;
+
+  clang::ASTContext& context_;
+  const clang::SourceManager& sources_;
+  const std::vector<std::string>& folders_;
+  std::map<const clang::Decl*, std::string> tags_;
+  std::map<const clang::Decl*, std::vector<std::string>> fields_;  // of objects
+};
+
+}  // namespace physgen::usage

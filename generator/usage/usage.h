@@ -1,0 +1,80 @@
+// What a program's steps read and write, field by field, as plain comparable structs. analyse.h fills them; the table,
+// the JSON and whoever prunes arrays read them. Nothing of Clang appears here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace physgen::usage {
+
+/// A place in a source file. The file is named as #include names it: "fem/kernels/compute_svd.h".
+struct Place {
+  std::string file;
+  int line = 0, column = 0;
+  auto operator<=>(const Place&) const = default;
+};
+
+/// What is done to one field of one array.
+struct FieldUse {
+  std::string array;  ///< as the program names it: "svds"
+  std::string field;  ///< "svd.U" of a nested object, "points.x" of a fixed array of them
+  bool read = false, written = false;
+  bool address_taken = false;       ///< by `&` of an element or an atomic operation
+  bool whole_object = false;        ///< by a get() or put() of all fields, too, at `whole_places`
+  std::vector<Place> places;        ///< in the kernel's own source, in ascending order, each once
+  std::vector<Place> whole_places;  ///< those of them where all fields are read or written at once
+  bool operator==(const FieldUse&) const = default;
+};
+
+/// What one step of a program does.
+struct StepUse {
+  std::string kernel;               ///< "physgen::fem::ComputeSvd", or "lambda in physgen::fem::multiply"
+  Place place;                      ///< where the kernel is defined
+  std::vector<std::string> arrays;  ///< that the kernel is given, in the order of its parameters
+  bool root = false;             ///< what it reads is wanted whatever becomes of it: a predicate, a value of the host
+  std::vector<FieldUse> fields;  ///< by array and field, in ascending order
+  bool operator==(const StepUse&) const = default;
+};
+
+/// A use of a probed array that types do not show: data(), memcpy, reinterpret_cast, sizeof.
+struct UnknownUse {
+  std::string array;
+  std::string what;  ///< "data()"
+  Place place;
+  auto operator<=>(const UnknownUse&) const = default;
+};
+
+struct Usage {
+  std::vector<StepUse> steps;          ///< by kernel, arrays and place, in ascending order
+  std::vector<FieldUse> unattributed;  ///< by no step that the analysis can name: these are wanted
+  std::vector<UnknownUse> unknown;     ///< errors, but where the program declares the arrays' fields
+  bool operator==(const Usage&) const = default;
+};
+
+/// A program and what was found in it.
+struct Program {
+  std::string name;  ///< of a scene, or of a file
+  Usage usage;
+  bool operator==(const Program&) const = default;
+};
+
+/// What the analyses of the same program for two sides find together. A kernel on the same arrays is one step.
+[[nodiscard]] Usage unite(const Usage& a, const Usage& b);
+
+/// Every field that is used, over all steps: by array and field, in ascending order.
+[[nodiscard]] std::vector<FieldUse> all_fields(const Usage& usage);
+
+/// Puts everything in ascending order, equal steps and fields together.
+void sort(Usage& usage);
+
+/// Adds what `use` says to the uses of the same field, or as a new one.
+void add(std::vector<FieldUse>& uses, const FieldUse& use);
+
+/// "physgen::fem::ComputeSvd(gradients, svds)"; of many arrays the first.
+[[nodiscard]] std::string name_of(const StepUse& step);
+
+/// "compute_svd.h:42:9", or with all of the file's name
+[[nodiscard]] std::string short_text(const Place& place);
+[[nodiscard]] std::string text_of(const Place& place);
+
+}  // namespace physgen::usage

@@ -1,0 +1,274 @@
+// See walk.h.
+#include "usage/walk.h"
+
+#include <clang/AST/DeclCXX.h>
+#include <clang/AST/ExprCXX.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include <map>
+#include <set>
+
+#include "usage/names.h"
+
+namespace physgen::usage {
+namespace {
+
+using clang::FunctionDecl;
+
+/// What implicit nodes wrap.
+const clang::Expr* written(const clang::Expr* expression) {
+  const clang::Expr* before = nullptr;
+  while (expression != before) {
+    before = expression;
+    expression = expression->IgnoreParens()->IgnoreImplicit();
+  }
+  return expression;
+}
+
+const clang::Expr* object_of(const clang::CallExpr& call) {
+  if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(&call)) return member->getImplicitObjectArgument();
+  if (llvm::isa<clang::CXXOperatorCallExpr>(call) && call.getNumArgs() > 0) return call.getArg(0);
+  return nullptr;
+}
+
+/// Where a reader looks for a call: at the field's name in `view[i].x() = v` and in `const Vector v = view[i].x();`,
+/// else at the called name.
+clang::SourceLocation place_of(const clang::CallExpr& call) {
+  const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call.getDirectCallee());
+  const clang::Expr* object = object_of(call);
+  if (method != nullptr && object != nullptr) {
+    const bool of_reference =
+        Names::is_physgen(method->getParent(), "FieldRef") || Names::is_physgen(method->getParent(), "ElementRef");
+    object = written(object);
+    if (const auto* inner = llvm::dyn_cast<clang::CallExpr>(object); inner != nullptr && of_reference)
+      return place_of(*inner);
+    if (of_reference || llvm::isa<clang::CXXConversionDecl>(method)) return object->getBeginLoc();
+  }
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(call.getCallee()->IgnoreParenImpCasts()))
+    return member->getMemberLoc();
+  return call.getCallee()->getExprLoc();
+}
+
+class Walk {
+ public:
+  Walk(clang::ASTContext& context, const std::vector<std::string>& folders) : names_(context, folders) {}
+
+  Graph graph(const std::vector<const FunctionDecl*>& functions) {
+    for (const auto* probe : names_.probes()) accesses_of(*probe);
+    for (const FunctionDecl* function : names_.steps()) {
+      Step step = names_.step(*function);
+      step.function = number(function);
+      graph_.steps.push_back(std::move(step));
+    }
+    follow();
+    for (const FunctionDecl* function : functions)
+      if (!names_.is_library(function->getLocation())) graph_.entries.push_back(number(function));
+    follow();
+    return std::move(graph_);
+  }
+
+ private:
+  class Body;
+
+  /// All instantiated accesses, those that no known function leads to among them.
+  void accesses_of(const clang::ClassTemplateSpecializationDecl& probe) {
+    const int field = static_cast<int>(graph_.fields.size());
+    const auto access = [&](const FunctionDecl* function) {
+      static const std::map<std::string, Access> kinds = {
+          {"decode", Access::read}, {"encode", Access::write}, {"address", Access::address}};
+      const auto kind = kinds.find(function->getNameAsString());
+      if (kind == kinds.end() || !function->isDefined()) return;
+      Function& made = graph_.functions[static_cast<std::size_t>(number(function))];
+      made.access = kind->second;
+      made.field = field;
+    };
+    graph_.fields.push_back(names_.field(probe));
+    for (const clang::Decl* member : probe.decls()) {
+      if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(member)) access(method);
+      if (const auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(member))
+        for (const FunctionDecl* function : pattern->specializations()) access(function);
+    }
+  }
+
+  int number(const clang::Decl* declaration) {
+    const auto [entry, is_new] =
+        numbers_.emplace(declaration->getCanonicalDecl(), static_cast<int>(graph_.functions.size()));
+    if (!is_new) return entry->second;
+    Function& made = graph_.functions.emplace_back();
+    const FunctionDecl* definition = nullptr;
+    if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration)) (void)function->isDefined(definition);
+    const auto location = (definition != nullptr ? definition : declaration)->getLocation();
+    made.file = names_.place(location).file;
+    made.of_library = names_.is_library(location);
+    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration);
+        method != nullptr && method->getIdentifier() != nullptr)
+      made.whole_object = (method->getName() == "get" || method->getName() == "put") &&
+                          Names::is_object_reference(*method->getParent());
+    queue_.push_back(definition != nullptr ? definition : declaration);
+    return entry->second;
+  }
+
+  void follow();
+
+  Names names_;
+  Graph graph_;
+  std::map<const clang::Decl*, int> numbers_;
+  std::vector<const clang::Decl*> queue_;
+};
+
+/// Finds what one body calls, constructs, destroys or takes the address of.
+class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
+ public:
+  Body(Walk& walk, int function)
+      : walk_(walk), function_(function), is_users_(!walk.graph_.functions[index()].of_library) {}
+
+  [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
+  // Operands that are not evaluated, and types.
+  static bool TraverseTypeLoc(clang::TypeLoc /*type*/, bool /*qualifier*/ = true) { return true; }
+  static bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr* /*expression*/) { return true; }
+  static bool TraverseRequiresExpr(clang::RequiresExpr* /*expression*/) { return true; }
+  static bool TraverseConceptSpecializationExpr(clang::ConceptSpecializationExpr* /*expression*/) { return true; }
+  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* expression) {
+    if (expression->getKind() == clang::UETT_SizeOf)
+      unknown(expression->getTypeOfArgument(), "sizeof", expression->getBeginLoc());
+    return true;
+  }
+
+  // Bodies of lambdas and of local classes belong to whoever calls them.
+  static bool TraverseCXXRecordDecl(clang::CXXRecordDecl* /*record*/) { return true; }
+  bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
+    for (clang::Expr* captured : lambda->capture_inits()) TraverseStmt(captured);
+    return true;
+  }
+
+  bool VisitCallExpr(clang::CallExpr* call) {
+    places_[call->getCallee()->IgnoreParenImpCasts()] = place_of(*call);
+    const FunctionDecl* callee = call->getDirectCallee();
+    if (!is_users_ || callee == nullptr || callee->getIdentifier() == nullptr) return true;
+    if (callee->getName() == "bit_cast" && call->getNumArgs() > 0)
+      unknown(call->getArg(0)->getType(), "bit_cast", call->getBeginLoc());
+    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+        method != nullptr && callee->getName() == "data" && Names::is_physgen(method->getParent(), "View"))
+      unknown(object_of(*call)->getType(), "data()", place_of(*call));
+    return true;
+  }
+  bool VisitCastExpr(clang::CastExpr* cast) {
+    const auto kind = cast->getCastKind();
+    if (kind == clang::CK_BitCast || kind == clang::CK_LValueBitCast || kind == clang::CK_PointerToIntegral)
+      unknown(cast->getSubExpr()->getType(), "a cast to other types, as of memcpy or reinterpret_cast",
+              cast->getBeginLoc());
+    return true;
+  }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(reference->getDecl());
+        variable != nullptr && variable->hasGlobalStorage() && variable->getAnyInitializer() != nullptr)
+      leads_to(variable, reference->getLocation());
+    return function(reference->getDecl(), reference, reference->getLocation());
+  }
+  bool VisitMemberExpr(clang::MemberExpr* member) {
+    return function(member->getMemberDecl(), member, member->getMemberLoc());
+  }
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* construction) {
+    const auto location = construction->getLocation();
+    const auto* record = construction->getConstructor()->getParent();
+    leads_to(construction->getConstructor(), location);
+    destroys(construction->getType(), location);
+    if (record->isPolymorphic()) overriders(*record, location);
+    return true;
+  }
+  bool VisitCXXInheritedCtorInitExpr(clang::CXXInheritedCtorInitExpr* construction) {
+    leads_to(construction->getConstructor(), construction->getLocation());
+    return true;
+  }
+  bool VisitVarDecl(clang::VarDecl* variable) {
+    destroys(variable->getType(), variable->getLocation());
+    return true;
+  }
+  bool VisitCXXBindTemporaryExpr(clang::CXXBindTemporaryExpr* temporary) {
+    leads_to(temporary->getTemporary()->getDestructor(), temporary->getBeginLoc());
+    return true;
+  }
+  bool VisitCXXDeleteExpr(clang::CXXDeleteExpr* expression) {
+    destroys(expression->getDestroyedType(), expression->getBeginLoc());
+    return true;
+  }
+
+  /// What the end of an object's life does behind the body of its destructor.
+  void members_of(const clang::CXXDestructorDecl& destructor) {
+    for (const auto& base : destructor.getParent()->bases()) destroys(base.getType(), destructor.getLocation());
+    for (const auto* member : destructor.getParent()->fields()) destroys(member->getType(), destructor.getLocation());
+  }
+
+ private:
+  [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(function_); }
+
+  void leads_to(const clang::Decl* declaration, clang::SourceLocation location) {
+    if (declaration == nullptr) return;
+    if (const auto* conversion = llvm::dyn_cast<clang::CXXConversionDecl>(declaration);
+        conversion != nullptr && conversion->getParent()->isLambda())
+      declaration = conversion->getParent()->getLambdaCallOperator();  // Clang gives the function pointer no body
+    if (declaration == nullptr) return;
+    const int to = walk_.number(declaration);
+    Place place = is_users_ ? walk_.names_.place(location) : Place{};  // places are wanted of the program's files
+    walk_.graph_.functions[index()].calls.push_back({to, std::move(place)});
+  }
+  bool function(const clang::Decl* declaration, const clang::Expr* expression, clang::SourceLocation location) {
+    if (!llvm::isa<FunctionDecl>(declaration)) return true;
+    const auto place = places_.find(expression);
+    leads_to(declaration, place == places_.end() ? location : place->second);
+    return true;
+  }
+  void destroys(clang::QualType type, clang::SourceLocation location) {
+    const auto* record = type->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+    if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
+    leads_to(record->getDestructor(), location);
+  }
+  /// Who has an object may call any of its virtual functions.
+  void overriders(const clang::CXXRecordDecl& record, clang::SourceLocation location) {
+    for (const auto* method : record.methods())
+      if (method->isVirtual()) leads_to(method, location);
+    for (const auto& base : record.bases())
+      if (const auto* parent = base.getType()->getAsCXXRecordDecl(); parent != nullptr && parent->hasDefinition())
+        overriders(*parent->getDefinition(), location);
+  }
+  void unknown(clang::QualType type, const char* what, clang::SourceLocation location) {
+    if (!is_users_) return;
+    for (const std::string& array : walk_.names_.arrays(type))
+      walk_.graph_.unknown.push_back({array, what, walk_.names_.place(location)});
+  }
+
+  Walk& walk_;
+  int function_;
+  bool is_users_;
+  std::map<const clang::Expr*, clang::SourceLocation> places_;  // of callees
+};
+
+void Walk::follow() {
+  while (!queue_.empty()) {
+    const clang::Decl* declaration = queue_.back();
+    queue_.pop_back();
+    const int function = number(declaration);
+    const Access access = graph_.functions[static_cast<std::size_t>(function)].access;
+    if (access == Access::read || access == Access::write) continue;
+    Body body(*this, function);
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declaration)) {
+      body.TraverseStmt(const_cast<clang::Expr*>(variable->getAnyInitializer()));
+      continue;
+    }
+    const auto* definition = llvm::cast<FunctionDecl>(declaration);
+    if (definition->isDependentContext()) continue;
+    if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(definition))
+      for (const auto* member : constructor->inits()) body.TraverseStmt(member->getInit());
+    if (const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(definition)) body.members_of(*destructor);
+    if (definition->doesThisDeclarationHaveABody()) body.TraverseStmt(definition->getBody());
+  }
+}
+
+}  // namespace
+
+Graph read_graph(clang::ASTContext& context, const std::vector<const FunctionDecl*>& functions,
+                 const std::vector<std::string>& folders) {
+  return Walk(context, folders).graph(functions);
+}
+
+}  // namespace physgen::usage

@@ -1,0 +1,113 @@
+// What probes have found in a program, for compilers that are asked by running it. Every use of a probe makes an object
+// before main() begins, whether the code that uses it ever runs or not.
+#pragma once
+
+#include <physgen/object_info.h>
+#include <physgen/space.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace physgen::probe {
+
+/// What the code of a program does to a field of an array.
+struct FieldAccess {
+  std::string array;   ///< ArrayTag::name
+  std::string object;  ///< "elasticity::Tet"
+  std::string field;   ///< "nodes"; of fields of nested objects "svd.U", of a fixed array of them "points.x"
+  bool read = false;
+  bool written = false;
+  bool address_taken = false;  ///< and so read, and written where the array is not read-only
+
+  bool operator==(const FieldAccess&) const = default;
+};
+
+namespace detail {
+
+enum class Access { read, written, address };
+
+/// One use, in a list of all.
+struct Use {
+  const char* array;
+  std::string_view object, field;
+  Access access;
+  const Use* next;
+
+  Use(const char* of_array, std::string_view of_object, std::string_view of_field, Access what)
+      : array(of_array), object(of_object), field(of_field), access(what), next(last) {
+    last = this;
+  }
+  static inline const Use* last = nullptr;
+};
+
+/// Whoever names `use` makes the program have it.
+template <class ArrayTag, class Object, int field, Access access>
+struct Used {
+  static inline const Use use{ArrayTag::name, Object::name,
+                              Object::template fields<float, typename Object::template Formats<Host>>[field].name,
+                              access};
+};
+
+/// Work in a way of its own for a device, or an array in memory of one: of these Clang alone sees all uses.
+struct ForDevice {
+  const char* what;
+  bool is_array;
+  const ForDevice* next;
+
+  ForDevice(const char* name, bool array) : what(name), is_array(array), next(last) { last = this; }
+  static inline const ForDevice* last = nullptr;
+};
+
+/// The name of a type, somewhere in the text.
+template <class T>
+[[nodiscard]] constexpr const char* text_with_name() {
+  return __PRETTY_FUNCTION__;
+}
+template <class Work>
+struct DeviceWork {
+  static inline const ForDevice work{text_with_name<Work>(), false};
+};
+template <class ArrayTag>
+struct DeviceArray {
+  static inline const ForDevice array{ArrayTag::name, true};
+};
+
+}  // namespace detail
+
+/// All fields that the program's code reads or writes, each array's in one row per field, ascending. Code is found that
+/// was compiled by a compiler of the host: see unseen() for what is not.
+[[nodiscard]] inline std::vector<FieldAccess> registered() {
+  std::vector<FieldAccess> rows;
+  for (const detail::Use* use = detail::Use::last; use != nullptr; use = use->next) {
+    FieldAccess one{use->array, std::string(use->object), std::string(use->field)};
+    for (std::size_t at; (at = one.field.find("[0]")) != std::string::npos;) one.field.erase(at, 3);
+    auto row = std::ranges::find_if(rows, [&](const FieldAccess& other) {
+      return std::tie(other.array, other.object, other.field) == std::tie(one.array, one.object, one.field);
+    });
+    if (row == rows.end()) row = rows.insert(rows.end(), one);
+    row->read |= use->access == detail::Access::read;
+    row->written |= use->access == detail::Access::written;
+    row->address_taken |= use->access == detail::Access::address;
+  }
+  std::ranges::sort(rows, {}, [](const FieldAccess& row) { return std::tie(row.array, row.object, row.field); });
+  return rows;
+}
+
+/// What registered() knows nothing of, since compilers of the host do not read code for devices: steps by perform() on
+/// CUDA, as texts that name their types; and the names of arrays of CUDA of which it has not found a use, as where all
+/// kernels over them are __device__ functions. Where there are any, ask `physgen usage`.
+[[nodiscard]] inline std::vector<std::string> unseen() {
+  std::vector<std::string> names;
+  const std::vector<FieldAccess> found = registered();
+  for (const detail::ForDevice* one = detail::ForDevice::last; one != nullptr; one = one->next) {
+    const bool seen =
+        one->is_array && std::ranges::any_of(found, [&](const auto& row) { return row.array == one->what; });
+    if (!seen) names.emplace_back(one->what);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace physgen::probe

@@ -1,0 +1,66 @@
+// The steps of a program, as calls that compilers read and programs never make. A specialisation of step(),
+// reduce_step(), perform_step(), root() or host_reads() is what `physgen usage` begins at: what is reached from there
+// is what the step reads and writes.
+#pragma once
+
+#include <physgen/lanes.h>
+#include <physgen/probe/registry.h>
+#include <physgen/reduce.h>
+
+#ifndef __CUDACC__
+#include <physgen/parallel_for.h>
+#endif
+
+namespace physgen::probe::detail {
+
+/// Lanes of the packs that a program calls the kernel with; 1 where it takes none, and on CUDA.
+template <class Kernel, class Space>
+constexpr int lanes_of() {
+#ifndef __CUDACC__
+  if constexpr (Space::kind != SpaceKind::cuda) return physgen::detail::default_lanes<Kernel>();
+#endif
+  return 1;
+}
+
+/// kernel(i), for each kind of index that a program calls it with.
+template <class Kernel, class Space>
+void step(const Kernel& kernel) {
+  if (false) {
+    (void)kernel(index_t{0});
+    constexpr int lanes = lanes_of<Kernel, Space>();
+    if constexpr (lanes > 1) (void)kernel(Pack<lanes>{0});
+  }
+}
+
+/// The same for a kernel whose terms are folded, and then(value of the fold).
+template <class Kernel, class Fold, class Then, class Space>
+void reduce_step(const Kernel& kernel, const Fold& /*fold*/, const Then& then) {
+  if (false) {
+    using Types = physgen::detail::Reduction<Kernel, Fold, index_t>;
+    step<Kernel, Space>(kernel);
+    (void)then(Types::Entries::result(static_cast<const typename Types::Value*>(nullptr)));
+  }
+}
+
+/// work(stream): code of the program's own.
+template <class Work, class Space>
+void perform_step(const Work& work) {
+  if (false) work(Stream{});
+#if defined(__NVCC__) && !defined(__CUDA_ARCH__)
+  if constexpr (Space::kind == SpaceKind::cuda) (void)&DeviceWork<Work>::work;
+#endif
+}
+
+/// What the end of a loop depends on: is always wanted.
+template <class Done>
+void root(const Done& done) {
+  if (false) (void)done();
+}
+
+/// The host asks for an object: all its fields are wanted.
+template <class Array>
+void host_reads(const Array& array) {
+  if (false) (void)array.const_view().get(index_t{0});
+}
+
+}  // namespace physgen::probe::detail

@@ -1,0 +1,105 @@
+// The words a scene is declared in: which arrays a program works on, what it is given and what is wanted of it. physgen
+// instantiates the program, finds which fields of which arrays it reads and writes, and writes a header with exactly
+// those. To other compilers the macros are empty and arrays are plain markers.
+//
+//   #include <physgen/scene.h>
+//   #include <elasticity.physgen.h>
+//   #include <fem/kernels/compute_svd.h>
+//   namespace scenes {
+//   using namespace physgen::scene;
+//
+//   /// Principal stretches of given deformation gradients.               (doc comments reach the generated header)
+//   struct PHYSGEN_SCENE() stretches {
+//     using Real = float;                                                 // the precision is a choice of the scene
+//     struct Body {                                                       // a group of arrays
+//       PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::DeformationGradientObject, Real> gradients;
+//       PHYSGEN_ARRAY(per("tet"), output("s")) Array<elasticity::DeformationSvdObject, Real> svds;
+//     };
+//     template <class On, class Body>                                     // one reference for each group, in their
+//     order static void program(On& on, Body& body) {
+//       on.run(body.gradients.size(), physgen::fem::ComputeSvd{body.gradients.view(), body.svds.view()});
+//     }
+//   };
+//   }
+//
+// A file declares one scene, which has the file's name: stretches.h. Behind its groups, program may take further
+// parameters, of types that are no templates' parameters: numbers and structs that the caller chooses at run time.
+#pragma once
+
+#include <physgen/space.h>
+
+#if defined(__clang__) && !defined(__CUDACC__)
+/// Marks a struct as a scene: `struct PHYSGEN_SCENE() name { ... };`.
+#define PHYSGEN_SCENE() [[clang::annotate("physgen.scene")]]
+/// Marks the arrays of a group, before their type. Options: per(...), and where they hold, input(...), output(...) and
+/// uniform().
+#define PHYSGEN_ARRAY(...) [[clang::annotate("physgen.array" __VA_OPT__(, ) __VA_ARGS__)]]
+#else
+#define PHYSGEN_SCENE()
+#define PHYSGEN_ARRAY(...)
+#endif
+
+namespace physgen::scene {
+
+/// An array of a scene.
+/// @tparam Object_ a generated tag such as elasticity::TetObject
+/// @tparam Real_ float or double
+template <class Object_, class Real_>
+struct Array {
+  using Object = Object_;
+  using Real = Real_;
+  /// What physgen reads of its objects.
+  static constexpr auto fields = Object::template fields<Real, typename Object::template Formats<Host>>;
+  static_assert(fields.size() > 0);
+};
+
+namespace detail {
+inline constexpr int most_names = 32;
+struct Names {
+  const char* names[most_names] = {};
+  int count = 0;  // 0: all fields
+};
+struct Per {
+  const char* set = nullptr;
+  int count = 0;
+};
+struct Input {
+  Names fields;
+};
+struct Output {
+  Names fields;
+};
+struct Uniform {
+  int records = 1;
+};
+
+template <class... Text>
+[[nodiscard]] constexpr Names names(Text... text) {
+  static_assert(sizeof...(text) <= most_names, "no array has more than 32 fields named one by one; name none for all");
+  return {{text...}, int{sizeof...(text)}};
+}
+}  // namespace detail
+
+/// How many objects there are: as many as the set has that the text names, such as "tet" or "node". Whoever allocates
+/// the group says how many these are.
+[[nodiscard]] constexpr detail::Per per(const char* set) { return {set, 0}; }
+/// The same number always: per(1) is for the numbers that a program keeps once.
+[[nodiscard]] constexpr detail::Per per(int count) { return {nullptr, count}; }
+
+/// Fields that the caller fills before the program runs: all, or those named. One that the program never reads is
+/// pruned.
+template <class... Text>
+[[nodiscard]] constexpr detail::Input input(Text... fields) {
+  return {detail::names(fields...)};
+}
+
+/// Fields that are wanted of the program: all, or those named.
+template <class... Text>
+[[nodiscard]] constexpr detail::Output output(Text... fields) {
+  return {detail::names(fields...)};
+}
+
+/// One record for all objects: what is the same for each of them. The program only reads it.
+[[nodiscard]] constexpr detail::Uniform uniform() { return {}; }
+
+}  // namespace physgen::scene

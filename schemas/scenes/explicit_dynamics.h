@@ -1,0 +1,45 @@
+// The scene explicit_dynamics: a time step of symplectic Euler of a Neo-Hookean body.
+#pragma once
+
+#include <dynamics.physgen.h>
+#include <elasticity.physgen.h>
+#include <fem/dynamics/explicit_steps.h>
+#include <fem/materials/neo_hookean.h>
+#include <physgen/scene.h>
+#include <quasistatic.physgen.h>
+
+namespace scenes {
+using namespace physgen::scene;
+
+/// Explicit dynamics of a Neo-Hookean body: one step of symplectic Euler with lumped mass.
+struct PHYSGEN_SCENE() explicit_dynamics {
+  using Real = float;
+
+  struct Body {
+    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
+    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::RestShapeObject, Real> rest;
+    PHYSGEN_ARRAY(per("tet")) Array<elasticity::CornerForcesObject, Real> corners;
+
+    /// The tets of each node: rows of (tet, corner).
+    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_tet_ranges;
+    PHYSGEN_ARRAY(per("corner"), input()) Array<elasticity::IncidenceObject, float> node_tets;
+    PHYSGEN_ARRAY(per("node"), input()) Array<quasistatic::NodeConstraintObject, Real> constraints;
+    PHYSGEN_ARRAY(per("node"), input()) Array<dynamics::NodeMassObject, double> masses;
+    /// External forces, and the motion of prescribed components, at a load of 1.
+    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeForceObject, double> loads;
+    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeDisplacementObject, double> motion;
+    /// From rest, and rounded to the precision of tets.
+    PHYSGEN_ARRAY(per("node"), input(), output()) Array<elasticity::NodeDisplacementObject, double> displacements;
+    PHYSGEN_ARRAY(per("node"), input(), output()) Array<elasticity::NodeDisplacementObject, Real> rounded;
+    PHYSGEN_ARRAY(per("node"), input(), output()) Array<dynamics::NodeVelocityObject, double> velocities;
+    PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeForceObject, Real> forces;
+  };
+
+  template <class On, class Body>
+  static void program(On& on, Body& body, const physgen::fem::NeoHookean<Real>& material,
+                      const physgen::fem::TimeStep& step) {
+    physgen::fem::explicit_step(on, body, material, step);
+  }
+};
+
+}  // namespace scenes

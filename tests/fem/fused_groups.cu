@@ -1,0 +1,75 @@
+// The fused groups of fem/kernels/groups.h as CUDA kernels, each by a name of its own: fused_groups.sh reads what the
+// compiler says of their registers and local memory.
+#include <elasticity.physgen.h>
+#include <fem/kernels/groups.h>
+#include <fem/materials/materials.h>
+
+using namespace physgen;
+
+namespace {
+
+template <class Object, class Real>
+using ViewOf = View<Object, Real, Aosoa<32>, FormatsOf<Object, Cuda>, Cuda>;
+template <class Object, class Real>
+using Padded = View<Object, Real, AosPadded, FormatsOf<Object, Cuda>, Cuda>;
+
+/// What the groups read and write.
+template <class Real>
+struct Mesh {
+  ViewOf<elasticity::TetObject, const Real> tets;
+  ViewOf<elasticity::RestShapeObject, const Real> rest;
+  ViewOf<elasticity::TetPlacesObject, const Real> places;
+  ViewOf<elasticity::PrincipalDirectionsObject, Real> directions;
+  ViewOf<elasticity::StressDerivativeObject, Real> derivatives;
+  ViewOf<elasticity::CornerForcesObject, Real> corners;
+  Padded<elasticity::NodePositionObject, const Real> positions;
+  Padded<elasticity::NodeDisplacementObject, const Real> displacements;
+  Padded<elasticity::NodeForceObject, Real> forces;
+  Padded<elasticity::NodeForceDifferentialObject, Real> differentials;
+  Padded<elasticity::PlacedForceObject, Real> placed;
+};
+
+/// Named in types alone.
+template <class Real>
+Mesh<Real> mesh();
+template <class Model>
+Model material();
+
+template <class Real, template <class> class Model = fem::NeoHookean>
+struct Groups {
+  static auto added_forces() {
+    const auto m = mesh<Real>();
+    return fem::fuse_added_forces(material<Model<Real>>(), m.tets, m.positions, m.rest, m.forces);
+  }
+  static auto placed_forces() {
+    const auto m = mesh<Real>();
+    return fem::fuse_placed_forces(material<Model<Real>>(), m.tets, m.positions, m.rest, m.places, m.placed);
+  }
+  static auto newton_update() {
+    const auto m = mesh<Real>();
+    return fem::fuse_newton_update(material<Model<Real>>(), m.tets, m.positions, m.rest, m.directions, m.derivatives,
+                                   m.corners);
+  }
+  static auto added_differentials() {
+    const auto m = mesh<Real>();
+    return fem::fuse_added_differentials(m.tets, m.displacements, m.rest, m.directions, m.derivatives, m.differentials);
+  }
+};
+
+}  // namespace
+
+// PHYSGEN_KERNEL is undefined below.
+#define PHYSGEN_KERNEL(name, group, ...)                                                 \
+  extern "C" __global__ void name(const decltype(Groups<__VA_ARGS__>::group()) kernel) { \
+    kernel(blockIdx.x * index_t{blockDim.x} + threadIdx.x);                              \
+  }
+PHYSGEN_KERNEL(added_forces, added_forces, float)
+PHYSGEN_KERNEL(added_forces_of_mooney_rivlin, added_forces, float, fem::MooneyRivlin)
+PHYSGEN_KERNEL(added_forces_in_double, added_forces, double)
+PHYSGEN_KERNEL(placed_forces, placed_forces, float)
+PHYSGEN_KERNEL(placed_forces_in_double, placed_forces, double)
+PHYSGEN_KERNEL(newton_update, newton_update, float)
+PHYSGEN_KERNEL(newton_update_in_double, newton_update, double)
+PHYSGEN_KERNEL(added_differentials, added_differentials, float)
+PHYSGEN_KERNEL(added_differentials_in_double, added_differentials, double)
+#undef PHYSGEN_KERNEL

@@ -1,0 +1,39 @@
+// The whole solver under probes. For host and CUDA translation units.
+#pragma once
+
+#include <fem/materials/materials.h>
+#include <fem/solver/newton.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "probe_arrays.h"
+
+namespace physgen::fem::test {
+
+/// Newton's method with all that it may use, as steps: nothing runs.
+template <class On, class Real, class Stored>
+void newton_program(On& on) {
+  using Space = typename On::Space;
+  ProbeEquilibrium<Real, Space> body;
+  std::vector<std::unique_ptr<ProbeLevel<Real, Space, Stored>>> levels;
+  levels.push_back(std::make_unique<ProbeLevel<Real, Space, Stored>>());
+  ProbeVectors<Real, Space> vectors;
+  MaterialSteps<NeoHookean<double>> steps(NeoHookean<double>::from(1e5, 0.4), false);
+  typename On::Loop loop;
+  (void)find_equilibrium(on, loop, body, levels, 0, vectors, steps, NewtonSettings{}, 1.0, false, true, {});
+}
+
+/// "body.positions.x" of all fields that the program reads and does not write, without the solver's lists, whose ranges
+/// and entries are inputs as a whole.
+inline std::set<std::string> fields_read_only() {
+  std::set<std::string> fields;
+  for (const probe::FieldAccess& row : probe::registered()) {
+    const bool of_a_list = row.array.ends_with(".ranges") || row.array.ends_with(".entries");
+    if (row.read && !row.written && !of_a_list) fields.insert(row.array + "." + row.field);
+  }
+  return fields;
+}
+
+}  // namespace physgen::fem::test

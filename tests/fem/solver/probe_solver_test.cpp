@@ -1,0 +1,57 @@
+// What the solver on the CPU reads and writes.
+#include "probe_solver.h"
+
+#include <fem/solver/product_host.h>
+#include <fem/solver/schwarz_host.h>
+
+namespace physgen::fem::test {
+namespace {
+
+class ProbesOfTheSolver : public testing::Test {
+ protected:
+  ProbesOfTheSolver() {
+    ProbeExecutor<Host> on;
+    newton_program<ProbeExecutor<Host>, float, StoredInHalf>(on);
+  }
+};
+
+// By hand: what EquilibriumArrays, LinearLevel and their parts are given when they are made.
+TEST_F(ProbesOfTheSolver, read_without_writing_what_the_solver_is_given_and_nothing_else) {
+  const std::set<std::string> given{"body.tets.nodes",
+                                    "body.rest.x",
+                                    "body.loads.f",
+                                    "body.increment.dx",
+                                    "level.constraints.fixed",
+                                    "level.edges.nodes",
+                                    "level.parents.nodes",
+                                    "level.grid_parents.nodes",
+                                    "level.grid_parents.weights",
+                                    "patches.nodes.nodes",
+                                    "patches.tet_patches.patch",
+                                    "planes.areas.area",
+                                    "planes.planes.normal",
+                                    "planes.planes.offset",
+                                    "planes.planes.travel",
+                                    "schwarz.nodes.slot",
+                                    "schwarz.slots.source",
+                                    "schwarz.slots.parent"};
+  EXPECT_EQ(fields_read_only(), given);
+}
+
+TEST_F(ProbesOfTheSolver, find_nothing_that_is_written_and_never_read) {
+  for (const probe::FieldAccess& row : probe::registered()) EXPECT_TRUE(row.read) << row.array << "." << row.field;
+  EXPECT_EQ(probe::registered().size(), 130U) << "fields of 74 arrays";
+}
+
+// The chain of Schwarz blocks is followed on CUDA alone; SVDs and stresses are no arrays of this solver.
+TEST_F(ProbesOfTheSolver, leave_out_what_only_other_programs_read) {
+  std::set<std::string> of_blocks;
+  for (const probe::FieldAccess& row : probe::registered()) {
+    if (row.array == "schwarz.blocks") of_blocks.insert(row.field);
+  }
+  EXPECT_EQ(of_blocks, std::set<std::string>{"scale"});
+  EXPECT_EQ(probe::unseen(), std::vector<std::string>());
+}
+
+}  // namespace
+}  // namespace physgen::fem::test

@@ -1,0 +1,30 @@
+// What nvcc's compiler of the host finds of the solver on CUDA, and what it does not see. No device is needed.
+#include <fem/solver/product_cuda.h>
+#include <fem/solver/schwarz_cuda.h>
+
+#include "probe_solver.h"
+
+namespace physgen::fem::test {
+namespace {
+
+TEST(ProbesOfTheSolver, say_which_steps_on_cuda_only_clang_reads) {
+  ProbeExecutor<Cuda> on;
+  newton_program<ProbeExecutor<Cuda>, float, StoredInHalf>(on);
+  const auto is_unseen = [](const std::string& name) {
+    const std::vector<std::string> names = probe::unseen();
+    return std::ranges::find(names, name) != names.end();
+  };
+  for (const char* function : {"multiply", "add_edges", "invert_coarsest", "factor_blocks", "apply_blocks"}) {
+    const auto names_it = [&](const std::string& text) {
+      return text.find("fem::" + std::string(function) + "<") != std::string::npos;
+    };
+    EXPECT_TRUE(std::ranges::any_of(probe::unseen(), names_it)) << function;
+  }
+  // What steps of run() and reduce() read is found, too; what those alone read is named.
+  EXPECT_TRUE(fields_read_only().contains("body.tets.nodes"));
+  EXPECT_FALSE(is_unseen("body.tets"));
+  EXPECT_TRUE(is_unseen("schwarz.factors"));
+}
+
+}  // namespace
+}  // namespace physgen::fem::test

@@ -1,0 +1,171 @@
+// The solver on the arrays of the scene quasistatic, which have the fields alone that its program needs, against the
+// solver that is shipped, whose arrays have all.
+#include <fem/mesh/mesh_arrays.h>
+#include <fem/solver/make_linear_levels.h>
+#include <gtest/gtest.h>
+#include <physgen/executor.h>
+#include <quasistatic.scene.h>
+
+#include <cstring>
+#include <vector>
+
+#include "bodies.h"
+
+namespace physgen::fem {
+namespace {
+
+namespace scene = scenes::quasistatic_scene;
+using Mesh = EquilibriumArrays<float, Host>;
+using Level = LinearLevel<float, Host, StoredAsComputed>;
+
+template <class To, class From>
+void fill(To& to, const From& from) {
+  ASSERT_EQ(to.size(), from.size());
+  if constexpr (requires { to.contents(); }) {
+    copy(to.contents(), from);
+  } else {
+    copy(to, from);
+  }
+}
+template <class Ranges, class Entries, class Rows>
+void fill_rows(Ranges& ranges, Entries& entries, const Rows& rows) {
+  fill(ranges, rows.ranges());
+  fill(entries, rows.entries());
+}
+
+/// The groups of the scene, filled with what the shipped solver's arrays are given.
+struct Groups {
+  scene::Body<> body;
+  scene::Patches<> patches;
+  scene::Chunk<> chunk;
+  std::vector<scene::Level<>> levels;
+  scene::Krylov<> krylov;
+  scene::Stresses<> stresses;
+  MeshFacts facts;
+
+  Groups(const Body& given, const SolverSettings& settings) {
+    const LevelsInUse used = levels_in_use(given.levels, settings);
+    const MeshLevel& finest = used.levels.front();
+    Mesh mesh(finest, used.graphs.front(), false, TangentLists::of_edges, nullptr);
+    store_loading(mesh, finest, given.loading.motion, given.loading.forces);
+    const PatchArrays<float, Host>& p = *mesh.patches;
+    const index_t tets = mesh.tet_count(), nodes = mesh.nodes(), volumes = mesh.volumes.size();
+    const index_t edges = index_t(used.graphs.front().edges.size());
+    body.allocate({.tet = tets,
+                   .node = nodes,
+                   .corner = mesh.node_tets.entries().size(),
+                   .edge = edges,
+                   .tet_edge = mesh.edge_tets.entries().size(),
+                   .volume = volumes});
+    fill(body.tets, mesh.tets);
+    fill_rows(body.node_tet_ranges, body.node_tet_entries, mesh.node_tets);
+    fill_rows(body.edge_tet_ranges, body.edge_tet_entries, mesh.edge_tets);
+    for (auto* positions : {&body.positions, &body.kept}) fill(*positions, mesh.rest);
+    fill(body.rest, mesh.rest);
+    fill(body.loads, mesh.loads);
+    fill(body.motion, mesh.motion);
+    patches.allocate({.tet = tets, .patch = volumes, .edge = edges, .edge_patch = p.edge_patches.entries().size()});
+    fill(patches.tet_patches, p.tet_patches);
+    fill(patches.nodes, p.nodes);
+    fill_rows(patches.patch_tet_ranges, patches.patch_tet_entries, p.patch_tets);
+    fill_rows(patches.edge_patch_ranges, patches.edge_patch_entries, p.edge_patches);
+    chunk.allocate({.chunk_tet = mesh.chunk_arrays->corners.size(), .kept_tet = mesh.chunk_arrays->tangent.size()});
+    for (const auto& level : make_linear_levels<Level>(used, settings)) add(*level);
+    krylov.allocate({.node = nodes});
+    stresses.allocate({.tet = tets});
+    start_without_values(stresses.of_tets.storage(), {"P"});
+    start_without_values(body.forces.storage(), {"f"});
+    facts.chunks = mesh.chunks;
+    facts.rounding_force = rounding_force(settings, finest, given.loading.motion, false, mesh.spacing);
+    facts.moves = true;
+  }
+
+ private:
+  void add(Level& level) {
+    auto& to = levels.emplace_back();
+    const index_t nodes = level.nodes();
+    to.allocate({.node = nodes,
+                 .edge = level.edge_count(),
+                 .edge_node = nodes,
+                 .edge_end = level.node_edges.entries().size(),
+                 .block_node = nodes,
+                 .smoother = 1,
+                 .child = level.parents.size(),
+                 .parent = level.children.size(),
+                 .child_entry = level.children.entries().size(),
+                 .coarse_edge = level.edge_terms.size(),
+                 .edge_term = level.edge_terms.entries().size(),
+                 .coarse_pair = level.coarse_inverse.size()});
+    fill(to.constraints, level.constraints);
+    fill(to.edges, level.edges);
+    fill_rows(to.node_edge_ranges, to.node_edge_entries, level.node_edges);
+    fill(to.parents, level.parents);
+    fill_rows(to.child_ranges, to.child_entries, level.children);
+    fill_rows(to.edge_term_ranges, to.edge_term_entries, level.edge_terms);
+    facts.sums.push_back(std::move(level.sums));
+  }
+};
+
+/// A cube that is pressed to four fifths of its height between plates that it is bonded to.
+SolverSettings settings_of_the_scene() {
+  SolverSettings settings;
+  settings.material = "stable-neo-hookean";
+  settings.youngs_modulus = 1e4;
+  settings.poissons_ratio = 0.49;
+  settings.precision = TangentPrecision::float32;
+  settings.nested = false;
+  return settings;
+}
+Body pressed_cube() {
+  Body body = make_truth_cube_body(8, true);
+  for (Point& motion : body.loading.motion) motion[2] *= 0.2;
+  return body;
+}
+
+TEST(SceneQuasistatic, has_the_bits_of_the_solver_with_all_arrays) {
+  const Body body = pressed_cube();
+  const SolverSettings settings = settings_of_the_scene();
+  const auto full = make_solver(body.levels, body.loading, settings);
+  const NewtonResult expected = full->solve_to(1, {});
+  ASSERT_EQ(expected.status, NewtonStatus::converged);
+  ASSERT_GT(expected.iterations, 4);
+
+  Groups groups(body, settings);
+  ASSERT_GE(groups.levels.size(), 2U) << "else there is no V-cycle";
+  HostExecutor on;
+  scenes::quasistatic::program(
+      on, groups.body, groups.patches, groups.chunk, groups.levels, groups.krylov, groups.stresses,
+      StableNeoHookean<double>::from(settings.youngs_modulus, settings.poissons_ratio), settings, groups.facts);
+
+  const auto positions = full->positions(), forces = full->forces();
+  const auto stresses = full->stresses();
+  double moved = 0;
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const auto i = static_cast<index_t>(n);
+    for (int k = 0; k < 3; ++k) {
+      const double x = groups.body.positions.view()[i].x()[k], f = groups.body.forces.view()[i].f()[k];
+      EXPECT_EQ(std::memcmp(&x, &positions[n][std::size_t(k)], sizeof x), 0) << n;
+      EXPECT_EQ(std::memcmp(&f, &forces[n][std::size_t(k)], sizeof f), 0) << n;
+      moved = std::max(moved, std::abs(x - body.levels.front().rest[n][std::size_t(k)]));
+    }
+  }
+  EXPECT_GT(moved, 0.01);
+  ASSERT_EQ(groups.stresses.of_tets.size(), static_cast<index_t>(stresses.size()));
+  for (std::size_t t = 0; t < stresses.size(); ++t) {
+    const Eigen::Matrix3d P = groups.stresses.of_tets.view()[static_cast<index_t>(t)].P();
+    EXPECT_EQ(std::memcmp(P.data(), stresses[t].data(), sizeof stresses[t]), 0) << t;
+  }
+}
+
+TEST(SceneQuasistatic, holds_no_more_bytes_than_the_solver_with_all_arrays) {
+  const Body body = pressed_cube();
+  const SolverSettings settings = settings_of_the_scene();
+  const Groups groups(body, settings);
+  index_t bytes = groups.body.bytes() + groups.patches.bytes() + groups.chunk.bytes() + groups.krylov.bytes();
+  for (const auto& level : groups.levels) bytes += level.bytes();
+  for (const EdgeSums& sums : groups.facts.sums) bytes += sums.bytes();
+  EXPECT_EQ(bytes, make_solver(body.levels, body.loading, settings)->bytes());
+}
+
+}  // namespace
+}  // namespace physgen::fem

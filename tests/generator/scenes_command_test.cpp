@@ -1,0 +1,145 @@
+// `physgen scene` as a process: what it writes and leaves alone, what it says, and its exit status.
+#include <gtest/gtest.h>
+
+#include "command_case.h"
+
+namespace physgen::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string schema = R"(#include <physgen/schema.h>
+namespace m {
+using namespace physgen::schema;
+struct PHYSGEN_OBJECT() Particle { Scalar a, b, c; };
+}
+)";
+
+/// A kernel that copies `fields` of particles.
+std::string kernel(const std::vector<std::string>& fields) {
+  std::string text = R"(#pragma once
+#include <particles.physgen.h>
+#include <physgen/kernel.h>
+template <class From, class To>
+struct CopyFields {
+  using Scalar = typename To::Precision;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+)";
+  for (const std::string& field : fields)
+    text += "    to[i]." + field + "() = physgen::lanes_t<Scalar, I>(from[i]." + field + "());\n";
+  return text + "  }\n};\ntemplate <class... V> CopyFields(V...) -> CopyFields<V...>;\n";
+}
+
+/// @param steps of the program
+std::string scene_of(const std::string& steps) {
+  return R"(#pragma once
+#include <physgen/scene.h>
+#include "kernel.h"
+using namespace physgen::scene;
+struct PHYSGEN_SCENE() particles {
+  using Real = float;
+  struct Body {
+    PHYSGEN_ARRAY(per("particle"), input()) Array<m::ParticleObject, Real> first;
+    PHYSGEN_ARRAY(per("particle")) Array<m::ParticleObject, Real> between;
+    PHYSGEN_ARRAY(per("particle"), output("a")) Array<m::ParticleObject, Real> last;
+  };
+  template <class On, class Body> static void program(On& on, Body& body) {
+)" + steps +
+         "  }\n};\n";
+}
+const std::string two_steps =
+    "    on.run(body.first.size(), CopyFields{body.first.view(), body.between.view()});\n"
+    "    on.run(body.first.size(), CopyFields{body.between.view(), body.last.view()});\n";
+
+class SceneCommand : public Command {
+ protected:
+  void SetUp() override {
+    folder.write("particles.h", schema);
+    folder.write("kernel.h", kernel({"a"}));
+    folder.write("scenes/particles.h", scene_of(two_steps));
+    const auto outcome = run("generate particles.h -o generated");
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+
+  [[nodiscard]] std::string written(const std::string& name) const { return text_of(folder / ("out/" + name)); }
+
+  Outcome scene(const std::string& arguments) const {
+    return run("scene scenes/particles.h " + arguments + " -- -I. -Igenerated " PHYSGEN_FLAGS);
+  }
+};
+
+TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
+  const std::string arguments = "-o out --stamp stamp --depfile depfile";
+  const auto first = scene(arguments);
+  ASSERT_EQ(first.status, 0) << first.err;
+  const std::string header = written("particles.scene.h");
+  EXPECT_NE(header.find("/// - b, c: nothing uses it\n"), std::string::npos) << header;
+  EXPECT_NE(header.find("#include \"scenes/particles.h\"\n"), std::string::npos);
+  EXPECT_NE(written("particles.need.txt").find("per particle: 12 of 36 bytes, 3 of 9 numbers\n"), std::string::npos);
+  EXPECT_NE(written("particles.usage.json").find("\"kernel.h:11:11\""), std::string::npos)
+      << written("particles.usage.json");
+  const std::string depends = text_of(folder / "depfile");
+  for (const char* name : {"/scenes/particles.h", "/kernel.h", "/particles.physgen.h", "/physgen/scene.h"})
+    EXPECT_NE(depends.find(name), std::string::npos) << name << " in\n" << depends;
+
+  const auto long_ago = fs::last_write_time(folder / "out/particles.scene.h") - std::chrono::hours(1);
+  fs::last_write_time(folder / "out/particles.scene.h", long_ago);
+  folder.write("kernel.h", "// A comment.\n" + kernel({"a"}));
+  ASSERT_EQ(scene(arguments).status, 0);
+  EXPECT_EQ(fs::last_write_time(folder / "out/particles.scene.h"), long_ago);
+  EXPECT_NE(written("particles.usage.json").find("\"kernel.h:12:11\""), std::string::npos) << "one line further down";
+
+  folder.write("kernel.h", kernel({"a", "b"}));
+  const auto third = scene(arguments);
+  ASSERT_EQ(third.status, 0) << third.err;
+  EXPECT_NE(fs::last_write_time(folder / "out/particles.scene.h"), long_ago);
+  EXPECT_NE(written("particles.need.txt").find("per particle: 20 of 36 bytes, 5 of 9 numbers\n"), std::string::npos)
+      << written("particles.need.txt");
+  EXPECT_NE(third.err.find("kernel.h:12:11: note: field b of body.last is pruned: CopyFields(body.between, body.last) "
+                           "writes it, and nothing reads it\n"),
+            std::string::npos)
+      << third.err;
+}
+
+TEST_F(SceneCommand, writes_nothing_where_a_step_is_missing_or_in_vain) {
+  folder.write("scenes/particles.h",
+               scene_of("    on.run(body.first.size(), CopyFields{body.between.view(), body.last.view()});\n"));
+  const auto missing = scene("-o out");
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_NE(missing.err.find("kernel.h:11:53: error: field a of body.between is read by CopyFields(body.between, "
+                             "body.last), and no step writes it; declare input(\"a\") where body.between is declared, "
+                             "or run the step that computes it\n"),
+            std::string::npos)
+      << missing.err;
+  folder.write("scenes/particles.h",
+               scene_of("    on.run(body.first.size(), CopyFields{body.first.view(), body.last.view()});\n"
+                        "    on.run(body.first.size(), CopyFields{body.first.view(), body.between.view()});\n"));
+  const auto in_vain = scene("-o out");
+  EXPECT_EQ(in_vain.status, 1);
+  EXPECT_NE(in_vain.err.find("error: the step CopyFields(body.first, body.between) writes only body.between.a, which "
+                             "nothing that is wanted depends on;"),
+            std::string::npos)
+      << in_vain.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST_F(SceneCommand, explains_fields_and_refuses_names_and_files_that_there_are_not) {
+  const auto why = scene("--why between.a");
+  EXPECT_EQ(why.status, 0) << why.err;
+  EXPECT_EQ(why.out.substr(0, why.out.find('\n')),
+            "body.between.a of m::Particle is kept: written by CopyFields(body.first, body.between); read by "
+            "CopyFields(body.between, body.last)");
+  const auto unknown = scene("--why betwen.a");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_EQ(unknown.err,
+            "physgen: error: in the scene particles there is no array or field 'betwen.a'; did you mean "
+            "'between.a'?\n");
+  EXPECT_EQ(run("scene absent.h").status, 2);
+  EXPECT_EQ(run("check -- particles.h").status, 0) << "a schema, not flags";
+}
+
+}  // namespace
+}  // namespace physgen::test

@@ -1,0 +1,257 @@
+// The generated arrays of scenes, run: what is pruned changes no bit of what is wanted, in packs and one by one; no
+// field that is said to be unread reaches an output, and every field that is said to be read does.
+#include <derivative_chain.everything.h>
+#include <derivative_chain.scene.h>
+#include <gtest/gtest.h>
+#include <physgen/executor.h>
+
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+
+namespace physgen::test {
+namespace {
+
+namespace scene = scenes::derivative_chain_scene;
+namespace everything = scenes::derivative_chain_everything;
+
+constexpr index_t nodes = 61, tets = 103;  // the last pack is not whole
+
+/// One object at a time.
+struct Singles : HostExecutor {
+  template <class Kernel>
+  void run(index_t n, const Kernel& kernel) {
+    parallel_for<1>(Host{}, n, kernel);
+  }
+};
+
+/// Calls a function after every step.
+struct Interrupted : HostExecutor {
+  std::function<void()> after;
+  template <class Kernel>
+  void run(index_t n, const Kernel& kernel) {
+    HostExecutor::run(n, kernel);
+    after();
+  }
+};
+
+template <class Body>
+void set_up(Body& body) {
+  std::mt19937 random(20100607);
+  body.allocate({.node = nodes, .tet = tets});
+  std::uniform_real_distribution<float> coordinate(-1, 1);
+  const auto positions = body.positions.contents().view();
+  for (index_t i = 0; i < nodes; ++i)
+    positions[i].x() = Eigen::Vector3f(coordinate(random), coordinate(random), coordinate(random));
+  const auto connectivity = body.tets.contents().view();
+  for (index_t i = 0; i < tets; ++i) {
+    const auto next = [&](int low, int high) {
+      return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
+    };
+    const int first = next(0, nodes);
+    connectivity[i].nodes() = Eigen::Vector4i(first, (first + next(1, 15)) % nodes, (first + next(15, 30)) % nodes,
+                                              (first + next(30, 60)) % nodes);
+  }
+  Eigen::Matrix3f dm_inverse;
+  dm_inverse << 1, 0.25F, 0, 0, 2, 0.5F, -0.125F, 0, 1.5F;
+  body.rest.contents().view()[index_t{0}].dm_inverse() = dm_inverse;
+}
+
+/// All that is wanted of the scene, as bits.
+template <class State>
+std::vector<std::uint32_t> outputs(State& state) {
+  std::vector<std::uint32_t> bits;
+  for (index_t i = 0; i < tets; ++i) {
+    const Eigen::Vector3f s = state.stretches.view()[i].s().get();
+    for (int k = 0; k < 3; ++k) bits.push_back(std::bit_cast<std::uint32_t>(s[k]));
+    bits.push_back(std::bit_cast<std::uint32_t>(state.derivatives.view()[i].x1111()));
+    bits.push_back(std::bit_cast<std::uint32_t>(state.derivatives.view()[i].x2121()));
+  }
+  return bits;
+}
+
+const fem::NeoHookean<float> material{1.5F, 20.F};
+
+template <class Body, class State, class On>
+std::vector<std::uint32_t> results(On& on) {
+  Body body;
+  State state;
+  set_up(body);
+  state.allocate({.tet = tets});
+  scenes::derivative_chain::program(on, body, state, material);
+  return outputs(state);
+}
+
+TEST(GeneratedScene, gives_the_bits_of_the_same_arrays_with_every_field) {
+  HostExecutor packs;
+  Singles singles;
+  const auto full = results<everything::Body<>, everything::State<>>(packs);
+  EXPECT_EQ(full, (results<scene::Body<>, scene::State<>>(packs)));
+  EXPECT_EQ((results<everything::Body<>, everything::State<>>(singles)),
+            (results<scene::Body<>, scene::State<>>(singles)));
+  std::map<std::uint32_t, int> different;
+  for (const std::uint32_t bits : full) ++different[bits];
+  EXPECT_GT(different.size(), 4 * tets) << "the outputs must differ from object to object to show anything";
+}
+
+TEST(GeneratedScene, holds_only_what_its_program_needs) {
+  using State = scene::State<>;
+  EXPECT_EQ(decltype(State::svds)::record_bytes, 12);
+  EXPECT_EQ(decltype(State::derivatives)::record_bytes, 8);
+  EXPECT_EQ(decltype(State::rotations)::record_bytes, 0);
+  EXPECT_EQ(decltype(everything::State<>::svds)::record_bytes, 84);
+  State state;
+  state.allocate({.tet = tets});
+  EXPECT_EQ(state.rotations.size(), tets);
+  EXPECT_EQ(state.rotations.bytes(), 0);
+  EXPECT_EQ(state.bytes(),
+            state.gradients.bytes() + state.svds.bytes() + state.stretches.bytes() + state.derivatives.bytes());
+  EXPECT_EQ(state.svds.bytes(), 128 * 12);
+}
+
+TEST(GeneratedScene, hands_out_views_that_are_read_only_of_what_its_program_does_not_write) {
+  scene::Body<> body;
+  static_assert(std::is_same_v<decltype(body.tets.view()), decltype(body.tets.const_view())>);
+  static_assert(!std::is_same_v<decltype(body.tets.contents().view()), decltype(body.tets.const_view())>);
+  scene::State<> state;
+  static_assert(!std::is_same_v<decltype(state.svds.view()), decltype(state.svds.const_view())>);
+  EXPECT_THROW(body.allocate({.node = -1, .tet = 3}), Error);
+}
+
+TEST(GeneratedScene, takes_copies_of_whole_objects_and_leaves_out_what_it_prunes) {
+  elasticity::DeformationSvdArray<float> whole(tets);
+  for (index_t i = 0; i < tets; ++i) whole.view()[i].s() = Eigen::Vector3f(3, 2, static_cast<float>(i));
+  scene::State<> state;
+  state.allocate({.tet = tets});
+  copy(state.svds, whole);
+  for (index_t i = 0; i < tets; ++i) EXPECT_EQ(state.svds.view()[i].s().get()[2], static_cast<float>(i));
+}
+
+// ---- Fields that are said to be read, or not ------------------------------------------------------------------------
+
+/// What the need report says of every field of an array of numbers: whether something reads it.
+std::map<std::pair<std::string, std::string>, bool> reads() {
+  std::ifstream in(PHYSGEN_NEEDS);
+  const auto json = nlohmann::json::parse(in);
+  std::map<std::pair<std::string, std::string>, bool> reads;
+  for (const auto& array : json.at("arrays"))
+    for (const auto& field : array.at("fields"))
+      if (field.at("type") == "float32")
+        reads[{array.at("array"), field.at("field")}] = !field.at("read_by").empty() || field.at("output");
+  return reads;
+}
+
+TEST(GeneratedScene, no_output_depends_on_a_field_that_is_said_to_be_unread_and_each_other_field_reaches_one) {
+  HostExecutor plain;
+  const auto expected = results<everything::Body<>, everything::State<>>(plain);
+  const auto fields = reads();
+  EXPECT_EQ(fields.size(), 21U);
+  std::vector<std::string> read_in_vain;
+  for (const auto& [name, is_read] : fields) {
+    const auto& [array, field] = name;
+    everything::Body<> body;
+    everything::State<> state;
+    set_up(body);
+    state.allocate({.tet = tets});
+    const std::map<std::string, Storage> storages = {
+        {"body.positions", body.positions.storage()},      {"body.rest", body.rest.contents().storage()},
+        {"state.gradients", state.gradients.storage()},    {"state.svds", state.svds.storage()},
+        {"state.rotations", state.rotations.storage()},    {"state.stretches", state.stretches.storage()},
+        {"state.derivatives", state.derivatives.storage()}};
+    ASSERT_TRUE(storages.contains(array)) << array;
+    Interrupted on;
+    on.after = [&, field_name = std::string_view(field)] { start_without_values(storages.at(array), {field_name}); };
+    on.after();
+    scenes::derivative_chain::program(on, body, state, material);
+    const bool changed = outputs(state) != expected;
+    EXPECT_TRUE(is_read || !changed) << array << "." << field << " is said to be unread";
+    if (is_read && !changed) read_in_vain.push_back(array + "." + field);
+  }
+  EXPECT_EQ(read_in_vain, std::vector<std::string>()) << "fields that are read and never change an output";
+}
+
+// ---- One record for all objects -------------------------------------------------------------------------------------
+
+template <class On>
+std::vector<std::uint32_t> gradients(On& on, auto rest) {
+  everything::Body<> body;
+  set_up(body);
+  elasticity::DeformationGradientArray<float> F(tets);
+  on.run(tets, fem::ComputeDeformationGradient{body.tets.view(), body.positions.view(), rest, F.view()});
+  std::vector<std::uint32_t> bits;
+  for (index_t i = 0; i < tets; ++i)
+    for (int k = 0; k < 9; ++k) bits.push_back(std::bit_cast<std::uint32_t>(F.view()[i].F().get()(k)));
+  return bits;
+}
+
+TEST(UniformArray, reads_as_an_array_of_equal_objects_does) {
+  everything::Body<> body;
+  set_up(body);
+  elasticity::RestShapeArray<float> rest(tets);
+  for (index_t i = 0; i < tets; ++i)
+    rest.view()[i].dm_inverse() = body.rest.contents().view()[index_t{0}].dm_inverse().get();
+  HostExecutor packs;
+  Singles singles;
+  EXPECT_EQ(gradients(packs, body.rest.view()), gradients(packs, rest.view()));
+  EXPECT_EQ(gradients(singles, body.rest.view()), gradients(singles, rest.view()));
+  EXPECT_EQ(body.rest.size(), tets);
+  EXPECT_EQ(body.rest.contents().size(), 1);
+  EXPECT_LT(body.rest.bytes(), rest.bytes());
+}
+
+TEST(UniformArray, refuses_a_negative_size_and_keeps_its_record_otherwise) {
+  UniformArray<elasticity::RestShapeArray<float>> rest(5);
+  rest.contents().view()[index_t{0}].volume() = 3;
+  rest.resize(1000);
+  EXPECT_EQ(rest.size(), 1000);
+  EXPECT_EQ(rest.view()[index_t{999}].volume(), 3.F);
+  EXPECT_THROW(rest.resize(-1), Error);
+}
+
+// ---- Fields that begin without values -------------------------------------------------------------------------------
+
+template <class Layout>
+void expect_values_gone() {
+  Array<elasticity::DeformationSvdObject, double, Host, Layout> svds(37);
+  const auto view = svds.view();
+  for (index_t i = 0; i < 37; ++i) view[i].s() = Eigen::Vector3d(1, 2, static_cast<double>(i));
+  start_without_values(svds.storage(), {"U", "V"});
+  for (index_t i = 0; i < 37; ++i) {
+    const Eigen::Matrix3d U = view[i].U().get(), V = view[i].V().get();
+    EXPECT_TRUE(U.array().isNaN().all() && V.array().isNaN().all()) << Layout::name << " " << i;
+    EXPECT_EQ(view[i].s().get(), Eigen::Vector3d(1, 2, static_cast<double>(i))) << Layout::name;
+    constexpr std::uint64_t quiet = 0x0008000000000000;
+    for (int k = 0; k < 9; ++k) EXPECT_EQ(std::bit_cast<std::uint64_t>(U(k)) & quiet, 0U) << "it must signal";
+  }
+}
+
+TEST(StartWithoutValues, gives_all_elements_of_the_fields_signalling_nan_in_every_layout) {
+  expect_values_gone<Aos>();
+  expect_values_gone<AosPadded>();
+  expect_values_gone<Soa>();
+  expect_values_gone<Aosoa<16>>();
+}
+
+TEST(StartWithoutValues, is_what_allocate_does_in_checked_builds_with_fields_that_are_no_inputs) {
+  scene::Body<> body;
+  scene::State<> state;
+  body.allocate({.node = nodes, .tet = tets});
+  state.allocate({.tet = tets});
+  EXPECT_EQ(std::isnan(state.svds.view()[index_t{tets - 1}].s().get()[2]), checked_build);
+  EXPECT_EQ(body.positions.view()[index_t{3}].x().get(), Eigen::Vector3f(0, 0, 0)) << "an input keeps initial values";
+}
+
+TEST(StartWithoutValues, names_a_field_that_there_is_not) {
+  elasticity::StressArray<float> stresses(3);
+  try {
+    start_without_values(stresses.storage(), {"Q"});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "physgen: elasticity::Stress: there is no field Q that could start without a value");
+  }
+}
+
+}  // namespace
+}  // namespace physgen::test

@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# Tests of truthcube --scene as its users run it: scenes_test.sh RULE PROGRAM FOLDER
+set -euo pipefail
+rule=$1 program=$2 folder=$3/$1
+here=$(cd "$(dirname "$0")" && pwd)
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+export OMP_NUM_THREADS=1
+. "$here/command_helpers.sh"
+small=(--cells 4 --threads 1)
+motion=("${small[@]}" --compress 0.05 --duration 0.02 --frames 4)
+same_numbers() { # keys, files
+  for key in $1; do
+    [[ $(number_of "$key" "$2") == "$(number_of "$key" "$3")" ]] || fail "another $key"
+  done
+}
+
+case $rule in
+  scenes_of_equilibria_are_what_their_flags_are)
+    expect_exit 0 "${small[@]}" --compress 0.05 --out plain
+    expect plain/run.json '"scene": "quasistatic"'
+    expect_exit 0 "${small[@]}" --compress 0.05 --scene quasistatic --out named
+    same_numbers 'energy reaction' plain/run.json named/run.json
+    expect_exit 0 "${small[@]}" --compress 0.05 --product matrix-free --preconditioner block-jacobi --out flags
+    expect_exit 0 "${small[@]}" --compress 0.05 --scene matrix-free --out scene
+    expect scene/run.json '"product": "matrix-free"'
+    same_numbers 'energy reaction bytes' flags/run.json scene/run.json
+    expect_exit 0 "${small[@]}" --compress 0.05 --scene matrix-free --preconditioner none
+    expect_exit 0 "${small[@]}" --compress 0.05 --material fixed-corotated --out flags
+    expect_exit 0 "${small[@]}" --compress 0.05 --scene fixed-corotated --out scene
+    same_numbers 'energy reaction bytes' flags/run.json scene/run.json ;;
+  flags_that_choose_otherwise_are_refused)
+    expect_refused 'no scene matrix-fre; did you mean matrix-free[?]' --scene matrix-fre
+    expect_refused 'matrix-free stands for --product matrix-free, and another is given' --scene matrix-free --product assembled
+    expect_refused 'goes with --preconditioner block-jacobi or none' --scene matrix-free --preconditioner multigrid
+    expect_refused 'fixed-corotated stands for --material fixed-corotated' --scene fixed-corotated --material neo-hookean
+    expect_refused 'implicit-dynamics stands for --product assembled' --scene implicit-dynamics --product matrix-free
+    expect_refused 'implicit-dynamics goes without --stepping: steps are' --scene implicit-dynamics --stepping nested
+    expect_refused 'implicit-dynamics goes without --restart' --scene implicit-dynamics --out o --restart
+    expect_refused 'explicit-dynamics goes without --preconditioner: .* solve no' --scene explicit-dynamics --preconditioner none
+    expect_refused 'explicit-dynamics goes without --tolerance' --scene explicit-dynamics --tolerance 1e-3
+    expect_refused 'explicit-dynamics stands for --plates held' --scene explicit-dynamics --plates contact
+    expect_refused 'explicit-dynamics stands for --volume tets' --scene explicit-dynamics --volume patches
+    expect_refused 'moves the plate to one compression, and --compress has 2' --scene explicit-dynamics --compress 0.1 0.2
+    expect_refused 'linear-elastic goes without --material' --scene linear-elastic --material corotated
+    expect_refused 'linear-elastic goes without --historical' --scene linear-elastic --historical
+    expect_refused 'linear-elastic stands for --volume tets' --scene linear-elastic --volume nodes
+    for flag in time-step duration density damping; do
+      expect_refused "quasistatic goes without --$flag: these are for --scene implicit-dynamics or" --$flag 1
+    done
+    expect_refused '--density 0.0*: the density' --scene implicit-dynamics --density 0
+    expect_refused '--duration -1.0*: the time' --scene implicit-dynamics --duration -1
+    expect_refused '--damping -2.0*: the damping' --scene explicit-dynamics --damping -2
+    expect_refused '--time-step nan: the time step' --scene explicit-dynamics --time-step nan
+    expect_refused 'frames: Value 0 not in range' --scene explicit-dynamics --frames 0 ;;
+  a_dry_run_says_the_bytes_that_a_scene_takes)
+    for scene in implicit-dynamics explicit-dynamics linear-elastic; do
+      for precision in half double; do
+        flags=("${small[@]}" --scene $scene --precision $precision --compress 0.02)
+        [[ $scene == linear-elastic ]] || flags+=(--duration 0.004 --frames 1)
+        expect_exit 0 "${flags[@]}" --dry-run
+        said=$(sed -nE 's/^solver: ([0-9]+) bytes, .*/\1/p' out)
+        expect_exit 0 "${flags[@]}" --out $scene
+        ((said == $(number_of bytes $scene/run.json))) || fail "$scene, $precision: other bytes"
+      done
+    done ;;
+  a_motion_writes_its_states)
+    for scene in implicit-dynamics explicit-dynamics; do
+      expect_exit 0 "${motion[@]}" --scene $scene --damping 5 --out $scene
+      expect out "^4 states of [0-9]+ time steps of [0-9.e-]+ s each$"
+      (($(grep -cE '^ +0[.]0[0-9]+ +0[.][0-9]+ ' out) == 4)) || fail 'not a line for each state'
+      for file in cube.vtkhdf beads.csv run.json; do [[ -s $scene/$file ]] || fail "no $file"; done
+      [[ ! -e $scene/checkpoint.h5 ]] || fail 'a checkpoint that nothing goes on from'
+      (($(wc -l <$scene/beads.csv) == 4 * 343 + 1)) || fail 'other rows of beads'
+      expect $scene/run.json "\"scene\": \"$scene\""
+      # Half-way to the middle the plate has moved by half, from then on by all; at last the body moves on.
+      paste <(number_of time $scene/run.json) <(number_of compression $scene/run.json) \
+        <(number_of kinetic_energy $scene/run.json) | awk 'function is(a, b) { return (a - b) ^ 2 < 1e-20 }
+          !is($1, 0.005 * NR) || !is($2, NR == 1 ? 0.025 : 0.05) || !($3 > 1e-9) { print; bad = 1 }
+          END { exit bad || NR != 4 }' >&2 || fail "$scene: other states"
+    done
+    # The schemes agree, the plate having moved by half, to what their time steps leave.
+    expect_exit 0 "${motion[@]}" --scene implicit-dynamics --volume tets --time-step 1e-5 --out i
+    expect_exit 0 "${motion[@]}" --scene explicit-dynamics --time-step 1e-5 --out e
+    awk -v a="$(number_of kinetic_energy i/run.json | head -1)" -v b="$(number_of kinetic_energy e/run.json | head -1)" \
+      'BEGIN { exit !((a / b - 1) ^ 2 < 1e-4) }' || fail 'other kinetic energies' ;;
+  a_slow_motion_ends_at_the_equilibrium)
+    expect_exit 0 "${small[@]}" --volume tets --compress 0.05 --out rest
+    expect_exit 0 "${small[@]}" --volume tets --compress 0.05 --scene implicit-dynamics --duration 1000 --frames 2 --out slow
+    awk -v a="$(number_of reaction rest/run.json)" -v b="$(number_of reaction slow/run.json | tail -1)" \
+      'BEGIN { exit !((a / b - 1) ^ 2 < 1e-6) }' || fail 'another reaction' ;;
+  steps_that_are_too_long_are_said)
+    expect_exit 1 "${motion[@]}" --scene explicit-dynamics --time-step 1
+    expect err '--time-step 1: explicit steps of this body are stable at rest up to about [0-9.e-]+ s'
+    stable=$(sed -nE 's/.*about ([0-9.e-]+) s;.*/\1/p' err)
+    # Stable at rest, and not where tets are half as high.
+    expect_exit 3 "${small[@]}" --scene explicit-dynamics --compress 0.5 --duration 0.5 --frames 2 --time-step "$stable"
+    expect err 'the motion is not finite at [0-9.]+ s: a time step of .* Try --time-step [0-9.e-]+, or --scene implicit' ;;
+  linear_elastic_equilibria_scale_with_the_load)
+    expect_exit 0 "${small[@]}" --scene linear-elastic --precision double --tolerance 1e-12 --compress 0.05 0.1 --out o
+    expect out 'note: linear elasticity takes the change of volume of each tet by itself'
+    expect out 'solved in [0-9.]+ s: 1 linear solves and [0-9]+ PCG'
+    number_of reaction o/run.json | awk 'NR == 1 { a = $1 } NR == 2 { exit !(a < 0 && ($1 / a - 2) ^ 2 < 1e-16) }' ||
+      fail 'reactions do not scale'
+    expect_exit 0 "${small[@]}" --scene linear-elastic --precision double --tolerance 1e-12 --compress 0.05 --out p
+    expect_exit 0 "${small[@]}" --scene linear-elastic --precision double --tolerance 1e-12 --compress 0.05 0.1 --out p --restart
+    expect out 'continuing behind step 1'
+    expect_same o/beads.csv p/beads.csv ;;
+  an_interrupt_ends_a_motion_with_what_is_done)
+    "$program" "${small[@]}" --scene explicit-dynamics --duration 1000 --frames 10000 --out o >out 2>err &
+    pid=$!
+    until [[ -s o/beads.csv && $(wc -l <o/beads.csv) -gt 400 ]]; do
+      kill -0 $pid 2>/dev/null || fail 'it ended before the first state'
+      sleep 0.05
+    done
+    kill -INT $pid
+    got=0
+    wait $pid || got=$?
+    ((got == 130)) || fail "exit $got instead of 130"
+    done=$(number_of time o/run.json | wc -l)
+    expect out "interrupted; $done states are written"
+    (($(wc -l <o/beads.csv) == 343 * done + 1)) || fail 'beads of other states than the record' ;;
+  *) fail 'no such rule' ;;
+esac

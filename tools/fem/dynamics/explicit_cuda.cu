@@ -1,0 +1,16 @@
+// The explicit solver on CUDA, in each precision.
+#include <fem/dynamics/explicit_solver_of.h>
+#include <fem/dynamics/explicit_solvers.h>
+#include <physgen/cuda/executor.h>
+
+namespace physgen::fem {
+
+std::unique_ptr<DynamicSolver> make_cuda_explicit_solver(const MeshLevel& level, const Loading& loading,
+                                                         const DynamicSettings& settings) {
+  if (settings.solver.precision == TangentPrecision::float64) {
+    return std::make_unique<ExplicitSolverOf<CudaExecutor, double>>(level, loading, settings);
+  }
+  return std::make_unique<ExplicitSolverOf<CudaExecutor, float>>(level, loading, settings);
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,130 @@
+// Explicit dynamics as a program over an executor and arrays by name: symplectic Euler with lumped mass. The forces at
+// the displacements that are known give new velocities, and these give new displacements.
+#pragma once
+
+#include <fem/kernels/compute_svd.h>
+#include <fem/kernels/displaced_gradient.h>
+#include <fem/kernels/elastic_force.h>
+#include <fem/kernels/stress.h>
+#include <fem/numerics/scalar.h>
+#include <fem/solver/time_step.h>
+#include <physgen/reduce.h>
+#include <physgen/rows.h>
+
+namespace physgen::fem {
+
+/// v += dt f / m and u += dt v in free components, f being elastic and external forces; damping is taken at the new
+/// velocity, so that any is stable. Prescribed components go where the load takes them, at the velocity that leads
+/// there.
+template <class ForceView, class LoadView, class MassView, class ConstraintView, class MotionView, class VelocityView,
+          class DisplacementView, class RoundedView>
+struct MoveNodes {
+  using Scalar = double;
+  TimeStep step;
+  ForceView forces;                ///< elasticity::NodeForce: of the tets
+  LoadView loads;                  ///< elasticity::NodeForce: external, at a load of 1
+  MassView masses;                 ///< dynamics::NodeMass
+  ConstraintView constraints;      ///< quasistatic::NodeConstraint
+  MotionView motion;               ///< elasticity::NodeDisplacement: of prescribed components, at a load of 1
+  VelocityView velocities;         ///< dynamics::NodeVelocity
+  DisplacementView displacements;  ///< elasticity::NodeDisplacement: u, from rest
+  RoundedView rounded;             ///< elasticity::NodeDisplacement: u in the precision of tets, written
+
+  PHYSGEN_FUNCTION void operator()(index_t node) const {
+    using Vector = Eigen::Matrix<double, 3, 1>;
+    using Real = typename RoundedView::Precision;
+    const int fixed = constraints[node].fixed();
+    const double mass = masses[node].mass();
+    const Vector external = loads[node].f(), path = motion[node].dx();
+    Vector v = velocities[node].v(), u = displacements[node].dx();
+    for (int k = 0; k < 3; ++k) {
+      if ((fixed >> k & 1) != 0) {
+        const double target = path[k] * step.load;
+        v[k] = (target - u[k]) / step.length;
+        u[k] = target;
+      } else if (mass > 0) {
+        const double force = double(forces[node].f()[k]) + external[k] * step.load;
+        v[k] = (v[k] + step.length * (force / mass)) / (1 + step.length * step.damping);
+        u[k] += step.length * v[k];
+      }
+    }
+    velocities[node].v() = v;
+    displacements[node].dx() = u;
+    for (int k = 0; k < 3; ++k) rounded[node].dx()[k] = static_cast<Real>(u[k]);
+  }
+};
+template <class... Views>
+MoveNodes(TimeStep, Views...) -> MoveNodes<Views...>;
+
+/// Elastic energy of a tet [J].
+template <class Material, class RestView, class SvdView>
+struct StretchEnergy {
+  using Scalar = typename SvdView::Precision;
+  Material material;      ///< in Scalar
+  RestView rest;          ///< elasticity::RestShape
+  SvdView decomposition;  ///< elasticity::DeformationSvd, of which s is read
+
+  template <class I>
+  PHYSGEN_FUNCTION auto operator()(I i) const -> lanes_t<Scalar, I> {
+    using S = lanes_t<Scalar, I>;
+    const Vector3<S> s = decomposition[i].s();
+    return S(rest[i].volume()) * material.energy(s);
+  }
+};
+template <class... Arguments>
+StretchEnergy(Arguments...) -> StretchEnergy<Arguments...>;
+
+template <class MotionView>
+struct StoreElastic {
+  MotionView motion;  ///< dynamics::Motion
+  PHYSGEN_FUNCTION void operator()(double energy) const { motion[index_t{0}].elastic() = energy; }
+};
+template <class View>
+StoreElastic(View) -> StoreElastic<View>;
+
+/// First Piola-Kirchhoff stress of all tets.
+/// @param body ExplicitBody, or arrays of its names
+/// @param stresses an array of elasticity::Stress, one per tet
+template <class On, class Body, class Material, class Stresses>
+void compute_stresses(On& on, Body& body, const Material& material, Stresses& stresses) {
+  const index_t tets = body.tets.size();
+  on.run(tets, ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), body.rest.const_view(),
+                                        body.gradients.view()});
+  on.run(tets, ComputeSvd{body.gradients.const_view(), body.svds.view()});
+  on.run(tets, ComputeStress{material, body.svds.const_view(), stresses.view()});
+}
+
+/// Elastic forces on all nodes.
+template <class On, class Body, class Material>
+void compute_forces(On& on, Body& body, const Material& material) {
+  compute_stresses(on, body, material, body.stresses);
+  on.run(body.tets.size(),
+         ComputeCornerForces{body.rest.const_view(), body.stresses.const_view(), body.corners.view()});
+  on.run(body.velocities.size(),
+         GatherForces{Rows(body.node_tet_ranges.const_view(), body.node_tets.const_view(), body.tets.size()),
+                      body.corners.const_view(), body.forces.view()});
+}
+
+/// Leaves the elastic energy in body.measured.
+template <class On, class Body, class Material>
+void measure_elastic_energy(On& on, Body& body, const Material& material) {
+  const index_t tets = body.tets.size();
+  on.run(tets, ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), body.rest.const_view(),
+                                        body.gradients.view()});
+  on.run(tets, ComputeSvd{body.gradients.const_view(), body.svds.view()});
+  on.reduce(tets, StretchEnergy{material, body.rest.const_view(), body.svds.const_view()}, Sum{},
+            StoreElastic{body.measured.view()});
+}
+
+/// One time step.
+/// @param material in the precision of the tets' arrays
+template <class On, class Body, class Material>
+void explicit_step(On& on, Body& body, const Material& material, const TimeStep& step) {
+  compute_forces(on, body, material);
+  on.run(body.velocities.size(),
+         MoveNodes{step, body.forces.const_view(), body.loads.const_view(), body.masses.const_view(),
+                   body.constraints.const_view(), body.motion.const_view(), body.velocities.view(),
+                   body.displacements.view(), body.rounded.view()});
+}
+
+}  // namespace physgen::fem

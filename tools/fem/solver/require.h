@@ -1,0 +1,28 @@
+// What solvers refuse of what they are given.
+#pragma once
+
+#include <fem/solver/dynamic_solver.h>
+
+#include <string>
+
+namespace physgen::fem {
+
+/// @throw Error when the value is no positive number. @param what "the density"
+void require_positive(const std::string& what, double value);
+
+/// @throw Error when there is not a finite vector per node, or a plane is none
+void require_loading(const MeshLevel& level, const Loading& loading);
+
+/// As require_loading(), of solvers that have neither rigid planes nor averaged volumes. @param who "linear elasticity"
+void require_plain(const char* who, const MeshLevel& level, const Loading& loading);
+/// @throw Error naming what is wrong with density or damping
+void require_motion(const DynamicSettings& settings);
+/// @throw Error when the length [s] of a time step is no positive number, or the load at its end is not finite
+void require_step(double length, double load);
+/// @throw Error when there is not one vector per node. @param what "velocities"
+void require_vectors_of(const char* what, std::size_t given, std::size_t nodes);
+
+/// @throw Error saying that this build has no CUDA
+[[noreturn]] void refuse_cuda();
+
+}  // namespace physgen::fem

@@ -1,0 +1,130 @@
+// See scene_command.h.
+#include "scene_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+
+#include "files.h"
+#include "scenes/header.h"
+#include "scenes/needs.h"
+#include "scenes/probe_unit.h"
+#include "scenes/read.h"
+#include "scenes/report.h"
+#include "usage/analyse.h"
+#include "usage/json.h"
+
+namespace physgen::command {
+namespace {
+
+constexpr int done = 0, errors = 1;
+
+class SceneCommand {
+ public:
+  SceneCommand(const SceneRequest& request, std::ostream& out, std::ostream& err)
+      : request_(request), out_(out), err_(err) {}
+
+  int run() {
+    require_readable(request_.file);
+    auto declaration = scenes::read(request_.file, request_.flags);
+    err_ << declaration.diagnostics;
+    depends_on(declaration.dependencies);
+    if (!declaration.scene) return errors;
+    const scenes::Scene& scene = *declaration.scene;
+    const std::string path = std::filesystem::absolute(request_.file).lexically_normal().string();
+    if (request_.print_unit) {
+      out_ << scenes::probe_unit(scene, "Host", path);
+      return done;
+    }
+    auto usage = analyse(scene, path, usage::Side::host);
+    if (usage && request_.device) {
+      const auto device = analyse(scene, path, usage::Side::device);
+      usage = device ? std::optional(usage::unite(*usage, *device)) : std::nullopt;
+    }
+    if (!usage) return errors;
+    const scenes::Needs needs = scenes::find_needs(scene, *usage);
+    for (const scenes::Issue& issue : needs.issues) err_ << scenes::text_of(issue);
+    if (!needs.sound()) return errors;
+    if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
+    if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
+    if (!request_.output_dir.empty()) write(scene, needs, *usage);
+    return done;
+  }
+
+ private:
+  std::optional<usage::Usage> analyse(const scenes::Scene& scene, const std::string& path, usage::Side side) {
+    const char* space = side == usage::Side::host ? "Host" : "Cuda";
+    usage::Diagnostics diagnostics;
+    auto usage = usage::analyse("probes_of_" + scene.name + ".cpp", scenes::probe_unit(scene, space, path),
+                                request_.flags, side, diagnostics);
+    err_ << diagnostics.text;
+    depends_on(diagnostics.dependencies);
+    return usage;
+  }
+
+  void depends_on(const std::vector<std::string>& files) {
+    for (const std::string& file : files)
+      if (std::find(dependencies_.begin(), dependencies_.end(), file) == dependencies_.end())
+        dependencies_.push_back(file);
+  }
+
+  void write(const scenes::Scene& scene, const scenes::Needs& needs, const usage::Usage& usage) const {
+    const auto path = [&](const char* ending) { return request_.output_dir + "/" + scenes::file_of(scene, ending); };
+    std::vector<File> files = {{path(".scene.h"), scenes::header(scene, needs)},
+                               {path(".need.txt"), scenes::report_text(scene, needs)},
+                               {path(".need.json"), scenes::report_json(scene, needs)},
+                               {path(".usage.json"), usage::to_json({{scene.name, usage}})}};
+    if (request_.everything)
+      files.push_back({path(".everything.h"), scenes::header(scene, scenes::everything(needs), "_everything")});
+    if (!request_.depfile.empty()) files.push_back({request_.depfile, depfile(request_.stamp, dependencies_)});
+    write_changed(files);
+    if (!request_.stamp.empty()) touch(request_.stamp);
+  }
+
+  const SceneRequest& request_;
+  std::ostream& out_;
+  std::ostream& err_;
+  std::vector<std::string> dependencies_;
+};
+
+}  // namespace
+
+void describe_scene(CLI::App& app, SceneRequest& request) {
+  auto* scene = app.add_subcommand(
+      "scene", "Write the arrays of a scene, with only the fields that its program needs: x.h gives DIR/x.scene.h");
+  scene->add_option("FILE", request.file, "The scene's declaration, a header that includes <physgen/scene.h>")
+      ->required();
+  scene
+      ->add_option(
+          "-o,--output", request.output_dir,
+          "Folder of x.scene.h and of the reports x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
+          "without: the report is printed")
+      ->type_name("DIR");
+  scene
+      ->add_option("--why", request.why,
+                   "Explain what becomes of an array or a field, by which lines of which kernels: body.svds, "
+                   "body.svds.U, DeformationSvd.U")
+      ->type_name("NAME");
+  scene->add_flag("--device", request.device, "Look at what the program does on a CUDA device, too; needs a toolkit");
+  scene->add_flag("--everything", request.everything,
+                  "Write DIR/x.everything.h, too: the same arrays with every field, to compare with");
+  scene->add_flag("--print-unit", request.print_unit,
+                  "Print the unit that is looked at, the program over probes, which any compiler takes");
+  auto* stamp = scene->add_option("--stamp", request.stamp, "File that gets the present time when all is written")
+                    ->type_name("FILE");
+  scene->add_option("--depfile", request.depfile, "File for what the stamp depends on, in the syntax of Make")
+      ->needs(stamp)
+      ->type_name("FILE");
+  scene->footer(
+      "What follows '--' are flags of a compiler, such as -I DIR and -march=x86-64-v3, by which the declaration and "
+      "its "
+      "kernels are read.");
+}
+
+int scene(const SceneRequest& request, std::ostream& out, std::ostream& err) {
+  return SceneCommand(request, out, err).run();
+}
+
+}  // namespace physgen::command

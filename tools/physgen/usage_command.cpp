@@ -1,0 +1,212 @@
+// See usage_command.h.
+#include "usage_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <optional>
+#include <ostream>
+#include <sstream>
+
+#include "files.h"
+#include "scenes/probe_unit.h"
+#include "scenes/read.h"
+#include "usage/analyse.h"
+#include "usage/compare.h"
+#include "usage/json.h"
+#include "usage/table.h"
+
+namespace physgen::command {
+namespace {
+
+namespace fs = std::filesystem;
+using ::physgen::usage::Side;
+
+constexpr int done = 0, errors = 1;
+
+std::string seconds(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << value << " s";
+  return text.str();
+}
+
+/// What is analysed for a file.
+struct Unit {
+  std::string name;          // of the program
+  std::string file;          // for messages
+  std::string host, device;  // texts
+  std::vector<std::string> flags;
+  std::optional<scenes::Scene> scene;
+};
+
+class UsageCommand {
+ public:
+  UsageCommand(const UsageRequest& request, std::ostream& out, std::ostream& err)
+      : request_(request), out_(out), err_(err) {}
+
+  int run() {
+    for (const std::string& file : request_.files) require_readable(file);
+    if (!request_.checked_in.empty()) require_readable(request_.checked_in);
+    std::vector<usage::Program> programs;
+    bool good = true;
+    for (const std::string& file : request_.files) {
+      auto program = program_of(file);
+      good = good && program;
+      if (program) programs.push_back(std::move(*program));
+    }
+    if (!good) return errors;
+    if (request_.side.empty() && !usage::has_device_side())
+      times_ += "there is no CUDA toolkit: what only a device does was not looked at\n";
+    if (request_.checked_in.empty())
+      for (const usage::Program& program : programs) out_ << usage::table(program) << '\n';
+    out_ << times_;
+    if (!request_.json.empty()) write_changed({{request_.json, usage::to_json(programs)}});
+    return request_.checked_in.empty() ? done : check(programs);
+  }
+
+ private:
+  std::optional<usage::Program> program_of(const std::string& file) {
+    const auto unit = unit_of(file);
+    if (!unit) return std::nullopt;
+    std::optional<usage::Usage> result;
+    for (const Side side : sides()) {
+      auto found = analyse(*unit, side);
+      if (!found) return std::nullopt;
+      result = result ? usage::unite(*result, *found) : std::move(*found);
+    }
+    if (!is_sound(*unit, *result)) return std::nullopt;
+    return usage::Program{unit->name, std::move(*result)};
+  }
+
+  /// The sources to analyse: of a scene, the unit that instantiates it; any other file is itself such a unit.
+  std::optional<Unit> unit_of(const std::string& file) {
+    Unit unit;
+    unit.file = file;
+    unit.flags = request_.flags;
+    const std::string text = read_file(file);
+    if (text.find("PHYSGEN_SCENE") == std::string::npos) {
+      unit.name = fs::path(file).filename().string();
+      unit.host = unit.device = "#line 1 \"" + file + "\"\n" + text;
+      unit.flags.push_back("-iquote");
+      unit.flags.push_back(fs::absolute(file).parent_path().string());
+      return unit;
+    }
+    auto declaration = scenes::read(file, request_.flags);
+    err_ << declaration.diagnostics;
+    if (!declaration.scene) return std::nullopt;
+    const std::string path = fs::absolute(file).lexically_normal().string();
+    unit.name = declaration.scene->name;
+    unit.host = scenes::probe_unit(*declaration.scene, "Host", path);
+    unit.device = scenes::probe_unit(*declaration.scene, "Cuda", path);
+    unit.scene = std::move(declaration.scene);
+    return unit;
+  }
+
+  [[nodiscard]] std::vector<Side> sides() const {
+    if (request_.side == "host" || (request_.side.empty() && !usage::has_device_side())) return {Side::host};
+    if (request_.side == "device") return {Side::device};
+    return {Side::host, Side::device};
+  }
+
+  std::optional<usage::Usage> analyse(const Unit& unit, Side side) {
+    const char* word = side == Side::host ? "host" : "device";
+    usage::Diagnostics diagnostics;
+    auto found =
+        usage::analyse(unit.name + ".cpp", side == Side::host ? unit.host : unit.device, unit.flags, side, diagnostics);
+    err_ << diagnostics.text;
+    std::ostringstream ratio;
+    ratio << std::setprecision(3) << diagnostics.seconds / diagnostics.headers_seconds;
+    times_ += unit.name + ", " + word + ": analysed in " + seconds(diagnostics.seconds) +
+              ", of which its headers took " + seconds(diagnostics.headers_seconds) + " to parse (" + ratio.str() +
+              " times as long)\n";
+    return found;
+  }
+
+  /// Whether there is something to say, and nothing that cannot be said.
+  bool is_sound(const Unit& unit, const usage::Usage& found) {
+    if (found.steps.empty() && found.unattributed.empty()) {
+      err_ << unit.file
+           << ": error: there is no scene in this file, and it gives no steps to a ProbeExecutor; declare a scene as "
+              "<physgen/scene.h> says, or write a program over probes as <physgen/probe.h> says\n";
+      return false;
+    }
+    bool sound = true;
+    for (const usage::UnknownUse& use : found.unknown) {
+      if (is_declared(unit, use.array)) continue;
+      sound = false;
+      err_ << usage::text_of(use.place) << ": error: " << use.what << " may use any field of " << use.array
+           << " in any way; use its fields by name, or declare all of them as input() and output() of a scene\n";
+    }
+    return sound;
+  }
+
+  /// Whether a scene says that all fields of an array are given to it and wanted of it.
+  [[nodiscard]] static bool is_declared(const Unit& unit, const std::string& name) {
+    const scenes::Array* array = unit.scene ? scenes::find(*unit.scene, name) : nullptr;
+    return array != nullptr && std::all_of(array->fields.begin(), array->fields.end(), [&](const scenes::Field& field) {
+             return array->is_input(field.name) || array->is_output(field.name);
+           });
+  }
+
+  int check(const std::vector<usage::Program>& programs) {
+    std::vector<std::string> lines;
+    try {
+      lines = usage::differences(usage::from_json(read_file(request_.checked_in)), programs);
+    } catch (const usage::JsonError& error) {
+      lines = {error.what()};
+    }
+    if (lines.empty()) return done;
+    err_ << request_.checked_in << ": error: it is stale:\n";
+    for (const std::string& line : lines) err_ << "  " << line << '\n';
+    err_ << "note: to write it anew: physgen usage";
+    for (const std::string& file : request_.files) err_ << ' ' << file;
+    err_ << " --json " << request_.checked_in;
+    if (!request_.side.empty()) err_ << " --side " << request_.side;
+    if (!request_.flags.empty()) err_ << " --";
+    for (const std::string& flag : request_.flags) err_ << ' ' << flag;
+    err_ << '\n';
+    return errors;
+  }
+
+  const UsageRequest& request_;
+  std::ostream& out_;
+  std::ostream& err_;
+  std::string times_;
+};
+
+}  // namespace
+
+void describe_usage(CLI::App& app, UsageRequest& request) {
+  auto* usage = app.add_subcommand("usage", "Print which fields of which arrays the steps of programs read and write");
+  usage
+      ->add_option("FILE", request.files,
+                   "Declarations of scenes (<physgen/scene.h>), or C++ sources that give steps to a ProbeExecutor "
+                   "(<physgen/probe.h>)")
+      ->required();
+  usage->add_option("--json", request.json, "File for the same as JSON")->type_name("FILE");
+  usage
+      ->add_option("--check", request.checked_in,
+                   "Compare with this JSON in place of printing; where it is stale, say in what, and exit with 1")
+      ->type_name("FILE");
+  usage
+      ->add_option(
+          "--side", request.side,
+          "host: as compiled for the CPU; device: for CUDA, which needs a toolkit (found by CUDA_HOME, "
+          "CUDA_PATH or in /usr/local/cuda); both: the two united, which is the default where there is a toolkit")
+      ->check(CLI::IsMember({"host", "device", "both"}))
+      ->type_name("SIDE");
+  usage->footer(
+      "What follows '--' are flags of a compiler, such as -I DIR and -march=x86-64-v3. R: some code can read the "
+      "field; "
+      "W: some code can write it; &: its address is taken. Branches are united, whatever their conditions; places are "
+      "in the kernel's own source, with '(all fields)' for a get() or put() of whole objects. Code outside of steps, "
+      "predicates of loops and values that the host asks for are always wanted. Templates that the program does not "
+      "instantiate are not in it.");
+}
+
+int usage(const UsageRequest& request, std::ostream& out, std::ostream& err) {
+  return UsageCommand(request, out, err).run();
+}
+
+}  // namespace physgen::command

@@ -1,0 +1,151 @@
+#include "motion.h"
+
+#include <fem/dynamics/explicit.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "estimates.h"
+#include "fields.h"
+#include "interrupts.h"
+
+namespace physgen::truthcube {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int most_halvings = 6;  // of a time step for which there is no equilibrium
+
+fem::DynamicSettings settings_of(const Options& options) {
+  return {options.solver, options.motion.density, options.motion.damping};
+}
+
+bool is_explicit(const Options& options) { return options.scene == SceneKind::explicit_dynamics; }
+
+/// The longest time step [s]. @throw Error when what is asked for is not stable
+double longest_step(const Options& options, const Scene& scene) {
+  const MotionOptions& motion = options.motion;
+  if (!is_explicit(options)) return motion.time_step > 0 ? motion.time_step : motion.duration / 100;
+  const double stable = fem::stable_time_step(scene.levels.front(), settings_of(options));
+  if (motion.time_step <= stable) return motion.time_step > 0 ? motion.time_step : stable / 2;
+  std::array<char, 200> text{};
+  std::snprintf(
+      text.data(), text.size(),
+      "--time-step %g: explicit steps of this body are stable at rest up to about %.3g s; leave some of it for "
+      "tets that are compressed, or choose --scene implicit-dynamics",
+      motion.time_step, 0.995 * stable);  // which is refused in no rounding
+  throw Error(text.data());
+}
+
+/// What the time steps of a state came to.
+struct Effort {
+  int steps = 0, newton = 0, iterations = 0;
+  double residual = 0;
+  fem::NewtonStatus status = fem::NewtonStatus::converged;
+};
+
+/// A time step, in halves where there is no equilibrium at its end.
+void advance(const Options& options, fem::DynamicSolver& solver, double length, int halvings, Effort& effort) {
+  const MotionOptions& motion = options.motion;
+  const double load = compression_at(solver.time() + length, motion.duration, options.compressions.back());
+  const fem::NewtonResult result = solver.step(length, load);
+  effort.newton += result.steps;
+  effort.iterations += result.iterations;
+  effort.residual = result.residual;
+  effort.status = result.status;
+  if (result.status == fem::NewtonStatus::converged) {
+    ++effort.steps;
+  } else if (halvings < most_halvings) {
+    advance(options, solver, length / 2, halvings + 1, effort);
+    if (effort.status == fem::NewtonStatus::converged) advance(options, solver, length / 2, halvings + 1, effort);
+  }
+}
+
+}  // namespace
+
+double compression_at(double time, double duration, double compression) {
+  const double part = std::clamp(2 * time / duration, 0.0, 1.0);
+  return compression * part * part * part * (10 - part * (15 - 6 * part));
+}
+
+std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, const Scene& scene) {
+  (void)longest_step(options, scene);
+  if (is_explicit(options)) {
+    return fem::make_explicit_solver(scene.levels.front(), scene.loading, settings_of(options));
+  }
+  return fem::make_implicit_solver(scene.levels, scene.loading, settings_of(options));
+}
+
+Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolver& solver, RunFiles& files,
+                   RunRecord& record, const Terminal& terminal) {
+  const Interrupts interrupts;
+  const MotionOptions& motion = options.motion;
+  const fem::MeshLevel& level = scene.levels.front();
+  const double interval = motion.duration / motion.frames;
+  const auto steps = static_cast<long long>(std::ceil(interval / longest_step(options, scene) * (1 - 1e-12)));
+  const double length = interval / static_cast<double>(steps);
+  terminal.line("%d states of %lld time steps of %.4g s each", motion.frames, steps, length);
+  terminal.text(
+      "      time  compression     kinetic     elastic    reaction   steps  Newton     PCG  smallest J   seconds");
+  for (int frame = 1; frame <= motion.frames; ++frame) {
+    const auto begin = Clock::now();
+    Effort effort;
+    for (long long k = 0; k < steps && effort.status == fem::NewtonStatus::converged && interrupted == 0; ++k) {
+      advance(options, solver, length, 0, effort);
+    }
+    if (interrupted != 0) {
+      terminal.line("interrupted; %zu states are %s", record.steps.size(), files.writes() ? "written" : "done");
+      return Outcome::interrupted;
+    }
+    const fem::MotionMeasure measure = solver.measure();
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (!measure.is_finite()) {
+      std::fprintf(stderr,
+                   "truthcube: the motion is not finite at %g s: a time step of %.3g s is too long for tets that are "
+                   "compressed. Try --time-step %.2g, or --scene implicit-dynamics.\n",
+                   solver.time(), length, length / 2);
+      return Outcome::not_converged;
+    }
+    if (effort.status != fem::NewtonStatus::converged) {
+      std::fprintf(
+          stderr,
+          "truthcube: no equilibrium with inertia behind %g s, with time steps down to %.3g s, after %d Newton "
+          "steps, with a residual of %.2e.\nTry a shorter --time-step, --precision double, or more --cells.\n",
+          solver.time(), length / (1 << most_halvings), effort.newton, effort.residual);
+      return Outcome::not_converged;
+    }
+    const double compression = compression_at(solver.time(), motion.duration, options.compressions.back());
+    const auto positions = solver.positions();
+    const auto stresses = solver.stresses();
+    const double reaction = plate_reaction(level, solver.forces(), solver.plane_contacts());
+    const double smallest = std::ranges::min(make_fields(level.mesh, level.rest, positions, stresses).volume_ratio);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    record.steps.push_back({compression,
+                            effort.newton,
+                            effort.iterations,
+                            effort.residual,
+                            measure.elastic,
+                            smallest,
+                            reaction,
+                            none,
+                            none,
+                            reach_past_plates(scene, compression, positions),
+                            seconds,
+                            none,
+                            solver.time(),
+                            measure.kinetic,
+                            {}});
+    terminal.line("  %8.4g     %8.5f  %10.4e  %10.4e  %10.4g  %6d  %6d  %6d    %8.4f  %8.3f", solver.time(),
+                  compression, measure.kinetic, measure.elastic, reaction, effort.steps, effort.newton,
+                  effort.iterations, smallest, seconds);
+    if (files.writes()) files.write_step(record, solver.time(), positions, stresses);
+  }
+  return Outcome::done;
+}
+
+}  // namespace physgen::truthcube

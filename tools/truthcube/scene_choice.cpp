@@ -1,0 +1,117 @@
+#include "scene_choice.h"
+
+#include <physgen/error.h>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace physgen::truthcube {
+
+const Names<SceneKind> scene_kinds{{"quasistatic", SceneKind::quasistatic},
+                                   {"matrix-free", SceneKind::matrix_free},
+                                   {"fixed-corotated", SceneKind::fixed_corotated},
+                                   {"implicit-dynamics", SceneKind::implicit_dynamics},
+                                   {"explicit-dynamics", SceneKind::explicit_dynamics},
+                                   {"linear-elastic", SceneKind::linear_elastic}};
+
+namespace {
+
+using Given = std::function<bool(const std::string&)>;
+
+std::string scene_name(const Options& options) { return "--scene " + name_of(scene_kinds, options.scene); }
+
+/// @throw Error when a flag is given for which the scene has no use
+void refuse(const Options& options, const Given& given, std::initializer_list<const char*> flags,
+            const std::string& reason) {
+  for (const char* flag : flags) {
+    if (given(flag)) throw Error(scene_name(options) + " goes without " + flag + ": " + reason);
+  }
+}
+
+/// Sets what the scene stands for. @throw Error when a flag chooses otherwise
+template <class Value>
+void choose(const Options& options, const Given& given, const char* flag, const std::string& word, Value& value,
+            const Value& chosen) {
+  if (given(flag) && value != chosen) {
+    throw Error(scene_name(options) + " stands for " + flag + " " + word + ", and another is given");
+  }
+  value = chosen;
+}
+
+/// Of scenes that average no volumes.
+void choose_tets(Options& options, const Given& given, const std::string& who) {
+  const bool is_given = given("--volume");
+  choose(options, given, "--volume", "tets", options.volume, VolumeTreatment::tets);
+  if (is_given) return;
+  options.notes.push_back(who +
+                          " the change of volume of each tet by itself: --volume tets, which lock near a "
+                          "Poisson's ratio of 0.5");
+}
+
+void apply_motion(Options& options, const Given& given) {
+  refuse(options, given, {"--restart", "--beads", "--repeat"}, "these are for equilibria, and a motion begins at rest");
+  refuse(options, given, {"--stepping", "--historical"}, "steps are those in time");
+  if (!given("--compress")) options.compressions = {options.compressions.back()};
+  if (options.compressions.size() != 1) {
+    throw Error(scene_name(options) + " moves the plate to one compression, and --compress has " +
+                std::to_string(options.compressions.size()));
+  }
+}
+
+}  // namespace
+
+void apply_scene(Options& options, const Given& given) {
+  fem::NewtonSettings& newton = options.solver.newton;
+  switch (options.scene) {
+    case SceneKind::quasistatic:
+      break;
+    case SceneKind::matrix_free:
+      choose(options, given, "--product", "matrix-free", newton.product, fem::Product::matrix_free);
+      if (!given("--preconditioner") && !options.historical) {
+        newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
+      }
+      break;
+    case SceneKind::fixed_corotated:
+      choose<std::string>(options, given, "--material", "fixed-corotated", options.solver.material, "fixed-corotated");
+      break;
+    case SceneKind::implicit_dynamics:
+      apply_motion(options, given);
+      choose(options, given, "--product", "assembled", newton.product, fem::Product::assembled);
+      options.solver.nested = false;
+      break;
+    case SceneKind::explicit_dynamics:
+      apply_motion(options, given);
+      refuse(options, given, {"--product", "--preconditioner", "--tolerance"}, "explicit steps solve no equations");
+      choose(options, given, "--plates", "held", options.plates, Plates::held);
+      choose_tets(options, given, "explicit steps take");
+      newton.preconditioner.kind = fem::Preconditioner::none;
+      options.solver.nested = false;
+      break;
+    case SceneKind::linear_elastic:
+      refuse(options, given, {"--material"}, "linear elasticity is its law, of --young and --poisson alone");
+      refuse(options, given, {"--stepping", "--historical"}, "one linear solve finds each equilibrium");
+      choose(options, given, "--plates", "held", options.plates, Plates::held);
+      choose_tets(options, given, "linear elasticity takes");
+      options.solver.nested = false;
+      break;
+  }
+  if (!options.moves()) {
+    refuse(options, given, {"--time-step", "--duration", "--density", "--damping", "--frames"},
+           "these are for --scene implicit-dynamics or explicit-dynamics");
+  }
+}
+
+void check_motion(const MotionOptions& motion) {
+  const auto require_positive = [](const char* flag, double value, const char* what) {
+    if (value > 0 && std::isfinite(value)) return;
+    throw Error(std::string(flag) + " " + std::to_string(value) + ": " + what + " is a positive number");
+  };
+  require_positive("--duration", motion.duration, "the time of the motion, in seconds,");
+  require_positive("--density", motion.density, "the density, in kg/m^3,");
+  if (motion.time_step != 0) require_positive("--time-step", motion.time_step, "the time step, in seconds,");
+  if (!(motion.damping >= 0) || !std::isfinite(motion.damping)) {
+    throw Error("--damping " + std::to_string(motion.damping) + ": the damping, in 1/s, is 0 or a positive number");
+  }
+}
+
+}  // namespace physgen::truthcube
