@@ -122,9 +122,9 @@ std::string without_toolkit_warning(std::string text) {
 /// What to do, where Clang can only say that types do not fit.
 std::string notes(const std::string& diagnostics) {
   const bool of_probes = diagnostics.find("Probe<") != std::string::npos;
-  const bool does_not_fit = diagnostics.find("no viable") != std::string::npos ||
-                            diagnostics.find("no matching") != std::string::npos ||
-                            diagnostics.find("could not match") != std::string::npos;
+  bool does_not_fit = false;
+  for (const char* message : {"no viable", "no matching", "could not match", "invokes a deleted function"})
+    does_not_fit = does_not_fit || diagnostics.find(message) != std::string::npos;
   if (!of_probes || !does_not_fit) return {};
   return "note: a kernel over one type of view takes no others: write it as a template over its views, "
          "'template <class View> struct Kernel { View view; ... };'\n";

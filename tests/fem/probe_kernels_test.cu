@@ -2,6 +2,11 @@
 #include "probe_kernels.h"
 
 namespace physgen::fem::test {
+
+struct only_on_the_device {
+  [[maybe_unused]] static constexpr const char* name = "only_on_the_device";
+};
+
 namespace {
 
 TEST(ProbesOfKernels, find_what_the_kernels_say_on_cuda) {
@@ -10,9 +15,6 @@ TEST(ProbesOfKernels, find_what_the_kernels_say_on_cuda) {
   EXPECT_EQ(what_is_found(), what_kernels_do());
 }
 
-struct only_on_the_device {
-  [[maybe_unused]] static constexpr const char* name = "only_on_the_device";
-};
 template <class View>
 struct DeviceFunction {
   View view;

@@ -170,6 +170,8 @@ TEST(UsageOfAwkwardKernels, is_given_to_the_steps_that_make_it) {
       {"awkward::ByHelper", {"awkward.helper.volume RW"}},
       {"awkward::Discards", {"awkward.discarded.dm_inverse W"}},
       {"physgen::Over<lambda in awkward::program>", {"awkward.over.volume W"}},
+      {"physgen::Fused<awkward::Copies, awkward::Copies>",
+       {"awkward.fused_from.volume R", "awkward.fused_to.volume W"}},
       {"awkward::Term", {"awkward.terms.volume R", "awkward.total.volume W"}},
       {"awkward::IsSmall", {"awkward.predicate.volume R"}},
       {"value()", {"awkward.value.dm_inverse R", "awkward.value.volume R"}},

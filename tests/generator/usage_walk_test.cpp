@@ -122,15 +122,21 @@ TEST(UsageErrors, are_those_of_clang_and_nothing_is_found) {
 }
 
 TEST(UsageErrors, of_kernels_over_concrete_views_say_what_to_write) {
-  const Analysis analysis = analysed(
-      "using Plain = physgen::View<float>;\n"
-      "struct K { Plain a; void operator()(int) const {} };\n"
-      "void f(V<A> v) { run(K{v}); }\n");
-  EXPECT_FALSE(analysis.usage);
-  EXPECT_NE(analysis.diagnostics.text.find(":3:24: error: no viable conversion"), std::string::npos)
-      << analysis.diagnostics.text;
-  EXPECT_NE(analysis.diagnostics.text.find("write it as a template over its views"), std::string::npos)
-      << analysis.diagnostics.text;
+  const auto expect = [](const std::string& view, const std::string& error) {
+    const Analysis analysis = analysed(view +
+                                       "\nstruct K { Plain a; void operator()(int) const {} };\n"
+                                       "void f(V<A> v) { run(K{v}); }\n");
+    EXPECT_FALSE(analysis.usage);
+    EXPECT_NE(analysis.diagnostics.text.find(":3:24: error: " + error), std::string::npos) << analysis.diagnostics.text;
+    EXPECT_NE(analysis.diagnostics.text.find("write it as a template over its views"), std::string::npos)
+        << analysis.diagnostics.text;
+  };
+  expect("using Plain = physgen::View<float>;", "no viable conversion");
+  expect("struct Plain { Plain(); template <class Probe> Plain(const physgen::View<Probe>&) = delete; };",
+         "conversion function");
+  const Analysis other = analysed("struct K { int a; };\nK f(void* v) { return K{v}; }\n");
+  EXPECT_FALSE(other.usage);
+  EXPECT_EQ(other.diagnostics.text.find("template over its views"), std::string::npos) << other.diagnostics.text;
 }
 
 TEST(UsageErrors, of_the_flags_are_told) {

@@ -1,6 +1,7 @@
 // Kernels that hide what they read and write from whoever reads their text. Compiled into usage_analysis_test, where
 // the compiler registers what it finds, and read by the analysis. Arrays are named by what is done to them.
 #include <elasticity.physgen.h>
+#include <physgen/fuse.h>
 #include <physgen/kernel.h>
 #include <physgen/probe.h>
 
@@ -43,6 +44,8 @@ struct Arrays {
   PHYSGEN_TEST_ARRAY(helper, RestShape);
   PHYSGEN_TEST_ARRAY(discarded, RestShape);
   PHYSGEN_TEST_ARRAY(over, RestShape);
+  PHYSGEN_TEST_ARRAY(fused_from, RestShape);
+  PHYSGEN_TEST_ARRAY(fused_to, RestShape);
   PHYSGEN_TEST_ARRAY(terms, RestShape);
   PHYSGEN_TEST_ARRAY(total, RestShape);
   PHYSGEN_TEST_ARRAY(predicate, RestShape);
@@ -211,6 +214,20 @@ struct Discards {
 template <class View>
 Discards(View) -> Discards<View>;
 
+template <class From, class To>
+struct Copies {
+  using Scalar = float;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    const lanes_t<float, I> volume = from[i].volume();
+    to[i].volume() = volume;
+  }
+};
+template <class From, class To>
+Copies(From, To) -> Copies<From, To>;
+
 template <class View>
 struct Term {
   using Scalar = float;
@@ -259,6 +276,8 @@ float program(On& on, Arrays& a) {
 #ifndef __CUDACC__
   on.run(1, over<float>([view = a.over.view()](auto i) { view[i].volume() = lanes_t<float, decltype(i)>(3.0F); }));
 #endif
+  const auto between = local<elasticity::RestShapeObject, float>();
+  on.run(1, fuse(locals(between), Copies{a.fused_from.const_view(), between}, Copies{between, a.fused_to.view()}));
   on.reduce(1, Term{a.terms.const_view()}, Sum{}, Store{a.total.view()});
   typename On::Loop loop;
   on.repeat(loop, 3, [] {}, IsSmall{a.predicate.const_view()});
