@@ -2,6 +2,7 @@
 #include "scenes/report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 namespace physgen::scenes {
@@ -46,14 +47,28 @@ std::vector<Sum> sums(const Scene& scene, const Needs& needs) {
   return sums;
 }
 
+/// "physgen::Fused<physgen::fem::ComputeSvd>" gives "Fused<ComputeSvd>".
+std::string without_namespaces(const std::string& name) {
+  std::string result;
+  std::size_t word = 0;  // where the last name begins in it
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (name.compare(i, 2, "::") == 0) {
+      result.resize(word);
+      ++i;
+      continue;
+    }
+    result += name[i];
+    if (std::isalnum(static_cast<unsigned char>(name[i])) == 0 && name[i] != '_') word = result.size();
+  }
+  return result;
+}
+
 /// "ComputeSvd, ComputeStress and 2 more": the kernels of steps, without namespaces and arrays, each once; all of them
 /// stand in report_json() and report_why().
 std::string kernels(const std::vector<StepOfField>& uses) {
   std::vector<std::string> names;
   for (const StepOfField& use : uses) {
-    std::string name = use.step.substr(0, use.step.find('('));
-    const std::size_t scope = name.rfind("::");
-    if (scope != std::string::npos) name = name.substr(scope + 2);
+    const std::string name = without_namespaces(use.step.substr(0, use.step.find('(')));
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   constexpr std::size_t most = 3;

@@ -1,6 +1,8 @@
 // `physgen scene` as a process: what it writes and leaves alone, what it says, and its exit status.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "command_case.h"
 
 namespace physgen::test {
@@ -137,6 +139,13 @@ TEST_F(SceneCommand, explains_fields_and_refuses_names_and_files_that_there_are_
   EXPECT_EQ(unknown.err,
             "physgen: error: in the scene particles there is no array or field 'betwen.a'; did you mean "
             "'between.a'?\n");
+  const auto model = scene("--print-model");
+  EXPECT_EQ(model.status, 0) << model.err;
+  const auto last = nlohmann::json::parse(model.out).at("groups").at(0).at("arrays").at(2);
+  EXPECT_EQ(last.at("object"), "m::Particle");
+  EXPECT_EQ(last.at("per"), "particle");
+  EXPECT_EQ(last.at("output"), nlohmann::json({"a"}));
+  EXPECT_EQ(last.at("fields").at(1).at("bytes"), 4);
   EXPECT_EQ(run("scene absent.h").status, 2);
   EXPECT_EQ(run("check -- particles.h").status, 0) << "a schema, not flags";
 }

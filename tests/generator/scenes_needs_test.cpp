@@ -1,6 +1,8 @@
 // The rules of what a scene needs, over uses that are written by hand: each with the fault that it is there for.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "scenes/needs.h"
 #include "scenes/report.h"
 #include "scenes_by_hand.h"
@@ -191,6 +193,27 @@ TEST(NeedReport, has_a_row_for_every_field_and_sums_for_every_set) {
         "per tet: 12 of 56 bytes, 3 of 14 numbers\n",
         "  body.svd.U is not kept: written by Svd(body.x, body.svd); nothing reads it\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "in\n" << text;
+}
+
+TEST(NeedReport, names_kernels_without_namespaces_in_its_table_and_fused_ones_by_their_parts) {
+  Usage usage = chain_usage();
+  usage.steps[0].kernel = "physgen::Fused<physgen::fem::Svd, my_own::Turn_2>";
+  const std::string text = scenes::report_text(chain(), find_needs(chain(), usage));
+  EXPECT_NE(text.find("            s      12     kept      Fused<Svd, Turn_2>  Force\n"), std::string::npos) << text;
+}
+
+TEST(NeedReport, has_all_of_it_as_json_with_the_places_of_uses) {
+  const auto json = nlohmann::json::parse(scenes::report_json(chain(), find_needs(chain(), chain_usage())));
+  EXPECT_EQ(json.at("scene"), "scenes::chain");
+  const auto& svd = json.at("arrays").at(1);
+  EXPECT_EQ(svd.at("array"), "body.svd");
+  EXPECT_EQ(svd.at("of"), "per tet");
+  EXPECT_EQ(svd.at("read_only"), false);
+  EXPECT_EQ(svd.at("fields").at(0).at("fate"), "pruned");
+  EXPECT_EQ(svd.at("fields").at(1).at("fate"), "kept");
+  EXPECT_EQ(svd.at("fields").at(1).at("read_by").at(0).at("places"), nlohmann::json({"force.h:6:1"}));
+  EXPECT_EQ(json.at("sums").at(1).at("kept_bytes"), 12);
+  EXPECT_EQ(json.at("sums").at(1).at("all_bytes"), 56);
 }
 
 TEST(NeedReport, explains_a_field_by_every_name_that_it_has) {

@@ -34,6 +34,10 @@ class SceneCommand {
     if (!declaration.scene) return errors;
     const scenes::Scene& scene = *declaration.scene;
     const std::string path = std::filesystem::absolute(request_.file).lexically_normal().string();
+    if (request_.print_model) {
+      out_ << scenes::to_json(scene);
+      return done;
+    }
     if (request_.print_unit) {
       out_ << scenes::probe_unit(scene, "Host", path);
       return done;
@@ -45,7 +49,8 @@ class SceneCommand {
     }
     if (!usage) return errors;
     const scenes::Needs needs = scenes::find_needs(scene, *usage);
-    for (const scenes::Issue& issue : needs.issues) err_ << scenes::text_of(issue);
+    for (const scenes::Issue& issue : needs.issues)  // notes are of needs that hold
+      if (needs.sound() || issue.kind == scenes::Issue::Kind::error) err_ << scenes::text_of(issue);
     if (!needs.sound()) return errors;
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
@@ -110,6 +115,7 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
   scene->add_flag("--device", request.device, "Look at what the program does on a CUDA device, too; needs a toolkit");
   scene->add_flag("--everything", request.everything,
                   "Write DIR/x.everything.h, too: the same arrays with every field, to compare with");
+  scene->add_flag("--print-model", request.print_model, "Print what physgen reads from the declaration, as JSON");
   scene->add_flag("--print-unit", request.print_unit,
                   "Print the unit that is looked at, the program over probes, which any compiler takes");
   auto* stamp = scene->add_option("--stamp", request.stamp, "File that gets the present time when all is written")
