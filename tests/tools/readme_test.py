@@ -187,7 +187,7 @@ class ReadmeTest(unittest.TestCase):
             dict(
                 like,
                 name=f"{kernel}/aosoa32/float/cuda/{1000 if kernel.startswith('newton') else 200}",
-                **{"real_time": ms, "time_unit": "ms", "bytes_per_object": 300, "copy_fraction": 0.75},
+                **{"median_ms": ms, "bytes_per_object": 300, "copy_fraction": 0.75},
             )
             for kernel, ms in times.items()
         ]
