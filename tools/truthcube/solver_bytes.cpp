@@ -27,13 +27,13 @@ template <class Real, class Space, class Stored>
 std::int64_t linear_bytes(const LevelCounts& c, const LevelCounts* coarser) {
   using Level = fem::LinearLevel<Real, Space, Stored>;
   const std::int64_t n = c.nodes;
-  // EdgeSums, which on CUDA holds nothing, and EdgeBricks.
+  // EdgeSums, which on CUDA holds nothing, and EdgeSlices.
   std::int64_t sums = 0;
   if (Space::kind == SpaceKind::host) {
     sums = (2 * (n + 1) + c.edges) * std::int64_t{sizeof(fem::Index)} +
            c.edges * std::int64_t{sizeof(fem::Contribution<Real>)};
-  } else if (fem::EdgeBricks::pay(n)) {
-    sums = fem::EdgeBricks::bytes_for(n, c.edges);
+  } else if (n <= fem::EdgeSlices::most_nodes) {
+    sums = fem::EdgeSlices::bytes_for(n, c.edges);
   }
   std::int64_t bytes = bytes_of<decltype(Level::constraints)>(n) + bytes_of<decltype(Level::edges)>(c.edges) +
                        bytes_of_rows<decltype(Level::node_edges)>(n, 2 * c.edges) +

@@ -81,7 +81,7 @@ TEST(BackgroundGrid, stiffness_of_each_level_is_what_dense_products_give) {
     Arrays arrays(levels[0], graphs[0], false, TangentLists::of_edges, nullptr);
     std::vector<std::unique_ptr<Level>> linear;
     for (std::size_t l = 0; l < 3; ++l) {
-      linear.push_back(std::make_unique<Level>(graphs[l], l < 2 ? &graphs[l + 1] : nullptr, levels[l].rest));
+      linear.push_back(std::make_unique<Level>(graphs[l], l < 2 ? &graphs[l + 1] : nullptr));
     }
     // Deformed at random, so that no two blocks are alike.
     std::mt19937_64 random(73);

@@ -55,7 +55,7 @@ struct Prepared {
   Prepared(const std::vector<MeshLevel>& mesh, const std::vector<Eigen::Matrix3d>& blocks)
       : graph(make_level_graphs(mesh).front()),
         hierarchy(make_schwarz_hierarchy(graph, mesh[0].rest)),
-        level(graph, nullptr, mesh[0].rest) {
+        level(graph, nullptr) {
     level.use_schwarz(graph, mesh[0].rest);
     for (index_t e = 0; e < level.edge_count(); ++e) {
       level.edge_stiffness.view()[e].E() = Matrix3<Real>(blocks[std::size_t(e)].cast<Real>());

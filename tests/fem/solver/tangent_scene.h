@@ -28,8 +28,7 @@ struct TangentScene {
                                 [](const Point& x) -> std::uint8_t { return x[2] == 0 ? 7 : (x[0] == 0 ? 1 : 0); }))),
         graph(make_level_graphs(levels)[0]),
         arrays(levels[0], graph, false, lists, nullptr),
-        level(lists == TangentLists::of_edges ? Level(graph, nullptr, levels[0].rest)
-                                              : Level(graph, MatrixFree{true, false})) {
+        level(lists == TangentLists::of_edges ? Level(graph, nullptr) : Level(graph, MatrixFree{true, false})) {
     std::mt19937_64 random(73);
     std::normal_distribution<double> number(0, 1);
     for (const Point& x : levels[0].rest) {

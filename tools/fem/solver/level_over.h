@@ -1,7 +1,7 @@
 // A level of the preconditioner over groups of arrays by name: see over_groups.h.
 #pragma once
 
-#include <fem/kernels/edge_bricks.h>
+#include <fem/kernels/edge_slices.h>
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/inertia.h>
 #include <fem/solver/over_groups.h>
@@ -63,7 +63,7 @@ struct LevelOver : Group {
   bool assembled = true;  ///< else there are no edges
   bool is_grid = false;   ///< a level of a background grid
   EdgeSums sums;
-  EdgeBricks bricks;  ///< on CUDA
+  EdgeSlices slices;  ///< on CUDA, of few nodes
   Optional<Schwarz> schwarz;
   Optional<Planes> planes;    ///< where the body may touch some
   Optional<Inertia> inertia;  ///< where it moves

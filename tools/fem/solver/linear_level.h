@@ -1,7 +1,7 @@
 // The arrays of one level of the preconditioner, by name.
 #pragma once
 
-#include <fem/kernels/edge_bricks.h>
+#include <fem/kernels/edge_slices.h>
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/inertia_arrays.h>
@@ -58,7 +58,7 @@ struct LinearLevel {
   elasticity::EdgeArray<Real, Space> edges;
   PackedRows<Space> node_edges;
   EdgeSums sums;
-  EdgeBricks bricks;  ///< on CUDA, where they pay
+  EdgeSlices slices;  ///< on CUDA, of few nodes
 
   elasticity::NodeStiffnessArray<Real, Space> node_stiffness;
   /// On CUDA as records, since they are gathered: from tiles a block is read from nine places.
@@ -69,7 +69,7 @@ struct LinearLevel {
   // The preconditioner, in unknowns scaled to a unit diagonal.
   quasistatic::NodeScaleArray<Real, Space> scales;
   elasticity::NodeStiffnessArray<Real, Space> scaled_nodes;
-  /// In the order of `bricks`, where there are any.
+  /// In the order of `slices`, where there are any.
   elasticity::EdgeStiffnessArray<Real, Space, LayoutOf<elasticity::EdgeStiffnessArray<Real, Space>>,
                                  typename Stored::template Edges<Space>>
       scaled_edges;
@@ -94,15 +94,14 @@ struct LinearLevel {
   std::unique_ptr<PlaneArrays<Real, Space>> planes;  ///< where the body may touch some
   std::unique_ptr<InertiaArrays<Space>> inertia;     ///< where it moves
 
-  /// @param rest position of each node
-  LinearLevel(const LevelGraph& graph, const LevelGraph* coarser, const std::vector<Point>& rest)
+  LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
       : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
         edges(moved_to<decltype(edges)>(host_edges(graph))),
         node_edges(packed_rows<NodeEdgeEntry>(graph.node_edges, index_t(graph.edges.size()), "edges")),
         sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
-        bricks(Space::kind == SpaceKind::cuda && EdgeBricks::pay(graph.nodes)
-                   ? EdgeBricks(as_mesh(graph), rest, Space::kind)
-                   : EdgeBricks()),
+        slices(Space::kind == SpaceKind::cuda && graph.nodes <= EdgeSlices::most_nodes
+                   ? EdgeSlices(as_mesh(graph), Space::kind)
+                   : EdgeSlices()),
         node_stiffness(graph.nodes),
         edge_stiffness(index_t(graph.edges.size())),
         scales(graph.nodes),
@@ -155,7 +154,7 @@ struct LinearLevel {
                     scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
                     parents, grid_parents, children.ranges(), children.entries(), edge_terms.ranges(),
                     edge_terms.entries(), translations, coarse_inverse) +
-           sums.bytes() + bricks.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) +
+           sums.bytes() + slices.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) +
            (planes == nullptr ? 0 : planes->bytes()) + (inertia == nullptr ? 0 : inertia->bytes());
   }
   [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }

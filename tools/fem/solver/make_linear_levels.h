@@ -34,7 +34,7 @@ template <class Level>
   for (std::size_t l = 0; l < used.graphs.size(); ++l) {
     const LevelGraph* next = l + 1 < used.graphs.size() ? &used.graphs[l + 1] : nullptr;
     if (settings.newton.product == Product::assembled) {
-      made.push_back(std::make_unique<Level>(used.graphs[l], next, used.levels[l].rest));
+      made.push_back(std::make_unique<Level>(used.graphs[l], next));
     } else {
       const MatrixFree needs{preconditioner.kind != Preconditioner::none, next != nullptr};
       made.push_back(std::make_unique<Level>(used.graphs[l], needs));

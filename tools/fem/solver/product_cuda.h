@@ -2,7 +2,7 @@
 // inverse. For CUDA translation units.
 #pragma once
 
-#include <fem/kernels/edge_bricks_cuda.h>
+#include <fem/kernels/edge_slices_cuda.h>
 #include <fem/kernels/symmetric_product_cuda.h>
 #include <fem/solver/coarse_inverse.h>
 #include <fem/solver/cycle.h>
@@ -27,10 +27,10 @@ namespace detail {
 
 template <class Level, class DisplacementView, class DifferentialView>
 void add_scaled_edges(CudaExecutor& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
-  if (level.bricks.is_empty()) {
+  if (level.slices.is_empty()) {
     add_edges(on, scaled_product(level, x, y), level.sums);
   } else {
-    add_edges(Cuda{}, BrickProduct{level.bricks.view(), level.scaled_edges.const_view(), x, y}, on.stream());
+    add_edges(Cuda{}, SliceProduct{level.slices.view(), level.scaled_edges.const_view(), x, y}, on.stream());
   }
 }
 
@@ -49,13 +49,13 @@ void multiply_scaled(CudaExecutor& on, Level& level, const DisplacementView& x, 
   detail::add_scaled_edges(on, level, x, y);
 }
 
-/// Into the order of bricks, where a level has them.
+/// Into the order of slices, where a level has them.
 template <class Level, class Kernel>
 void scale_edges(CudaExecutor& on, Level& level, const Kernel& kernel) {
-  if (level.bricks.is_empty()) {
+  if (level.slices.is_empty()) {
     on.run(level.edge_count(), kernel);
   } else {
-    for_each_edge(Cuda{}, level.bricks.view(), kernel, on.stream());
+    for_each_edge(Cuda{}, level.slices.view(), kernel, on.stream());
   }
 }
 

@@ -4,7 +4,7 @@
 // lanes of a warp. For CUDA translation units.
 #pragma once
 
-#include <fem/kernels/edge_bricks_cuda.h>
+#include <fem/kernels/edge_slices_cuda.h>
 #include <fem/solver/cycle.h>
 #include <fem/solver/level_views.h>
 #include <physgen/cuda/executor.h>
@@ -76,9 +76,9 @@ __device__ void run_rows(const BlockExecutor& /*on*/, index_t rows, const Kernel
 /// r += the edges' part of K d.
 template <class Level>
 __device__ void add_scaled_edges(const BlockExecutor& /*on*/, const Level& level) {
-  const BrickProduct product{level.bricks, level.scaled_edges.const_view(), level.direction.const_view(),
+  const SliceProduct product{level.slices, level.scaled_edges.const_view(), level.direction.const_view(),
                              level.residual.view()};
-  detail::add_brick<EdgeBricks::few_nodes>(product, 0);
+  detail::add_slices(product);
   __syncthreads();
 }
 
@@ -88,8 +88,8 @@ namespace detail {
 /// step is a launch, for comparisons.
 [[nodiscard]] inline index_t most_small_nodes() {
   const char* given = std::getenv("PHYSGEN_SMALL_LEVELS");
-  return given == nullptr ? index_t{EdgeBricks::few_nodes}
-                          : std::min(index_t{std::atol(given)}, index_t{EdgeBricks::few_nodes});
+  return given == nullptr ? index_t{EdgeSlices::most_nodes}
+                          : std::min(index_t{std::atol(given)}, index_t{EdgeSlices::most_nodes});
 }
 constexpr std::size_t most_small_levels = 8;
 /// As many as have registers enough for what they do.
@@ -128,7 +128,7 @@ bool cycle_at_once(CudaExecutor& on, Levels& levels, std::size_t l, const Precon
   using Level = std::remove_reference_t<decltype(*levels[0])>;
   using Real = typename Level::Real;
   const std::size_t count = levels.size() - l;
-  if (levels[l]->nodes() > detail::most_small_nodes() || levels[l]->bricks.is_empty()) return false;
+  if (levels[l]->nodes() > detail::most_small_nodes() || levels[l]->slices.is_empty()) return false;
   if (count > detail::most_small_levels) return false;
   const detail::SmallLevels<LevelViews<Level>> small{
       detail::level_views(levels, l, std::make_index_sequence<detail::most_small_levels>()), count, settings};

@@ -1,15 +1,13 @@
-// Products by bricks of nodes on CUDA.
-#include <fem/kernels/edge_bricks_cuda.h>
+// Products by slices of nodes on CUDA, by one thread block.
+#include <fem/kernels/edge_slices_cuda.h>
 #include <fem/kernels/symmetric_product_cuda.h>
-
-#include <random>
 
 #include "symmetric_product_checks.h"
 
 namespace physgen::fem {
 namespace {
 
-/// Into the order of bricks.
+/// Into the order of slices.
 template <class FromView, class ToView>
 struct CopyEdgeStiffness {
   FromView from;
@@ -23,29 +21,29 @@ template <class... Views>
 CopyEdgeStiffness(Views...) -> CopyEdgeStiffness<Views...>;
 
 template <class Real>
-void check_products_by_bricks() {
+void check_products_by_slices() {
   constexpr unsigned stream = 13;
-  std::mt19937_64 random(19);
-  std::uniform_real_distribution<double> number(-1, 1);
-  for (TetMesh& mesh : product_meshes()) {
+  std::vector<TetMesh> meshes = product_meshes();
+  meshes.push_back(make_box_mesh(9, 9, 9));  // 1000 nodes
+  meshes.push_back(renumbered(meshes.back(), random_numbering(meshes.back(), 5)));
+  for (TetMesh& mesh : meshes) {
+    if (mesh.nodes > EdgeSlices::most_nodes) continue;
     ProductScene<Real, Cuda, Aosoa<32>> scene(std::move(mesh), stream);
-    std::vector<std::array<double, 3>> points(static_cast<std::size_t>(scene.mesh.nodes));
-    for (auto& point : points) point = {number(random), number(random), number(random)};
-    const EdgeBricks bricks(scene.mesh, points, SpaceKind::cuda);
+    const EdgeSlices slices(scene.mesh, SpaceKind::cuda);
     auto ordered = scene.edge_stiffness;
-    for_each_edge(Cuda{}, bricks.view(), CopyEdgeStiffness{scene.edge_stiffness.const_view(), ordered.view()});
+    for_each_edge(Cuda{}, slices.view(), CopyEdgeStiffness{scene.edge_stiffness.const_view(), ordered.view()});
     const auto x = scene.displacements.const_view();
     const auto y = scene.differentials.view();
     parallel_for(Cuda{}, scene.mesh.nodes, MultiplyNodes{scene.node_stiffness.const_view(), x, y});
-    add_edges(Cuda{}, BrickProduct{bricks.view(), ordered.const_view(), x, y});
+    add_edges(Cuda{}, SliceProduct{slices.view(), ordered.const_view(), x, y});
     scene.expect_right();
   }
 }
 
-TEST(BrickProductOnCuda, agrees_with_the_sum_in_double) {
+TEST(SliceProductOnCuda, agrees_with_the_sum_in_double) {
   if (!cuda_available()) GTEST_SKIP() << "no CUDA device";
-  check_products_by_bricks<float>();
-  check_products_by_bricks<double>();
+  check_products_by_slices<float>();
+  check_products_by_slices<double>();
 }
 
 }  // namespace
