@@ -1,0 +1,717 @@
+// Arrays of the scene quasistatic_matrix_free, with the fields that its program needs. Written by physgen from
+// scenes/quasistatic_matrix_free.h and the kernels that it runs: change these, not this file.
+#pragma once
+
+#include <physgen/scene_arrays.h>
+
+#include "scenes/quasistatic_matrix_free.h"
+
+/// Equilibrium of a stable Neo-Hookean body: Newton's method, and conjugate gradients with products from the tangents
+/// of tets and patches, preconditioned by the nodes' blocks. Volumes are averaged over patches of tets.
+namespace scenes::quasistatic_matrix_free_scene {
+
+namespace pruned::body {
+struct edge_tet_ranges {
+  struct begin;
+  struct end;
+};
+}  // namespace pruned::body
+
+/// How elasticity::IncidenceRange is stored in body.edge_tet_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Space>
+struct BodyEdge_tet_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+  using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::body::edge_tet_ranges,
+      pruned::body::edge_tet_ranges::begin>;
+  using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::body::edge_tet_ranges,
+      pruned::body::edge_tet_ranges::end>;
+};
+
+namespace pruned::body {
+struct edge_tet_entries {
+  struct code;
+};
+}  // namespace pruned::body
+
+/// How quasistatic::PackedIncidence is stored in body.edge_tet_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Space>
+struct BodyEdge_tet_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+  using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::body::edge_tet_entries,
+      pruned::body::edge_tet_entries::code>;
+};
+
+template <class Space_ = physgen::Host>
+struct Body {
+  using Space = Space_;
+  using Real = float;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t tet = 0;
+    physgen::index_t node = 0;
+    physgen::index_t corner = 0;
+    physgen::index_t edge = 0;
+    physgen::index_t tet_edge = 0;
+    physgen::index_t volume = 0;
+  };
+
+  /// elasticity::Tet, per tet: nodes
+  physgen::ReadOnlyArray<elasticity::TetArray<float, Space>> tets;
+  /// The tets of each node: rows of NodeTetEntry.
+  /// elasticity::IncidenceRange, per node: begin, end
+  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  /// quasistatic::PackedIncidence, per corner: code
+  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
+  /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
+  /// elasticity::IncidenceRange, per edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+      BodyEdge_tet_rangesFormats<Space>>> edge_tet_ranges;
+  /// quasistatic::PackedIncidence, per tet_edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+      BodyEdge_tet_entriesFormats<Space>>> edge_tet_entries;
+  /// Of each patch or node where volumes are averaged.
+  /// quasistatic::MeanVolume, per volume: volume, ratio, pressure, linearised, tangent_pressure, before, full
+  quasistatic::MeanVolumeArray<double, Space> volumes;
+  /// elasticity::NodePosition, per node: x
+  physgen::ReadOnlyArray<elasticity::NodePositionArray<double, Space>> rest;
+  /// Of the last equilibrium, or of the step under way.
+  /// elasticity::NodePosition, per node: x
+  elasticity::NodePositionArray<double, Space> positions;
+  /// Where a step leads.
+  /// elasticity::NodePosition, per node: x
+  elasticity::NodePositionArray<double, Space> trial;
+  /// Where the load increment began.
+  /// elasticity::NodePosition, per node: x
+  elasticity::NodePositionArray<double, Space> kept;
+  /// External, at a load of 1.
+  /// elasticity::NodeForce, per node: f
+  physgen::ReadOnlyArray<elasticity::NodeForceArray<double, Space>> loads;
+  /// Of prescribed components, at a load of 1.
+  /// elasticity::NodeDisplacement, per node: dx
+  physgen::ReadOnlyArray<elasticity::NodeDisplacementArray<double, Space>> motion;
+  /// Elastic and external; in prescribed components minus the reaction.
+  /// elasticity::NodeForce, per node: f
+  elasticity::NodeForceArray<double, Space> forces;
+  /// elasticity::NodeForce, per node: f
+  elasticity::NodeForceArray<double, Space> trial_forces;
+  /// Of prescribed components.
+  /// elasticity::NodeDisplacement, per node: dx
+  elasticity::NodeDisplacementArray<double, Space> increment;
+  /// Its volumetric energy is 0 where no volumes are averaged.
+  /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
+  quasistatic::EquilibriumArray<double, Space> state;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(tets, counts.tet);
+    physgen::allocate(node_tet_ranges, counts.node);
+    physgen::allocate(node_tet_entries, counts.corner);
+    physgen::allocate(edge_tet_ranges, counts.edge);
+    physgen::allocate(edge_tet_entries, counts.tet_edge);
+    physgen::allocate(volumes, counts.volume, {"volume", "ratio", "pressure", "linearised", "tangent_pressure",
+        "before", "full"});
+    physgen::allocate(rest, counts.node);
+    physgen::allocate(positions, counts.node);
+    physgen::allocate(trial, counts.node, {"x"});
+    physgen::allocate(kept, counts.node);
+    physgen::allocate(loads, counts.node);
+    physgen::allocate(motion, counts.node);
+    physgen::allocate(forces, counts.node, {"f"});
+    physgen::allocate(trial_forces, counts.node, {"f"});
+    physgen::allocate(increment, counts.node, {"dx"});
+    physgen::allocate(state, 1, {"elastic", "loads", "free_square", "fixed_square", "work", "smallest_ratio"});
+  }
+
+  /// Of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const {
+    return tets.bytes(
+        ) + node_tet_ranges.bytes() + node_tet_entries.bytes() + edge_tet_ranges.bytes() + edge_tet_entries.bytes() +
+            volumes.bytes() + rest.bytes() + positions.bytes() + trial.bytes() + kept.bytes() + loads.bytes() +
+                motion.bytes() + forces.bytes() + trial_forces.bytes() + increment.bytes() + state.bytes();
+  }
+};
+
+namespace pruned::patches {
+struct edge_patch_ranges {
+  struct begin;
+  struct end;
+};
+}  // namespace pruned::patches
+
+/// How elasticity::IncidenceRange is stored in patches.edge_patch_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Space>
+struct PatchesEdge_patch_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+  using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::patches::edge_patch_ranges,
+      pruned::patches::edge_patch_ranges::begin>;
+  using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::patches::edge_patch_ranges,
+      pruned::patches::edge_patch_ranges::end>;
+};
+
+namespace pruned::patches {
+struct edge_patch_entries {
+  struct code;
+};
+}  // namespace pruned::patches
+
+/// How quasistatic::PackedIncidence is stored in patches.edge_patch_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Space>
+struct PatchesEdge_patch_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+  using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::patches::edge_patch_entries,
+      pruned::patches::edge_patch_entries::code>;
+};
+
+template <class Space_ = physgen::Host>
+struct Patches {
+  using Space = Space_;
+  using Real = float;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t tet = 0;
+    physgen::index_t patch = 0;
+    physgen::index_t child = 0;
+    physgen::index_t edge = 0;
+    physgen::index_t edge_patch = 0;
+    physgen::index_t node = 0;
+    physgen::index_t node_patch = 0;
+    physgen::index_t change = 0;
+  };
+
+  /// quasistatic::TetPatch, per tet: patch
+  physgen::ReadOnlyArray<quasistatic::TetPatchArray<float, Space>> tet_patches;
+  /// quasistatic::PatchNodes, per patch: nodes
+  physgen::ReadOnlyArray<quasistatic::PatchNodesArray<float, Space>> nodes;
+  /// Where there is a coarser level.
+  /// quasistatic::PatchParent, per child: patch
+  physgen::ReadOnlyArray<quasistatic::PatchParentArray<float, Space>> parents;
+  /// elasticity::IncidenceRange, per patch: begin, end
+  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
+  /// quasistatic::PatchTet, per tet: tet, slots
+  physgen::ReadOnlyArray<quasistatic::PatchTetArray<float, Space>> patch_tet_entries;
+  /// Rows of EdgePatchEntry, where the stiffness is assembled.
+  /// elasticity::IncidenceRange, per edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+      PatchesEdge_patch_rangesFormats<Space>>> edge_patch_ranges;
+  /// quasistatic::PackedIncidence, per edge_patch: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+      PatchesEdge_patch_entriesFormats<Space>>> edge_patch_entries;
+  /// Rows of NodePatchEntry, where it is not.
+  /// elasticity::IncidenceRange, per node: begin, end
+  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_patch_ranges;
+  /// quasistatic::PackedIncidence, per node_patch: code
+  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_patch_entries;
+  /// quasistatic::PatchTangent, per patch: g, k
+  quasistatic::PatchTangentArray<float, Space> tangent;
+  /// Of products without blocks of edges, on the CPU.
+  /// quasistatic::PatchChange, per change: change
+  quasistatic::PatchChangeArray<float, Space> changes;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(tet_patches, counts.tet);
+    physgen::allocate(nodes, counts.patch);
+    physgen::allocate(parents, counts.child);
+    physgen::allocate(patch_tet_ranges, counts.patch);
+    physgen::allocate(patch_tet_entries, counts.tet);
+    physgen::allocate(edge_patch_ranges, counts.edge);
+    physgen::allocate(edge_patch_entries, counts.edge_patch);
+    physgen::allocate(node_patch_ranges, counts.node);
+    physgen::allocate(node_patch_entries, counts.node_patch);
+    physgen::allocate(tangent, counts.patch, {"g", "k"});
+    physgen::allocate(changes, counts.change, {"change"});
+  }
+
+  /// Of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const {
+    return tet_patches.bytes(
+        ) + nodes.bytes() + parents.bytes() + patch_tet_ranges.bytes() + patch_tet_entries.bytes() +
+            edge_patch_ranges.bytes() + edge_patch_entries.bytes() + node_patch_ranges.bytes() +
+                node_patch_entries.bytes() + tangent.bytes() + changes.bytes();
+  }
+};
+
+template <class Space_ = physgen::Host>
+struct Chunk {
+  using Space = Space_;
+  using Real = float;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t chunk_tet = 0;
+    physgen::index_t kept_tet = 0;
+  };
+
+  /// elasticity::CornerForces, per chunk_tet: G
+  elasticity::CornerForcesArray<double, Space> corners;
+  /// Of a chunk, or of all tets.
+  /// quasistatic::TetTangent, per kept_tet: U, g, x1111, x2211, x3311, x2222, x3322, x3333, x2121, x2112, x3131, x3113,
+  /// x3232, x3223
+  quasistatic::TetTangentArray<float, Space> tangent;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(corners, counts.chunk_tet, {"G"});
+    physgen::allocate(tangent, counts.kept_tet, {"U", "g", "x1111", "x2211", "x3311", "x2222", "x3322", "x3333",
+        "x2121", "x2112", "x3131", "x3113", "x3232", "x3223"});
+  }
+
+  /// Of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const { return corners.bytes() + tangent.bytes(); }
+};
+
+namespace pruned::level {
+struct edges {
+  struct nodes;
+};
+}  // namespace pruned::level
+
+/// How elasticity::Edge is stored in level.edges. Not stored:
+/// - nodes: it is an input; nothing reads it
+template <class Space>
+struct LevelEdgesFormats : physgen::FormatsOf<elasticity::EdgeObject, Space> {
+  using nodes = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edges, pruned::level::edges::nodes>;
+};
+
+namespace pruned::level {
+struct node_edge_ranges {
+  struct begin;
+  struct end;
+};
+}  // namespace pruned::level
+
+/// How elasticity::IncidenceRange is stored in level.node_edge_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Space>
+struct LevelNode_edge_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+  using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::node_edge_ranges,
+      pruned::level::node_edge_ranges::begin>;
+  using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::node_edge_ranges,
+      pruned::level::node_edge_ranges::end>;
+};
+
+namespace pruned::level {
+struct node_edge_entries {
+  struct code;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::PackedIncidence is stored in level.node_edge_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Space>
+struct LevelNode_edge_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+  using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::node_edge_entries,
+      pruned::level::node_edge_entries::code>;
+};
+
+namespace pruned::level {
+struct edge_stiffness {
+  struct E;
+};
+}  // namespace pruned::level
+
+/// How elasticity::EdgeStiffness is stored in level.edge_stiffness. Not stored:
+/// - E: nothing uses it
+template <class Space>
+struct LevelEdge_stiffnessFormats : physgen::FormatsOf<elasticity::EdgeStiffnessObject, Space> {
+  using E = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_stiffness,
+      pruned::level::edge_stiffness::E>;
+};
+
+namespace pruned::level {
+struct scales {
+  struct inverse;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::NodeScale is stored in level.scales. Not stored:
+/// - inverse: it is an input; written by physgen::fem::ComputeNodeScale(level.node_stiffness, level.scales); nothing
+/// reads it
+template <class Space>
+struct LevelScalesFormats : physgen::FormatsOf<quasistatic::NodeScaleObject, Space> {
+  using inverse = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::scales,
+      pruned::level::scales::inverse>;
+};
+
+namespace pruned::level {
+struct scaled_nodes {
+  struct K;
+};
+}  // namespace pruned::level
+
+/// How elasticity::NodeStiffness is stored in level.scaled_nodes. Not stored:
+/// - K: nothing uses it
+template <class Space>
+struct LevelScaled_nodesFormats : physgen::FormatsOf<elasticity::NodeStiffnessObject, Space> {
+  using K = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::scaled_nodes,
+      pruned::level::scaled_nodes::K>;
+};
+
+namespace pruned::level {
+struct scaled_edges {
+  struct E;
+};
+}  // namespace pruned::level
+
+/// How elasticity::EdgeStiffness is stored in level.scaled_edges. Not stored:
+/// - E: nothing uses it
+template <class Space>
+struct LevelScaled_edgesFormats : physgen::FormatsOf<elasticity::EdgeStiffnessObject, Space> {
+  using E = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::scaled_edges,
+      pruned::level::scaled_edges::E>;
+};
+
+namespace pruned::level {
+struct smoother {
+  struct largest;
+  struct length;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::Smoother is stored in level.smoother. Not stored:
+/// - largest, length: nothing uses it
+template <class Space>
+struct LevelSmootherFormats : physgen::FormatsOf<quasistatic::SmootherObject, Space> {
+  using largest = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::smoother,
+      pruned::level::smoother::largest>;
+  using length = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::smoother,
+      pruned::level::smoother::length>;
+};
+
+namespace pruned::level {
+struct direction {
+  struct dx;
+};
+}  // namespace pruned::level
+
+/// How elasticity::NodeDisplacement is stored in level.direction. Not stored:
+/// - dx: nothing uses it
+template <class Space>
+struct LevelDirectionFormats : physgen::FormatsOf<elasticity::NodeDisplacementObject, Space> {
+  using dx = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::direction, pruned::level::direction::dx>;
+};
+
+namespace pruned::level {
+struct power {
+  struct dx;
+};
+}  // namespace pruned::level
+
+/// How elasticity::NodeDisplacement is stored in level.power. Not stored:
+/// - dx: nothing uses it
+template <class Space>
+struct LevelPowerFormats : physgen::FormatsOf<elasticity::NodeDisplacementObject, Space> {
+  using dx = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::power, pruned::level::power::dx>;
+};
+
+namespace pruned::level {
+struct grid_parents {
+  struct nodes;
+  struct weights;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::GridParents is stored in level.grid_parents. Not stored:
+/// - nodes, weights: it is an input; nothing reads it
+template <class Space>
+struct LevelGrid_parentsFormats : physgen::FormatsOf<quasistatic::GridParentsObject, Space> {
+  using nodes = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::grid_parents,
+      pruned::level::grid_parents::nodes>;
+  using weights = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::grid_parents,
+      pruned::level::grid_parents::weights>;
+};
+
+namespace pruned::level {
+struct child_ranges {
+  struct begin;
+  struct end;
+};
+}  // namespace pruned::level
+
+/// How elasticity::IncidenceRange is stored in level.child_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Space>
+struct LevelChild_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+  using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::child_ranges,
+      pruned::level::child_ranges::begin>;
+  using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::child_ranges,
+      pruned::level::child_ranges::end>;
+};
+
+namespace pruned::level {
+struct child_entries {
+  struct code;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::PackedIncidence is stored in level.child_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Space>
+struct LevelChild_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+  using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::child_entries,
+      pruned::level::child_entries::code>;
+};
+
+namespace pruned::level {
+struct edge_term_ranges {
+  struct begin;
+  struct end;
+};
+}  // namespace pruned::level
+
+/// How elasticity::IncidenceRange is stored in level.edge_term_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Space>
+struct LevelEdge_term_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+  using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_term_ranges,
+      pruned::level::edge_term_ranges::begin>;
+  using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_term_ranges,
+      pruned::level::edge_term_ranges::end>;
+};
+
+namespace pruned::level {
+struct edge_term_entries {
+  struct code;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::PackedIncidence is stored in level.edge_term_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Space>
+struct LevelEdge_term_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+  using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_term_entries,
+      pruned::level::edge_term_entries::code>;
+};
+
+namespace pruned::level {
+struct translations {
+  struct T;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::TranslationStiffness is stored in level.translations. Not stored:
+/// - T: nothing uses it
+template <class Space>
+struct LevelTranslationsFormats : physgen::FormatsOf<quasistatic::TranslationStiffnessObject, Space> {
+  using T = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::translations,
+      pruned::level::translations::T>;
+};
+
+namespace pruned::level {
+struct coarse_inverse {
+  struct G;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::CoarseInverse is stored in level.coarse_inverse. Not stored:
+/// - G: nothing uses it
+template <class Space>
+struct LevelCoarse_inverseFormats : physgen::FormatsOf<quasistatic::CoarseInverseObject, Space> {
+  using G = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::coarse_inverse,
+      pruned::level::coarse_inverse::G>;
+};
+
+template <class Space_ = physgen::Host>
+struct Level {
+  using Space = Space_;
+  using Real = float;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t node = 0;
+    physgen::index_t edge = 0;
+    physgen::index_t edge_node = 0;
+    physgen::index_t edge_end = 0;
+    physgen::index_t block_node = 0;
+    physgen::index_t smoother = 0;
+    physgen::index_t child = 0;
+    physgen::index_t grid_child = 0;
+    physgen::index_t parent = 0;
+    physgen::index_t child_entry = 0;
+    physgen::index_t coarse_edge = 0;
+    physgen::index_t edge_term = 0;
+    physgen::index_t grid_node = 0;
+    physgen::index_t coarse_pair = 0;
+  };
+
+  /// quasistatic::NodeConstraint, per node: fixed
+  physgen::ReadOnlyArray<quasistatic::NodeConstraintArray<float, Space>> constraints;
+  /// elasticity::Edge, per edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::EdgeArray<float, Space>, LevelEdgesFormats<Space>>> edges;
+  /// Rows of NodeEdgeEntry.
+  /// elasticity::IncidenceRange, per edge_node: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+      LevelNode_edge_rangesFormats<Space>>> node_edge_ranges;
+  /// quasistatic::PackedIncidence, per edge_end: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+      LevelNode_edge_entriesFormats<Space>>> node_edge_entries;
+  /// elasticity::NodeStiffness, per block_node: K
+  elasticity::NodeStiffnessArray<float, Space> node_stiffness;
+  /// elasticity::EdgeStiffness, per edge: left out, takes stores
+  physgen::WithFormats<elasticity::EdgeStiffnessArray<float, Space>, LevelEdge_stiffnessFormats<Space>> edge_stiffness;
+  /// quasistatic::NodeScale, per node: scale; without inverse
+  physgen::WithFormats<quasistatic::NodeScaleArray<float, Space>, LevelScalesFormats<Space>> scales;
+  /// elasticity::NodeStiffness, per edge_node: left out, takes stores
+  physgen::WithFormats<elasticity::NodeStiffnessArray<float, Space>, LevelScaled_nodesFormats<Space>> scaled_nodes;
+  /// elasticity::EdgeStiffness, per edge: left out, takes stores
+  physgen::WithFormats<elasticity::EdgeStiffnessArray<float, Space>, LevelScaled_edgesFormats<Space>> scaled_edges;
+  /// quasistatic::NodeInverse, per block_node: D
+  quasistatic::NodeInverseArray<float, Space> inverse;
+  /// quasistatic::Smoother, per smoother: left out, takes stores
+  physgen::WithFormats<quasistatic::SmootherArray<double, Space>, LevelSmootherFormats<Space>> smoother;
+  /// r
+  /// elasticity::NodeForceDifferential, per node: df
+  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  /// z
+  /// elasticity::NodeDisplacement, per node: dx
+  elasticity::NodeDisplacementArray<float, Space> correction;
+  /// d
+  /// elasticity::NodeDisplacement, per edge_node: left out, takes stores
+  physgen::WithFormats<elasticity::NodeDisplacementArray<float, Space>, LevelDirectionFormats<Space>> direction;
+  /// The eigenvector that power iterations approach.
+  /// elasticity::NodeDisplacement, per edge_node: left out, takes stores
+  physgen::WithFormats<elasticity::NodeDisplacementArray<float, Space>, LevelPowerFormats<Space>> power;
+  /// quasistatic::NodeParents, per child: nodes
+  physgen::ReadOnlyArray<quasistatic::NodeParentsArray<float, Space>> parents;
+  /// In place of `parents`, to a background grid.
+  /// quasistatic::GridParents, per grid_child: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::GridParentsArray<float, Space>,
+      LevelGrid_parentsFormats<Space>>> grid_parents;
+  /// Of each node of the coarser level: rows of ChildEntry.
+  /// elasticity::IncidenceRange, per parent: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+      LevelChild_rangesFormats<Space>>> child_ranges;
+  /// quasistatic::PackedIncidence, per child_entry: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+      LevelChild_entriesFormats<Space>>> child_entries;
+  /// Of each edge of the coarser level: rows of EdgeTermEntry.
+  /// elasticity::IncidenceRange, per coarse_edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+      LevelEdge_term_rangesFormats<Space>>> edge_term_ranges;
+  /// quasistatic::PackedIncidence, per edge_term: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+      LevelEdge_term_entriesFormats<Space>>> edge_term_entries;
+  /// Of levels of a background grid, and of the mesh on it.
+  /// quasistatic::TranslationStiffness, per grid_node: left out, takes stores
+  physgen::WithFormats<quasistatic::TranslationStiffnessArray<float, Space>,
+      LevelTranslationsFormats<Space>> translations;
+  /// Of the coarsest level alone.
+  /// quasistatic::CoarseInverse, per coarse_pair: left out, takes stores
+  physgen::WithFormats<quasistatic::CoarseInverseArray<float, Space>, LevelCoarse_inverseFormats<Space>> coarse_inverse;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(constraints, counts.node);
+    physgen::allocate(edges, counts.edge);
+    physgen::allocate(node_edge_ranges, counts.edge_node);
+    physgen::allocate(node_edge_entries, counts.edge_end);
+    physgen::allocate(node_stiffness, counts.block_node, {"K"});
+    physgen::allocate(edge_stiffness, counts.edge);
+    physgen::allocate(scales, counts.node);
+    physgen::allocate(scaled_nodes, counts.edge_node);
+    physgen::allocate(scaled_edges, counts.edge);
+    physgen::allocate(inverse, counts.block_node, {"D"});
+    physgen::allocate(smoother, counts.smoother);
+    physgen::allocate(residual, counts.node, {"df"});
+    physgen::allocate(correction, counts.node, {"dx"});
+    physgen::allocate(direction, counts.edge_node);
+    physgen::allocate(power, counts.edge_node);
+    physgen::allocate(parents, counts.child);
+    physgen::allocate(grid_parents, counts.grid_child);
+    physgen::allocate(child_ranges, counts.parent);
+    physgen::allocate(child_entries, counts.child_entry);
+    physgen::allocate(edge_term_ranges, counts.coarse_edge);
+    physgen::allocate(edge_term_entries, counts.edge_term);
+    physgen::allocate(translations, counts.grid_node);
+    physgen::allocate(coarse_inverse, counts.coarse_pair);
+  }
+
+  /// Of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const {
+    return constraints.bytes(
+        ) + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() + node_stiffness.bytes() +
+            edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() + scaled_edges.bytes() + inverse.bytes() +
+                smoother.bytes() + residual.bytes() + correction.bytes() + direction.bytes() + power.bytes() +
+                    parents.bytes() + grid_parents.bytes() + child_ranges.bytes() + child_entries.bytes() +
+                        edge_term_ranges.bytes() + edge_term_entries.bytes() + translations.bytes() +
+                            coarse_inverse.bytes();
+  }
+};
+
+template <class Space_ = physgen::Host>
+struct Krylov {
+  using Space = Space_;
+  using Real = float;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t node = 0;
+  };
+
+  /// dx
+  /// elasticity::NodeDisplacement, per node: dx
+  elasticity::NodeDisplacementArray<float, Space> step;
+  /// r = f + K dx
+  /// elasticity::NodeForceDifferential, per node: df
+  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  /// p
+  /// elasticity::NodeDisplacement, per node: dx
+  elasticity::NodeDisplacementArray<float, Space> direction;
+  /// K p
+  /// elasticity::NodeForceDifferential, per node: df
+  elasticity::NodeForceDifferentialArray<float, Space> product;
+  /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
+  quasistatic::LinearSolveArray<double, Space> state;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(step, counts.node, {"dx"});
+    physgen::allocate(residual, counts.node, {"df"});
+    physgen::allocate(direction, counts.node, {"dx"});
+    physgen::allocate(product, counts.node, {"df"});
+    physgen::allocate(state, 1, {"rz", "rz_first", "tolerance", "alpha", "beta", "iterations", "status"});
+  }
+
+  /// Of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const {
+    return step.bytes() + residual.bytes() + direction.bytes() + product.bytes() + state.bytes();
+  }
+};
+
+template <class Space_ = physgen::Host>
+struct Stresses {
+  using Space = Space_;
+  using Real = float;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t tet = 0;
+  };
+
+  /// elasticity::Stress, per tet: P
+  elasticity::StressArray<double, Space> of_tets;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(of_tets, counts.tet, {"P"});
+  }
+
+  /// Of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const { return of_tets.bytes(); }
+};
+
+}  // namespace scenes::quasistatic_matrix_free_scene
