@@ -163,6 +163,23 @@ struct Chunk {
 };
 
 namespace pruned::level {
+struct grid_parents {
+  struct nodes;
+  struct weights;
+};
+}  // namespace pruned::level
+
+/// How quasistatic::GridParents is stored in level.grid_parents. Not stored:
+/// - nodes, weights: it is an input; nothing reads it
+template <class Space>
+struct LevelGrid_parentsFormats : physgen::FormatsOf<quasistatic::GridParentsObject, Space> {
+  using nodes = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::level::grid_parents,
+      pruned::level::grid_parents::nodes>;
+  using weights = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::level::grid_parents,
+      pruned::level::grid_parents::weights>;
+};
+
+namespace pruned::level {
 struct translations {
   struct T;
 };
@@ -237,8 +254,9 @@ struct Level {
   /// quasistatic::NodeParents, per child: nodes
   physgen::ReadOnlyArray<quasistatic::NodeParentsArray<float, Space>> parents;
   /// In place of `parents`, to a background grid.
-  /// quasistatic::GridParents, per grid_child: nodes, weights
-  physgen::ReadOnlyArray<quasistatic::GridParentsArray<float, Space>> grid_parents;
+  /// quasistatic::GridParents, per grid_child: left out, takes stores
+  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::GridParentsArray<float, Space>,
+      LevelGrid_parentsFormats<Space>>> grid_parents;
   /// Of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: begin, end
   physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> child_ranges;

@@ -123,7 +123,7 @@ std::string without_toolkit_warning(std::string text) {
 std::string notes(const std::string& diagnostics) {
   const bool of_probes = diagnostics.find("Probe<") != std::string::npos;
   bool does_not_fit = false;
-  for (const char* message : {"no viable", "no matching", "could not match", "invokes a deleted function"})
+  for (const char* message : {"no viable", "invokes a deleted function"})
     does_not_fit = does_not_fit || diagnostics.find(message) != std::string::npos;
   if (!of_probes || !does_not_fit) return {};
   return "note: a kernel over one type of view takes no others: write it as a template over its views, "

@@ -48,9 +48,8 @@ class Attribution {
   /// Whether a function is called by functions of steps alone: of a reduction, the kernel.
   [[nodiscard]] bool is_part_of_a_step(int function) const {
     const auto& callers = callers_[static_cast<std::size_t>(function)];
-    return !callers.empty() && std::all_of(callers.begin(), callers.end(), [&](int caller) {
-      return std::any_of(graph_.steps.begin(), graph_.steps.end(),
-                         [&](const Step& step) { return step.function == caller; });
+    return !callers.empty() && std::ranges::all_of(callers, [&](int caller) {
+      return std::ranges::any_of(graph_.steps, [&](const Step& step) { return step.function == caller; });
     });
   }
 

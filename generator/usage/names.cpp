@@ -141,7 +141,7 @@ std::vector<std::string> Names::arrays(clang::QualType type) {
       [&](const CXXRecordDecl& record) {
         const auto tag = tags_.find(record.getCanonicalDecl());
         if (tag == tags_.end()) return true;
-        if (std::find(result.begin(), result.end(), tag->second) == result.end()) result.push_back(tag->second);
+        if (std::ranges::find(result, tag->second) == result.end()) result.push_back(tag->second);
         return false;
       },
       seen);
@@ -193,8 +193,7 @@ Step Names::step(const clang::FunctionDecl& function) {
     if (const auto* record = argument.getAsType()->getAsCXXRecordDecl(); record != nullptr && step.use.kernel.empty())
       step.use.kernel = kind == "host_reads" ? "value()" : kernel_name(*record);
     for (const std::string& array : arrays(argument.getAsType()))
-      if (std::find(step.use.arrays.begin(), step.use.arrays.end(), array) == step.use.arrays.end())
-        step.use.arrays.push_back(array);
+      if (std::ranges::find(step.use.arrays, array) == step.use.arrays.end()) step.use.arrays.push_back(array);
     classes(
         argument.getAsType(),
         [&](const CXXRecordDecl& part) {

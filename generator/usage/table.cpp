@@ -19,8 +19,7 @@ std::string text_of(const FieldUse& use) {
     if (!result.empty()) result += ", ";
     result += place.file == file ? text.substr(text.find(':')) : text;
     file = place.file;
-    if (std::find(use.whole_places.begin(), use.whole_places.end(), place) != use.whole_places.end())
-      result += " (all fields)";
+    if (std::ranges::find(use.whole_places, place) != use.whole_places.end()) result += " (all fields)";
   }
   return result;
 }

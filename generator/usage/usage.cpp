@@ -9,12 +9,12 @@ namespace {
 
 void merge(std::vector<Place>& places, const std::vector<Place>& more) {
   places.insert(places.end(), more.begin(), more.end());
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
 }
 
 void sort(std::vector<FieldUse>& uses) {
-  std::sort(uses.begin(), uses.end(), [](const FieldUse& a, const FieldUse& b) {
+  std::ranges::sort(uses, [](const FieldUse& a, const FieldUse& b) {
     return std::tie(a.array, a.field) < std::tie(b.array, b.field);
   });
 }
@@ -24,9 +24,8 @@ auto key(const StepUse& step) { return std::tie(step.kernel, step.arrays, step.p
 }  // namespace
 
 void add(std::vector<FieldUse>& uses, const FieldUse& use) {
-  const auto same = std::find_if(uses.begin(), uses.end(), [&](const FieldUse& known) {
-    return known.array == use.array && known.field == use.field;
-  });
+  const auto same = std::ranges::find_if(
+      uses, [&](const FieldUse& known) { return known.array == use.array && known.field == use.field; });
   FieldUse& to = same != uses.end() ? *same : uses.emplace_back(FieldUse{use.array, use.field, {}, {}, {}, {}, {}, {}});
   to.read = to.read || use.read;
   to.written = to.written || use.written;
@@ -39,8 +38,7 @@ void add(std::vector<FieldUse>& uses, const FieldUse& use) {
 void sort(Usage& usage) {
   std::vector<StepUse> steps;
   for (const StepUse& step : usage.steps) {
-    const auto same =
-        std::find_if(steps.begin(), steps.end(), [&](const StepUse& known) { return key(known) == key(step); });
+    const auto same = std::ranges::find_if(steps, [&](const StepUse& known) { return key(known) == key(step); });
     if (same == steps.end()) {
       steps.push_back(step);
     } else {
@@ -48,11 +46,11 @@ void sort(Usage& usage) {
     }
   }
   for (StepUse& step : steps) sort(step.fields);
-  std::sort(steps.begin(), steps.end(), [](const StepUse& a, const StepUse& b) { return key(a) < key(b); });
+  std::ranges::sort(steps, [](const StepUse& a, const StepUse& b) { return key(a) < key(b); });
   usage.steps = std::move(steps);
   sort(usage.unattributed);
-  std::sort(usage.unknown.begin(), usage.unknown.end());
-  usage.unknown.erase(std::unique(usage.unknown.begin(), usage.unknown.end()), usage.unknown.end());
+  std::ranges::sort(usage.unknown);
+  usage.unknown.erase(std::ranges::unique(usage.unknown).begin(), usage.unknown.end());
 }
 
 Usage unite(const Usage& a, const Usage& b) {

@@ -26,7 +26,9 @@ struct PHYSGEN_SCENE() linear_elastic {
     /// From rest.
     PHYSGEN_ARRAY(per("node"), output()) Array<elasticity::NodeDisplacementObject, double> displacements;
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeForceObject, double> forces;
-    PHYSGEN_ARRAY(per(1)) Array<quasistatic::EquilibriumObject, double> state;
+    /// Before the solve.
+    PHYSGEN_ARRAY(per(1), output("elastic", "loads", "free_square", "fixed_square"))
+    Array<quasistatic::EquilibriumObject, double> state;
   };
   /// The preconditioner, in unknowns scaled to a unit diagonal.
   struct Level {

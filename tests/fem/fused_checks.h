@@ -201,8 +201,8 @@ void check_sums() {
   auto placed = Case::template poisoned<elasticity::PlacedForceObject>(4 * n);
   auto ordered = Case::template poisoned<Forces>(nodes);
   Case::Run::over(0, n, chain(ScatterCornerForces{scene.places.const_view(), G, placed.view()}));
-  Case::Run::one_by_one(nodes,
-                        SumRowForces{scene.node_tets.const_view().ranges(), placed.const_view(), ordered.view()});
+  const SumRowForces sum_rows{scene.node_tets.const_view().ranges(), placed.const_view(), ordered.view()};
+  Case::Run::one_by_one(sum_rows.size(), sum_rows);
   Case::expect_bits(ordered, gathered, 0, nodes, "in a fixed order");
 
   // In an order that is open: the same to rounding, of parts of the mesh that follow each other, too.

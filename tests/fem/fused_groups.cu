@@ -45,6 +45,10 @@ struct Groups {
     const auto m = mesh<Real>();
     return fem::fuse_placed_forces(material<Model<Real>>(), m.tets, m.positions, m.rest, m.places, m.placed);
   }
+  static auto corner_forces() {
+    const auto m = mesh<Real>();
+    return fem::fuse_corner_forces(material<Model<Real>>(), m.tets, m.positions, m.rest, m.corners);
+  }
   static auto newton_update() {
     const auto m = mesh<Real>();
     return fem::fuse_newton_update(material<Model<Real>>(), m.tets, m.positions, m.rest, m.directions, m.derivatives,
@@ -68,6 +72,8 @@ PHYSGEN_KERNEL(added_forces_of_mooney_rivlin, added_forces, float, fem::MooneyRi
 PHYSGEN_KERNEL(added_forces_in_double, added_forces, double)
 PHYSGEN_KERNEL(placed_forces, placed_forces, float)
 PHYSGEN_KERNEL(placed_forces_in_double, placed_forces, double)
+PHYSGEN_KERNEL(corner_forces, corner_forces, float)
+PHYSGEN_KERNEL(corner_forces_in_double, corner_forces, double)
 PHYSGEN_KERNEL(newton_update, newton_update, float)
 PHYSGEN_KERNEL(newton_update_in_double, newton_update, double)
 PHYSGEN_KERNEL(added_differentials, added_differentials, float)

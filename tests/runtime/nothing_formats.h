@@ -4,6 +4,8 @@
 #include <elasticity.physgen.h>
 #include <everything.physgen.h>
 
+#include "own_formats.h"
+
 namespace physgen::test {
 
 struct TestScene;
@@ -18,6 +20,8 @@ struct x3232;
 struct weights;
 struct history;
 struct density;
+struct nu;
+struct spin;
 struct metric;
 struct fixed;
 struct mu;
@@ -82,6 +86,15 @@ struct PartOfEntries : tissue::model::EntriesFormats<Host> {
 struct NoNodes : elasticity::TetFormats<Host> {
   using nodes = Gone<field::nodes>;
 };
+/// Formats of a program's own, of a field that is pruned and beside it.
+struct OwnOfPart : elasticity::StressDerivativeFormats<Host> {
+  using x1111 = Gone<field::x1111>;
+  using x2211 = Thousandths;
+};
+struct OwnOfAll : elasticity::StressDerivativeFormats<Host> {
+  using x1111 = Thousandths;
+  using x2211 = Thousandths;
+};
 /// Entries of rows that name nothing, and some that name elements alone.
 struct NoElement : elasticity::IncidenceFormats<Host> {
   using element = Gone<field::element>;
@@ -95,6 +108,12 @@ struct PartOfOptions : tissue::model::OptionsFormats<Host> {
   using metric = Gone<field::metric>;
   using label = Gone<field::label>;
   using fixed = Gone<field::fixed>;
+};
+struct IndicesOfOptions : PartOfOptions {
+  using nu = Gone<field::nu>;
+  using direction = Gone<field::direction>;
+  using spin = Gone<field::spin>;
+  using label = format::Native;
 };
 struct NoLame : material::LameFormats<Host> {
   using mu = Gone<field::mu>;

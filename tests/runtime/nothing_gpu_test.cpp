@@ -56,6 +56,19 @@ TEST_F(NothingOnCuda, is_stored_of_pruned_fields_of_many_objects) {
   }
 }
 
+/// The host alone has the functions of such a format, and nobody needs them for a field that is left out.
+TEST_F(NothingOnCuda, is_stored_of_a_pruned_field_that_another_array_keeps_in_a_format_of_the_programs_own) {
+  std::mt19937 random(seed());
+  const auto full = random_objects<elasticity::StressDerivativeObject, float, OwnOfAll>(500, random);
+  Array<elasticity::StressDerivativeObject, float, Cuda, Aosoa<32>, OwnOfAll> there(500);
+  Array<elasticity::StressDerivativeObject, float, Cuda, Soa, OwnOfPart> part(500), from_host(500);
+  copy(there, full);
+  copy(part, there);
+  copy(from_host, full);
+  expect_part_of(part, full);
+  expect_part_of(from_host, full);
+}
+
 TEST_F(NothingOnCuda, is_refused_where_its_field_is_needed) {
   check_refusals<Cuda>();
   check_refusals<PinnedHost>();

@@ -5,7 +5,6 @@
 
 #include "nothing_checks.h"
 #include "nothing_kernels.h"
-#include "own_formats.h"
 
 namespace physgen::test {
 namespace {
@@ -210,19 +209,10 @@ TEST(Nothing, leaves_initial_values_of_other_fields) {
   expect_part_of(options, all);
 }
 
-struct Own : elasticity::StressDerivativeFormats<Host> {
-  using x1111 = Gone<field::x1111>;
-  using x2211 = Thousandths;
-};
-struct OwnOfPruned : elasticity::StressDerivativeFormats<Host> {
-  using x1111 = Thousandths;
-  using x2211 = Thousandths;
-};
-
 TEST(Nothing, of_a_field_with_formats_of_a_programs_own_beside_it_is_copied_by_their_functions) {
   std::mt19937 random(seed());
-  const auto full = random_objects<elasticity::StressDerivativeObject, float, OwnOfPruned>(77, random);
-  Array<elasticity::StressDerivativeObject, float, Host, Soa, Own> part(77);
+  const auto full = random_objects<elasticity::StressDerivativeObject, float, OwnOfAll>(77, random);
+  Array<elasticity::StressDerivativeObject, float, Host, Soa, OwnOfPart> part(77);
   copy(part, full);
   expect_part_of(part, full);
 }
@@ -236,19 +226,16 @@ TEST(Nothing, has_no_elements_to_get_or_put) {
             "elements[0].flag: this array prunes it (format::Nothing or Pruned); take an array that stores it");
 }
 
-struct WithoutScalar : tissue::model::ShapesFormats<Host> {
-  using a = Gone<field::a>;
-};
-
 /// Which index has no new number is said by its place among all elements, stored or not.
 TEST(Nothing, of_fields_before_indices_leaves_the_numbers_of_their_elements) {
-  Array<ShapesObject, float, Host, Soa, WithoutScalar> shapes(5);
-  for (index_t i = 0; i < 5; ++i) shapes.view()[i].nodes() = Eigen::Vector4i(0, 1, 2, 3);
-  const int k = 1 + 3 + 2;  // behind a and v, the third node
-  EXPECT_EQ(shapes.getdata(3, k), 2);
-  shapes.putdata(3, k, 77);
-  const std::string message = message_of([&] { renumber(shapes, "nodes", remaining(5, {})); });
-  EXPECT_NE(message.find("object 3 has the index 77 as element 2 of 4"), std::string::npos) << message;
+  Array<OptionsObject, float, Host, Soa, IndicesOfOptions> options(5);
+  static_assert(decltype(options)::record_bytes == 12);
+  for (index_t i = 0; i < 5; ++i) options.view()[i].label() = static_cast<std::int32_t>(4 - i);
+  const int k = 1 + 1 + 3 + 6;  // behind density, nu, direction and metric
+  EXPECT_EQ(options.getdata(3, k), 1);
+  options.putdata(3, k, 77);
+  const std::string message = message_of([&] { renumber(options, "label", remaining(5, {})); });
+  EXPECT_NE(message.find("object 3 has the index 77 as element 0 of 1"), std::string::npos) << message;
 }
 
 #ifdef PHYSGEN_CHECKED

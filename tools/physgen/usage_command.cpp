@@ -69,14 +69,14 @@ class UsageCommand {
   std::optional<usage::Program> program_of(const std::string& file) {
     const auto unit = unit_of(file);
     if (!unit) return std::nullopt;
-    std::optional<usage::Usage> result;
+    usage::Program program{unit->name, {}};
     for (const Side side : sides()) {
-      auto found = analyse(*unit, side);
+      const auto found = analyse(*unit, side);
       if (!found) return std::nullopt;
-      result = result ? usage::unite(*result, *found) : std::move(*found);
+      program.usage = usage::unite(program.usage, *found);
     }
-    if (!is_sound(*unit, *result)) return std::nullopt;
-    return usage::Program{unit->name, std::move(*result)};
+    if (!is_sound(*unit, program.usage)) return std::nullopt;
+    return program;
   }
 
   /// The sources to analyse: of a scene, the unit that instantiates it; any other file is itself such a unit.
@@ -88,7 +88,7 @@ class UsageCommand {
     if (text.find("PHYSGEN_SCENE") == std::string::npos) {
       unit.name = fs::path(file).filename().string();
       unit.host = unit.device = "#line 1 \"" + file + "\"\n" + text;
-      unit.flags.push_back("-iquote");
+      unit.flags.emplace_back("-iquote");
       unit.flags.push_back(fs::absolute(file).parent_path().string());
       return unit;
     }
@@ -144,7 +144,7 @@ class UsageCommand {
   /// Whether a scene says that all fields of an array are given to it and wanted of it.
   [[nodiscard]] static bool is_declared(const Unit& unit, const std::string& name) {
     const scenes::Array* array = unit.scene ? scenes::find(*unit.scene, name) : nullptr;
-    return array != nullptr && std::all_of(array->fields.begin(), array->fields.end(), [&](const scenes::Field& field) {
+    return array != nullptr && std::ranges::all_of(array->fields, [&](const scenes::Field& field) {
              return array->is_input(field.name) || array->is_output(field.name);
            });
   }

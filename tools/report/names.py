@@ -5,6 +5,7 @@ KERNELS = {
     "dp_from_df": "dP from dF",
     "force_chain_fused": "positions to forces, fused",
     "force_chain_fused_fixed_order": "positions to forces, fused, in a fixed order",
+    "force_chain_fused_gathered": "positions to forces, fused but for the gather",
     "force_chain_separate": "positions to forces, five kernels",
     "matrix_free_fused": "matrix-free product, fused",
     "matrix_free_separate": "matrix-free product, two kernels",

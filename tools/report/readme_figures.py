@@ -117,6 +117,7 @@ def _storage(file):
 FUSED = {
     "force_chain_fused": ("force_chain_separate", "positions to forces on nodes, sums in any order"),
     "force_chain_fused_fixed_order": ("force_chain_separate", "the same in a fixed order"),
+    "force_chain_fused_gathered": ("force_chain_separate", "the same, corner forces stored and gathered"),
     "newton_update_fused": ("newton_update_separate", "positions to corner forces, U, V, clamped derivative"),
     "matrix_free_fused": ("matrix_free_separate", "displacements to force differentials on nodes"),
 }

@@ -157,8 +157,10 @@ std::int64_t linear_body_bytes(const LevelCounts& c, bool assembled) {
   using Vectors = fem::KrylovVectors<Real, Space>;
   const std::int64_t n = c.nodes;
   return bytes_of<decltype(Body::tets)>(c.tets) + bytes_of<decltype(Body::rest)>(c.tets) +
-         bytes_of_rows<decltype(Body::node_tets)>(n, 4 * c.tets) +
-         (assembled ? bytes_of_rows<decltype(Body::edge_tets)>(c.edges, 6 * c.tets) : 0) +
+         bytes_of<decltype(Body::node_tet_ranges)>(n) + bytes_of<decltype(Body::node_tets)>(4 * c.tets) +
+         (assembled
+              ? bytes_of<decltype(Body::edge_tet_ranges)>(c.edges) + bytes_of<decltype(Body::edge_tets)>(6 * c.tets)
+              : 0) +
          bytes_of<decltype(Body::displacements)>(n) + bytes_of<decltype(Body::motion)>(n) +
          bytes_of<decltype(Body::loads)>(n) + bytes_of<decltype(Body::forces)>(n) + bytes_of<decltype(Body::state)>(1) +
          bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
@@ -173,14 +175,12 @@ RunBytes explicit_bytes(const LevelCounts& c) {
   const std::int64_t n = c.nodes;
   RunBytes bytes;
   bytes.solver = bytes_of<decltype(Body::tets)>(c.tets) + bytes_of<decltype(Body::rest)>(c.tets) +
-                 bytes_of<decltype(Body::gradients)>(c.tets) + bytes_of<decltype(Body::svds)>(c.tets) +
-                 bytes_of<decltype(Body::stresses)>(c.tets) + bytes_of<decltype(Body::corners)>(c.tets) +
-                 bytes_of<decltype(Body::node_tet_ranges)>(n) + bytes_of<decltype(Body::node_tets)>(4 * c.tets) +
-                 bytes_of<decltype(Body::constraints)>(n) + bytes_of<decltype(Body::masses)>(n) +
-                 bytes_of<decltype(Body::loads)>(n) + bytes_of<decltype(Body::motion)>(n) +
-                 bytes_of<decltype(Body::displacements)>(n) + bytes_of<decltype(Body::rounded)>(n) +
-                 bytes_of<decltype(Body::velocities)>(n) + bytes_of<decltype(Body::forces)>(n) +
-                 bytes_of<decltype(Body::measured)>(1);
+                 bytes_of<decltype(Body::corners)>(c.tets) + bytes_of<decltype(Body::node_tet_ranges)>(n) +
+                 bytes_of<decltype(Body::node_tets)>(4 * c.tets) + bytes_of<decltype(Body::constraints)>(n) +
+                 bytes_of<decltype(Body::masses)>(n) + bytes_of<decltype(Body::loads)>(n) +
+                 bytes_of<decltype(Body::motion)>(n) + bytes_of<decltype(Body::displacements)>(n) +
+                 bytes_of<decltype(Body::rounded)>(n) + bytes_of<decltype(Body::velocities)>(n) +
+                 bytes_of<decltype(Body::forces)>(n) + bytes_of<decltype(Body::measured)>(1);
   bytes.levels = {bytes.solver};
   bytes.stresses = bytes_of<elasticity::StressArray<Real, Space>>(c.tets);
   return bytes;

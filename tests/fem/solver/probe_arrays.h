@@ -80,6 +80,7 @@ struct ProbeEquilibrium {
   PHYSGEN_TEST_PROBE("body", rest)
   PHYSGEN_TEST_PROBE("body", positions)
   PHYSGEN_TEST_PROBE("body", trial)
+  PHYSGEN_TEST_PROBE("body", kept)
   PHYSGEN_TEST_PROBE("body", loads)
   PHYSGEN_TEST_PROBE("body", motion)
   PHYSGEN_TEST_PROBE("body", forces)
@@ -125,6 +126,17 @@ struct ProbePlanes {
   }
 };
 
+template <class Space>
+struct ProbeInertia {
+  using Owner = InertiaArrays<Space>;
+  double per_mass = 0;
+  PHYSGEN_TEST_PROBE("inertia", masses)
+  PHYSGEN_TEST_PROBE("inertia", centres)
+  PHYSGEN_TEST_PROBE("inertia", velocities)
+  PHYSGEN_TEST_PROBE("inertia", measured)
+  [[nodiscard]] auto at_step() const { return Inertia{per_mass, masses.const_view(), centres.const_view()}; }
+};
+
 template <class Real_, class Space_, class Stored_>
 struct ProbeLevel {
   using Real = Real_;
@@ -157,7 +169,7 @@ struct ProbeLevel {
   PHYSGEN_TEST_PROBE("level", coarse_inverse)
   std::unique_ptr<ProbeSchwarz<Real, Space, typename Stored::template Factors<Space>>> schwarz;
   std::unique_ptr<ProbePlanes<Real, Space>> planes;
-  NoArrays inertia;
+  std::unique_ptr<ProbeInertia<Space>> inertia;
 
   [[nodiscard]] index_t nodes() const { return 1; }
   [[nodiscard]] index_t edge_count() const { return 1; }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fem/materials/materials.h>
-#include <fem/solver/newton.h>
+#include <fem/solver/implicit_step.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -12,9 +12,9 @@
 
 namespace physgen::fem::test {
 
-/// Newton's method with all that it may use, as steps: nothing runs.
+/// Backward Euler, and so Newton's method with all that it may use, as steps: nothing runs.
 template <class On, class Real, class Stored>
-void newton_program(On& on) {
+void solver_program(On& on) {
   using Space = typename On::Space;
   ProbeEquilibrium<Real, Space> body;
   std::vector<std::unique_ptr<ProbeLevel<Real, Space, Stored>>> levels;
@@ -22,7 +22,8 @@ void newton_program(On& on) {
   ProbeVectors<Real, Space> vectors;
   MaterialSteps<NeoHookean<double>> steps(NeoHookean<double>::from(1e5, 0.4), false);
   typename On::Loop loop;
-  (void)find_equilibrium(on, loop, body, levels, 0, vectors, steps, NewtonSettings{}, 1.0, false, true, {});
+  levels[0]->inertia = std::make_unique<ProbeInertia<Space>>();
+  (void)implicit_step(on, loop, body, levels, vectors, steps, NewtonSettings{}, TimeStep{}, true);
 }
 
 /// "body.positions.x" of all fields that the program reads and does not write, without the solver's lists, whose ranges

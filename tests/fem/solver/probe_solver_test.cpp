@@ -11,7 +11,7 @@ class ProbesOfTheSolver : public testing::Test {
  protected:
   ProbesOfTheSolver() {
     ProbeExecutor<Host> on;
-    newton_program<ProbeExecutor<Host>, float, StoredInHalf>(on);
+    solver_program<ProbeExecutor<Host>, float, StoredInHalf>(on);
   }
 };
 
@@ -20,7 +20,9 @@ TEST_F(ProbesOfTheSolver, read_without_writing_what_the_solver_is_given_and_noth
   const std::set<std::string> given{"body.tets.nodes",
                                     "body.rest.x",
                                     "body.loads.f",
-                                    "body.increment.dx",
+                                    "body.motion.dx",
+                                    "inertia.masses.mass",
+
                                     "level.constraints.fixed",
                                     "level.edges.nodes",
                                     "level.parents.nodes",
@@ -40,7 +42,7 @@ TEST_F(ProbesOfTheSolver, read_without_writing_what_the_solver_is_given_and_noth
 
 TEST_F(ProbesOfTheSolver, find_nothing_that_is_written_and_never_read) {
   for (const probe::FieldAccess& row : probe::registered()) EXPECT_TRUE(row.read) << row.array << "." << row.field;
-  EXPECT_EQ(probe::registered().size(), 130U) << "fields of 74 arrays";
+  EXPECT_GE(probe::registered().size(), 135U) << "else a part of the solver is not looked at";
 }
 
 // The chain of Schwarz blocks is followed on CUDA alone; SVDs and stresses are no arrays of this solver.

@@ -9,7 +9,7 @@ namespace {
 
 TEST(ProbesOfTheSolver, say_which_steps_on_cuda_only_clang_reads) {
   ProbeExecutor<Cuda> on;
-  newton_program<ProbeExecutor<Cuda>, float, StoredInHalf>(on);
+  solver_program<ProbeExecutor<Cuda>, float, StoredInHalf>(on);
   const auto is_unseen = [](const std::string& name) {
     const std::vector<std::string> names = probe::unseen();
     return std::ranges::find(names, name) != names.end();

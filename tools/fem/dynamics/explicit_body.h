@@ -1,4 +1,4 @@
-// The arrays of a body in explicit dynamics, by name: in Real what is kept and computed of the tets, in double what the
+// The arrays of a body in explicit dynamics, by name: in Real what is kept of the tets, in double what the
 // nodes' motion adds up in.
 #pragma once
 
@@ -21,9 +21,6 @@ struct ExplicitBody {
   // Per tet.
   elasticity::TetArray<Real, Space> tets;
   elasticity::RestShapeArray<Real, Space> rest;
-  elasticity::DeformationGradientArray<Real, Space> gradients;
-  elasticity::DeformationSvdArray<Real, Space> svds;
-  elasticity::StressArray<Real, Space> stresses;
   elasticity::CornerForcesArray<Real, Space> corners;
 
   // Per node, and its list of tets.
@@ -57,8 +54,8 @@ struct ExplicitBody {
 
   [[nodiscard]] index_t nodes() const { return velocities.size(); }
   [[nodiscard]] index_t bytes() const {
-    return bytes_of(tets, rest, gradients, svds, stresses, corners, node_tet_ranges, node_tets, constraints, masses,
-                    loads, motion, displacements, rounded, velocities, forces, measured);
+    return bytes_of(tets, rest, corners, node_tet_ranges, node_tets, constraints, masses, loads, motion, displacements,
+                    rounded, velocities, forces, measured);
   }
 
  private:
@@ -67,9 +64,6 @@ struct ExplicitBody {
   ExplicitBody(const MeshLevel& level, const HostRows& rows)
       : tets(moved_to<decltype(tets)>(host_tets(level))),
         rest(moved_to<decltype(rest)>(host_rest_shapes(level))),
-        gradients(tets.size()),
-        svds(tets.size()),
-        stresses(tets.size()),
         corners(tets.size()),
         node_tet_ranges(moved_to<decltype(node_tet_ranges)>(rows.ranges())),
         node_tets(moved_to<decltype(node_tets)>(rows.entries())),

@@ -2,12 +2,14 @@
 // the displacements that are known give new velocities, and these give new displacements.
 #pragma once
 
+#include <elasticity.physgen.h>
 #include <fem/kernels/compute_svd.h>
 #include <fem/kernels/displaced_gradient.h>
 #include <fem/kernels/elastic_force.h>
 #include <fem/kernels/stress.h>
 #include <fem/numerics/scalar.h>
 #include <fem/solver/time_step.h>
+#include <physgen/fuse.h>
 #include <physgen/reduce.h>
 #include <physgen/rows.h>
 
@@ -87,19 +89,27 @@ StoreElastic(View) -> StoreElastic<View>;
 /// @param stresses an array of elasticity::Stress, one per tet
 template <class On, class Body, class Material, class Stresses>
 void compute_stresses(On& on, Body& body, const Material& material, Stresses& stresses) {
-  const index_t tets = body.tets.size();
-  on.run(tets, ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), body.rest.const_view(),
-                                        body.gradients.view()});
-  on.run(tets, ComputeSvd{body.gradients.const_view(), body.svds.view()});
-  on.run(tets, ComputeStress{material, body.svds.const_view(), stresses.view()});
+  using Real = typename Material::Scalar;
+  const auto F = local<elasticity::DeformationGradientObject, Real>();
+  const auto svd = local<elasticity::DeformationSvdObject, Real>();
+  on.run(body.tets.size(),
+         fuse(locals(F, svd),
+              ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), body.rest.const_view(), F},
+              ComputeSvd{F, svd}, ComputeStress{material, svd, stresses.view()}));
 }
 
-/// Elastic forces on all nodes.
+/// Elastic forces on all nodes: what the tets' kernels hand on to each other is in no array.
 template <class On, class Body, class Material>
 void compute_forces(On& on, Body& body, const Material& material) {
-  compute_stresses(on, body, material, body.stresses);
+  using Real = typename Material::Scalar;
+  const auto F = local<elasticity::DeformationGradientObject, Real>();
+  const auto svd = local<elasticity::DeformationSvdObject, Real>();
+  const auto stress = local<elasticity::StressObject, Real>();
+  const auto rest = body.rest.const_view();
   on.run(body.tets.size(),
-         ComputeCornerForces{body.rest.const_view(), body.stresses.const_view(), body.corners.view()});
+         fuse(locals(F, svd, stress),
+              ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), rest, F}, ComputeSvd{F, svd},
+              ComputeStress{material, svd, stress}, ComputeCornerForces{rest, stress, body.corners.view()}));
   on.run(body.velocities.size(),
          GatherForces{Rows(body.node_tet_ranges.const_view(), body.node_tets.const_view(), body.tets.size()),
                       body.corners.const_view(), body.forces.view()});
@@ -108,12 +118,14 @@ void compute_forces(On& on, Body& body, const Material& material) {
 /// Leaves the elastic energy in body.measured.
 template <class On, class Body, class Material>
 void measure_elastic_energy(On& on, Body& body, const Material& material) {
-  const index_t tets = body.tets.size();
-  on.run(tets, ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), body.rest.const_view(),
-                                        body.gradients.view()});
-  on.run(tets, ComputeSvd{body.gradients.const_view(), body.svds.view()});
-  on.reduce(tets, StretchEnergy{material, body.rest.const_view(), body.svds.const_view()}, Sum{},
-            StoreElastic{body.measured.view()});
+  using Real = typename Material::Scalar;
+  const auto F = local<elasticity::DeformationGradientObject, Real>();
+  const auto svd = local<elasticity::DeformationSvdObject, Real>();
+  const auto rest = body.rest.const_view();
+  on.reduce(body.tets.size(),
+            fuse(locals(F, svd), ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), rest, F},
+                 ComputeSvd{F, svd}, StretchEnergy{material, rest, svd}),
+            Sum{}, StoreElastic{body.measured.view()});
 }
 
 /// One time step.

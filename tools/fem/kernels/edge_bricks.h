@@ -18,8 +18,9 @@ class EdgeBricks {
   static constexpr Index few_nodes = 1000;  ///< a mesh of at most so many is one brick
   static constexpr Index slice = 32;        ///< nodes whose edges lie together: the threads of a warp
 
-  /// Whether products are faster by bricks: where one thread block has all, or bricks occupy the device.
-  [[nodiscard]] static constexpr bool pay(index_t nodes) { return nodes <= few_nodes || nodes >= 100000; }
+  /// Whether cycles are faster by bricks: where one thread block has all. Of large levels a product by itself is a
+  /// fifth faster by bricks, but no iteration is, and their order costs more than it saves.
+  [[nodiscard]] static constexpr bool pay(index_t nodes) { return nodes <= few_nodes; }
 
   /// What kernels are given. A node has a place in the order of nodes, by which bricks are consecutive; so have slices
   /// of a brick, 32 nodes, the last one fewer. Edges (m, n) belong to m. Those of a slice lie together: the first of

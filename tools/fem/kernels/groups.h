@@ -51,6 +51,20 @@ template <class Model, class TetView, class PositionView, class RestView, class 
                               [&](const auto& G) { return ScatterCornerForces{places, G, placed}; });
 }
 
+/// From positions to the forces of tets on their corners, which GatherForces sums: on a CPU, where atomic sums take
+/// longer than the SVD, faster than the other two.
+/// @param corners elasticity::CornerForces, written
+template <class Model, class TetView, class PositionView, class RestView, class CornerView>
+[[nodiscard]] auto fuse_corner_forces(const Model& material, const TetView& tets, const PositionView& positions,
+                                      const RestView& rest, const CornerView& corners) {
+  using Real = typename RestView::Precision;
+  constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
+  constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
+  constexpr auto P = local<elasticity::StressObject, Real>();
+  return fuse(locals(F, svd, P), ComputeDeformationGradient{tets, positions, rest, F}, ComputeSvd{F, svd},
+              ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, corners});
+}
+
 /// What a step of Newton's method has of positions: corner forces, and for the force differential the principal
 /// directions and the derivative without negative eigenvalues.
 /// @param directions elasticity::PrincipalDirections, written @param derivatives elasticity::StressDerivative, written

@@ -83,6 +83,7 @@ template <class Space_>
 class ByteCounter {
  public:
   using Space = Space_;
+  static constexpr bool only_counts = true;
   /// Counts one round of a loop.
   struct Loop {
     index_t bytes = 0;

@@ -77,13 +77,20 @@ PHYSGEN_FUNCTION void interpolate_correction(On& on, Level& level, Level& coarse
 
 }  // namespace detail
 
+/// Whether the next coarser level is one of a background grid.
+PHYSGEN_PROGRAM
+template <class Level>
+[[nodiscard]] PHYSGEN_FUNCTION bool lies_in_grid(const Level& level) {
+  return Level::Choices::grids && level.grid_parents.size() != 0;
+}
+
 /// r of the next coarser level, of what smoothing has left.
 PHYSGEN_PROGRAM
 template <class On, class Level>
 PHYSGEN_FUNCTION void restrict_residual(On& on, Level& level, Level& coarse) {
-  if (level.grid_parents.size() == 0) {
+  if (!lies_in_grid(level)) {
     detail::restrict_residual(on, level, coarse, HalfWay{level.parents.const_view()});
-  } else {
+  } else if constexpr (Level::Choices::grids) {
     detail::restrict_residual(on, level, coarse, InGrid{level.grid_parents.const_view()});
   }
 }
@@ -92,9 +99,9 @@ PHYSGEN_FUNCTION void restrict_residual(On& on, Level& level, Level& coarse) {
 PHYSGEN_PROGRAM
 template <class On, class Level>
 PHYSGEN_FUNCTION void interpolate_correction(On& on, Level& level, Level& coarse) {
-  if (level.grid_parents.size() == 0) {
+  if (!lies_in_grid(level)) {
     detail::interpolate_correction(on, level, coarse, HalfWay{level.parents.const_view()});
-  } else {
+  } else if constexpr (Level::Choices::grids) {
     detail::interpolate_correction(on, level, coarse, InGrid{level.grid_parents.const_view()});
   }
   add_scaled_edges(on, level);

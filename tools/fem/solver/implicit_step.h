@@ -49,9 +49,10 @@ template <class On, class Arrays, class Level>
 /// where inertia leads; where a tet would be flat there, at the positions before. When it does not converge, positions
 /// and velocities are as before.
 /// @param levels finest first, each mesh with inertia
+/// @param evaluator an Evaluator of these arrays, or MaterialSteps
 /// @param moves whether prescribed components or planes are not yet where the load takes them
-template <class On, class Arrays, class Levels, class Vectors, class Evaluator>
-NewtonResult implicit_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, Vectors& v, Evaluator& evaluator,
+template <class On, class Arrays, class Levels, class Vectors, class Evaluate>
+NewtonResult implicit_step(On& on, typename On::Loop& loop, Arrays& a, Levels& levels, Vectors& v, Evaluate& evaluator,
                            const NewtonSettings& settings, const TimeStep& step, bool moves) {
   const index_t n = a.nodes();
   auto& level = *levels[0];

@@ -57,20 +57,13 @@ struct InGrid {
 template <class View>
 InGrid(View) -> InGrid<View>;
 
-/// Whether the next coarser level is one of a background grid.
-template <class Level>
-[[nodiscard]] bool lies_in_grid(const Level& level) {
-  return Level::Choices::grids && level.grid_parents.size() != 0;
-}
-
 /// Calls use(interpolation) with that of a level's nodes. @pre there is a coarser level
 template <class Level, class Use>
 void with_interpolation(const Level& level, const Use& use) {
-  if (!lies_in_grid(level)) {
-    use(HalfWay{level.parents.const_view()});
-  } else if constexpr (Level::Choices::grids) {
-    use(InGrid{level.grid_parents.const_view()});
+  if constexpr (Level::Choices::grids) {
+    if (level.grid_parents.size() != 0) return use(InGrid{level.grid_parents.const_view()});
   }
+  use(HalfWay{level.parents.const_view()});
 }
 
 }  // namespace physgen::fem

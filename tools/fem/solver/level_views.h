@@ -29,6 +29,7 @@ class ArrayViews {
 /// @tparam Level a LinearLevel
 template <class Level>
 struct LevelViews {
+  using Choices = typename Level::Choices;
   template <class Array>
   using Of = ArrayViews<typename Array::View, typename Array::ConstView>;
   template <class Rows>

@@ -36,7 +36,7 @@ class LinearSolverOf final : public EquilibriumSolver {
     on_->run(nodes(), BeginAtLoad{load, body_.motion.const_view(), linear_[0]->constraints.const_view(),
                                   body_.displacements.view()});
     load_ = load;
-    auto state = evaluate_linear(*on_, body_, *linear_[0], lame_, load);
+    auto state = evaluate(load);
     NewtonResult result;
     for (bool begun = false;; begun = true) {
       const double free = std::sqrt(state.free_square), fixed = std::sqrt(state.fixed_square);
@@ -63,7 +63,7 @@ class LinearSolverOf final : public EquilibriumSolver {
         result.status = NewtonStatus::linear_solver;
         break;
       }
-      state = evaluate_linear(*on_, body_, *linear_[0], lame_, load);
+      state = evaluate(load);
       if (report) {
         NewtonStep step;
         step.number = result.steps;
@@ -89,7 +89,7 @@ class LinearSolverOf final : public EquilibriumSolver {
     return x;
   }
   [[nodiscard]] std::vector<Point> forces() override {
-    (void)evaluate_linear(*on_, body_, *linear_[0], lame_, load_);
+    (void)evaluate(load_);
     return plain_forces(body_.forces);
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
@@ -142,6 +142,10 @@ class LinearSolverOf final : public EquilibriumSolver {
   }
 
   [[nodiscard]] index_t nodes() const { return body_.nodes(); }
+  auto evaluate(double load) {
+    evaluate_linear(*on_, body_, *linear_[0], lame_, load);
+    return on_->value(body_.state);
+  }
   LinearResult solve_once() {
     const NewtonSettings& newton = settings_.newton;
     const bool prepared = std::exchange(is_prepared_, true);

@@ -70,10 +70,10 @@ struct MeasureLinearForces {
 template <class... Arguments>
 MeasureLinearForces(double, Arguments...) -> MeasureLinearForces<Arguments...>;
 
-/// Energy and forces at a.displacements.
+/// Forces at a.displacements; energy and residual are left in a.state.
 /// @param a LinearBody, or arrays of its names. @param level whose constraints are its own
 template <class On, class Body, class Level>
-auto evaluate_linear(On& on, Body& a, const Level& level, const LameParameters& lame, double load) {
+void evaluate_linear(On& on, Body& a, const Level& level, const LameParameters& lame, double load) {
   const auto u = a.displacements.const_view();
   const auto state = a.state.view();
   on.reduce(a.displacements.size(),
@@ -82,7 +82,6 @@ auto evaluate_linear(On& on, Body& a, const Level& level, const LameParameters& 
             Sum{}, StoreForces{state});
   on.reduce(a.tets.size(), LinearEnergy{lame, a.tets.const_view(), a.rest.const_view(), u}, Sum{},
             AddElastic{state, true});
-  return on.value(a.state);
 }
 
 /// Assembled stiffness and its preconditioner, which no load changes. @param levels LinearLevel, finest first

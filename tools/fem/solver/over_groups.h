@@ -55,13 +55,16 @@ struct AnyChoice {
 template <class Ranges, class Entries>
 class RowsOf {
  public:
+  using View = Rows<typename Ranges::ConstView, typename Entries::View>;
+  using ConstView = Rows<typename Ranges::ConstView, typename Entries::ConstView>;
+
   RowsOf(Ranges& ranges, Entries& entries) : ranges_(&ranges), entries_(&entries) {}
   RowsOf(const RowsOf&) = delete;
   RowsOf& operator=(const RowsOf&) = delete;
   ~RowsOf() = default;
 
-  [[nodiscard]] auto view() { return Rows(ranges_->const_view(), entries_->view(), targets); }
-  [[nodiscard]] auto const_view() const { return Rows(ranges_->const_view(), entries_->const_view(), targets); }
+  [[nodiscard]] View view() { return {ranges_->const_view(), entries_->view(), targets}; }
+  [[nodiscard]] ConstView const_view() const { return {ranges_->const_view(), entries_->const_view(), targets}; }
 
  private:
   static constexpr index_t targets =

@@ -6,18 +6,19 @@
 #include <fem/kernels/symmetric_product_cuda.h>
 #include <fem/solver/coarse_inverse.h>
 #include <fem/solver/cycle.h>
+#include <fem/solver/performs_in.h>
 #include <physgen/cuda/executor.h>
 
 namespace physgen::fem {
 
 /// df = K dx; see symmetric_product_cuda.h.
-template <RunsIn<Cuda> On, class... Views>
+template <PerformsIn<Cuda> On, class... Views>
 void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
   on.perform([&](Stream stream) { multiply(Cuda{}, product, sums, SumOrder::any, stream); });
 }
 
 /// df += the edges' part of K dx.
-template <RunsIn<Cuda> On, class... Views>
+template <PerformsIn<Cuda> On, class... Views>
 void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
   on.perform([&](Stream stream) { add_edges(Cuda{}, product, sums, SumOrder::any, stream); });
 }
@@ -118,7 +119,7 @@ __global__ void __launch_bounds__(1024)
 }  // namespace detail
 
 /// Makes the inverse of the scaled stiffness over its free components. @pre the level has its scales
-template <RunsIn<Cuda> On, class Level>
+template <PerformsIn<Cuda> On, class Level>
 void invert_coarsest(On& on, Level& level) {
   if (level.coarse_inverse.size() == 0) return;
   constexpr std::size_t most_shared = 48 * 1024;

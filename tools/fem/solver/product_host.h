@@ -4,6 +4,7 @@
 
 #include <fem/kernels/symmetric_product_host.h>
 #include <fem/solver/coarse_inverse.h>
+#include <fem/solver/performs_in.h>
 #include <physgen/executor.h>
 
 #include <Eigen/Cholesky>
@@ -11,13 +12,13 @@
 namespace physgen::fem {
 
 /// df = K dx; see symmetric_product_host.h.
-template <RunsIn<Host> On, class... Views>
+template <PerformsIn<Host> On, class... Views>
 void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
   on.perform([&](Stream /*stream*/) { multiply(Host{}, product, sums, SumOrder::fixed); });
 }
 
 /// df += the edges' part of K dx.
-template <RunsIn<Host> On, class... Views>
+template <PerformsIn<Host> On, class... Views>
 void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
   on.perform([&](Stream /*stream*/) { add_edges(Host{}, product, sums, SumOrder::fixed); });
 }
@@ -54,7 +55,7 @@ void invert_dense(Level& level) {
 }  // namespace detail
 
 /// Makes the inverse of the scaled stiffness over its free components. @pre the level has its scales
-template <RunsIn<Host> On, class Level>
+template <PerformsIn<Host> On, class Level>
 void invert_coarsest(On& on, Level& level) {
   if (level.coarse_inverse.size() == 0) return;
   on.perform([&](Stream /*stream*/) { detail::invert_dense(level); });

@@ -2,6 +2,7 @@
 // applies it, a lane for each slot. For CUDA translation units.
 #pragma once
 
+#include <fem/solver/performs_in.h>
 #include <fem/solver/schwarz.h>
 #include <physgen/cuda/executor.h>
 
@@ -215,7 +216,7 @@ __global__ void __launch_bounds__(128) apply_schwarz_blocks(const Product produc
 }  // namespace detail
 
 /// Makes the factors of the blocks begin .. end-1, from the stiffness of what stands in them.
-template <RunsIn<Cuda> On, class Stiffness, class Arrays>
+template <PerformsIn<Cuda> On, class Stiffness, class Arrays>
 void factor_blocks(On& on, index_t begin, index_t end, const Stiffness& stiffness, Arrays& arrays) {
   using Real = typename Arrays::Real;
   if (begin == end) return;
@@ -237,7 +238,7 @@ void factor_blocks(On& on, index_t begin, index_t end, const Stiffness& stiffnes
 }
 
 /// z of all blocks.
-template <RunsIn<Cuda> On, class... Views>
+template <PerformsIn<Cuda> On, class... Views>
 void apply_blocks(On& on, const SchwarzProduct<Views...>& product, const std::vector<Index>& /*first_block*/) {
   if (product.node_blocks == 0) return;
   constexpr int threads = 128;

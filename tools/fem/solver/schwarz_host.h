@@ -1,6 +1,7 @@
 // Blocks of the Schwarz preconditioner on the CPU: a thread takes a block.
 #pragma once
 
+#include <fem/solver/performs_in.h>
 #include <fem/solver/schwarz.h>
 #include <physgen/executor.h>
 
@@ -173,14 +174,14 @@ struct ApplyBlock {
 }  // namespace detail
 
 /// Makes the factors of the blocks begin .. end-1, from the stiffness of what stands in them.
-template <RunsIn<Host> On, class Stiffness, class Arrays>
+template <PerformsIn<Host> On, class Stiffness, class Arrays>
 void factor_blocks(On& on, index_t begin, index_t end, const Stiffness& stiffness, Arrays& arrays) {
   on.run(end - begin, detail::FactorBlock{begin, stiffness, arrays.block_edges.const_view(), arrays.slots.const_view(),
                                           arrays.blocks.view(), arrays.factors.view()});
 }
 
 /// z of all blocks, level after level.
-template <RunsIn<Host> On, class... Views>
+template <PerformsIn<Host> On, class... Views>
 void apply_blocks(On& on, const SchwarzProduct<Views...>& product, const std::vector<Index>& first_block) {
   for (std::size_t l = 0; l + 1 < first_block.size(); ++l) {
     on.run(first_block[l + 1] - first_block[l],

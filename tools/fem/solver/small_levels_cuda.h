@@ -128,7 +128,8 @@ bool cycle_at_once(CudaExecutor& on, Levels& levels, std::size_t l, const Precon
   using Level = std::remove_reference_t<decltype(*levels[0])>;
   using Real = typename Level::Real;
   const std::size_t count = levels.size() - l;
-  if (levels[l]->nodes() > detail::most_small_nodes() || count > detail::most_small_levels) return false;
+  if (levels[l]->nodes() > detail::most_small_nodes() || levels[l]->bricks.is_empty()) return false;
+  if (count > detail::most_small_levels) return false;
   const detail::SmallLevels<LevelViews<Level>> small{
       detail::level_views(levels, l, std::make_index_sequence<detail::most_small_levels>()), count, settings};
   detail::run_small_levels<Real><<<1, detail::small_level_threads<Real>, 0, on.stream()>>>(small);

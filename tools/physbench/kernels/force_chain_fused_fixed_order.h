@@ -24,8 +24,9 @@ struct ForceChainFusedFixedOrder : ForceChainSeparate {
   template <class Real>
   static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& ranges,
                   const auto& /*entries*/, const auto& places, const auto& placed, const auto& forces) {
+    const fem::SumRowForces sum{ranges, placed, forces};
     return chain(link(tets.size(), fem::fuse_placed_forces(material<Real>(), tets, positions, rest, places, placed)),
-                 link(forces.size(), fem::SumRowForces{ranges, placed, forces}));
+                 link(sum.size(), sum));
   }
 
   template <class T, class Real>

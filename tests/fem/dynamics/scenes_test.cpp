@@ -1,0 +1,99 @@
+// Scenes of this tree over their generated arrays, which hold what the programs need, against the solvers.
+#include <explicit_dynamics.scene.h>
+#include <fem/dynamics/explicit.h>
+#include <fem/dynamics/explicit_body.h>
+#include <fem/solver/linear_body.h>
+#include <fem/solver/node_vectors.h>
+#include <gtest/gtest.h>
+#include <linear_elastic.scene.h>
+#include <physgen/executor.h>
+
+#include "moving.h"
+
+namespace physgen::fem {
+namespace {
+
+constexpr double side = 0.08, young = 1e4;
+
+TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_solver) {
+  const Body body = make_truth_cube_body(4, false);
+  const MeshLevel& level = body.levels[0];
+  DynamicSettings settings = moving_settings("neo-hookean", young, 0.4);
+  settings.solver.precision = TangentPrecision::float32;
+  settings.damping = 3;
+  const double dt = 0.5 * stable_time_step(level, settings);
+  const auto begin = sum(level.rest, random_vectors(level.rest.size(), 0.02 * side / 4, 3));
+
+  const auto solver = make_explicit_solver(level, body.loading, settings);
+  solver->set_positions(begin);
+  const ExplicitBody<float, Host> given(level, body.loading, lumped_masses(level.mesh, level.rest, density));
+  scenes::explicit_dynamics_scene::Body<> scene;
+  scene.allocate({.tet = given.tets.size(), .node = given.nodes(), .corner = given.node_tets.size()});
+  copy(scene.tets, given.tets);
+  copy(scene.rest, given.rest);
+  copy(scene.node_tet_ranges, given.node_tet_ranges);
+  copy(scene.node_tets, given.node_tets);
+  copy(scene.constraints, given.constraints);
+  copy(scene.masses, given.masses);
+  copy(scene.loads, given.loads);
+  copy(scene.motion, given.motion);
+  store_displacements(sum(begin, level.rest, -1), scene.displacements);
+  store_displacements(sum(begin, level.rest, -1), scene.rounded);
+  EXPECT_LE(scene.bytes(), given.bytes());
+
+  HostExecutor on;
+  const auto material = NeoHookean<float>::from(young, 0.4);
+  for (int k = 1; k <= 20; ++k) {
+    const TimeStep step{dt, 0.01 * k / 20, settings.damping};
+    scenes::explicit_dynamics::program(on, scene, material, step);
+    (void)solver->step(step.length, step.load);
+  }
+  EXPECT_GT(solver->measure().kinetic, 0);
+  EXPECT_EQ(plain_velocities(scene.velocities), solver->velocities());
+  EXPECT_EQ(sum(plain_displacements(scene.displacements), level.rest), solver->positions());
+}
+
+TEST(Scenes, linear_elastic_over_its_generated_arrays_gives_the_bits_of_the_solver) {
+  const Body body = make_truth_cube_body(4, false);
+  const MeshLevel& level = body.levels[0];
+  SolverSettings settings = exact_settings("neo-hookean", 0.4);
+  settings.youngs_modulus = young;
+  settings.precision = TangentPrecision::float32;
+  settings.newton.tolerance = 1e-4;
+  settings.newton.product = Product::matrix_free;
+  settings.newton.preconditioner.kind = Preconditioner::block_jacobi;
+  const auto solver = make_linear_solver(body.levels, body.loading, settings);
+  const NewtonResult result = solver->solve_to(0.1, {});
+  ASSERT_EQ(result.steps, 1);
+
+  LevelGraph graph;
+  graph.nodes = level.mesh.nodes;
+  LinearBody<float, Host> given(level, graph, false);
+  store_loading(given, level, body.loading.motion, {});
+  namespace scene = scenes::linear_elastic_scene;
+  scene::Body<> arrays;
+  scene::Level<> preconditioner;
+  scene::Vectors<> vectors;
+  const index_t nodes = given.nodes();
+  arrays.allocate({.tet = given.tets.size(), .node = nodes, .corner = given.node_tets.size()});
+  preconditioner.allocate({.node = nodes});
+  vectors.allocate({.node = nodes});
+  copy(arrays.tets, given.tets);
+  copy(arrays.rest, given.rest);
+  copy(arrays.node_tet_ranges, given.node_tet_ranges);
+  copy(arrays.node_tets, given.node_tets);
+  copy(arrays.motion, given.motion);
+  copy(arrays.loads, given.loads);
+  quasistatic::NodeConstraintArray<float> constraints(nodes);
+  for (index_t n = 0; n < nodes; ++n) constraints.view()[n].fixed() = level.fixed[std::size_t(n)];
+  copy(preconditioner.constraints, constraints);
+
+  HostExecutor on;
+  scenes::linear_elastic::program(on, arrays, preconditioner, vectors, lame_parameters(young, 0.4, "a test"), 0.1,
+                                  0.03 * settings.newton.tolerance, settings.newton.most_iterations);
+  EXPECT_EQ(int{on.value(vectors.state).iterations}, result.iterations);
+  EXPECT_EQ(sum(plain_displacements(arrays.displacements), level.rest), solver->positions());
+}
+
+}  // namespace
+}  // namespace physgen::fem

@@ -1,0 +1,13 @@
+// Which executors functions take that do a step in a way of their own in a space.
+#pragma once
+
+#include <physgen/space.h>
+
+namespace physgen::fem {
+
+/// An executor that performs its steps in this space; not one that only counts their bytes, for which there are
+/// overloads that nvcc would take to be no better.
+template <class On, class Space>
+concept PerformsIn = RunsIn<On, Space> && !requires { On::only_counts; };
+
+}  // namespace physgen::fem
