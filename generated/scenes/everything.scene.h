@@ -27,48 +27,48 @@ struct Body {
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
   /// The tets of each node: rows of NodeTetEntry.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
   /// quasistatic::PackedIncidence, per corner: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
   /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
   /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> edge_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_tet_ranges;
   /// quasistatic::PackedIncidence, per tet_edge: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> edge_tet_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_tet_entries;
   /// Of each patch or node where volumes are averaged.
   /// quasistatic::MeanVolume, per volume: volume, ratio, pressure, linearised, tangent_pressure, before, full
-  quasistatic::MeanVolumeArray<double, Space> volumes;
+  ::quasistatic::MeanVolumeArray<double, Space> volumes;
   /// elasticity::NodePosition, per node: x
-  physgen::ReadOnlyArray<elasticity::NodePositionArray<double, Space>> rest;
+  physgen::ReadOnlyArray<::elasticity::NodePositionArray<double, Space>> rest;
   /// Of the last equilibrium, or of the step under way.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> positions;
+  ::elasticity::NodePositionArray<double, Space> positions;
   /// Where a step leads.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> trial;
+  ::elasticity::NodePositionArray<double, Space> trial;
   /// Where the load increment began.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> kept;
+  ::elasticity::NodePositionArray<double, Space> kept;
   /// External, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
   /// Of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<elasticity::NodeDisplacementArray<double, Space>> motion;
+  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
   /// Elastic and external; in prescribed components minus the reaction.
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<double, Space> forces;
+  ::elasticity::NodeForceArray<double, Space> forces;
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<double, Space> trial_forces;
+  ::elasticity::NodeForceArray<double, Space> trial_forces;
   /// Of prescribed components.
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<double, Space> increment;
+  ::elasticity::NodeDisplacementArray<double, Space> increment;
   /// Its volumetric energy is 0 where no volumes are averaged.
   /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
-  quasistatic::EquilibriumArray<double, Space> state;
+  ::quasistatic::EquilibriumArray<double, Space> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -120,31 +120,31 @@ struct Patches {
   };
 
   /// quasistatic::TetPatch, per tet: patch
-  physgen::ReadOnlyArray<quasistatic::TetPatchArray<float, Space>> tet_patches;
+  physgen::ReadOnlyArray<::quasistatic::TetPatchArray<float, Space>> tet_patches;
   /// quasistatic::PatchNodes, per patch: nodes
-  physgen::ReadOnlyArray<quasistatic::PatchNodesArray<float, Space>> nodes;
+  physgen::ReadOnlyArray<::quasistatic::PatchNodesArray<float, Space>> nodes;
   /// Where there is a coarser level.
   /// quasistatic::PatchParent, per child: patch
-  physgen::ReadOnlyArray<quasistatic::PatchParentArray<float, Space>> parents;
+  physgen::ReadOnlyArray<::quasistatic::PatchParentArray<float, Space>> parents;
   /// elasticity::IncidenceRange, per patch: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
   /// quasistatic::PatchTet, per tet: tet, slots
-  physgen::ReadOnlyArray<quasistatic::PatchTetArray<float, Space>> patch_tet_entries;
+  physgen::ReadOnlyArray<::quasistatic::PatchTetArray<float, Space>> patch_tet_entries;
   /// Rows of EdgePatchEntry, where the stiffness is assembled.
   /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> edge_patch_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_patch_ranges;
   /// quasistatic::PackedIncidence, per edge_patch: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> edge_patch_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_patch_entries;
   /// Rows of NodePatchEntry, where it is not.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_patch_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_patch_ranges;
   /// quasistatic::PackedIncidence, per node_patch: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_patch_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_patch_entries;
   /// quasistatic::PatchTangent, per patch: g, k
-  quasistatic::PatchTangentArray<float, Space> tangent;
+  ::quasistatic::PatchTangentArray<float, Space> tangent;
   /// Of products without blocks of edges, on the CPU.
   /// quasistatic::PatchChange, per change: change
-  quasistatic::PatchChangeArray<float, Space> changes;
+  ::quasistatic::PatchChangeArray<float, Space> changes;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -185,11 +185,11 @@ struct Rings {
 
   /// The nodes of each node's ring, ascending.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_ranges;
   /// quasistatic::RingNode, per neighbour: node, g
-  quasistatic::RingNodeArray<float, Space> node_entries;
+  ::quasistatic::RingNodeArray<float, Space> node_entries;
   /// quasistatic::NodeVolumeTangent, per node: k
-  quasistatic::NodeVolumeTangentArray<float, Space> tangent;
+  ::quasistatic::NodeVolumeTangentArray<float, Space> tangent;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -216,11 +216,11 @@ struct Chunk {
   };
 
   /// elasticity::CornerForces, per chunk_tet: G
-  elasticity::CornerForcesArray<double, Space> corners;
+  ::elasticity::CornerForcesArray<double, Space> corners;
   /// Of a chunk, or of all tets.
   /// quasistatic::TetTangent, per kept_tet: U, g, x1111, x2211, x3311, x2222, x3322, x3333, x2121, x2112, x3131, x3113,
   /// x3232, x3223
-  quasistatic::TetTangentArray<float, Space> tangent;
+  ::quasistatic::TetTangentArray<float, Space> tangent;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -259,61 +259,61 @@ struct Level {
   };
 
   /// quasistatic::NodeConstraint, per node: fixed
-  physgen::ReadOnlyArray<quasistatic::NodeConstraintArray<float, Space>> constraints;
+  physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
   /// elasticity::Edge, per edge: nodes
-  physgen::ReadOnlyArray<elasticity::EdgeArray<float, Space>> edges;
+  physgen::ReadOnlyArray<::elasticity::EdgeArray<float, Space>> edges;
   /// Rows of NodeEdgeEntry.
   /// elasticity::IncidenceRange, per edge_node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_edge_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_edge_ranges;
   /// quasistatic::PackedIncidence, per edge_end: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_edge_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_edge_entries;
   /// elasticity::NodeStiffness, per block_node: K
-  elasticity::NodeStiffnessArray<float, Space> node_stiffness;
+  ::elasticity::NodeStiffnessArray<float, Space> node_stiffness;
   /// elasticity::EdgeStiffness, per edge: E
-  elasticity::EdgeStiffnessArray<float, Space> edge_stiffness;
+  ::elasticity::EdgeStiffnessArray<float, Space> edge_stiffness;
   /// quasistatic::NodeScale, per node: scale, inverse
-  quasistatic::NodeScaleArray<float, Space> scales;
+  ::quasistatic::NodeScaleArray<float, Space> scales;
   /// elasticity::NodeStiffness, per edge_node: K
-  elasticity::NodeStiffnessArray<float, Space> scaled_nodes;
+  ::elasticity::NodeStiffnessArray<float, Space> scaled_nodes;
   /// elasticity::EdgeStiffness, per edge: E
-  elasticity::EdgeStiffnessArray<float, Space> scaled_edges;
+  ::elasticity::EdgeStiffnessArray<float, Space> scaled_edges;
   /// quasistatic::NodeInverse, per block_node: D
-  quasistatic::NodeInverseArray<float, Space> inverse;
+  ::quasistatic::NodeInverseArray<float, Space> inverse;
   /// quasistatic::Smoother, per smoother: largest, length
-  quasistatic::SmootherArray<double, Space> smoother;
+  ::quasistatic::SmootherArray<double, Space> smoother;
   /// r
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// z
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> correction;
+  ::elasticity::NodeDisplacementArray<float, Space> correction;
   /// d
   /// elasticity::NodeDisplacement, per edge_node: dx
-  elasticity::NodeDisplacementArray<float, Space> direction;
+  ::elasticity::NodeDisplacementArray<float, Space> direction;
   /// The eigenvector that power iterations approach.
   /// elasticity::NodeDisplacement, per edge_node: dx
-  elasticity::NodeDisplacementArray<float, Space> power;
+  ::elasticity::NodeDisplacementArray<float, Space> power;
   /// quasistatic::NodeParents, per child: nodes
-  physgen::ReadOnlyArray<quasistatic::NodeParentsArray<float, Space>> parents;
+  physgen::ReadOnlyArray<::quasistatic::NodeParentsArray<float, Space>> parents;
   /// In place of `parents`, to a background grid.
   /// quasistatic::GridParents, per grid_child: nodes, weights
-  physgen::ReadOnlyArray<quasistatic::GridParentsArray<float, Space>> grid_parents;
+  physgen::ReadOnlyArray<::quasistatic::GridParentsArray<float, Space>> grid_parents;
   /// Of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> child_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> child_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> child_entries;
   /// Of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> edge_term_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> edge_term_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_term_entries;
   /// Of levels of a background grid, and of the mesh on it.
   /// quasistatic::TranslationStiffness, per grid_node: T
-  quasistatic::TranslationStiffnessArray<float, Space> translations;
+  ::quasistatic::TranslationStiffnessArray<float, Space> translations;
   /// Of the coarsest level alone.
   /// quasistatic::CoarseInverse, per coarse_pair: G
-  quasistatic::CoarseInverseArray<float, Space> coarse_inverse;
+  ::quasistatic::CoarseInverseArray<float, Space> coarse_inverse;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -367,7 +367,7 @@ struct blocks {
 /// How quasistatic::SchwarzBlock is stored in schwarz.blocks. Not stored:
 /// - parent, children, arrived: it is an input; nothing reads it
 template <class Space>
-struct SchwarzBlocksFormats : physgen::FormatsOf<quasistatic::SchwarzBlockObject, Space> {
+struct SchwarzBlocksFormats : physgen::FormatsOf<::quasistatic::SchwarzBlockObject, Space> {
   using parent = physgen::format::Pruned<everything, pruned::schwarz::blocks, pruned::schwarz::blocks::parent>;
   using children = physgen::format::Pruned<everything, pruned::schwarz::blocks, pruned::schwarz::blocks::children>;
   using arrived = physgen::format::Pruned<everything, pruned::schwarz::blocks, pruned::schwarz::blocks::arrived>;
@@ -392,35 +392,35 @@ struct Schwarz {
   };
 
   /// quasistatic::SchwarzNode, per node: slot
-  physgen::ReadOnlyArray<quasistatic::SchwarzNodeArray<float, Space>> nodes;
+  physgen::ReadOnlyArray<::quasistatic::SchwarzNodeArray<float, Space>> nodes;
   /// quasistatic::SchwarzSlot, per slot: source, parent
-  physgen::ReadOnlyArray<quasistatic::SchwarzSlotArray<float, Space>> slots;
+  physgen::ReadOnlyArray<::quasistatic::SchwarzSlotArray<float, Space>> slots;
   /// quasistatic::SchwarzBlock, per block: scale; without parent, children, arrived
-  physgen::WithFormats<quasistatic::SchwarzBlockArray<float, Space>, SchwarzBlocksFormats<Space>> blocks;
+  physgen::WithFormats<::quasistatic::SchwarzBlockArray<float, Space>, SchwarzBlocksFormats<Space>> blocks;
   /// elasticity::IncidenceRange, per supernode: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> supernode_term_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> supernode_term_ranges;
   /// quasistatic::SchwarzTerm, per supernode_term: source, kind
-  physgen::ReadOnlyArray<quasistatic::SchwarzTermArray<float, Space>> supernode_term_entries;
+  physgen::ReadOnlyArray<::quasistatic::SchwarzTermArray<float, Space>> supernode_term_entries;
   /// elasticity::IncidenceRange, per pair: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> pair_term_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> pair_term_ranges;
   /// quasistatic::SchwarzTerm, per pair_term: source, kind
-  physgen::ReadOnlyArray<quasistatic::SchwarzTermArray<float, Space>> pair_term_entries;
+  physgen::ReadOnlyArray<::quasistatic::SchwarzTermArray<float, Space>> pair_term_entries;
   /// elasticity::IncidenceRange, per block: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> block_edge_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> block_edge_ranges;
   /// quasistatic::SchwarzPair, per block_edge: edge, places
-  physgen::ReadOnlyArray<quasistatic::SchwarzPairArray<float, Space>> block_edge_entries;
+  physgen::ReadOnlyArray<::quasistatic::SchwarzPairArray<float, Space>> block_edge_entries;
   /// quasistatic::Supernode, per supernode: K, magnitude
-  quasistatic::SupernodeArray<float, Space> supernodes;
+  ::quasistatic::SupernodeArray<float, Space> supernodes;
   /// elasticity::EdgeStiffness, per pair: E
-  elasticity::EdgeStiffnessArray<float, Space> pair_stiffness;
+  ::elasticity::EdgeStiffnessArray<float, Space> pair_stiffness;
   /// r, summed over the nodes of each supernode.
   /// elasticity::NodeForceDifferential, per supernode: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// z
   /// elasticity::NodeDisplacement, per supernode: dx
-  elasticity::NodeDisplacementArray<float, Space> correction;
+  ::elasticity::NodeDisplacementArray<float, Space> correction;
   /// quasistatic::SchwarzFactor, per factor: W
-  quasistatic::SchwarzFactorArray<float, Space> factors;
+  ::quasistatic::SchwarzFactorArray<float, Space> factors;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -466,16 +466,16 @@ struct Planes {
   };
 
   /// contact::RigidPlane, per plane: normal, offset, travel
-  physgen::ReadOnlyArray<contact::RigidPlaneArray<double, Space>> planes;
+  physgen::ReadOnlyArray<::contact::RigidPlaneArray<double, Space>> planes;
   /// None where equilibrium is not solved.
   /// contact::NodeArea, per surface_node: area
-  physgen::ReadOnlyArray<contact::NodeAreaArray<double, Space>> areas;
+  physgen::ReadOnlyArray<::contact::NodeAreaArray<double, Space>> areas;
   /// The part of the nodes' blocks that planes have.
   /// elasticity::NodeStiffness, per node: K
-  elasticity::NodeStiffnessArray<float, Space> stiffness;
+  ::elasticity::NodeStiffnessArray<float, Space> stiffness;
   /// How one plane and the body touch, where equilibrium is solved.
   /// contact::PlaneContact, per contact: force, depth
-  contact::PlaneContactArray<double, Space> contact;
+  ::contact::PlaneContactArray<double, Space> contact;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -506,14 +506,14 @@ struct Inertia {
   };
 
   /// dynamics::NodeMass, per node: mass
-  physgen::ReadOnlyArray<dynamics::NodeMassArray<double, Space>> masses;
+  physgen::ReadOnlyArray<::dynamics::NodeMassArray<double, Space>> masses;
   /// elasticity::NodePosition, per moving_node: x
-  elasticity::NodePositionArray<double, Space> centres;
+  ::elasticity::NodePositionArray<double, Space> centres;
   /// dynamics::NodeVelocity, per moving_node: v
-  dynamics::NodeVelocityArray<double, Space> velocities;
+  ::dynamics::NodeVelocityArray<double, Space> velocities;
   /// Without elastic energy, which stands in the body's state: here it stays what it is at the beginning.
   /// dynamics::Motion, per measure: kinetic, momentum, elastic, farthest
-  dynamics::MotionArray<double, Space> measured;
+  ::dynamics::MotionArray<double, Space> measured;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -543,18 +543,18 @@ struct Krylov {
 
   /// dx
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> step;
+  ::elasticity::NodeDisplacementArray<float, Space> step;
   /// r = f + K dx
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// p
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> direction;
+  ::elasticity::NodeDisplacementArray<float, Space> direction;
   /// K p
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> product;
+  ::elasticity::NodeForceDifferentialArray<float, Space> product;
   /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
-  quasistatic::LinearSolveArray<double, Space> state;
+  ::quasistatic::LinearSolveArray<double, Space> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -584,7 +584,7 @@ struct Stresses {
   };
 
   /// elasticity::Stress, per tet: P
-  elasticity::StressArray<double, Space> of_tets;
+  ::elasticity::StressArray<double, Space> of_tets;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.

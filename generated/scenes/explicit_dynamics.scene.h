@@ -1,10 +1,10 @@
 // Arrays of the scene explicit_dynamics, with the fields that its program needs. Written by physgen from
-// explicit_dynamics.h and the kernels that it runs: change these, not this file.
+// scenes/explicit_dynamics.h and the kernels that it runs: change these, not this file.
 #pragma once
 
 #include <physgen/scene_arrays.h>
 
-#include "explicit_dynamics.h"
+#include "scenes/explicit_dynamics.h"
 
 /// Explicit dynamics of a Neo-Hookean body: one step of symplectic Euler with lumped mass.
 namespace scenes::explicit_dynamics_scene {
@@ -22,34 +22,34 @@ struct Body {
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
   /// elasticity::RestShape, per tet: dm_inverse, volume
-  physgen::ReadOnlyArray<elasticity::RestShapeArray<float, Space>> rest;
+  physgen::ReadOnlyArray<::elasticity::RestShapeArray<float, Space>> rest;
   /// elasticity::CornerForces, per tet: G
-  elasticity::CornerForcesArray<float, Space> corners;
+  ::elasticity::CornerForcesArray<float, Space> corners;
   /// The tets of each node: rows of (tet, corner).
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
   /// elasticity::Incidence, per corner: element, local
-  physgen::ReadOnlyArray<elasticity::IncidenceArray<float, Space>> node_tets;
+  physgen::ReadOnlyArray<::elasticity::IncidenceArray<float, Space>> node_tets;
   /// quasistatic::NodeConstraint, per node: fixed
-  physgen::ReadOnlyArray<quasistatic::NodeConstraintArray<float, Space>> constraints;
+  physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
   /// dynamics::NodeMass, per node: mass
-  physgen::ReadOnlyArray<dynamics::NodeMassArray<double, Space>> masses;
+  physgen::ReadOnlyArray<::dynamics::NodeMassArray<double, Space>> masses;
   /// External forces, and the motion of prescribed components, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<elasticity::NodeDisplacementArray<double, Space>> motion;
+  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
   /// From rest, and rounded to the precision of tets.
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<double, Space> displacements;
+  ::elasticity::NodeDisplacementArray<double, Space> displacements;
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> rounded;
+  ::elasticity::NodeDisplacementArray<float, Space> rounded;
   /// dynamics::NodeVelocity, per node: v
-  dynamics::NodeVelocityArray<double, Space> velocities;
+  ::dynamics::NodeVelocityArray<double, Space> velocities;
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<float, Space> forces;
+  ::elasticity::NodeForceArray<float, Space> forces;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.

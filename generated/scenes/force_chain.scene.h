@@ -23,26 +23,26 @@ struct Body {
 
   /// What moves, and where it was at rest.
   /// elasticity::NodePosition, per node: x
-  physgen::ReadOnlyArray<elasticity::NodePositionArray<float, Space>> positions;
+  physgen::ReadOnlyArray<::elasticity::NodePositionArray<float, Space>> positions;
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
   /// elasticity::RestShape, per tet: dm_inverse, volume
-  physgen::ReadOnlyArray<elasticity::RestShapeArray<float, Space>> rest;
+  physgen::ReadOnlyArray<::elasticity::RestShapeArray<float, Space>> rest;
   /// The tets of each node: rows of (tet, corner).
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_ranges;
   /// elasticity::Incidence, per corner: element, local
-  physgen::ReadOnlyArray<elasticity::IncidenceArray<float, Space>> node_tets;
+  physgen::ReadOnlyArray<::elasticity::IncidenceArray<float, Space>> node_tets;
   /// elasticity::DeformationGradient, per tet: F
-  elasticity::DeformationGradientArray<float, Space> gradients;
+  ::elasticity::DeformationGradientArray<float, Space> gradients;
   /// elasticity::DeformationSvd, per tet: U, V, s
-  elasticity::DeformationSvdArray<float, Space> svds;
+  ::elasticity::DeformationSvdArray<float, Space> svds;
   /// elasticity::Stress, per tet: P
-  elasticity::StressArray<float, Space> stresses;
+  ::elasticity::StressArray<float, Space> stresses;
   /// elasticity::CornerForces, per tet: G
-  elasticity::CornerForcesArray<float, Space> corner_forces;
+  ::elasticity::CornerForcesArray<float, Space> corner_forces;
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<float, Space> forces;
+  ::elasticity::NodeForceArray<float, Space> forces;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.

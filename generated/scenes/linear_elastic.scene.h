@@ -1,10 +1,10 @@
-// Arrays of the scene linear_elastic, with the fields that its program needs. Written by physgen from linear_elastic.h
-// and the kernels that it runs: change these, not this file.
+// Arrays of the scene linear_elastic, with the fields that its program needs. Written by physgen from
+// scenes/linear_elastic.h and the kernels that it runs: change these, not this file.
 #pragma once
 
 #include <physgen/scene_arrays.h>
 
-#include "linear_elastic.h"
+#include "scenes/linear_elastic.h"
 
 /// Linear elasticity: an equilibrium by conjugate gradients without blocks of edges, preconditioned by the inverses of
 /// nodes' blocks.
@@ -21,7 +21,7 @@ struct state {
 /// How quasistatic::Equilibrium is stored in body.state. Not stored:
 /// - volumetric, work, smallest_ratio: nothing uses it
 template <class Space>
-struct BodyStateFormats : physgen::FormatsOf<quasistatic::EquilibriumObject, Space> {
+struct BodyStateFormats : physgen::FormatsOf<::quasistatic::EquilibriumObject, Space> {
   using volumetric = physgen::format::Pruned<linear_elastic, pruned::body::state, pruned::body::state::volumetric>;
   using work = physgen::format::Pruned<linear_elastic, pruned::body::state, pruned::body::state::work>;
   using smallest_ratio = physgen::format::Pruned<linear_elastic, pruned::body::state,
@@ -41,28 +41,28 @@ struct Body {
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
   /// elasticity::RestShape, per tet: dm_inverse, volume
-  physgen::ReadOnlyArray<elasticity::RestShapeArray<double, Space>> rest;
+  physgen::ReadOnlyArray<::elasticity::RestShapeArray<double, Space>> rest;
   /// The tets of each node: rows of a tet and a corner in one number.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
   /// quasistatic::PackedIncidence, per corner: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_tets;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_tets;
   /// External forces, and the motion of prescribed components, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<elasticity::NodeDisplacementArray<double, Space>> motion;
+  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
   /// From rest.
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<double, Space> displacements;
+  ::elasticity::NodeDisplacementArray<double, Space> displacements;
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<double, Space> forces;
+  ::elasticity::NodeForceArray<double, Space> forces;
   /// Before the solve.
   /// quasistatic::Equilibrium, 1 object: elastic, loads, free_square, fixed_square; without volumetric, work,
   /// smallest_ratio
-  physgen::WithFormats<quasistatic::EquilibriumArray<double, Space>, BodyStateFormats<Space>> state;
+  physgen::WithFormats<::quasistatic::EquilibriumArray<double, Space>, BodyStateFormats<Space>> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -96,7 +96,7 @@ struct scales {
 /// How quasistatic::NodeScale is stored in level.scales. Not stored:
 /// - inverse: written by physgen::fem::ComputeNodeScale(level.node_stiffness, level.scales); nothing reads it
 template <class Space>
-struct LevelScalesFormats : physgen::FormatsOf<quasistatic::NodeScaleObject, Space> {
+struct LevelScalesFormats : physgen::FormatsOf<::quasistatic::NodeScaleObject, Space> {
   using inverse = physgen::format::Pruned<linear_elastic, pruned::level::scales, pruned::level::scales::inverse>;
 };
 
@@ -112,17 +112,17 @@ struct Level {
   };
 
   /// quasistatic::NodeConstraint, per node: fixed
-  physgen::ReadOnlyArray<quasistatic::NodeConstraintArray<float, Space>> constraints;
+  physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
   /// quasistatic::NodeScale, per node: scale; without inverse
-  physgen::WithFormats<quasistatic::NodeScaleArray<float, Space>, LevelScalesFormats<Space>> scales;
+  physgen::WithFormats<::quasistatic::NodeScaleArray<float, Space>, LevelScalesFormats<Space>> scales;
   /// elasticity::NodeStiffness, per node: K
-  elasticity::NodeStiffnessArray<float, Space> node_stiffness;
+  ::elasticity::NodeStiffnessArray<float, Space> node_stiffness;
   /// quasistatic::NodeInverse, per node: D
-  quasistatic::NodeInverseArray<float, Space> inverse;
+  ::quasistatic::NodeInverseArray<float, Space> inverse;
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> correction;
+  ::elasticity::NodeDisplacementArray<float, Space> correction;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -155,15 +155,15 @@ struct Vectors {
   };
 
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> step;
+  ::elasticity::NodeDisplacementArray<float, Space> step;
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> direction;
+  ::elasticity::NodeDisplacementArray<float, Space> direction;
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> product;
+  ::elasticity::NodeForceDifferentialArray<float, Space> product;
   /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
-  quasistatic::LinearSolveArray<double, Space> state;
+  ::quasistatic::LinearSolveArray<double, Space> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.

@@ -26,45 +26,45 @@ struct Body {
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
   /// The tets of each node: rows of NodeTetEntry.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
   /// quasistatic::PackedIncidence, per corner: code
   physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
   /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
   /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> edge_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_tet_ranges;
   /// quasistatic::PackedIncidence, per tet_edge: code
   physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_tet_entries;
   /// Of each patch or node where volumes are averaged.
   /// quasistatic::MeanVolume, per volume: volume, ratio, pressure, linearised, tangent_pressure, before, full
   ::quasistatic::MeanVolumeArray<double, Space> volumes;
   /// elasticity::NodePosition, per node: x
-  physgen::ReadOnlyArray<elasticity::NodePositionArray<double, Space>> rest;
+  physgen::ReadOnlyArray<::elasticity::NodePositionArray<double, Space>> rest;
   /// Of the last equilibrium, or of the step under way.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> positions;
+  ::elasticity::NodePositionArray<double, Space> positions;
   /// Where a step leads.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> trial;
+  ::elasticity::NodePositionArray<double, Space> trial;
   /// Where the load increment began.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> kept;
+  ::elasticity::NodePositionArray<double, Space> kept;
   /// External, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
   /// Of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<elasticity::NodeDisplacementArray<double, Space>> motion;
+  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
   /// Elastic and external; in prescribed components minus the reaction.
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<double, Space> forces;
+  ::elasticity::NodeForceArray<double, Space> forces;
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<double, Space> trial_forces;
+  ::elasticity::NodeForceArray<double, Space> trial_forces;
   /// Of prescribed components.
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<double, Space> increment;
+  ::elasticity::NodeDisplacementArray<double, Space> increment;
   /// Its volumetric energy is 0 where no volumes are averaged.
   /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
   ::quasistatic::EquilibriumArray<double, Space> state;
@@ -111,7 +111,7 @@ struct node_patch_ranges {
 /// How elasticity::IncidenceRange is stored in patches.node_patch_ranges. Not stored:
 /// - begin, end: it is an input; nothing reads it
 template <class Space>
-struct PatchesNode_patch_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+struct PatchesNode_patch_rangesFormats : physgen::FormatsOf<::elasticity::IncidenceRangeObject, Space> {
   using begin = physgen::format::Pruned<quasistatic, pruned::patches::node_patch_ranges,
       pruned::patches::node_patch_ranges::begin>;
   using end = physgen::format::Pruned<quasistatic, pruned::patches::node_patch_ranges,
@@ -170,17 +170,17 @@ struct Patches {
   /// quasistatic::PatchParent, per child: patch
   physgen::ReadOnlyArray<::quasistatic::PatchParentArray<float, Space>> parents;
   /// elasticity::IncidenceRange, per patch: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
   /// quasistatic::PatchTet, per tet: tet, slots
   physgen::ReadOnlyArray<::quasistatic::PatchTetArray<float, Space>> patch_tet_entries;
   /// Rows of EdgePatchEntry, where the stiffness is assembled.
   /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> edge_patch_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_patch_ranges;
   /// quasistatic::PackedIncidence, per edge_patch: code
   physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_patch_entries;
   /// Rows of NodePatchEntry, where it is not.
   /// elasticity::IncidenceRange, per node: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::IncidenceRangeArray<float, Space>,
       PatchesNode_patch_rangesFormats<Space>>> node_patch_ranges;
   /// quasistatic::PackedIncidence, per node_patch: left out, takes stores
   physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::PackedIncidenceArray<float, Space>,
@@ -229,7 +229,7 @@ struct Chunk {
   };
 
   /// elasticity::CornerForces, per chunk_tet: G
-  elasticity::CornerForcesArray<double, Space> corners;
+  ::elasticity::CornerForcesArray<double, Space> corners;
   /// Of a chunk, or of all tets.
   /// quasistatic::TetTangent, per kept_tet: U, g, x1111, x2211, x3311, x2222, x3322, x3333, x2121, x2112, x3131, x3113,
   /// x3232, x3223
@@ -303,38 +303,38 @@ struct Level {
   /// quasistatic::NodeConstraint, per node: fixed
   physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
   /// elasticity::Edge, per edge: nodes
-  physgen::ReadOnlyArray<elasticity::EdgeArray<float, Space>> edges;
+  physgen::ReadOnlyArray<::elasticity::EdgeArray<float, Space>> edges;
   /// Rows of NodeEdgeEntry.
   /// elasticity::IncidenceRange, per edge_node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_edge_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_edge_ranges;
   /// quasistatic::PackedIncidence, per edge_end: code
   physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_edge_entries;
   /// elasticity::NodeStiffness, per block_node: K
-  elasticity::NodeStiffnessArray<float, Space> node_stiffness;
+  ::elasticity::NodeStiffnessArray<float, Space> node_stiffness;
   /// elasticity::EdgeStiffness, per edge: E
-  elasticity::EdgeStiffnessArray<float, Space> edge_stiffness;
+  ::elasticity::EdgeStiffnessArray<float, Space> edge_stiffness;
   /// quasistatic::NodeScale, per node: scale, inverse
   ::quasistatic::NodeScaleArray<float, Space> scales;
   /// elasticity::NodeStiffness, per edge_node: K
-  elasticity::NodeStiffnessArray<float, Space> scaled_nodes;
+  ::elasticity::NodeStiffnessArray<float, Space> scaled_nodes;
   /// elasticity::EdgeStiffness, per edge: E
-  elasticity::EdgeStiffnessArray<float, Space> scaled_edges;
+  ::elasticity::EdgeStiffnessArray<float, Space> scaled_edges;
   /// quasistatic::NodeInverse, per block_node: D
   ::quasistatic::NodeInverseArray<float, Space> inverse;
   /// quasistatic::Smoother, per smoother: largest, length
   ::quasistatic::SmootherArray<double, Space> smoother;
   /// r
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// z
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> correction;
+  ::elasticity::NodeDisplacementArray<float, Space> correction;
   /// d
   /// elasticity::NodeDisplacement, per edge_node: dx
-  elasticity::NodeDisplacementArray<float, Space> direction;
+  ::elasticity::NodeDisplacementArray<float, Space> direction;
   /// The eigenvector that power iterations approach.
   /// elasticity::NodeDisplacement, per edge_node: dx
-  elasticity::NodeDisplacementArray<float, Space> power;
+  ::elasticity::NodeDisplacementArray<float, Space> power;
   /// quasistatic::NodeParents, per child: nodes
   physgen::ReadOnlyArray<::quasistatic::NodeParentsArray<float, Space>> parents;
   /// In place of `parents`, to a background grid.
@@ -343,12 +343,12 @@ struct Level {
       LevelGrid_parentsFormats<Space>>> grid_parents;
   /// Of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> child_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: code
   physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> child_entries;
   /// Of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> edge_term_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: code
   physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_term_entries;
   /// Of levels of a background grid, and of the mesh on it.
@@ -412,16 +412,16 @@ struct Krylov {
 
   /// dx
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> step;
+  ::elasticity::NodeDisplacementArray<float, Space> step;
   /// r = f + K dx
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// p
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> direction;
+  ::elasticity::NodeDisplacementArray<float, Space> direction;
   /// K p
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> product;
+  ::elasticity::NodeForceDifferentialArray<float, Space> product;
   /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
   ::quasistatic::LinearSolveArray<double, Space> state;
 
@@ -453,7 +453,7 @@ struct Stresses {
   };
 
   /// elasticity::Stress, per tet: P
-  elasticity::StressArray<double, Space> of_tets;
+  ::elasticity::StressArray<double, Space> of_tets;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.

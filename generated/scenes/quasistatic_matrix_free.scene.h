@@ -20,7 +20,7 @@ struct edge_tet_ranges {
 /// How elasticity::IncidenceRange is stored in body.edge_tet_ranges. Not stored:
 /// - begin, end: it is an input; nothing reads it
 template <class Space>
-struct BodyEdge_tet_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+struct BodyEdge_tet_rangesFormats : physgen::FormatsOf<::elasticity::IncidenceRangeObject, Space> {
   using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::body::edge_tet_ranges,
       pruned::body::edge_tet_ranges::begin>;
   using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::body::edge_tet_ranges,
@@ -36,7 +36,7 @@ struct edge_tet_entries {
 /// How quasistatic::PackedIncidence is stored in body.edge_tet_entries. Not stored:
 /// - code: it is an input; nothing reads it
 template <class Space>
-struct BodyEdge_tet_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+struct BodyEdge_tet_entriesFormats : physgen::FormatsOf<::quasistatic::PackedIncidenceObject, Space> {
   using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::body::edge_tet_entries,
       pruned::body::edge_tet_entries::code>;
 };
@@ -57,50 +57,50 @@ struct Body {
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
   /// The tets of each node: rows of NodeTetEntry.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
   /// quasistatic::PackedIncidence, per corner: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
   /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
   /// elasticity::IncidenceRange, per edge: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::IncidenceRangeArray<float, Space>,
       BodyEdge_tet_rangesFormats<Space>>> edge_tet_ranges;
   /// quasistatic::PackedIncidence, per tet_edge: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::PackedIncidenceArray<float, Space>,
       BodyEdge_tet_entriesFormats<Space>>> edge_tet_entries;
   /// Of each patch or node where volumes are averaged.
   /// quasistatic::MeanVolume, per volume: volume, ratio, pressure, linearised, tangent_pressure, before, full
-  quasistatic::MeanVolumeArray<double, Space> volumes;
+  ::quasistatic::MeanVolumeArray<double, Space> volumes;
   /// elasticity::NodePosition, per node: x
-  physgen::ReadOnlyArray<elasticity::NodePositionArray<double, Space>> rest;
+  physgen::ReadOnlyArray<::elasticity::NodePositionArray<double, Space>> rest;
   /// Of the last equilibrium, or of the step under way.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> positions;
+  ::elasticity::NodePositionArray<double, Space> positions;
   /// Where a step leads.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> trial;
+  ::elasticity::NodePositionArray<double, Space> trial;
   /// Where the load increment began.
   /// elasticity::NodePosition, per node: x
-  elasticity::NodePositionArray<double, Space> kept;
+  ::elasticity::NodePositionArray<double, Space> kept;
   /// External, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
   /// Of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<elasticity::NodeDisplacementArray<double, Space>> motion;
+  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
   /// Elastic and external; in prescribed components minus the reaction.
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<double, Space> forces;
+  ::elasticity::NodeForceArray<double, Space> forces;
   /// elasticity::NodeForce, per node: f
-  elasticity::NodeForceArray<double, Space> trial_forces;
+  ::elasticity::NodeForceArray<double, Space> trial_forces;
   /// Of prescribed components.
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<double, Space> increment;
+  ::elasticity::NodeDisplacementArray<double, Space> increment;
   /// Its volumetric energy is 0 where no volumes are averaged.
   /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
-  quasistatic::EquilibriumArray<double, Space> state;
+  ::quasistatic::EquilibriumArray<double, Space> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -144,7 +144,7 @@ struct edge_patch_ranges {
 /// How elasticity::IncidenceRange is stored in patches.edge_patch_ranges. Not stored:
 /// - begin, end: it is an input; nothing reads it
 template <class Space>
-struct PatchesEdge_patch_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+struct PatchesEdge_patch_rangesFormats : physgen::FormatsOf<::elasticity::IncidenceRangeObject, Space> {
   using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::patches::edge_patch_ranges,
       pruned::patches::edge_patch_ranges::begin>;
   using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::patches::edge_patch_ranges,
@@ -160,7 +160,7 @@ struct edge_patch_entries {
 /// How quasistatic::PackedIncidence is stored in patches.edge_patch_entries. Not stored:
 /// - code: it is an input; nothing reads it
 template <class Space>
-struct PatchesEdge_patch_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+struct PatchesEdge_patch_entriesFormats : physgen::FormatsOf<::quasistatic::PackedIncidenceObject, Space> {
   using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::patches::edge_patch_entries,
       pruned::patches::edge_patch_entries::code>;
 };
@@ -183,33 +183,33 @@ struct Patches {
   };
 
   /// quasistatic::TetPatch, per tet: patch
-  physgen::ReadOnlyArray<quasistatic::TetPatchArray<float, Space>> tet_patches;
+  physgen::ReadOnlyArray<::quasistatic::TetPatchArray<float, Space>> tet_patches;
   /// quasistatic::PatchNodes, per patch: nodes
-  physgen::ReadOnlyArray<quasistatic::PatchNodesArray<float, Space>> nodes;
+  physgen::ReadOnlyArray<::quasistatic::PatchNodesArray<float, Space>> nodes;
   /// Where there is a coarser level.
   /// quasistatic::PatchParent, per child: patch
-  physgen::ReadOnlyArray<quasistatic::PatchParentArray<float, Space>> parents;
+  physgen::ReadOnlyArray<::quasistatic::PatchParentArray<float, Space>> parents;
   /// elasticity::IncidenceRange, per patch: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
   /// quasistatic::PatchTet, per tet: tet, slots
-  physgen::ReadOnlyArray<quasistatic::PatchTetArray<float, Space>> patch_tet_entries;
+  physgen::ReadOnlyArray<::quasistatic::PatchTetArray<float, Space>> patch_tet_entries;
   /// Rows of EdgePatchEntry, where the stiffness is assembled.
   /// elasticity::IncidenceRange, per edge: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::IncidenceRangeArray<float, Space>,
       PatchesEdge_patch_rangesFormats<Space>>> edge_patch_ranges;
   /// quasistatic::PackedIncidence, per edge_patch: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::PackedIncidenceArray<float, Space>,
       PatchesEdge_patch_entriesFormats<Space>>> edge_patch_entries;
   /// Rows of NodePatchEntry, where it is not.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<elasticity::IncidenceRangeArray<float, Space>> node_patch_ranges;
+  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_patch_ranges;
   /// quasistatic::PackedIncidence, per node_patch: code
-  physgen::ReadOnlyArray<quasistatic::PackedIncidenceArray<float, Space>> node_patch_entries;
+  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_patch_entries;
   /// quasistatic::PatchTangent, per patch: g, k
-  quasistatic::PatchTangentArray<float, Space> tangent;
+  ::quasistatic::PatchTangentArray<float, Space> tangent;
   /// Of products without blocks of edges, on the CPU.
   /// quasistatic::PatchChange, per change: change
-  quasistatic::PatchChangeArray<float, Space> changes;
+  ::quasistatic::PatchChangeArray<float, Space> changes;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -249,11 +249,11 @@ struct Chunk {
   };
 
   /// elasticity::CornerForces, per chunk_tet: G
-  elasticity::CornerForcesArray<double, Space> corners;
+  ::elasticity::CornerForcesArray<double, Space> corners;
   /// Of a chunk, or of all tets.
   /// quasistatic::TetTangent, per kept_tet: U, g, x1111, x2211, x3311, x2222, x3322, x3333, x2121, x2112, x3131, x3113,
   /// x3232, x3223
-  quasistatic::TetTangentArray<float, Space> tangent;
+  ::quasistatic::TetTangentArray<float, Space> tangent;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -277,7 +277,7 @@ struct edges {
 /// How elasticity::Edge is stored in level.edges. Not stored:
 /// - nodes: it is an input; nothing reads it
 template <class Space>
-struct LevelEdgesFormats : physgen::FormatsOf<elasticity::EdgeObject, Space> {
+struct LevelEdgesFormats : physgen::FormatsOf<::elasticity::EdgeObject, Space> {
   using nodes = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edges, pruned::level::edges::nodes>;
 };
 
@@ -291,7 +291,7 @@ struct node_edge_ranges {
 /// How elasticity::IncidenceRange is stored in level.node_edge_ranges. Not stored:
 /// - begin, end: it is an input; nothing reads it
 template <class Space>
-struct LevelNode_edge_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+struct LevelNode_edge_rangesFormats : physgen::FormatsOf<::elasticity::IncidenceRangeObject, Space> {
   using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::node_edge_ranges,
       pruned::level::node_edge_ranges::begin>;
   using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::node_edge_ranges,
@@ -307,7 +307,7 @@ struct node_edge_entries {
 /// How quasistatic::PackedIncidence is stored in level.node_edge_entries. Not stored:
 /// - code: it is an input; nothing reads it
 template <class Space>
-struct LevelNode_edge_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+struct LevelNode_edge_entriesFormats : physgen::FormatsOf<::quasistatic::PackedIncidenceObject, Space> {
   using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::node_edge_entries,
       pruned::level::node_edge_entries::code>;
 };
@@ -321,7 +321,7 @@ struct edge_stiffness {
 /// How elasticity::EdgeStiffness is stored in level.edge_stiffness. Not stored:
 /// - E: nothing uses it
 template <class Space>
-struct LevelEdge_stiffnessFormats : physgen::FormatsOf<elasticity::EdgeStiffnessObject, Space> {
+struct LevelEdge_stiffnessFormats : physgen::FormatsOf<::elasticity::EdgeStiffnessObject, Space> {
   using E = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_stiffness,
       pruned::level::edge_stiffness::E>;
 };
@@ -336,7 +336,7 @@ struct scales {
 /// - inverse: it is an input; written by physgen::fem::ComputeNodeScale(level.node_stiffness, level.scales); nothing
 /// reads it
 template <class Space>
-struct LevelScalesFormats : physgen::FormatsOf<quasistatic::NodeScaleObject, Space> {
+struct LevelScalesFormats : physgen::FormatsOf<::quasistatic::NodeScaleObject, Space> {
   using inverse = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::scales,
       pruned::level::scales::inverse>;
 };
@@ -350,7 +350,7 @@ struct scaled_nodes {
 /// How elasticity::NodeStiffness is stored in level.scaled_nodes. Not stored:
 /// - K: nothing uses it
 template <class Space>
-struct LevelScaled_nodesFormats : physgen::FormatsOf<elasticity::NodeStiffnessObject, Space> {
+struct LevelScaled_nodesFormats : physgen::FormatsOf<::elasticity::NodeStiffnessObject, Space> {
   using K = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::scaled_nodes,
       pruned::level::scaled_nodes::K>;
 };
@@ -364,7 +364,7 @@ struct scaled_edges {
 /// How elasticity::EdgeStiffness is stored in level.scaled_edges. Not stored:
 /// - E: nothing uses it
 template <class Space>
-struct LevelScaled_edgesFormats : physgen::FormatsOf<elasticity::EdgeStiffnessObject, Space> {
+struct LevelScaled_edgesFormats : physgen::FormatsOf<::elasticity::EdgeStiffnessObject, Space> {
   using E = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::scaled_edges,
       pruned::level::scaled_edges::E>;
 };
@@ -379,7 +379,7 @@ struct smoother {
 /// How quasistatic::Smoother is stored in level.smoother. Not stored:
 /// - largest, length: nothing uses it
 template <class Space>
-struct LevelSmootherFormats : physgen::FormatsOf<quasistatic::SmootherObject, Space> {
+struct LevelSmootherFormats : physgen::FormatsOf<::quasistatic::SmootherObject, Space> {
   using largest = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::smoother,
       pruned::level::smoother::largest>;
   using length = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::smoother,
@@ -395,7 +395,7 @@ struct direction {
 /// How elasticity::NodeDisplacement is stored in level.direction. Not stored:
 /// - dx: nothing uses it
 template <class Space>
-struct LevelDirectionFormats : physgen::FormatsOf<elasticity::NodeDisplacementObject, Space> {
+struct LevelDirectionFormats : physgen::FormatsOf<::elasticity::NodeDisplacementObject, Space> {
   using dx = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::direction, pruned::level::direction::dx>;
 };
 
@@ -408,7 +408,7 @@ struct power {
 /// How elasticity::NodeDisplacement is stored in level.power. Not stored:
 /// - dx: nothing uses it
 template <class Space>
-struct LevelPowerFormats : physgen::FormatsOf<elasticity::NodeDisplacementObject, Space> {
+struct LevelPowerFormats : physgen::FormatsOf<::elasticity::NodeDisplacementObject, Space> {
   using dx = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::power, pruned::level::power::dx>;
 };
 
@@ -422,7 +422,7 @@ struct grid_parents {
 /// How quasistatic::GridParents is stored in level.grid_parents. Not stored:
 /// - nodes, weights: it is an input; nothing reads it
 template <class Space>
-struct LevelGrid_parentsFormats : physgen::FormatsOf<quasistatic::GridParentsObject, Space> {
+struct LevelGrid_parentsFormats : physgen::FormatsOf<::quasistatic::GridParentsObject, Space> {
   using nodes = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::grid_parents,
       pruned::level::grid_parents::nodes>;
   using weights = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::grid_parents,
@@ -439,7 +439,7 @@ struct child_ranges {
 /// How elasticity::IncidenceRange is stored in level.child_ranges. Not stored:
 /// - begin, end: it is an input; nothing reads it
 template <class Space>
-struct LevelChild_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+struct LevelChild_rangesFormats : physgen::FormatsOf<::elasticity::IncidenceRangeObject, Space> {
   using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::child_ranges,
       pruned::level::child_ranges::begin>;
   using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::child_ranges,
@@ -455,7 +455,7 @@ struct child_entries {
 /// How quasistatic::PackedIncidence is stored in level.child_entries. Not stored:
 /// - code: it is an input; nothing reads it
 template <class Space>
-struct LevelChild_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+struct LevelChild_entriesFormats : physgen::FormatsOf<::quasistatic::PackedIncidenceObject, Space> {
   using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::child_entries,
       pruned::level::child_entries::code>;
 };
@@ -470,7 +470,7 @@ struct edge_term_ranges {
 /// How elasticity::IncidenceRange is stored in level.edge_term_ranges. Not stored:
 /// - begin, end: it is an input; nothing reads it
 template <class Space>
-struct LevelEdge_term_rangesFormats : physgen::FormatsOf<elasticity::IncidenceRangeObject, Space> {
+struct LevelEdge_term_rangesFormats : physgen::FormatsOf<::elasticity::IncidenceRangeObject, Space> {
   using begin = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_term_ranges,
       pruned::level::edge_term_ranges::begin>;
   using end = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_term_ranges,
@@ -486,7 +486,7 @@ struct edge_term_entries {
 /// How quasistatic::PackedIncidence is stored in level.edge_term_entries. Not stored:
 /// - code: it is an input; nothing reads it
 template <class Space>
-struct LevelEdge_term_entriesFormats : physgen::FormatsOf<quasistatic::PackedIncidenceObject, Space> {
+struct LevelEdge_term_entriesFormats : physgen::FormatsOf<::quasistatic::PackedIncidenceObject, Space> {
   using code = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::edge_term_entries,
       pruned::level::edge_term_entries::code>;
 };
@@ -500,7 +500,7 @@ struct translations {
 /// How quasistatic::TranslationStiffness is stored in level.translations. Not stored:
 /// - T: nothing uses it
 template <class Space>
-struct LevelTranslationsFormats : physgen::FormatsOf<quasistatic::TranslationStiffnessObject, Space> {
+struct LevelTranslationsFormats : physgen::FormatsOf<::quasistatic::TranslationStiffnessObject, Space> {
   using T = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::translations,
       pruned::level::translations::T>;
 };
@@ -514,7 +514,7 @@ struct coarse_inverse {
 /// How quasistatic::CoarseInverse is stored in level.coarse_inverse. Not stored:
 /// - G: nothing uses it
 template <class Space>
-struct LevelCoarse_inverseFormats : physgen::FormatsOf<quasistatic::CoarseInverseObject, Space> {
+struct LevelCoarse_inverseFormats : physgen::FormatsOf<::quasistatic::CoarseInverseObject, Space> {
   using G = physgen::format::Pruned<quasistatic_matrix_free, pruned::level::coarse_inverse,
       pruned::level::coarse_inverse::G>;
 };
@@ -543,69 +543,71 @@ struct Level {
   };
 
   /// quasistatic::NodeConstraint, per node: fixed
-  physgen::ReadOnlyArray<quasistatic::NodeConstraintArray<float, Space>> constraints;
+  physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
   /// elasticity::Edge, per edge: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::EdgeArray<float, Space>, LevelEdgesFormats<Space>>> edges;
+  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::EdgeArray<float, Space>, LevelEdgesFormats<Space>>> edges;
   /// Rows of NodeEdgeEntry.
   /// elasticity::IncidenceRange, per edge_node: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::IncidenceRangeArray<float, Space>,
       LevelNode_edge_rangesFormats<Space>>> node_edge_ranges;
   /// quasistatic::PackedIncidence, per edge_end: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::PackedIncidenceArray<float, Space>,
       LevelNode_edge_entriesFormats<Space>>> node_edge_entries;
   /// elasticity::NodeStiffness, per block_node: K
-  elasticity::NodeStiffnessArray<float, Space> node_stiffness;
+  ::elasticity::NodeStiffnessArray<float, Space> node_stiffness;
   /// elasticity::EdgeStiffness, per edge: left out, takes stores
-  physgen::WithFormats<elasticity::EdgeStiffnessArray<float, Space>, LevelEdge_stiffnessFormats<Space>> edge_stiffness;
+  physgen::WithFormats<::elasticity::EdgeStiffnessArray<float, Space>,
+      LevelEdge_stiffnessFormats<Space>> edge_stiffness;
   /// quasistatic::NodeScale, per node: scale; without inverse
-  physgen::WithFormats<quasistatic::NodeScaleArray<float, Space>, LevelScalesFormats<Space>> scales;
+  physgen::WithFormats<::quasistatic::NodeScaleArray<float, Space>, LevelScalesFormats<Space>> scales;
   /// elasticity::NodeStiffness, per edge_node: left out, takes stores
-  physgen::WithFormats<elasticity::NodeStiffnessArray<float, Space>, LevelScaled_nodesFormats<Space>> scaled_nodes;
+  physgen::WithFormats<::elasticity::NodeStiffnessArray<float, Space>, LevelScaled_nodesFormats<Space>> scaled_nodes;
   /// elasticity::EdgeStiffness, per edge: left out, takes stores
-  physgen::WithFormats<elasticity::EdgeStiffnessArray<float, Space>, LevelScaled_edgesFormats<Space>> scaled_edges;
+  physgen::WithFormats<::elasticity::EdgeStiffnessArray<float, Space>, LevelScaled_edgesFormats<Space>> scaled_edges;
   /// quasistatic::NodeInverse, per block_node: D
-  quasistatic::NodeInverseArray<float, Space> inverse;
+  ::quasistatic::NodeInverseArray<float, Space> inverse;
   /// quasistatic::Smoother, per smoother: left out, takes stores
-  physgen::WithFormats<quasistatic::SmootherArray<double, Space>, LevelSmootherFormats<Space>> smoother;
+  physgen::WithFormats<::quasistatic::SmootherArray<double, Space>, LevelSmootherFormats<Space>> smoother;
   /// r
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// z
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> correction;
+  ::elasticity::NodeDisplacementArray<float, Space> correction;
   /// d
   /// elasticity::NodeDisplacement, per edge_node: left out, takes stores
-  physgen::WithFormats<elasticity::NodeDisplacementArray<float, Space>, LevelDirectionFormats<Space>> direction;
+  physgen::WithFormats<::elasticity::NodeDisplacementArray<float, Space>, LevelDirectionFormats<Space>> direction;
   /// The eigenvector that power iterations approach.
   /// elasticity::NodeDisplacement, per edge_node: left out, takes stores
-  physgen::WithFormats<elasticity::NodeDisplacementArray<float, Space>, LevelPowerFormats<Space>> power;
+  physgen::WithFormats<::elasticity::NodeDisplacementArray<float, Space>, LevelPowerFormats<Space>> power;
   /// quasistatic::NodeParents, per child: nodes
-  physgen::ReadOnlyArray<quasistatic::NodeParentsArray<float, Space>> parents;
+  physgen::ReadOnlyArray<::quasistatic::NodeParentsArray<float, Space>> parents;
   /// In place of `parents`, to a background grid.
   /// quasistatic::GridParents, per grid_child: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::GridParentsArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::GridParentsArray<float, Space>,
       LevelGrid_parentsFormats<Space>>> grid_parents;
   /// Of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::IncidenceRangeArray<float, Space>,
       LevelChild_rangesFormats<Space>>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::PackedIncidenceArray<float, Space>,
       LevelChild_entriesFormats<Space>>> child_entries;
   /// Of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<elasticity::IncidenceRangeArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::IncidenceRangeArray<float, Space>,
       LevelEdge_term_rangesFormats<Space>>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<quasistatic::PackedIncidenceArray<float, Space>,
+  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::PackedIncidenceArray<float, Space>,
       LevelEdge_term_entriesFormats<Space>>> edge_term_entries;
   /// Of levels of a background grid, and of the mesh on it.
   /// quasistatic::TranslationStiffness, per grid_node: left out, takes stores
-  physgen::WithFormats<quasistatic::TranslationStiffnessArray<float, Space>,
+  physgen::WithFormats<::quasistatic::TranslationStiffnessArray<float, Space>,
       LevelTranslationsFormats<Space>> translations;
   /// Of the coarsest level alone.
   /// quasistatic::CoarseInverse, per coarse_pair: left out, takes stores
-  physgen::WithFormats<quasistatic::CoarseInverseArray<float, Space>, LevelCoarse_inverseFormats<Space>> coarse_inverse;
+  physgen::WithFormats<::quasistatic::CoarseInverseArray<float, Space>,
+      LevelCoarse_inverseFormats<Space>> coarse_inverse;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -660,18 +662,18 @@ struct Krylov {
 
   /// dx
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> step;
+  ::elasticity::NodeDisplacementArray<float, Space> step;
   /// r = f + K dx
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> residual;
+  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
   /// p
   /// elasticity::NodeDisplacement, per node: dx
-  elasticity::NodeDisplacementArray<float, Space> direction;
+  ::elasticity::NodeDisplacementArray<float, Space> direction;
   /// K p
   /// elasticity::NodeForceDifferential, per node: df
-  elasticity::NodeForceDifferentialArray<float, Space> product;
+  ::elasticity::NodeForceDifferentialArray<float, Space> product;
   /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
-  quasistatic::LinearSolveArray<double, Space> state;
+  ::quasistatic::LinearSolveArray<double, Space> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -701,7 +703,7 @@ struct Stresses {
   };
 
   /// elasticity::Stress, per tet: P
-  elasticity::StressArray<double, Space> of_tets;
+  ::elasticity::StressArray<double, Space> of_tets;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.

@@ -59,10 +59,10 @@ class Header {
   static std::string tags(const Group& group, const Array& array) {
     return "pruned::" + group.variable + "::" + array.name;
   }
-  /// The name of what is generated for an object, where the scene's own name may be that of the object's namespace.
-  [[nodiscard]] std::string outer_name(const Array& array, const std::string& ending) const {
-    const std::string name = generated_name(array, ending);
-    return name.starts_with(scene_.name + "::") ? "::" + name : name;
+  /// The name of what is generated for an object: from the outermost namespace on, since a scene, of this header or of
+  /// another, may have the name of the object's namespace.
+  [[nodiscard]] static std::string outer_name(const Array& array, const std::string& ending) {
+    return "::" + generated_name(array, ending);
   }
   static std::string formats_name(const Group& group, const Array& array) {
     return group.name + capital(array.name) + "Formats";
@@ -82,7 +82,8 @@ class Header {
     out_.line("namespace pruned::" + group.variable + " {");
     out_.open("struct " + array.name + " {");
     for (const FieldNeed* need : fields) {
-      const std::string tag = joined_name(need->field.name);
+      std::string tag = joined_name(need->field.name);
+      if (tag == array.name) tag += '_';  // a class has no member of its own name
       out_.line("struct " + tag + ";");
       leaves.push_back({need->field.name, "physgen::format::Pruned<" + scene_.name + ", " + tags(group, array) + ", " +
                                               tags(group, array) + "::" + tag + ">"});

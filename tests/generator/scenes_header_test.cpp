@@ -38,14 +38,21 @@ TEST(SceneHeader, prunes_fields_of_nested_objects_and_counts_single_ones) {
   usage.steps[1].fields.push_back(writes("body.state", "n"));
   const auto text = scenes::header(scene, scenes::find_needs(scene, usage));
   for (const char* lines :
-       {"struct BodyStateFormats : physgen::FormatsOf<m::StateObject, Space> {\n"
-        "  struct SvdFormats : physgen::FormatsOf<m::StateObject, Space>::svd {\n"
+       {"struct BodyStateFormats : physgen::FormatsOf<::m::StateObject, Space> {\n"
+        "  struct SvdFormats : physgen::FormatsOf<::m::StateObject, Space>::svd {\n"
         "    using U = physgen::format::Pruned<chain, pruned::body::state, pruned::body::state::svd_U>;\n"
         "  };\n"
         "  using svd = SvdFormats;\n"
         "};\n",
         "    physgen::allocate(state, 1, {\"n\"});\n"})
     EXPECT_NE(text.find(lines), std::string::npos) << lines << "in\n" << text;
+}
+
+TEST(SceneHeader, tells_a_field_from_an_array_of_its_name) {
+  auto scene = chain();
+  scene.groups[0].arrays.push_back(array("n", "m::Number", "", {{"n", "int32", 1, 4, false}}));
+  const auto text = scenes::header(scene, scenes::find_needs(scene, chain_usage()));
+  EXPECT_NE(text.find("Pruned<chain, pruned::body::n, pruned::body::n::n_>"), std::string::npos) << text;
 }
 
 TEST(SceneHeader, means_the_objects_of_a_namespace_that_has_the_scenes_own_name) {

@@ -52,6 +52,24 @@ TEST(LinearElastic, inside_of_an_irregular_mesh_follows_an_affine_boundary) {
   }
 }
 
+TEST(LinearElastic, a_solve_that_runs_out_of_iterations_is_no_equilibrium_and_leaves_the_last_one) {
+  const Body body = make_cube(
+      4, side, false, 0.2, [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; },
+      [](const Point& x) { return Point{0, 0, -0.1 * x[2]}; });
+  SolverSettings settings = linear_settings(0.45, 1e-8);
+  const auto enough = make_linear_solver(body.levels, body.loading, settings);
+  ASSERT_EQ(enough->solve_to(0.5, {}).status, NewtonStatus::converged);
+  const std::vector<Point> equilibrium = enough->positions();
+  for (const int iterations : {1, 3}) {
+    settings.newton.most_iterations = iterations;
+    const auto few = make_linear_solver(body.levels, body.loading, settings);
+    few->restore({0.5, true, {equilibrium}});
+    EXPECT_EQ(few->solve_to(1, {}).status, NewtonStatus::too_many_steps) << iterations;
+    EXPECT_EQ(few->load(), 0.5);
+    EXPECT_LE(largest_distance(few->positions(), equilibrium) / side, 1e-15);
+  }
+}
+
 TEST(LinearElastic, a_bar_narrows_by_poissons_ratio_and_pulls_by_youngs_modulus) {
   for (const double nu : {-0.2, 0.0, 0.3, 0.49}) {
     for (const double stretch : {0.8, 1.1}) {

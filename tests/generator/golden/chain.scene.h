@@ -18,7 +18,7 @@ struct svd {
 /// How m::Svd is stored in body.svd. Not stored:
 /// - U: written by Svd(body.x, body.svd); nothing reads it
 template <class Space>
-struct BodySvdFormats : physgen::FormatsOf<m::SvdObject, Space> {
+struct BodySvdFormats : physgen::FormatsOf<::m::SvdObject, Space> {
   using U = physgen::format::Pruned<chain, pruned::body::svd, pruned::body::svd::U>;
 };
 
@@ -32,7 +32,7 @@ struct extra {
 /// How m::Extra is stored in body.extra. Not stored:
 /// - a, b: nothing uses it
 template <class Space>
-struct BodyExtraFormats : physgen::FormatsOf<m::ExtraObject, Space> {
+struct BodyExtraFormats : physgen::FormatsOf<::m::ExtraObject, Space> {
   using a = physgen::format::Pruned<chain, pruned::body::extra, pruned::body::extra::a>;
   using b = physgen::format::Pruned<chain, pruned::body::extra, pruned::body::extra::b>;
 };
@@ -50,13 +50,13 @@ struct Body {
   };
 
   /// m::Position, per node: x
-  physgen::ReadOnlyArray<m::PositionArray<float, Space>> x;
+  physgen::ReadOnlyArray<::m::PositionArray<float, Space>> x;
   /// m::Svd, per tet: s; without U
-  physgen::WithFormats<m::SvdArray<float, Space>, BodySvdFormats<Space>> svd;
+  physgen::WithFormats<::m::SvdArray<float, Space>, BodySvdFormats<Space>> svd;
   /// m::Force, per node: f
-  m::ForceArray<float, Space> f;
+  ::m::ForceArray<float, Space> f;
   /// m::Extra, per tet: left out, takes stores
-  physgen::WithFormats<m::ExtraArray<float, Space>, BodyExtraFormats<Space>> extra;
+  physgen::WithFormats<::m::ExtraArray<float, Space>, BodyExtraFormats<Space>> extra;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.

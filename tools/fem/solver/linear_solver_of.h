@@ -32,50 +32,9 @@ class LinearSolverOf final : public EquilibriumSolver {
       : LinearSolverOf(loading, settings, levels_in_use(levels, unnested(settings))) {}
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
-    using Clock = std::chrono::steady_clock;
-    on_->run(nodes(), BeginAtLoad{load, body_.motion.const_view(), linear_[0]->constraints.const_view(),
-                                  body_.displacements.view()});
-    load_ = load;
-    auto state = evaluate(load);
-    NewtonResult result;
-    for (bool begun = false;; begun = true) {
-      const double free = std::sqrt(state.free_square), fixed = std::sqrt(state.fixed_square);
-      result.energy = state.elastic + state.loads;
-      result.reaction = fixed;
-      const double residual = fixed > 0 ? free / fixed : (free > 0 ? 1.0 : 0.0);
-      // What a solve has not lessened is rounding.
-      const bool stuck = begun && !(residual < 0.5 * result.residual);
-      result.residual = residual;
-      if (!std::isfinite(result.energy) || !std::isfinite(free)) result.status = NewtonStatus::not_finite;
-      if (result.status != NewtonStatus::converged || free <= rounding_force_ ||
-          residual <= settings_.newton.tolerance || stuck) {
-        break;
-      }
-      if (result.steps == settings_.newton.most_steps) {
-        result.status = NewtonStatus::too_many_steps;
-        break;
-      }
-      const auto start = Clock::now();
-      const LinearResult linear = solve_once();
-      result.steps += 1;
-      result.iterations += linear.iterations;
-      if (linear.status == LinearStatus::not_finite || linear.status == LinearStatus::negative_curvature) {
-        result.status = NewtonStatus::linear_solver;
-        break;
-      }
-      state = evaluate(load);
-      if (report) {
-        NewtonStep step;
-        step.number = result.steps;
-        step.residual = std::sqrt(state.free_square / state.fixed_square);
-        step.energy = state.elastic + state.loads;
-        step.smallest_J = smallest_ratio();
-        step.iterations = linear.iterations;
-        step.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        report(0, step);
-      }
-    }
-    result.smallest_J = smallest_ratio();
+    const SolverState before = state();
+    const NewtonResult result = solve_from_rest(load, report);
+    if (result.status != NewtonStatus::converged) restore(before);  // load() is that of an equilibrium
     return result;
   }
 
@@ -139,6 +98,56 @@ class LinearSolverOf final : public EquilibriumSolver {
   static SolverSettings unnested(SolverSettings settings) {
     settings.nested = false;
     return settings;
+  }
+
+  /// Leaves what it has found in the displacements, also where it has not converged.
+  NewtonResult solve_from_rest(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) {
+    using Clock = std::chrono::steady_clock;
+    on_->run(nodes(), BeginAtLoad{load, body_.motion.const_view(), linear_[0]->constraints.const_view(),
+                                  body_.displacements.view()});
+    load_ = load;
+    auto state = evaluate(load);
+    NewtonResult result;
+    for (bool solved = false;;) {
+      const double free = std::sqrt(state.free_square), fixed = std::sqrt(state.fixed_square);
+      result.energy = state.elastic + state.loads;
+      result.reaction = fixed;
+      const double residual = fixed > 0 ? free / fixed : (free > 0 ? 1.0 : 0.0);
+      // What a solve that reached its tolerance has not lessened is rounding.
+      const bool stuck = solved && !(residual < 0.5 * result.residual);
+      result.residual = residual;
+      if (!std::isfinite(result.energy) || !std::isfinite(free)) result.status = NewtonStatus::not_finite;
+      if (result.status != NewtonStatus::converged || free <= rounding_force_ ||
+          residual <= settings_.newton.tolerance || stuck) {
+        break;
+      }
+      if (result.steps == settings_.newton.most_steps) {
+        result.status = NewtonStatus::too_many_steps;
+        break;
+      }
+      const auto start = Clock::now();
+      const LinearResult linear = solve_once();
+      result.steps += 1;
+      result.iterations += linear.iterations;
+      if (linear.status == LinearStatus::not_finite || linear.status == LinearStatus::negative_curvature) {
+        result.status = NewtonStatus::linear_solver;
+        break;
+      }
+      solved = linear.status == LinearStatus::converged;
+      state = evaluate(load);
+      if (report) {
+        NewtonStep step;
+        step.number = result.steps;
+        step.residual = std::sqrt(state.free_square / state.fixed_square);
+        step.energy = state.elastic + state.loads;
+        step.smallest_J = smallest_ratio();
+        step.iterations = linear.iterations;
+        step.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        report(0, step);
+      }
+    }
+    result.smallest_J = smallest_ratio();
+    return result;
   }
 
   [[nodiscard]] index_t nodes() const { return body_.nodes(); }

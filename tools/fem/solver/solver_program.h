@@ -53,8 +53,8 @@ SolverGroups(Groups&...) -> SolverGroups<Groups...>;
 
 /// `Over<Group>`, or NoArrays.
 template <template <class> class Over, class Group>
-using OverGroup = std::conditional_t<std::is_same_v<Group, NoArrays>, std::type_identity<NoArrays>,
-                                     std::type_identity<Over<Group>>>::type;
+using OverGroup = typename std::conditional_t<std::is_same_v<Group, NoArrays>, std::type_identity<NoArrays>,
+                                              std::type_identity<Over<Group>>>::type;
 
 /// The types of a solver over a scene's groups: see SolverTypes.
 /// @tparam Choices AnyChoice, or a struct of its names
