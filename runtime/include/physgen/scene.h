@@ -15,8 +15,8 @@
 //       PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::DeformationGradientObject, Real> gradients;
 //       PHYSGEN_ARRAY(per("tet"), output("s")) Array<elasticity::DeformationSvdObject, Real> svds;
 //     };
-//     template <class On, class Body>                                     // one reference for each group, in their
-//     order static void program(On& on, Body& body) {
+//     template <class On, class Body>                                     // one reference per group, in order
+//     static void program(On& on, Body& body) {
 //       on.run(body.gradients.size(), physgen::fem::ComputeSvd{body.gradients.view(), body.svds.view()});
 //     }
 //   };
