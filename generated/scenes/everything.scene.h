@@ -356,23 +356,6 @@ struct Level {
   }
 };
 
-namespace pruned::schwarz {
-struct blocks {
-  struct parent;
-  struct children;
-  struct arrived;
-};
-}  // namespace pruned::schwarz
-
-/// How quasistatic::SchwarzBlock is stored in schwarz.blocks. Not stored:
-/// - parent, children, arrived: it is an input; nothing reads it
-template <class Space>
-struct SchwarzBlocksFormats : physgen::FormatsOf<::quasistatic::SchwarzBlockObject, Space> {
-  using parent = physgen::format::Pruned<everything, pruned::schwarz::blocks, pruned::schwarz::blocks::parent>;
-  using children = physgen::format::Pruned<everything, pruned::schwarz::blocks, pruned::schwarz::blocks::children>;
-  using arrived = physgen::format::Pruned<everything, pruned::schwarz::blocks, pruned::schwarz::blocks::arrived>;
-};
-
 template <class Space_ = physgen::Host>
 struct Schwarz {
   using Space = Space_;
@@ -395,8 +378,8 @@ struct Schwarz {
   physgen::ReadOnlyArray<::quasistatic::SchwarzNodeArray<float, Space>> nodes;
   /// quasistatic::SchwarzSlot, per slot: source, parent
   physgen::ReadOnlyArray<::quasistatic::SchwarzSlotArray<float, Space>> slots;
-  /// quasistatic::SchwarzBlock, per block: scale; without parent, children, arrived
-  physgen::WithFormats<::quasistatic::SchwarzBlockArray<float, Space>, SchwarzBlocksFormats<Space>> blocks;
+  /// quasistatic::SchwarzBlock, per block: scale, parent, children, arrived
+  ::quasistatic::SchwarzBlockArray<float, Space> blocks;
   /// elasticity::IncidenceRange, per supernode: begin, end
   physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> supernode_term_ranges;
   /// quasistatic::SchwarzTerm, per supernode_term: source, kind

@@ -43,6 +43,12 @@ class SceneCommand {
       return done;
     }
     auto usage = analyse(scene, path, usage::Side::host);
+    if (request_.device && !usage::has_device_side()) {
+      err_ << request_.file
+           << ": error: --device needs the headers of a CUDA toolkit, which is looked for by CUDA_HOME, "
+           << "CUDA_PATH and in /usr/local/cuda; without --device, only what the CPU does is looked at\n";
+      return errors;
+    }
     if (usage && request_.device) {
       const auto device = analyse(scene, path, usage::Side::device);
       usage = device ? std::optional(usage::unite(*usage, *device)) : std::nullopt;
@@ -55,6 +61,7 @@ class SceneCommand {
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
     if (!request_.output_dir.empty()) write(scene, needs, *usage);
+    out_ << times_;
     return done;
   }
 
@@ -66,6 +73,7 @@ class SceneCommand {
                                 request_.flags, side, diagnostics);
     err_ << diagnostics.text;
     depends_on(diagnostics.dependencies);
+    times_ += usage::text_of_time(scene.name, side, diagnostics);
     return usage;
   }
 
@@ -92,6 +100,7 @@ class SceneCommand {
   std::ostream& out_;
   std::ostream& err_;
   std::vector<std::string> dependencies_;
+  std::string times_;
 };
 
 }  // namespace
@@ -112,7 +121,10 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
                    "Explain what becomes of an array or a field, by which lines of which kernels: body.svds, "
                    "body.svds.U, DeformationSvd.U")
       ->type_name("NAME");
-  scene->add_flag("--device", request.device, "Look at what the program does on a CUDA device, too; needs a toolkit");
+  scene->add_flag(
+      "--device", request.device,
+      "Look at what the program does on a CUDA device, too; needs a toolkit (found by CUDA_HOME, CUDA_PATH or "
+      "in /usr/local/cuda)");
   scene->add_flag("--everything", request.everything,
                   "Write DIR/x.everything.h, too: the same arrays with every field, to compare with");
   scene->add_flag("--print-model", request.print_model, "Print what physgen reads from the declaration, as JSON");

@@ -3,15 +3,30 @@
 #pragma once
 
 #include <dynamics.physgen.h>
+#include <fem/kernels/node_sums.h>
 #include <fem/solver/loading_arrays.h>
 #include <fem/solver/masses.h>
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/rest_shapes.h>
 #include <fem/solver/solver_arrays.h>
 
+#include <type_traits>
 #include <vector>
 
 namespace physgen::fem {
+
+/// How the forces of tets on their corners are summed at nodes.
+enum class NodeSums {
+  gathered,  ///< from corner forces, in the order of the nodes' rows
+  added,     ///< by tets, in an order that is open
+  placed     ///< from their places in the nodes' rows, in the order of these
+};
+/// The fastest, or the fastest whose order is fixed.
+template <class Space>
+[[nodiscard]] constexpr NodeSums node_sums(bool fixed_order) {
+  if (std::is_same_v<Space, Host>) return NodeSums::gathered;
+  return fixed_order ? NodeSums::placed : NodeSums::added;
+}
 
 template <class Real_, class Space_>
 struct ExplicitBody {
@@ -21,11 +36,13 @@ struct ExplicitBody {
   // Per tet.
   elasticity::TetArray<Real, Space> tets;
   elasticity::RestShapeArray<Real, Space> rest;
-  elasticity::CornerForcesArray<Real, Space> corners;
+  elasticity::CornerForcesArray<Real, Space> corners;  ///< where sums are gathered
+  elasticity::TetPlacesArray<Real, Space> places;      ///< where forces are placed
+  elasticity::PlacedForceArray<Real, Space> placed;    ///< per corner, there
 
-  // Per node, and its list of tets.
+  // Per node, and its list of tets, where forces are not added.
   elasticity::IncidenceRangeArray<float, Space> node_tet_ranges;
-  elasticity::IncidenceArray<float, Space> node_tets;
+  elasticity::IncidenceArray<float, Space> node_tets;  ///< where they are gathered
   quasistatic::NodeConstraintArray<Real, Space> constraints;
   dynamics::NodeMassArray<double, Space> masses;
   elasticity::NodeForceArray<double, Space> loads;                 ///< external, at a load of 1
@@ -37,9 +54,11 @@ struct ExplicitBody {
 
   dynamics::MotionArray<double, Space> measured;
 
-  /// At rest. @param masses_of_nodes [kg]
-  ExplicitBody(const MeshLevel& level, const Loading& loading, const std::vector<double>& masses_of_nodes)
-      : ExplicitBody(level, incidence_rows<HostRows>(level.mesh.node_tets, index_t(level.mesh.tets.size()))) {
+  /// At rest. @param masses_of_nodes [kg] @param fixed_order whether sums have the same bits on every run
+  ExplicitBody(const MeshLevel& level, const Loading& loading, const std::vector<double>& masses_of_nodes,
+               bool fixed_order)
+      : ExplicitBody(level, incidence_rows<HostRows>(level.mesh.node_tets, index_t(level.mesh.tets.size())),
+                     node_sums<Space>(fixed_order)) {
     store_loading(*this, level, loading.motion, loading.forces);
     dynamics::NodeMassArray<double> host_masses(nodes());
     quasistatic::NodeConstraintArray<Real> host_constraints(nodes());
@@ -54,19 +73,22 @@ struct ExplicitBody {
 
   [[nodiscard]] index_t nodes() const { return velocities.size(); }
   [[nodiscard]] index_t bytes() const {
-    return bytes_of(tets, rest, corners, node_tet_ranges, node_tets, constraints, masses, loads, motion, displacements,
-                    rounded, velocities, forces, measured);
+    return bytes_of(tets, rest, corners, places, placed, node_tet_ranges, node_tets, constraints, masses, loads, motion,
+                    displacements, rounded, velocities, forces, measured);
   }
 
  private:
   using HostRows = RowArrays<elasticity::IncidenceRangeArray<float>, elasticity::IncidenceArray<float>>;
 
-  ExplicitBody(const MeshLevel& level, const HostRows& rows)
+  ExplicitBody(const MeshLevel& level, const HostRows& rows, NodeSums sums)
       : tets(moved_to<decltype(tets)>(host_tets(level))),
         rest(moved_to<decltype(rest)>(host_rest_shapes(level))),
-        corners(tets.size()),
-        node_tet_ranges(moved_to<decltype(node_tet_ranges)>(rows.ranges())),
-        node_tets(moved_to<decltype(node_tets)>(rows.entries())),
+        corners(sums == NodeSums::gathered ? tets.size() : 0),
+        places(moved_to<decltype(places)>(host_places(rows, sums == NodeSums::placed ? tets.size() : 0))),
+        placed(4 * places.size()),
+        node_tet_ranges(sums == NodeSums::added ? decltype(node_tet_ranges)()
+                                                : moved_to<decltype(node_tet_ranges)>(rows.ranges())),
+        node_tets(sums == NodeSums::gathered ? moved_to<decltype(node_tets)>(rows.entries()) : decltype(node_tets)()),
         constraints(level.mesh.nodes),
         masses(level.mesh.nodes),
         loads(level.mesh.nodes),
@@ -76,6 +98,14 @@ struct ExplicitBody {
         velocities(level.mesh.nodes),
         forces(level.mesh.nodes),
         measured(1) {}
+
+  /// @param tet_count of all tets, or 0
+  static auto host_places(const HostRows& rows, index_t tet_count) {
+    elasticity::TetPlacesArray<Real> found(tet_count);
+    const FindPlaces find{rows.entries().const_view(), found.view()};
+    for (index_t entry = 0; entry < 4 * tet_count; ++entry) find(entry);
+    return found;
+  }
 };
 
 }  // namespace physgen::fem

@@ -64,7 +64,7 @@ class ExplicitSolverOf final : public DynamicSolver {
         rest_(level.rest),
         on_(make_executor<On>(index_t(level.mesh.tets.size()))),
         steps_(make_explicit_steps<On, Body>(settings.solver)),
-        body_(level, loading, lumped_masses(level.mesh, level.rest, settings.density)) {}
+        body_(level, loading, lumped_masses(level.mesh, level.rest, settings.density), settings.fixed_order) {}
 
   NewtonResult step(double length, double load) override {
     require_step(length, load);
