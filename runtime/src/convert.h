@@ -1,7 +1,7 @@
 // A conversion of objects between two arrays as data: which elements move where, on host and device.
 #pragma once
 
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <bit>
 #include <cmath>
@@ -11,7 +11,8 @@
 
 namespace physgen::detail {
 
-/// Addresses of a Storage with the pitch prepared for a shift and a mask; a whole-array pitch never leaves tile 0.
+/// Addresses of an UntypedArray with the pitch prepared for a shift and a mask; a whole-array pitch never leaves tile
+/// 0.
 struct Addressing {
   std::byte* base;
   index_t pitch;
@@ -19,10 +20,10 @@ struct Addressing {
   int record_bytes;
   index_t first;  // the number of the object that lies at its beginning
 
-  explicit Addressing(const Storage& storage, index_t first_object = 0)
-      : base(storage.base), pitch(storage.pitch), shift(63), record_bytes(storage.record_bytes), first(first_object) {
-    if (storage.pitch < storage.padded || storage.pitch == 1) {
-      for (shift = 0; (index_t{1} << shift) < storage.pitch;) ++shift;
+  explicit Addressing(const UntypedArray& array, index_t first_object = 0)
+      : base(array.base), pitch(array.pitch), shift(63), record_bytes(array.record_bytes), first(first_object) {
+    if (array.pitch < array.padded || array.pitch == 1) {
+      for (shift = 0; (index_t{1} << shift) < array.pitch;) ++shift;
     }
   }
   [[nodiscard]] PHYSGEN_FUNCTION std::byte* address(index_t i, int offset, int size) const {
@@ -72,7 +73,7 @@ struct Conversion {
   std::vector<RotationMove> rotations;
   std::vector<RotationMove> kept_quaternions;  ///< on both sides; their elements are among the others
 
-  Conversion(const Storage& to, const Storage& from) {
+  Conversion(const UntypedArray& to, const UntypedArray& from) {
     for (std::size_t f = 0; f < to.fields.size(); ++f) {
       const FieldInfo &a = to.fields[f], &b = from.fields[f];
       if (!a.is_stored() || !b.is_stored()) continue;
@@ -140,7 +141,7 @@ struct Fill {
 
 /// The first field that changes between the two arrays by functions of a format of a program's own, which only the host
 /// has; else null.
-[[nodiscard]] inline const FieldInfo* changed_by_own_functions(const Storage& to, const Storage& from) {
+[[nodiscard]] inline const FieldInfo* changed_by_own_functions(const UntypedArray& to, const UntypedArray& from) {
   for (std::size_t f = 0; f < to.fields.size(); ++f) {
     const FieldInfo &a = to.fields[f], &b = from.fields[f];
     if ((a.own == nullptr && b.own == nullptr) || !a.is_stored() || !b.is_stored()) continue;

@@ -33,7 +33,7 @@ void copy_rows(const Rows& rows, bool on_host, Stream stream) {
 
 }  // namespace
 
-bool same_records(const Storage& a, const Storage& b) {
+bool same_records(const UntypedArray& a, const UntypedArray& b) {
   if (a.record_bytes != b.record_bytes) return false;
   return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
                     [](const FieldInfo& x, const FieldInfo& y) {
@@ -41,12 +41,12 @@ bool same_records(const Storage& a, const Storage& b) {
                     });
 }
 
-bool same_runs(const Storage& a, const Storage& b) {
+bool same_runs(const UntypedArray& a, const UntypedArray& b) {
   return a.pitch == b.pitch || (a.pitch >= a.padded && b.pitch >= b.padded);
 }
 
-index_t copy_plain(const Storage& to, index_t to_begin, const Storage& from, index_t from_begin, index_t count,
-                   Stream stream) {
+index_t copy_plain(const UntypedArray& to, index_t to_begin, const UntypedArray& from, index_t from_begin,
+                   index_t count, Stream stream) {
   const bool on_host = host_accessible(to.space) && host_accessible(from.space);
   if (to.record_bytes == 0) return 0;
   index_t moved = 0;

@@ -59,7 +59,7 @@ class UniformArray<Array<Object_, Real, Space, Layout, Formats_>> {
   [[nodiscard]] index_t size() const { return size_; }
   /// Bytes of memory held, padding included.
   [[nodiscard]] index_t bytes() const { return record_.bytes(); }
-  [[nodiscard]] View view() const { return {record_.storage().base, size_, 1}; }
+  [[nodiscard]] View view() const { return {record_.untyped().base, size_, 1}; }
   [[nodiscard]] View const_view() const { return view(); }
   /// The record, as an array of one object, or of none where there are no objects: for whoever fills it.
   [[nodiscard]] Record& contents() { return record_; }
@@ -106,29 +106,29 @@ namespace detail {
 /// Gives the elements of these fields, in all objects of an array, signalling NaN in place of their values; integers
 /// and numbers in equal steps, which have none, stay. What lies behind the last object stays, too.
 /// @throw Error when the array has no field of such a name
-inline void start_without_values(const Storage& storage, std::initializer_list<std::string_view> fields) {
-  std::vector<std::byte> image(static_cast<std::size_t>(storage.bytes()));
+inline void start_without_values(const UntypedArray& array, std::initializer_list<std::string_view> fields) {
+  std::vector<std::byte> image(static_cast<std::size_t>(array.bytes()));
   if (image.empty()) return;
-  copy_memory(image.data(), SpaceKind::host, storage.base, storage.space, storage.bytes());
+  copy_memory(image.data(), SpaceKind::host, array.base, array.space, array.bytes());
   for (const std::string_view name : fields) {
-    const auto field = std::find_if(storage.fields.begin(), storage.fields.end(),
+    const auto field = std::find_if(array.fields.begin(), array.fields.end(),
                                     [&](const FieldInfo& info) { return info.name == name; });
-    if (field == storage.fields.end()) {
-      throw Error(std::string(storage.object) + ": there is no field " + std::string(name) +
+    if (field == array.fields.end()) {
+      throw Error(std::string(array.object) + ": there is no field " + std::string(name) +
                   " that could start without a value");
     }
     alignas(8) std::byte nan[8];
     if (!detail::signalling_nan(field->type, nan)) continue;
     const int size = element_bytes(field->type);
-    for (index_t i = 0; i < storage.size; ++i) {
+    for (index_t i = 0; i < array.size; ++i) {
       for (int k = 0; k < field->count; ++k) {
-        const index_t at = i / storage.pitch * storage.pitch * storage.record_bytes +
-                           (field->offset + index_t{k} * size) * storage.pitch + i % storage.pitch * size;
+        const index_t at = i / array.pitch * array.pitch * array.record_bytes +
+                           (field->offset + index_t{k} * size) * array.pitch + i % array.pitch * size;
         std::memcpy(image.data() + at, nan, static_cast<std::size_t>(size));
       }
     }
   }
-  copy_memory(storage.base, storage.space, image.data(), SpaceKind::host, storage.bytes());
+  copy_memory(array.base, array.space, image.data(), SpaceKind::host, array.bytes());
 }
 
 /// Makes `array` one of `size` objects with their initial values. In checked builds the fields named begin as
@@ -138,7 +138,7 @@ template <class Array>
 void allocate(Array& array, index_t size, [[maybe_unused]] std::initializer_list<std::string_view> written_first = {}) {
   array = Array(size);
   if constexpr (checked_build) {
-    if (written_first.size() > 0) start_without_values(array.storage(), written_first);
+    if (written_first.size() > 0) start_without_values(array.untyped(), written_first);
   }
 }
 

@@ -16,10 +16,10 @@ struct Staged {
   int stride;      // from one record to the next [words]
   unsigned magic;  // word / words = the upper half of word * magic, for words of a block
 
-  static Staged of(const Storage& storage, bool staged) {
+  static Staged of(const UntypedArray& array, bool staged) {
     Staged result{0, 0, 0};
     if (!staged) return result;
-    result.words = storage.record_bytes / 4;
+    result.words = array.record_bytes / 4;
     result.stride = result.words | 1;
     result.magic = static_cast<unsigned>((0xffffffffULL + static_cast<unsigned>(result.words)) /
                                          static_cast<unsigned>(result.words));

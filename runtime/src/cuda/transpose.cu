@@ -142,11 +142,11 @@ Launch find(int elements, std::integer_sequence<int, N...> /*counts*/) {
 }
 
 // A channel's 16 bytes never leave its tile.
-[[nodiscard]] bool wide_tiles(const Storage& array) { return array.pitch == 1 || array.pitch % 4 == 0; }
+[[nodiscard]] bool wide_tiles(const UntypedArray& array) { return array.pitch == 1 || array.pitch % 4 == 0; }
 
 }  // namespace
 
-index_t transpose(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
+index_t transpose(const UntypedArray& to, index_t to_first, const UntypedArray& from, index_t from_first, index_t begin,
                   index_t end, Stream stream) {
   const index_t objects = (end - begin) / block_objects * block_objects;
   const bool both_records = to.pitch == 1 && from.pitch == 1;
