@@ -1,40 +1,14 @@
 // A conversion of objects between two arrays as data: which elements move where, on host and device.
 #pragma once
 
-#include <physgen/untyped_array.h>
-
 #include <bit>
 #include <cmath>
 #include <vector>
 
+#include "addressing.h"
 #include "element_codec.h"
 
 namespace physgen::detail {
-
-/// Addresses of an UntypedArray with the pitch prepared for a shift and a mask; a whole-array pitch never leaves tile
-/// 0.
-struct Addressing {
-  std::byte* base;
-  index_t pitch;
-  int shift;
-  int record_bytes;
-  index_t first;  // the number of the object that lies at its beginning
-
-  explicit Addressing(const UntypedArray& array, index_t first_object = 0)
-      : base(array.base), pitch(array.pitch), shift(63), record_bytes(array.record_bytes), first(first_object) {
-    if (array.pitch < array.padded || array.pitch == 1) {
-      for (shift = 0; (index_t{1} << shift) < array.pitch;) ++shift;
-    }
-  }
-  [[nodiscard]] PHYSGEN_FUNCTION std::byte* address(index_t i, int offset, int size) const {
-    const index_t here = i - first;
-    const index_t tile = here >> shift;
-    const index_t lane = here - (tile << shift);
-    return base + tile * pitch * record_bytes + offset * pitch + lane * size;
-  }
-  /// Whether whole records follow each other.
-  [[nodiscard]] PHYSGEN_FUNCTION bool records() const { return pitch == 1; }
-};
 
 /// One element of every object.
 struct ElementMove {

@@ -28,7 +28,7 @@ Lanes lanes(const Addressing& array, index_t i, int offset, int size) {
 /// Objects from i on whose elements are evenly spaced.
 index_t evenly_spaced(const Addressing& array, index_t i) {
   if (array.records() || array.shift == 63) return std::numeric_limits<index_t>::max();
-  return array.pitch - ((i - array.first) & (array.pitch - 1));
+  return array.pitch - array.lane(i);
 }
 
 template <class To, class From, class Convert>

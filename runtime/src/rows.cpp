@@ -30,8 +30,8 @@ class EntryIndices {
   [[nodiscard]] int count() const { return field_.count; }
   [[nodiscard]] std::int32_t get(index_t entry, int k) const {
     std::int32_t index = 0;
-    const std::byte* at = entries_.base + entry * entries_.record_bytes + field_.offset;
-    std::memcpy(&index, at + k * index_t{sizeof index}, sizeof index);
+    constexpr int size = sizeof index;
+    std::memcpy(&index, entries_.address(entry, field_.offset + k * size, size), size);
     return index;
   }
 
@@ -160,7 +160,7 @@ void pick_records(const UntypedArray& to, const UntypedArray& from, std::span<co
   const auto bytes = static_cast<std::size_t>(to.record_bytes);
   if (bytes == 0) return;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    std::memcpy(to.base + static_cast<index_t>(i) * to.record_bytes, from.base + numbers[i] * from.record_bytes, bytes);
+    std::memcpy(to.address(static_cast<index_t>(i), 0, 0), from.address(numbers[i], 0, 0), bytes);
   }
 }
 

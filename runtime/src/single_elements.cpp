@@ -63,9 +63,8 @@ double getdata(const UntypedArray& array, index_t i, int k) {
   // A single element, or all those of a quaternion.
   alignas(8) std::array<std::byte, 32> bytes{};
   const int first = field.quaternion ? element / 9 * 4 : element, count = field.quaternion ? 4 : 1;
-  const detail::Addressing addresses(array);
   for (int e = 0; e < count; ++e) {
-    const std::byte* from = addresses.address(i, field.offset + (first + e) * size, size);
+    const std::byte* from = array.address(i, field.offset + (first + e) * size, size);
     if (host_accessible(array.space)) {
       std::memcpy(bytes.data() + e * size, from, static_cast<std::size_t>(size));
     } else {
@@ -94,7 +93,7 @@ void putdata(const UntypedArray& array, index_t i, int k, double value) {
     throw Error(message.str());
   }
   const int size = element_bytes(field.type);
-  std::byte* to = detail::Addressing(array).address(i, field.offset + element * size, size);
+  std::byte* to = array.address(i, field.offset + element * size, size);
   alignas(8) std::array<std::byte, 8> bytes{};
   const detail::Encoding encoding = detail::encoding_of(field);
   detail::encode(bytes.data(), encoding, value);

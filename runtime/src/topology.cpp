@@ -22,7 +22,7 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
                   index_t count) {
   const Addressing to_address(to);
   const Addressing from_address(from);
-  const bool whole_records = to.pitch == 1 && from.pitch == 1;
+  const bool whole_records = to_address.records() && from_address.records();
   // Blocks of objects keep what is written in the cache while field after field is moved.
   constexpr index_t block = 1024;
   const index_t blocks = (count + block - 1) / block;
@@ -33,7 +33,7 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
     if (whole_records) {
       const auto bytes = static_cast<std::size_t>(to.record_bytes);
       for (index_t i = first; i < last; ++i) {
-        std::memcpy(to.base + (begin + i) * to.record_bytes, from.base + picked[i] * to.record_bytes, bytes);
+        std::memcpy(to_address.record(begin + i), from_address.record(picked[i]), bytes);
       }
       continue;
     }

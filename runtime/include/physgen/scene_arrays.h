@@ -107,9 +107,11 @@ namespace detail {
 /// and numbers in equal steps, which have none, stay. What lies behind the last object stays, too.
 /// @throw Error when the array has no field of such a name
 inline void start_without_values(const UntypedArray& array, std::initializer_list<std::string_view> fields) {
-  std::vector<std::byte> image(static_cast<std::size_t>(array.bytes()));
-  if (image.empty()) return;
-  copy_memory(image.data(), SpaceKind::host, array.base, array.space, array.bytes());
+  std::vector<std::byte> memory(static_cast<std::size_t>(array.bytes()));
+  if (memory.empty()) return;
+  copy_memory(memory.data(), SpaceKind::host, array.base, array.space, array.bytes());
+  UntypedArray image = array;
+  image.base = memory.data();
   for (const std::string_view name : fields) {
     const auto field = std::find_if(array.fields.begin(), array.fields.end(),
                                     [&](const FieldInfo& info) { return info.name == name; });
@@ -122,13 +124,11 @@ inline void start_without_values(const UntypedArray& array, std::initializer_lis
     const int size = element_bytes(field->type);
     for (index_t i = 0; i < array.size; ++i) {
       for (int k = 0; k < field->count; ++k) {
-        const index_t at = i / array.pitch * array.pitch * array.record_bytes +
-                           (field->offset + index_t{k} * size) * array.pitch + i % array.pitch * size;
-        std::memcpy(image.data() + at, nan, static_cast<std::size_t>(size));
+        std::memcpy(image.address(i, field->offset + k * size, size), nan, static_cast<std::size_t>(size));
       }
     }
   }
-  copy_memory(array.base, array.space, image.data(), SpaceKind::host, array.bytes());
+  copy_memory(array.base, array.space, image.base, SpaceKind::host, array.bytes());
 }
 
 /// Makes `array` one of `size` objects with their initial values. In checked builds the fields named begin as

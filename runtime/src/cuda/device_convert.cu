@@ -143,8 +143,7 @@ __global__ void convert_kernel(const Addressing to, const Addressing from, const
   const auto lo = static_cast<int>(max(block.first, block_begin) - block_begin);
   const auto hi = static_cast<int>(min(block.last, block_begin + index_t{blockDim.x}) - block_begin);
   if constexpr (kFromStaged) {
-    move_records<true>(block.from, from_shared, from.base + (block_begin - from.first) * from.record_bytes,
-                       lo * block.from.words, hi * block.from.words);
+    move_records<true>(block.from, from_shared, from.record(block_begin), lo * block.from.words, hi * block.from.words);
   }
   if constexpr (kToStaged) {  // padding of records, and what is converted later, is zero until then
     const int words = block.to.stride * static_cast<int>(blockDim.x);
@@ -170,8 +169,7 @@ __global__ void convert_kernel(const Addressing to, const Addressing from, const
   }
   if constexpr (kToStaged) {
     __syncthreads();
-    move_records<false>(block.to, to_shared, to.base + (block_begin - to.first) * to.record_bytes, lo * block.to.words,
-                        hi * block.to.words);
+    move_records<false>(block.to, to_shared, to.record(block_begin), lo * block.to.words, hi * block.to.words);
   }
 }
 

@@ -28,7 +28,7 @@ void check_written(const UntypedArray& array) {
     for (index_t begin = 0; begin < array.size; begin += array.pitch) {
       const index_t lanes = std::min(array.pitch, array.size - begin);
       for (int k = 0; k < field.count; ++k) {
-        const std::byte* row = array.base + begin * array.record_bytes + (field.offset + k * size) * array.pitch;
+        const std::byte* row = array.address(begin, field.offset + k * size, size);
         if (size == 4 ? all_numbers<float>(row, lanes) : all_numbers<double>(row, lanes)) continue;
         throw Error(std::string(array.object) + "." + std::string(field.name) + ": element " + std::to_string(k) +
                     " was not written, or is not a number, in an object of " + std::to_string(begin) + " to " +
