@@ -22,6 +22,20 @@ struct AtOwnIndex {
   static constexpr const char* name = ArrayTag::name;
 };
 
+/// In the place of an array's tag: an array that stores nothing, and may be read all the same. Where code is another
+/// over it than over the array with all fields, it depends on which fields are stored.
+template <class ArrayTag>
+struct StoringNothing {
+  static constexpr const char* name = ArrayTag::name;
+};
+
+template <class ArrayTag>
+inline constexpr bool stores_nothing = false;
+template <class ArrayTag>
+inline constexpr bool stores_nothing<StoringNothing<ArrayTag>> = true;
+template <class ArrayTag>
+inline constexpr bool stores_nothing<AtOwnIndex<ArrayTag>> = stores_nothing<ArrayTag>;
+
 }  // namespace probe
 
 namespace format {
@@ -43,7 +57,6 @@ struct ElementFormat<Probe<ArrayTag, Object, field, Quaternion<Component>>> {
 };
 
 /// Returned by deleted functions, or taken by them: their names are what compilers print.
-struct a_probed_array_has_no_raw_memory_so_read_and_write_its_fields;
 struct this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_views {};
 
 template <template <class, class, class, int> class XProbe, class ArrayTag, class Base, class Object, int first>
