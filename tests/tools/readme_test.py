@@ -12,9 +12,9 @@ sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOL = ROOT / "tools" / "report" / "readme_numbers.py"
 sys.path.insert(0, str(TOOL.parent))
-import readme_figures  # noqa: E402
 import readme_numbers  # noqa: E402
 import rows  # noqa: E402
+from readme import READMES, pictures, sentences  # noqa: E402
 
 PACKAGES = "tools/packages.txt"
 DIGITS = re.compile(r"\d+")
@@ -44,7 +44,7 @@ class ReadmeTest(unittest.TestCase):
         """A copy of what the command reads and writes."""
         self.temporary = tempfile.TemporaryDirectory()
         self.root = pathlib.Path(self.temporary.name)
-        for readme in readme_figures.READMES:
+        for readme in READMES:
             (self.root / readme).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / readme, self.root / readme)
         shutil.copytree(ROOT / readme_numbers.RESULTS, self.root / readme_numbers.RESULTS)
@@ -86,17 +86,17 @@ class ReadmeTest(unittest.TestCase):
         self.assertEqual((done.stderr, done.returncode), ("", 0))
 
     def test_every_result_file_has_figures_in_a_readme(self):
-        used = {sentence.file for sentence in readme_figures.SENTENCES}
-        for readme in readme_figures.READMES:
+        used = {sentence.file for sentence in sentences.SENTENCES}
+        for readme in READMES:
             text = (self.root / readme).read_text(encoding="utf-8")
-            files = [file for *_, file in readme_numbers.tables(readme, text)]
+            files = [file for *_, file in readme_numbers.tables_in(readme, text)]
             used |= {file for file in files if file.endswith(".json") and "/" not in file}
         self.assertEqual(used, {path.name for path in self.result_files()})
 
     # ---- What is found -------------------------------------------------------------------------------------------
     def test_a_changed_digit_of_a_readme_is_found_in_its_line(self):
         checkout, tried = readme_numbers.Checkout(self.root), 0
-        for readme in readme_figures.READMES:
+        for readme in READMES:
             text = checkout.text(readme)
             for edit in checkout.edits(readme, text):
                 for number in DIGITS.finditer(text, edit.begin, edit.end):
@@ -118,14 +118,14 @@ class ReadmeTest(unittest.TestCase):
             path.write_text(json.dumps(measured_again(json.loads(path.read_text()))))
         self.measure_cubes_again()
         checkout = readme_numbers.Checkout(self.root)
-        for readme in readme_figures.READMES:
+        for readme in READMES:
             text = checkout.text(readme)
             for edit in checkout.edits(readme, text):
                 present = text[edit.begin : edit.end]
                 if edit.file != PACKAGES and re.search(r"(?<![\w-])\d", present):  # else it is the head of a table
                     self.assertNotEqual(present, edit.wanted, f"{readme}:{readme_numbers.line(text, edit.begin)}")
         stale = " ".join(checkout.differences())
-        for picture in readme_figures.PICTURES:
+        for picture in pictures.PICTURES:
             self.assertIn(f"{picture.path}: not drawn from the present", stale)
 
     def test_a_changed_digit_of_a_result_is_found(self):
@@ -158,7 +158,7 @@ class ReadmeTest(unittest.TestCase):
 
     def test_pictures_that_the_readme_shows_are_small(self):
         readme = (ROOT / "README.md").read_text(encoding="utf-8")
-        for picture in readme_figures.PICTURES:
+        for picture in pictures.PICTURES:
             self.assertIn(f"]({picture.path})", readme)
             self.assertLess((ROOT / picture.path).stat().st_size, 300_000)
 
@@ -211,19 +211,19 @@ class ReadmeTest(unittest.TestCase):
     def test_write_puts_new_figures_and_leaves_all_other_words(self):
         def words(readme):
             text = (self.root / readme).read_text(encoding="utf-8")
-            for begin, end, *_ in reversed(readme_numbers.tables(readme, text)):
+            for begin, end, *_ in reversed(readme_numbers.tables_in(readme, text)):
                 text = text[:begin] + text[end:]
             return re.sub(readme_numbers.NUMBER, "0", text)
 
-        before = [words(readme) for readme in readme_figures.READMES]
+        before = [words(readme) for readme in READMES]
         for path in self.result_files():
             path.write_text(json.dumps(measured_again(json.loads(path.read_text()))))
         self.measure_cubes_again()
         done = command("--write", self.root)
         self.assertEqual((done.stderr, done.returncode), ("", 0))
-        changed = [*readme_figures.READMES, *(picture.path for picture in readme_figures.PICTURES)]
+        changed = [*READMES, *(picture.path for picture in pictures.PICTURES)]
         self.assertEqual(done.stdout.split(), changed)
-        self.assertEqual([words(readme) for readme in readme_figures.READMES], before)
+        self.assertEqual([words(readme) for readme in READMES], before)
         self.assertEqual(command("--check", self.root).returncode, 0)
         soa = next(
             row

@@ -11,14 +11,14 @@ import sys
 from dataclasses import dataclass
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
-import readme_figures  # noqa: E402
 import rows  # noqa: E402
+from readme import READMES, elsewhere, pictures, sentences, tables  # noqa: E402
 from truthcube import records  # noqa: E402
 
 HELP = """Compares the figures of READMEs with the checked-in results (--check), or writes them anew (--write): tables
 between <!-- figures: NAME, from FILE.json --> and <!-- end of figures -->, figures in sentences, and pictures; and the
-table of packages with tools/packages.txt. What stands where is listed in tools/report/readme_figures.py."""
-LIST = "tools/report/readme_figures.py"
+table of packages with tools/packages.txt. What stands where is listed in tools/report/readme."""
+LIST = "tools/report/readme"
 RESULTS = "tools/report/results"
 BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w./]+) -->\n")
 END = "<!-- end of figures -->\n"
@@ -87,19 +87,19 @@ class Checkout:
     def edits(self, readme, text):
         """All of a README's figures that results hold, in order. @throws FiguresError"""
         found = []
-        for begin, end, table, file in tables(readme, text):
+        for begin, end, table, file in tables_in(readme, text):
             found += self._table(begin, end, table, file, f"{readme}:{line(text, begin) - 1}", text)
-        for sentence in readme_figures.SENTENCES:
+        for sentence in sentences.SENTENCES:
             if sentence.readme == readme:
                 found += self._sentence(sentence, text)
         return sorted(found, key=lambda edit: edit.begin)
 
     def _table(self, begin, end, table, file, place, text):
-        if table not in readme_figures.TABLES:
-            there = ", ".join(readme_figures.TABLES)
+        if table not in tables.TABLES:
+            there = ", ".join(tables.TABLES)
             raise FiguresError(f"{place}: there is no table '{table}' in {LIST}; it has {there}")
         source = self.file(file) if file.endswith(".json") and "/" not in file else self.text(file)
-        wanted = readme_figures.TABLES[table](source).splitlines(keepends=True)
+        wanted = tables.TABLES[table](source).splitlines(keepends=True)
         present = text[begin:end].splitlines(keepends=True)
         if len(wanted) != len(present):
             return [Edit(begin, end, "".join(wanted), file)]
@@ -123,15 +123,15 @@ class Checkout:
 
     def unaccounted(self, readme, text, edits):
         """Places of what looks measured, but is neither held by results nor listed as from elsewhere."""
-        if readme not in readme_figures.COMPLETE:
+        if readme not in elsewhere.COMPLETE:
             return []
-        first, last = readme_figures.COMPLETE[readme]
+        first, last = elsewhere.COMPLETE[readme]
         begin = text.find(first)
         end = text.find(last, begin + len(first)) if last else len(text)
         if begin < 0 or end < 0:
             raise FiguresError(f"{readme} has no part from '{first}' to '{last}'; change {LIST}, too")
         known = [(edit.begin, edit.end) for edit in edits]
-        for words, _ in readme_figures.ELSEWHERE[readme]:
+        for words, _ in elsewhere.ELSEWHERE[readme]:
             found = list(_pattern(words).finditer(text))
             if len(found) != 1:
                 raise FiguresError(f"{readme} has {len(found)} times \"{words}\", which {LIST} says it has once")
@@ -145,7 +145,7 @@ class Checkout:
     def differences(self):
         """What disagrees, as lines of text. @throws FiguresError, rows.ResultsError"""
         found = []
-        for readme in readme_figures.READMES:
+        for readme in READMES:
             text = self.text(readme)
             edits = self.edits(readme, text)
             for edit in edits:
@@ -158,7 +158,7 @@ class Checkout:
                     f"{readme}:{line(text, match.start())}: '{match[0]}' is held by no results; list its sentence in "
                     f"{LIST}, under SENTENCES or, with where it is from, under ELSEWHERE"
                 )
-        for picture in readme_figures.PICTURES:
+        for picture in pictures.PICTURES:
             if not self._is_drawn(picture):
                 found.append(f"{picture.path}: not drawn from the present {' and '.join(picture.files)}")
         return found
@@ -166,12 +166,12 @@ class Checkout:
     def write(self):
         """@return names of the files that changed"""
         texts = {}
-        for readme in readme_figures.READMES:
+        for readme in READMES:
             text = self.text(readme)
             for edit in reversed(self.edits(readme, text)):
                 text = text[: edit.begin] + edit.wanted + text[edit.end :]
             texts[readme] = text
-        for picture in readme_figures.PICTURES:
+        for picture in pictures.PICTURES:
             if not self._is_drawn(picture):
                 texts[picture.path] = self._draw(picture)
         changed = [name for name, text in texts.items() if not (self.root / name).exists() or text != self.text(name)]
@@ -203,7 +203,7 @@ def _difference(present, wanted):
     return "\n".join(["a table that has other lines", *(line for line in lines if line[0] in "+-"), "as"])
 
 
-def tables(readme, text):
+def tables_in(readme, text):
     """(begin, end, name, file) of each table in a README. @throws FiguresError where a table has no end"""
     found = []
     for match in BEGIN.finditer(text):
