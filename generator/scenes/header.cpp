@@ -38,6 +38,7 @@ class Header {
                            " and the kernels that it runs: change these, not this file.");
     out_.line("#pragma once");
     out_.line();
+    if (has_locals()) out_.line("#include <physgen/local_array.h>");
     out_.line("#include <physgen/scene_arrays.h>");
     out_.line();
     out_.line("#include \"" + scene_.include + "\"");
@@ -46,7 +47,11 @@ class Header {
     out_.line("namespace " + namespace_ + " {");
     out_.line();
     for (const Group& group : scene_.groups) {
-      for (const Array& array : group.arrays) formats(group, array);
+      for (const Array& array : group.arrays) {
+        if (needs_.of(group.full_name(array)).local())
+          out_.line("namespace tags::" + group.variable + " { struct " + array.name + "; }");
+        formats(group, array);
+      }
       this->group(group);
     }
     out_.line("}  // namespace " + namespace_);
@@ -139,12 +144,18 @@ class Header {
     out_.close("};");
   }
 
+  [[nodiscard]] bool has_locals() const {
+    return std::any_of(needs_.arrays.begin(), needs_.arrays.end(), [](const ArrayNeed& need) { return need.local(); });
+  }
+
   // ---- The arrays of a group ---------------------------------------------------------------------------------------
 
   [[nodiscard]] std::string type(const Group& group, const Array& array) const {
     std::string type = outer_name(array, "Array") + "<" + array.real + ", Space>";
     if (!pruned(group, array).empty())
       type = "physgen::WithFormats<" + type + ", " + formats_name(group, array) + "<Space>>";
+    if (needs_.of(group.full_name(array)).local())
+      return "physgen::LocalArray<" + type + ", tags::" + group.variable + "::" + array.name + ">";
     if (array.uniform) return "physgen::UniformArray<" + type + ">";
     return is_read_only(group, array) ? "physgen::ReadOnlyArray<" + type + ">" : type;
   }
@@ -189,6 +200,7 @@ class Header {
     for (const FieldNeed& field : need.fields)
       (field.kept ? kept : left) += ((field.kept ? kept : left).empty() ? "" : ", ") + field.field.name;
     std::string text = array.object + ", " + per + ": " + (kept.empty() ? "left out, takes stores" : kept);
+    if (need.local()) text += "; local to steps that are one, so it holds no memory";
     if (!left.empty() && !kept.empty()) text += "; without " + left;
     return array.doc.empty() ? text : array.doc + "\n" + text;
   }
@@ -205,9 +217,10 @@ class Header {
         statements.push_back(array.name + ".resize(" + count + ");");
         continue;
       }
+      const ArrayNeed& need = needs_.of(group.full_name(array));
       std::string unset;
-      for (const FieldNeed& field : needs_.of(group.full_name(array)).fields)
-        if (field.kept && !array.is_input(field.field.name) && !field.field.initial)
+      for (const FieldNeed& field : need.fields)
+        if (field.kept && !need.local() && !array.is_input(field.field.name) && !field.field.initial)
           unset += (unset.empty() ? "\"" : ", \"") + field.field.name + "\"";
       statements.push_back("physgen::allocate(" + array.name + ", " + count +
                            (unset.empty() ? "" : ", {" + unset + "}") + ");");
