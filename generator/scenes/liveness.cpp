@@ -50,6 +50,7 @@ class LivenessFinder {
       if (writes(use)) result_.written.insert(name_of(use));
     }
     for (const auto& use : usage_.unknown) unknown_use(use);
+    for (const auto& race : usage_.races) error(location(race.writer_place), usage::text_of(race));
   }
 
   /// All of the array may be read and written there.

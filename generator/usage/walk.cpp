@@ -64,6 +64,7 @@ class Walk {
     for (const FunctionDecl* function : functions)
       if (!names_.is_library(function->getLocation())) graph_.entries.push_back(number(function));
     follow();
+    for (const auto* run : runs_) part(*run);
     return std::move(graph_);
   }
 
@@ -95,17 +96,40 @@ class Walk {
         numbers_.emplace(declaration->getCanonicalDecl(), static_cast<int>(graph_.functions.size()));
     if (!is_new) return entry->second;
     Function& made = graph_.functions.emplace_back();
+    declarations_.push_back(declaration);
     const FunctionDecl* definition = nullptr;
     if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration)) (void)function->isDefined(definition);
     const auto location = (definition != nullptr ? definition : declaration)->getLocation();
     made.file = names_.place(location).file;
     made.of_library = names_.is_library(location);
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration);
-        method != nullptr && method->getIdentifier() != nullptr)
+        method != nullptr && method->getIdentifier() != nullptr) {
       made.whole_object = (method->getName() == "get" || method->getName() == "put") &&
                           Names::is_object_reference(*method->getParent());
+      if (method->getName() == "run" && Names::is_physgen(method->getParent(), "Steps", {"detail"}))
+        runs_.push_back(method);
+      made.adds = method->getName() == "add" && (Names::is_physgen(method->getParent(), "FieldRef") ||
+                                                 Names::is_physgen(method->getParent(), "ElementRef"));
+    }
+    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration))
+      made.fused = method->getOverloadedOperator() == clang::OO_Call && Names::is_physgen(method->getParent(), "Fused");
+    if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration))
+      made.single_object = Names::is_physgen(function, "single_object", {"detail", "probe"});
     queue_.push_back(definition != nullptr ? definition : declaration);
     return entry->second;
+  }
+
+  /// The kernel that Steps<Kernel, ...>::run calls first.
+  void part(const clang::CXXMethodDecl& run) {
+    const auto* steps = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(run.getParent());
+    const auto kernels = steps->getTemplateArgs()[0].pack_elements();
+    const auto* kernel = kernels.front().getAsType()->getAsCXXRecordDecl();
+    const int behind = static_cast<int>(kernels.size()) - 1;
+    for (const Call& call : graph_.functions[static_cast<std::size_t>(number(&run))].calls) {
+      const auto* called = llvm::dyn_cast<clang::CXXMethodDecl>(declarations_[static_cast<std::size_t>(call.to)]);
+      if (called != nullptr && called->getOverloadedOperator() == clang::OO_Call && called->getParent() == kernel)
+        graph_.parts.push_back({call.to, names_.kernel_name(*kernel), behind});
+    }
   }
 
   void follow();
@@ -113,7 +137,8 @@ class Walk {
   Names names_;
   Graph graph_;
   std::map<const clang::Decl*, int> numbers_;
-  std::vector<const clang::Decl*> queue_;
+  std::vector<const clang::Decl*> queue_, declarations_;  // the latter beside Graph::functions
+  std::vector<const clang::CXXMethodDecl*> runs_;         // of steps of fused kernels
 };
 
 /// Finds what one body calls, constructs, destroys or takes the address of.
