@@ -70,7 +70,7 @@ struct SceneGroups {
     chunk.allocate({.chunk_tet = mesh.chunk_arrays->corners.size(), .kept_tet = mesh.chunk_arrays->tangent.size()});
     for (const auto& level : make_linear_levels<ShippedLevel>(used, settings)) add(*level);
     krylov.allocate({.node = nodes});
-    start_without_values(body.forces.storage(), {"f"});
+    start_without_values(body.forces.untyped(), {"f"});
     facts.chunks = mesh.chunks;
     facts.rounding_force = rounding_force(settings, finest, given.loading.motion, false, mesh.spacing);
     facts.moves = true;

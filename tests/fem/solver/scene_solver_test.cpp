@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
 #include <quasistatic.scene.h>
+#include <scenes/quasistatic.h>
 
 #include <cstring>
 
@@ -19,7 +20,7 @@ struct Groups : SceneGroups<scene::Body<>, scene::Patches<>, scene::Chunk<>, sce
 
   Groups(const Body& given, const SolverSettings& settings) : SceneGroups(given, settings) {
     stresses.allocate({.tet = body.tets.size()});
-    start_without_values(stresses.of_tets.storage(), {"P"});
+    start_without_values(stresses.of_tets.untyped(), {"P"});
   }
 };
 

@@ -106,7 +106,7 @@ template <class Material, class TetView, class DisplacementView, class RestView>
 }
 
 /// First Piola-Kirchhoff stress of all tets.
-/// @param body ExplicitBody, or arrays of its names
+/// @param body arrays by the names of the scene explicit_dynamics
 /// @param stresses an array of elasticity::Stress, one per tet
 template <class On, class Body, class Material, class Stresses>
 void compute_stresses(On& on, Body& body, const Material& material, Stresses& stresses) {
@@ -125,17 +125,15 @@ void compute_forces(On& on, Body& body, const Material& material) {
   const auto rest = body.rest.const_view();
   const auto forces = body.forces.view();
   if constexpr (RunsIn<On, Cuda>) {
-    if constexpr (requires { body.placed; }) {
-      if (body.placed.size() > 0) {
-        on.run(tet_count,
-               fuse_placed_forces(material, tets, displacements, rest, body.places.const_view(), body.placed.view()));
-        const SumRowForces sum{body.node_tet_ranges.const_view(), body.placed.const_view(), forces};
-        on.run(sum.size(), sum);
-        return;
-      }
+    if (body.placed.size() > 0) {
+      on.run(tet_count,
+             fuse_placed_forces(material, tets, displacements, rest, body.places.const_view(), body.placed.view()));
+      const SumRowForces sum{body.node_tet_ranges.const_view(), body.placed.const_view(), forces};
+      on.run(sum.size(), sum);
+    } else {
+      on.run(nodes, ClearNodes{forces});
+      on.run(tet_count, fuse_added_forces(material, tets, displacements, rest, forces));
     }
-    on.run(nodes, ClearNodes{forces});
-    on.run(tet_count, fuse_added_forces(material, tets, displacements, rest, forces));
   } else {
     on.run(tet_count, fuse_corner_forces(material, tets, displacements, rest, body.corners.view()));
     on.run(nodes, GatherForces{Rows(body.node_tet_ranges.const_view(), body.node_tets.const_view(), tet_count),
@@ -143,9 +141,11 @@ void compute_forces(On& on, Body& body, const Material& material) {
   }
 }
 
-/// Leaves the elastic energy in body.measured.
+/// Leaves the energies and the momentum of a body in body.measured.
 template <class On, class Body, class Material>
-void measure_elastic_energy(On& on, Body& body, const Material& material) {
+void measure_explicit_motion(On& on, Body& body, const Material& material) {
+  on.reduce(body.velocities.size(), NodeMotion{body.masses.const_view(), body.velocities.const_view()}, Sum{},
+            StoreMotion{body.measured.view()});
   on.reduce(body.tets.size(),
             fuse_energies(material, body.tets.const_view(), body.rounded.const_view(), body.rest.const_view()), Sum{},
             StoreElastic{body.measured.view()});

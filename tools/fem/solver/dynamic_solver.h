@@ -21,7 +21,7 @@ struct DynamicSettings {
   /// too: a mode of the frequency omega by the ratio damping / (2 omega).
   double damping = 0;
   /// Explicit steps on CUDA: whether forces on nodes are sums in a fixed order, so that motions have the same bits on
-  /// every run. It takes longer, and 28 numbers more per tet. On the CPU the order is always fixed.
+  /// every run. It takes longer, and 20 numbers more per tet. On the CPU the order is always fixed.
   bool fixed_order = false;
 };
 

@@ -66,7 +66,7 @@ Case kernel_case(const Provider& provider, const Launching& launch, double bytes
   };
   made.copy = Device::copy(made.bytes);
   made.check = [state, run = made.run] {
-    for_each_array(state->arrays.outputs, [](auto& array, std::size_t /*k*/) { Device::poison(array.storage()); });
+    for_each_array(state->arrays.outputs, [](auto& array, std::size_t /*k*/) { Device::poison(array.untyped()); });
     run();
     using Writes = typename Kernel::Writes;
     auto results = make_arrays<HostArrays<Writes, typename Provider::Real>>(
