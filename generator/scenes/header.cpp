@@ -39,6 +39,7 @@ class Header {
                            " and the kernels that it runs: change these, not this file.");
     out_.line("#pragma once");
     out_.line();
+    if (has_locals()) out_.line("#include <physgen/local_array.h>");
     out_.line("#include <physgen/scene_arrays.h>");
     out_.line();
     std::set<std::string> headers;
@@ -171,6 +172,10 @@ class Header {
     out_.close("};");
   }
 
+  [[nodiscard]] bool has_locals() const {
+    return std::any_of(needs_.arrays.begin(), needs_.arrays.end(), [](const ArrayNeed& need) { return need.local(); });
+  }
+
   // ---- The arrays of a group ---------------------------------------------------------------------------------------
 
   [[nodiscard]] std::string type(const Group& group, const Array& array) const {
@@ -178,6 +183,8 @@ class Header {
         outer_name(array, "Array") + "<" + (scene_.has_own_real(array) ? "Real" : array.real) + ", Space>";
     type = "physgen::StoredArray<Stored, " + tag(group, array) + ", " + type + ">";
     if (!pruned(group, array).empty()) type = "physgen::PrunedArray<" + type + ", " + formats_name(group, array) + ">";
+    if (needs_.of(group.full_name(array)).local())
+      return "physgen::LocalArray<" + type + ", " + tag(group, array) + ">";
     if (array.uniform) return "physgen::UniformArray<" + type + ">";
     return is_read_only(group, array) ? "physgen::ReadOnlyArray<" + type + ">" : type;
   }
@@ -222,6 +229,7 @@ class Header {
     for (const FieldNeed& field : need.fields)
       (field.kept ? kept : left) += ((field.kept ? kept : left).empty() ? "" : ", ") + field.field.name;
     std::string text = array.object + ", " + per + ": " + (kept.empty() ? "left out, takes stores" : kept);
+    if (need.local()) text += "; local to steps that are one, so it holds no memory";
     if (!left.empty() && !kept.empty()) text += "; without " + left;
     return array.doc.empty() ? text : array.doc + "\n" + text;
   }
@@ -237,9 +245,10 @@ class Header {
         statements.push_back(array.name + ".resize(" + count(array) + ");");
         continue;
       }
+      const ArrayNeed& need = needs_.of(group.full_name(array));
       std::string unset;
-      for (const FieldNeed& field : needs_.of(group.full_name(array)).fields)
-        if (field.kept && !array.is_input(field.field.name) && !field.field.initial)
+      for (const FieldNeed& field : need.fields)
+        if (field.kept && !need.local() && !array.is_input(field.field.name) && !field.field.initial)
           unset += (unset.empty() ? "\"" : ", \"") + field.field.name + "\"";
       statements.push_back("physgen::allocate(" + array.name + ", " + count(array) +
                            (unset.empty() ? "" : ", {" + unset + "}") + ");");

@@ -46,8 +46,8 @@ struct Groups {
     }
     krylov.allocate({.node = body.rest.size()});
     stresses.allocate({.tet = body.tets.size()});
-    start_without_values(stresses.of_tets.storage(), {"P"});
-    start_without_values(body.forces.storage(), {"f"});
+    start_without_values(stresses.of_tets.untyped(), {"P"});
+    start_without_values(body.forces.untyped(), {"f"});
   }
 };
 
