@@ -20,7 +20,8 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
       return std::move(facts_);
     }
     const auto& function = llvm::cast<clang::FunctionDecl>(code);
-    add(function.getLocation(), "is instantiated");
+    // Destructors and the like that nobody writes are there where members have some.
+    if (!function.isImplicit()) add(function.getLocation(), "is instantiated");
     if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(&function))
       for (const auto* member : constructor->inits())
         if (member->isWritten()) TraverseStmt(member->getInit());

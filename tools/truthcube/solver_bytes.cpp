@@ -2,15 +2,29 @@
 
 #include <fem/dynamics/explicit_body.h>
 #include <fem/solver/all_arrays.h>
+#include <fem/solver/scene_types.h>
 
 #include <algorithm>
 #include <numeric>
+#include <string>
+
+#include "arrays.h"
 
 namespace physgen::truthcube {
 
 namespace {
 
-/// As LevelOver::bytes(), of arrays and the lists of products. @tparam Types AllArrays
+/// count.operator()<Group>() of the group that an Optional is of; 0 where a program never has it.
+template <class Optional, class Count>
+std::int64_t bytes_if_any(const Count& count) {
+  if constexpr (fem::may_have<Optional>) {
+    return count.template operator()<fem::GroupOf<Optional>>();
+  } else {
+    return 0;
+  }
+}
+
+/// As LevelOver::bytes(), of arrays and the lists of products. @tparam Types AllArrays, or those of a scene
 template <class Types>
 std::int64_t level_bytes(const LevelCounts& c, const LevelCounts* coarser) {
   using Level = typename Types::Level;
@@ -51,20 +65,21 @@ std::int64_t matrix_free_bytes(const LevelCounts& c, fem::MatrixFree needs) {
 /// supernodes and edges is what cubes have.
 template <class Types>
 std::int64_t schwarz_bytes(const LevelCounts& c) {
-  using Schwarz = fem::GroupOf<decltype(Types::Level::schwarz)>;
   const std::int64_t blocks = (c.nodes + fem::schwarz_slots - 1) / fem::schwarz_slots;  // if none were prescribed
   const std::int64_t coarse = blocks > 1 ? 1 + blocks / 18 : 0, all = blocks + coarse;
   const std::int64_t supernodes = fem::schwarz_slots * coarse, pairs = supernodes * c.edges / c.nodes;
   const std::int64_t inside = c.edges * 9 / 20, between = c.edges - inside;
-  return Schwarz::bytes({.node = c.nodes,
-                         .slot = fem::schwarz_slots * all,
-                         .block = all,
-                         .supernode = supernodes,
-                         .supernode_term = c.nodes + inside,
-                         .pair = pairs,
-                         .pair_term = between,
-                         .block_edge = inside,
-                         .factor = fem::schwarz_factors * all});
+  return bytes_if_any<decltype(Types::Level::schwarz)>([&]<class Schwarz> {
+    return Schwarz::bytes({.node = c.nodes,
+                           .slot = fem::schwarz_slots * all,
+                           .block = all,
+                           .supernode = supernodes,
+                           .supernode_term = c.nodes + inside,
+                           .pair = pairs,
+                           .pair_term = between,
+                           .block_edge = inside,
+                           .factor = fem::schwarz_factors * all});
+  });
 }
 
 /// As EquilibriumOver::bytes().
@@ -80,17 +95,21 @@ std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects, fem::TangentL
                                            .edge = edges ? c.edges : 0,
                                            .tet_edge = edges ? 6 * c.tets : 0,
                                            .volume = rings ? n : c.patches});
-  if (rings) bytes += fem::GroupOf<decltype(Arrays::rings)>::bytes({.node = n, .neighbour = c.ring_nodes});
+  if (rings) {
+    bytes += bytes_if_any<decltype(Arrays::rings)>(
+        [&]<class Rings> { return Rings::bytes({.node = n, .neighbour = c.ring_nodes}); });
+  }
   if (!patches) return bytes;
-  return bytes + fem::GroupOf<decltype(Arrays::patches)>::bytes(
-                     {.tet = c.tets,
-                      .patch = c.patches,
-                      .child = injects ? c.patches : 0,
-                      .edge = edges ? c.edges : 0,
-                      .edge_patch = edges ? c.edge_patches : 0,
-                      .node = nodes ? n : 0,
-                      .node_patch = nodes ? c.node_patches : 0,
-                      .change = nodes && Types::Space::kind == SpaceKind::host ? c.patches : 0});
+  return bytes + bytes_if_any<decltype(Arrays::patches)>([&]<class Patches> {
+           return Patches::bytes({.tet = c.tets,
+                                  .patch = c.patches,
+                                  .child = injects ? c.patches : 0,
+                                  .edge = edges ? c.edges : 0,
+                                  .edge_patch = edges ? c.edge_patches : 0,
+                                  .node = nodes ? n : 0,
+                                  .node_patch = nodes ? c.node_patches : 0,
+                                  .change = nodes && Types::Space::kind == SpaceKind::host ? c.patches : 0});
+         });
 }
 
 template <class Types>
@@ -102,17 +121,19 @@ std::int64_t chunk_bytes(const LevelCounts& finest, bool assembled) {
 
 template <class Types>
 std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved) {
-  using Planes = fem::GroupOf<decltype(Types::Level::planes)>;
   if (planes == 0 || c.tets == 0) return 0;  // or of a background grid
-  return solved ? Planes::bytes({.plane = planes, .surface_node = c.nodes, .node = c.nodes, .contact = 1})
-                : Planes::bytes({.node = c.nodes});
+  return bytes_if_any<decltype(Types::Level::planes)>([&]<class Planes> {
+    return solved ? Planes::bytes({.plane = planes, .surface_node = c.nodes, .node = c.nodes, .contact = 1})
+                  : Planes::bytes({.node = c.nodes});
+  });
 }
 
 template <class Types>
 std::int64_t inertia_bytes(const LevelCounts& c, bool solved) {
-  using Inertia = fem::GroupOf<decltype(Types::Level::inertia)>;
   if (c.tets == 0) return 0;  // of a background grid
-  return Inertia::bytes({.node = c.nodes, .moving_node = solved ? c.nodes : 0, .measure = solved ? 1 : 0});
+  return bytes_if_any<decltype(Types::Level::inertia)>([&]<class Inertia> {
+    return Inertia::bytes({.node = c.nodes, .moving_node = solved ? c.nodes : 0, .measure = solved ? 1 : 0});
+  });
 }
 
 template <class Types>
@@ -134,7 +155,7 @@ RunBytes explicit_bytes(const LevelCounts& c) {
   return bytes;
 }
 
-/// @tparam Types AllArrays
+/// @tparam Types AllArrays, or those of a scene
 template <class Types>
 RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
                     SceneKind scene) {
@@ -150,9 +171,14 @@ RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSet
   for (std::size_t l = 0; l < used; ++l) {
     const std::int64_t linear = assembled ? level_bytes<Types>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
                                           : matrix_free_bytes<Types>(levels[l], {blocks, l + 1 < used});
-    const auto body = [&] {
-      return linear_elastic ? linear_body_bytes<Types>(levels[l], assembled)
-                            : equilibrium_bytes<Types>(levels[l], l + 1 < solved, lists);
+    const auto body = [&]() -> std::int64_t {
+      if constexpr (requires { typename Types::Body; }) {
+        if (linear_elastic) return linear_body_bytes<Types>(levels[l], assembled);
+      }
+      if constexpr (requires { typename Types::Arrays; }) {
+        return equilibrium_bytes<Types>(levels[l], l + 1 < solved, lists);
+      }
+      return 0;
     };
     const std::int64_t vectors = Types::Vectors::bytes({.node = levels[l].nodes});
     bytes.levels.push_back(linear + (l < solved ? body() + vectors : 0) +
@@ -160,7 +186,9 @@ RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSet
                            plane_bytes<Types>(levels[l], planes, l < solved) +
                            (scene == SceneKind::implicit_dynamics ? inertia_bytes<Types>(levels[l], l < solved) : 0));
   }
-  if (!linear_elastic) bytes.levels.front() += chunk_bytes<Types>(levels.front(), assembled);
+  if constexpr (requires { typename Types::Arrays; }) {
+    if (!linear_elastic) bytes.levels.front() += chunk_bytes<Types>(levels.front(), assembled);
+  }
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
   bytes.stresses = bytes_of_array<elasticity::StressArray<double, typename Types::Space>>(levels.front().tets);
   return bytes;
@@ -173,6 +201,15 @@ RunBytes bytes_on(const std::vector<LevelCounts>& levels, const fem::SolverSetti
     return settings.precision == fem::TangentPrecision::float64 ? explicit_bytes<double, Space>(levels.front())
                                                                 : explicit_bytes<float, Space>(levels.front());
   }
+  const std::string arrays = arrays_of(scene, settings);
+  if (arrays == "quasistatic") return bytes_with<fem::QuasistaticArrays<Space>>(levels, settings, planes, scene);
+  if (arrays == "quasistatic_matrix_free") {
+    return bytes_with<fem::MatrixFreeArrays<Space>>(levels, settings, planes, scene);
+  }
+  if (arrays == "quasistatic_fixed_corotated") {
+    return bytes_with<fem::FixedCorotatedArrays<Space>>(levels, settings, planes, scene);
+  }
+  if (arrays == "linear_elastic") return bytes_with<fem::LinearElasticArrays<Space>>(levels, settings, planes, scene);
   switch (settings.precision) {
     case fem::TangentPrecision::half:
       return bytes_with<fem::AllArrays<float, Space, fem::StoredInHalf>>(levels, settings, planes, scene);
