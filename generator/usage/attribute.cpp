@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -27,8 +28,9 @@ class Attribution {
   Usage usage() {
     Usage result;
     std::set<int> steps_lead_to;
+    const std::set<int> others = compare_variants(result);
     for (const Step& step : graph_.steps) {
-      if (is_part_of_a_step(step.function)) continue;
+      if (is_part_of_a_step(step.function) || others.count(step.function) != 0) continue;
       StepUse use = step.use;
       const Own own = [&](const Function& f) { return step.own_files.count(f.file) != 0; };
       use.fields = accesses({step.function}, own);
@@ -173,6 +175,52 @@ class Attribution {
       if (graph_.functions[f].access != Access::none && !known)
         add(result.unattributed, use_of(static_cast<int>(f), {}));
     }
+  }
+
+  /// All functions that one leads to, through any others.
+  [[nodiscard]] std::set<int> all_from(int function) const {
+    std::set<int> result;
+    std::vector<int> next = {function};
+    while (!next.empty()) {
+      const int f = next.back();
+      next.pop_back();
+      if (!result.insert(f).second) continue;
+      for (const Call& call : at(f).calls) next.push_back(call.to);
+    }
+    return result;
+  }
+
+  /// @return the functions that only other variants lead to than that over probes
+  std::set<int> compare_variants(Usage& result) const {
+    std::set<int> others;
+    if (graph_.variants.empty()) return others;
+    const auto facts = [&](const std::set<int>& functions) {
+      std::map<Place, std::set<std::string>> found;
+      for (const int f : functions)
+        for (const Fact& fact : at(f).facts) found[fact.place].insert(fact.what);
+      return found;
+    };
+    const auto text = [](const std::map<Place, std::set<std::string>>& facts, const Place& place) {
+      const auto found = facts.find(place);
+      if (found == facts.end()) return std::string("nothing");
+      std::string result;
+      for (const std::string& what : found->second) result += (result.empty() ? "" : " and ") + what;
+      return result;
+    };
+    const std::set<int> over_probes = all_from(graph_.variants.front());
+    const auto expected = facts(over_probes);
+    for (const int variant : graph_.variants) {
+      const std::set<int> functions = all_from(variant);
+      std::ranges::set_difference(functions, over_probes, std::inserter(others, others.end()));
+      auto found = facts(functions);
+      auto places = found;
+      places.insert(expected.begin(), expected.end());
+      for (const auto& [place, ignored] : places) {
+        const std::string here = text(found, place), there = text(expected, place);
+        if (here != there) result.dependences.push_back({place, here + " or " + there});
+      }
+    }
+    return others;
   }
 
   /// The kernels of a fused kernel, and what each does.

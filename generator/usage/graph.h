@@ -18,6 +18,13 @@ struct Call {
   Place place;
 };
 
+/// Something that code consists of, or the value of something constant in it.
+struct Fact {
+  Place place;
+  std::string what;
+  auto operator<=>(const Fact&) const = default;
+};
+
 struct Function {
   std::string file;            ///< where it is defined
   bool of_library = false;     ///< of the runtime, generated, or the system's
@@ -28,6 +35,7 @@ struct Function {
   Access access = Access::none;
   int field = -1;  ///< that it accesses: index into Graph::fields
   std::vector<Call> calls;
+  std::set<Fact> facts;  ///< of a function of the program, where there are variants
 };
 
 struct Step {
@@ -50,6 +58,7 @@ struct Graph {
   std::vector<Part> parts;
   std::vector<int> entries;  ///< functions of the program, for places of accesses that no step leads to
   std::vector<UnknownUse> unknown;
+  std::vector<int> variants;  ///< functions that run the program over probes, and then over other arrays; or none
 };
 
 /// Gives every access to the steps that lead to it. Its places are those calls in the step's own files that lead to it

@@ -85,7 +85,8 @@ std::vector<const clang::ClassTemplateSpecializationDecl*> Names::probes() const
   if (physgen == nullptr) return result;
   for (clang::NamedDecl* found : physgen->lookup(&context_.Idents.get("Probe")))
     if (const auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
-      for (const auto* probe : pattern->specializations()) result.push_back(probe);
+      for (const auto* probe : pattern->specializations())
+        if (!is_physgen(tag_of(*probe).first, "StoringNothing", {"probe"})) result.push_back(probe);
   return result;
 }
 
@@ -187,6 +188,23 @@ std::vector<const clang::FunctionDecl*> Names::steps() const {
       if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(found))
         for (const auto* function : pattern->specializations())
           if (function->isDefined()) result.push_back(function);
+  return result;
+}
+
+std::vector<const clang::FunctionDecl*> Names::variants() const {
+  const auto* unit = space({"physgen_probe_unit"});
+  if (unit == nullptr) return {};
+  std::vector<const clang::FunctionDecl*> result;
+  for (clang::NamedDecl* found : unit->lookup(&context_.Idents.get("instantiate")))
+    if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(found))
+      for (const auto* function : pattern->specializations()) result.push_back(function);
+  std::ranges::stable_sort(result, [](const FunctionDecl* a, const FunctionDecl* b) {
+    const auto is_probed = [](const FunctionDecl* function) {
+      const auto* as = function->getTemplateSpecializationArgs()->get(0).getAsType()->getAsCXXRecordDecl();
+      return as != nullptr && as->getName() == "Probed";
+    };
+    return is_probed(a) && !is_probed(b);
+  });
   return result;
 }
 

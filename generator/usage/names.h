@@ -30,6 +30,8 @@ class Names {
   [[nodiscard]] FieldUse field(const clang::ClassTemplateSpecializationDecl& probe);
   /// Specialisations of the function templates that executors of probes instantiate.
   [[nodiscard]] std::vector<const clang::FunctionDecl*> steps() const;
+  /// Of a unit of a scene: what runs its program over probes, and then what runs it over other arrays.
+  [[nodiscard]] std::vector<const clang::FunctionDecl*> variants() const;
   /// Name, place, arrays and own files of a step.
   [[nodiscard]] Step step(const clang::FunctionDecl& function);
   /// Arrays whose tags a type mentions, in the order of its parameters and members.

@@ -65,6 +65,8 @@ void sort(Usage& usage) {
   usage.unknown.erase(std::ranges::unique(usage.unknown).begin(), usage.unknown.end());
   std::ranges::sort(usage.races);
   usage.races.erase(std::ranges::unique(usage.races).begin(), usage.races.end());
+  std::ranges::sort(usage.dependences);
+  usage.dependences.erase(std::ranges::unique(usage.dependences).begin(), usage.dependences.end());
 }
 
 Usage unite(const Usage& a, const Usage& b) {
@@ -73,6 +75,7 @@ Usage unite(const Usage& a, const Usage& b) {
   for (const FieldUse& use : b.unattributed) add(result.unattributed, use);
   result.unknown.insert(result.unknown.end(), b.unknown.begin(), b.unknown.end());
   result.races.insert(result.races.end(), b.races.begin(), b.races.end());
+  result.dependences.insert(result.dependences.end(), b.dependences.begin(), b.dependences.end());
   sort(result);
   return result;
 }
@@ -101,12 +104,18 @@ std::string text_of(const Race& race) {
          "threads run; take one of the two out of fuse(...)";
 }
 
+std::string text_of(const Dependence& dependence) {
+  return "the program depends on how fields are stored (here " + dependence.what +
+         "), so it would compute something else, or read other fields, where some are pruned; write what is the same "
+         "for every format, or choose by a template parameter of the kernel";
+}
+
 std::string text_of(const Place& place) {
   return place.file + ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
 }
 
 std::string short_text(const Place& place) {
-  return text_of({place.file.substr(place.file.rfind('/') + 1), place.line, place.column});
+  return text_of(Place{place.file.substr(place.file.rfind('/') + 1), place.line, place.column});
 }
 
 }  // namespace physgen::usage

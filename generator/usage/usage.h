@@ -56,11 +56,20 @@ struct Race {
   auto operator<=>(const Race&) const = default;
 };
 
+/// A place where the program's code is another over arrays with all fields, over probes, or over arrays that store
+/// nothing: it depends on how fields are stored.
+struct Dependence {
+  Place place;
+  std::string what;  ///< "1 or 0": what stands there over arrays with all fields, and over others
+  auto operator<=>(const Dependence&) const = default;
+};
+
 struct Usage {
-  std::vector<StepUse> steps;          ///< by kernel, arrays and place, in ascending order
-  std::vector<FieldUse> unattributed;  ///< by no step that the analysis can name: these are wanted
-  std::vector<UnknownUse> unknown;     ///< errors, but where the program declares the arrays' fields
-  std::vector<Race> races;             ///< errors
+  std::vector<StepUse> steps;           ///< by kernel, arrays and place, in ascending order
+  std::vector<FieldUse> unattributed;   ///< by no step that the analysis can name: these are wanted
+  std::vector<UnknownUse> unknown;      ///< errors, but where the program declares the arrays' fields
+  std::vector<Race> races;              ///< errors
+  std::vector<Dependence> dependences;  ///< errors
   bool operator==(const Usage&) const = default;
 };
 
@@ -96,5 +105,6 @@ void add(std::vector<FieldUse>& uses, const FieldUse& use);
 
 /// What is wrong and what to write instead, without the first place and without a full stop.
 [[nodiscard]] std::string text_of(const Race& race);
+[[nodiscard]] std::string text_of(const Dependence& dependence);
 
 }  // namespace physgen::usage

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "usage/facts.h"
 #include "usage/names.h"
 
 namespace physgen::usage {
@@ -51,7 +52,8 @@ clang::SourceLocation place_of(const clang::CallExpr& call) {
 
 class Walk {
  public:
-  Walk(clang::ASTContext& context, const std::vector<std::string>& folders) : names_(context, folders) {}
+  Walk(clang::ASTContext& context, const std::vector<std::string>& folders)
+      : context_(context), names_(context, folders) {}
 
   Graph graph(const std::vector<const FunctionDecl*>& functions) {
     for (const auto* probe : names_.probes()) accesses_of(*probe);
@@ -60,11 +62,13 @@ class Walk {
       step.function = number(function);
       graph_.steps.push_back(std::move(step));
     }
+    for (const FunctionDecl* function : names_.variants()) graph_.variants.push_back(number(function));
     follow();
     for (const FunctionDecl* function : functions)
       if (!names_.is_library(function->getLocation())) graph_.entries.push_back(number(function));
     follow();
     for (const auto* run : runs_) part(*run);
+    if (!graph_.variants.empty()) facts();
     return std::move(graph_);
   }
 
@@ -119,6 +123,19 @@ class Walk {
     return entry->second;
   }
 
+  void facts() {
+    const std::function<Place(clang::SourceLocation)> place = [&](auto location) { return names_.place(location); };
+    for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
+      const clang::Decl* code = declarations_[f];
+      const FunctionDecl* definition = nullptr;
+      if (const auto* function = llvm::dyn_cast<FunctionDecl>(code);
+          function != nullptr && function->isDefined(definition))
+        code = definition;
+      if (graph_.functions[f].of_library || code->getDeclContext()->isDependentContext()) continue;
+      graph_.functions[f].facts = facts_of(*code, context_, place);
+    }
+  }
+
   /// The kernel that Steps<Kernel, ...>::run calls first.
   void part(const clang::CXXMethodDecl& run) {
     const auto* steps = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(run.getParent());
@@ -134,6 +151,7 @@ class Walk {
 
   void follow();
 
+  clang::ASTContext& context_;
   Names names_;
   Graph graph_;
   std::map<const clang::Decl*, int> numbers_;

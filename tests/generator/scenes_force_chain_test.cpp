@@ -3,6 +3,7 @@
 #include <force_chain.program.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
+#include <scenes/force_chain.h>
 
 #include <random>
 

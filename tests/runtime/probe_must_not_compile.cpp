@@ -62,7 +62,7 @@ void refused(ProbeExecutor<Host>& on, ProbeOf<Derivatives, First>& first, ProbeO
   elasticity::StressDerivativeArray<float, Host, Soa, WithoutOne> pruned(1);
   (void)pruned.view().data();
 #elif defined(CASE_raw_memory_of_a_probed_array)
-  (void)first.storage();
+  (void)first.untyped();
 #elif defined(CASE_copying_bytes_from_a_probed_field)
   float x[9];
   std::memcpy(&x, &ProbeOf<elasticity::StressArray<float>, First>().view()[i].P(), sizeof x);

@@ -142,6 +142,10 @@ class UsageCommand {
       sound = false;
       err_ << usage::text_of(race.writer_place) << ": error: " << usage::text_of(race) << '\n';
     }
+    for (const usage::Dependence& dependence : found.dependences) {
+      sound = false;
+      err_ << usage::text_of(dependence.place) << ": error: " << usage::text_of(dependence) << '\n';
+    }
     return sound;
   }
 
