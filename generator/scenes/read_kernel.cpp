@@ -22,7 +22,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
 
   /// @return where it does so, and what; empty: nowhere
   std::string find(const clang::FunctionDecl& function) {
-    follow(&function);
+    follow(&function, true);
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();
       queue_.pop_back();
@@ -96,10 +96,11 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
   void say(clang::SourceLocation place, const std::string& what) {
     if (found_.empty()) found_ = what + " at " + usage::text_of(names_.place(place));
   }
-  /// Functions of the program that are given packs.
-  void follow(const clang::FunctionDecl* function) {
+  /// Functions of the program, and the kernel's, which may be one of the runtime's that holds a lambda.
+  void follow(const clang::FunctionDecl* function, bool is_kernels = false) {
     const clang::FunctionDecl* definition = nullptr;
-    if (function == nullptr || !function->isDefined(definition) || names_.is_library(definition->getLocation())) return;
+    if (function == nullptr || !function->isDefined(definition)) return;
+    if (!is_kernels && names_.is_library(definition->getLocation())) return;
     if (!seen_.insert(definition->getCanonicalDecl()).second) return;
     const auto* pattern = definition->getTemplateInstantiationPattern();
     for (unsigned i = 0; i < definition->getNumParams(); ++i) {
@@ -160,7 +161,7 @@ KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel
     for (const auto* function : call->specializations())
       if (function->getNumParams() == 1 &&
           Names::is_physgen(function->getParamDecl(0)->getType().getNonReferenceType()->getAsCXXRecordDecl(), "Pack"))
-        packs = function;
+        packs = function->getDefinition();
   if (packs == nullptr) {
     facts.obstacle = "it has more call operators than one template over the index";
     return facts;
