@@ -4,6 +4,7 @@
 #include <derivative_chain.scene.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
+#include <scenes/derivative_chain.h>
 
 #include <fstream>
 #include <functional>

@@ -37,6 +37,9 @@ struct OverAnyViews {
 template <class View>
 OverAnyViews(View) -> OverAnyViews<View>;
 
+struct WithoutOne : elasticity::StressDerivativeFormats<Host> {
+  using x1111 = format::Pruned<First, First, First>;
+};
 struct IndicesInHalf : elasticity::TetFormats<Host> {
   using nodes = format::Half<>;
 };
@@ -55,6 +58,9 @@ void refused(ProbeExecutor<Host>& on, ProbeOf<Derivatives, First>& first, ProbeO
   w[i].x1111() = x;
 #elif defined(CASE_raw_memory_of_a_probed_view)
   (void)reinterpret_cast<float*>(v.data());
+#elif defined(CASE_raw_memory_of_a_view_with_a_pruned_field)
+  elasticity::StressDerivativeArray<float, Host, Soa, WithoutOne> pruned(1);
+  (void)pruned.view().data();
 #elif defined(CASE_raw_memory_of_a_probed_array)
   (void)first.untyped();
 #elif defined(CASE_copying_bytes_from_a_probed_field)
@@ -70,6 +76,9 @@ void refused(ProbeExecutor<Host>& on, ProbeOf<Derivatives, First>& first, ProbeO
   elasticity::TetArray<float, Host, Soa, IndicesInHalf> tets(1);
   (void)tets;
 #else
+  // What asks whether it compiles finds the same of every view: what does not compile is a use.
+  static_assert(requires { v.data(); } && requires { Derivatives(1).view().data(); });
+  static_assert(requires { elasticity::StressDerivativeArray<float, Host, Soa, WithoutOne>(1).view().data(); });
   (void)w, (void)i;
   on.run(1, OverAnyViews{v});
 #endif

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
 #include <quasistatic.scene.h>
+#include <scenes/quasistatic.h>
 
 #include <cstring>
 #include <vector>

@@ -53,11 +53,10 @@ struct OutputOf {
 
 /// What the description of a kernel has; see README.md for all of it.
 template <class Kernel>
-concept IsKernel = requires(const MeshSizes& sizes) {
+concept IsKernel = requires {
   { Kernel::name } -> std::convertible_to<const char*>;
-  { Kernel::place } -> std::convertible_to<int>;          // in the table
-  { Kernel::domain } -> std::convertible_to<Domain>;      // that it runs over
-  { Kernel::bytes(sizes, 4.0) } -> std::same_as<double>;  // that it must move, with numbers of 4 bytes
+  { Kernel::place } -> std::convertible_to<int>;      // in the table
+  { Kernel::domain } -> std::convertible_to<Domain>;  // that it runs over
   typename Kernel::Reads;
   typename Kernel::Writes;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "measure/errors.h"
+#include "measure/row_bytes.h"
 #include "measure/scene_data.h"
 #include "measure/values.h"
 
