@@ -1,7 +1,7 @@
-// What the CUDA backend does for changes of topology. Implemented once per folder, as backend.h.
+// What the CUDA backend does for changes of topology. See memory.h for who implements it.
 #pragma once
 
-#include "move_objects.h"
+#include "../move_objects.h"
 
 namespace physgen::backend {
 

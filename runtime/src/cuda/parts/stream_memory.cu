@@ -1,6 +1,6 @@
 // See stream_memory.h.
 #include <physgen/cuda/check.h>
-#include <physgen/untyped_array.h>
+#include <physgen/device.h>
 
 #include <map>
 #include <mutex>

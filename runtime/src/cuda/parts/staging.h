@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstddef>
 
-#include "../convert.h"
+#include "../../addressing.h"
 
 namespace physgen::cuda {
 

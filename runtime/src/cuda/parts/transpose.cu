@@ -3,8 +3,8 @@
 #include <physgen/cuda/check.h>
 #include <physgen/layout/pitch.h>
 
-#include "../convert.h"
-#include "../plain_copy.h"
+#include "../../addressing.h"
+#include "../../plain_copy.h"
 #include "transpose.h"
 
 namespace physgen::cuda {

@@ -5,37 +5,28 @@
 
 #include <algorithm>
 
-#include "../backend.h"
-#include "../convert.h"
 #include "device_convert.h"
+#include "moves.h"
 #include "staging.h"
-#include "stream_memory.h"
 #include "transpose.h"
 
 namespace physgen {
 
 namespace {
 
+using cuda::blocks_for;
 using cuda::check;
+using cuda::for_each_part;
 using cuda::move_records;
+using cuda::Moves;
+using cuda::moves_per_launch;
 using cuda::Place;
 using cuda::read;
 using cuda::Staged;
+using cuda::threads;
 using cuda::write;
 using detail::Addressing;
 using detail::ElementMove;
-using detail::RotationMove;
-
-constexpr int moves_per_launch = 64;
-constexpr int rotations_per_launch = 16;
-
-// A part of a conversion, small enough for the parameters of a launch.
-struct Moves {
-  int elements = 0;
-  int rotations = 0;
-  ElementMove element[moves_per_launch];
-  RotationMove rotation[rotations_per_launch];
-};
 
 struct Block {
   index_t begin;        // first object of the launch, a multiple of 32
@@ -181,39 +172,6 @@ __global__ void convert_rotations(const Addressing to, const Addressing from, co
   for (int r = 0; r < moves.rotations; ++r) moves.rotation[r].run(to, from, i);
 }
 
-__global__ void fill_kernel(const Addressing array, const detail::Fill fill, index_t begin, index_t end) {
-  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
-  if (i < end) fill.run(array, i);
-}
-
-__global__ void count_kernel(const Addressing from, const __grid_constant__ Moves moves, index_t begin, index_t end,
-                             Losses* losses) {
-  const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
-  if (i >= end) return;
-  for (int e = 0; e < moves.elements; ++e) detail::count_element(*losses, moves.element[e], from, i);
-  for (int r = 0; r < moves.rotations; ++r) detail::count_rotation(*losses, moves.rotation[r], from, i);
-}
-
-[[nodiscard]] unsigned blocks_for(index_t objects, int block) {
-  return static_cast<unsigned>((objects + block - 1) / block);
-}
-
-// Calls launch(moves) with all moves of a conversion, in parts.
-template <class Launch>
-void for_each_part(const detail::Conversion& conversion, const Launch& launch) {
-  std::size_t element = 0, rotation = 0;
-  while (element < conversion.elements.size() || rotation < conversion.rotations.size()) {
-    Moves moves;
-    while (element < conversion.elements.size() && moves.elements < moves_per_launch) {
-      moves.element[moves.elements++] = conversion.elements[element++];
-    }
-    while (rotation < conversion.rotations.size() && moves.rotations < rotations_per_launch) {
-      moves.rotation[moves.rotations++] = conversion.rotations[rotation++];
-    }
-    launch(moves);
-  }
-}
-
 [[nodiscard]] Kind kind_of(const Moves& moves) {
   const detail::Encoding &to = moves.element[0].to, &from = moves.element[0].from;
   const bool uniform = std::all_of(moves.element, moves.element + moves.elements,
@@ -230,7 +188,6 @@ void for_each_part(const detail::Conversion& conversion, const Launch& launch) {
   return Kind::any;
 }
 
-constexpr int threads = 256;
 constexpr int most_shared = 48 * 1024;  // [bytes] what every kernel may use
 
 template <Kind kKind>
@@ -305,32 +262,6 @@ void cuda::convert(const UntypedArray& to, index_t to_first, const UntypedArray&
       check(cudaGetLastError(), "launching a conversion of rotations");
     }
   });
-}
-
-Losses backend::count_losses(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end,
-                             Stream stream) {
-  const cuda::StreamMemory memory(sizeof(Losses), stream);
-  auto* on_device = reinterpret_cast<Losses*>(memory.data());
-  Losses losses;
-  copy_bytes(memory.data(), reinterpret_cast<const std::byte*>(&losses), sizeof losses, stream);
-  detail::Conversion conversion(to, from);
-  conversion.rotations.insert(conversion.rotations.end(), conversion.kept_quaternions.begin(),
-                              conversion.kept_quaternions.end());
-  for_each_part(conversion, [&](const Moves& moves) {
-    count_kernel<<<blocks_for(end - begin, threads), threads, 0, stream>>>(Addressing(from), moves, begin, end,
-                                                                           on_device);
-    check(cudaGetLastError(), "launching a count of what formats cannot hold");
-  });
-  copy_bytes(reinterpret_cast<std::byte*>(&losses), memory.data(), sizeof losses, stream);
-  synchronize(stream);
-  return losses;
-}
-
-void backend::fill(const UntypedArray& array, const detail::Fill& field, index_t begin, index_t end) {
-  detail::refuse_capture(nullptr, "the initial values of an array");
-  fill_kernel<<<blocks_for(end - begin, threads), threads>>>(Addressing(array), field, begin, end);
-  check(cudaGetLastError(), "launching the fill of an array");
-  check(cudaDeviceSynchronize(), "filling an array");
 }
 
 }  // namespace physgen
