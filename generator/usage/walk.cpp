@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "usage/facts.h"
 #include "usage/names.h"
 
 namespace physgen::usage {
@@ -51,7 +52,8 @@ clang::SourceLocation place_of(const clang::CallExpr& call) {
 
 class Walk {
  public:
-  Walk(clang::ASTContext& context, const std::vector<std::string>& folders) : names_(context, folders) {}
+  Walk(clang::ASTContext& context, const std::vector<std::string>& folders)
+      : context_(context), names_(context, folders) {}
 
   Graph graph(const std::vector<const FunctionDecl*>& functions) {
     for (const auto* probe : names_.probes()) accesses_of(*probe);
@@ -60,10 +62,13 @@ class Walk {
       step.function = number(function);
       graph_.steps.push_back(std::move(step));
     }
+    for (const FunctionDecl* function : names_.variants()) graph_.variants.push_back(number(function));
     follow();
     for (const FunctionDecl* function : functions)
       if (!names_.is_library(function->getLocation())) graph_.entries.push_back(number(function));
     follow();
+    for (const auto* run : runs_) part(*run);
+    if (!graph_.variants.empty()) facts();
     return std::move(graph_);
   }
 
@@ -95,25 +100,63 @@ class Walk {
         numbers_.emplace(declaration->getCanonicalDecl(), static_cast<int>(graph_.functions.size()));
     if (!is_new) return entry->second;
     Function& made = graph_.functions.emplace_back();
+    declarations_.push_back(declaration);
     const FunctionDecl* definition = nullptr;
     if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration)) (void)function->isDefined(definition);
     const auto location = (definition != nullptr ? definition : declaration)->getLocation();
     made.file = names_.place(location).file;
     made.of_library = names_.is_library(location);
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration);
-        method != nullptr && method->getIdentifier() != nullptr)
+        method != nullptr && method->getIdentifier() != nullptr) {
       made.whole_object = (method->getName() == "get" || method->getName() == "put") &&
                           Names::is_object_reference(*method->getParent());
+      if (method->getName() == "run" && Names::is_physgen(method->getParent(), "Steps", {"detail"}))
+        runs_.push_back(method);
+      made.adds = method->getName() == "add" && (Names::is_physgen(method->getParent(), "FieldRef") ||
+                                                 Names::is_physgen(method->getParent(), "ElementRef"));
+    }
+    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration))
+      made.fused = method->getOverloadedOperator() == clang::OO_Call && Names::is_physgen(method->getParent(), "Fused");
+    if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration))
+      made.single_object = Names::is_physgen(function, "single_object", {"detail", "probe"});
     queue_.push_back(definition != nullptr ? definition : declaration);
     return entry->second;
   }
 
+  void facts() {
+    const std::function<Place(clang::SourceLocation)> place = [&](auto location) { return names_.place(location); };
+    for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
+      const clang::Decl* code = declarations_[f];
+      const FunctionDecl* definition = nullptr;
+      if (const auto* function = llvm::dyn_cast<FunctionDecl>(code);
+          function != nullptr && function->isDefined(definition))
+        code = definition;
+      if (graph_.functions[f].of_library || code->getDeclContext()->isDependentContext()) continue;
+      graph_.functions[f].facts = facts_of(*code, context_, place);
+    }
+  }
+
+  /// The kernel that Steps<Kernel, ...>::run calls first.
+  void part(const clang::CXXMethodDecl& run) {
+    const auto* steps = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(run.getParent());
+    const auto kernels = steps->getTemplateArgs()[0].pack_elements();
+    const auto* kernel = kernels.front().getAsType()->getAsCXXRecordDecl();
+    const int behind = static_cast<int>(kernels.size()) - 1;
+    for (const Call& call : graph_.functions[static_cast<std::size_t>(number(&run))].calls) {
+      const auto* called = llvm::dyn_cast<clang::CXXMethodDecl>(declarations_[static_cast<std::size_t>(call.to)]);
+      if (called != nullptr && called->getOverloadedOperator() == clang::OO_Call && called->getParent() == kernel)
+        graph_.parts.push_back({call.to, names_.kernel_name(*kernel), behind});
+    }
+  }
+
   void follow();
 
+  clang::ASTContext& context_;
   Names names_;
   Graph graph_;
   std::map<const clang::Decl*, int> numbers_;
-  std::vector<const clang::Decl*> queue_;
+  std::vector<const clang::Decl*> queue_, declarations_;  // the latter beside Graph::functions
+  std::vector<const clang::CXXMethodDecl*> runs_;         // of steps of fused kernels
 };
 
 /// Finds what one body calls, constructs, destroys or takes the address of.

@@ -1,7 +1,7 @@
 // What a memory backend does for the runtime. Implemented once per folder: cuda/ with a GPU, no_cuda/ without.
 #pragma once
 
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <string>
 
@@ -25,14 +25,15 @@ void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t f
 /// program's own change a field; see cuda/transfer.cu for what travels and
 /// where it is converted.
 /// @return bytes that travelled between host and device; between arrays of the device, those of the objects read
-index_t convert(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream);
+index_t convert(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream);
 
 /// Sets one field of objects begin .. end-1 in CUDA memory to its initial value; done when this returns.
-void fill(const Storage& storage, const detail::Fill& field, index_t begin, index_t end);
+void fill(const UntypedArray& array, const detail::Fill& field, index_t begin, index_t end);
 
 /// What the formats of `to` could not hold of objects begin .. end-1 of `from`, which lies in CUDA memory; done when
 /// this returns.
-[[nodiscard]] Losses count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream);
+[[nodiscard]] Losses count_losses(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end,
+                                  Stream stream);
 
 /// Waits for all work of the device.
 void synchronize_device();

@@ -24,19 +24,19 @@ std::string allowed(index_t count, const std::string& what) {
 // Numbers that entries hold in a field: host records in Aos.
 class EntryIndices {
  public:
-  EntryIndices(const Storage& entries, std::string_view name)
+  EntryIndices(const UntypedArray& entries, std::string_view name)
       : entries_(entries), field_(find_index_field(entries, name)) {}
 
   [[nodiscard]] int count() const { return field_.count; }
   [[nodiscard]] std::int32_t get(index_t entry, int k) const {
     std::int32_t index = 0;
-    const std::byte* at = entries_.base + entry * entries_.record_bytes + field_.offset;
-    std::memcpy(&index, at + k * index_t{sizeof index}, sizeof index);
+    constexpr int size = sizeof index;
+    std::memcpy(&index, entries_.address(entry, field_.offset + k * size, size), size);
     return index;
   }
 
  private:
-  const Storage& entries_;
+  const UntypedArray& entries_;
   const FieldInfo& field_;
 };
 
@@ -96,7 +96,7 @@ std::vector<index_t> lengths_of_offsets(std::string_view entries, std::span<cons
   return lengths;
 }
 
-void check_rows(std::span<const RowRange> rows, const Storage& entries, const RowTargets& targets) {
+void check_rows(std::span<const RowRange> rows, const UntypedArray& entries, const RowTargets& targets) {
   if (targets.count < 0) refuse(entries.object, "there cannot be " + text(targets.count) + " objects to name");
   const EntryIndices indices(entries, targets.field);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -118,7 +118,7 @@ void check_rows(std::span<const RowRange> rows, const Storage& entries, const Ro
   }
 }
 
-void check_new_targets(const Storage& entries, const RowTargets& targets, std::span<const index_t> new_number,
+void check_new_targets(const UntypedArray& entries, const RowTargets& targets, std::span<const index_t> new_number,
                        index_t count) {
   if (std::cmp_not_equal(new_number.size(), targets.count)) {
     refuse(entries.object, text(static_cast<index_t>(new_number.size())) + " new numbers are given, and entries name " +
@@ -132,7 +132,7 @@ void check_new_targets(const Storage& entries, const RowTargets& targets, std::s
   }
 }
 
-ChosenRows choose_rows(std::span<const RowRange> rows, const Storage& entries, const std::string& field,
+ChosenRows choose_rows(std::span<const RowRange> rows, const UntypedArray& entries, const std::string& field,
                        std::span<const index_t> order, std::optional<std::span<const index_t>> new_number) {
   std::optional<EntryIndices> indices;
   if (new_number) indices.emplace(entries, field);
@@ -156,11 +156,11 @@ ChosenRows choose_rows(std::span<const RowRange> rows, const Storage& entries, c
   return chosen;
 }
 
-void pick_records(const Storage& to, const Storage& from, std::span<const index_t> numbers) {
+void pick_records(const UntypedArray& to, const UntypedArray& from, std::span<const index_t> numbers) {
   const auto bytes = static_cast<std::size_t>(to.record_bytes);
   if (bytes == 0) return;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    std::memcpy(to.base + static_cast<index_t>(i) * to.record_bytes, from.base + numbers[i] * from.record_bytes, bytes);
+    std::memcpy(to.address(static_cast<index_t>(i), 0, 0), from.address(numbers[i], 0, 0), bytes);
   }
 }
 

@@ -2,7 +2,7 @@
 #include <physgen/chunked_transfer.h>
 #include <physgen/copy_fields.h>
 #include <physgen/error.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <algorithm>
 #include <sstream>
@@ -21,7 +21,7 @@ namespace {
 using detail::describe;
 
 // Whether all that `to` stores is there, and nothing is lost that `to` was not told to leave out.
-void require_fields(const Storage& to, const Storage& from) {
+void require_fields(const UntypedArray& to, const UntypedArray& from) {
   const auto refuse = [&](int f, const std::string& why) {
     const std::string field(to.fields[static_cast<std::size_t>(f)].name);
     throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + field + why);
@@ -38,13 +38,15 @@ void require_fields(const Storage& to, const Storage& from) {
   }
 }
 
-bool overlap(const Storage& a, const Storage& b) {
+bool overlap(const UntypedArray& a, const UntypedArray& b) {
   return a.bytes() > 0 && b.bytes() > 0 && a.base < b.base + b.bytes() && b.base < a.base + a.bytes();
 }
 
-bool has_no_memory(const Storage& array) { return array.size > 0 && array.record_bytes > 0 && array.base == nullptr; }
+bool has_no_memory(const UntypedArray& array) {
+  return array.size > 0 && array.record_bytes > 0 && array.base == nullptr;
+}
 
-void require_two_arrays_of_one_type(const Storage& to, const Storage& from) {
+void require_two_arrays_of_one_type(const UntypedArray& to, const UntypedArray& from) {
   std::string why;
   if (to.object != from.object) {
     why = "the object types differ";
@@ -57,7 +59,7 @@ void require_two_arrays_of_one_type(const Storage& to, const Storage& from) {
   require_fields(to, from);
 }
 
-Losses count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+Losses count_losses(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
   if (begin == end || to.record_bytes == 0) return {};
   if (host_accessible(from.space)) {
     detail::wait_for_host_work(from.space, stream);
@@ -72,7 +74,7 @@ Losses count_losses(const Storage& to, const Storage& from, index_t begin, index
 
 }  // namespace
 
-index_t copy_range(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+index_t copy_range(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
   require_two_arrays_of_one_type(to, from);
   if (begin < 0 || begin > end || end > std::min(to.size, from.size)) {
     throw Error("cannot copy objects " + std::to_string(begin) + " up to " + std::to_string(end) + " of " +
@@ -112,11 +114,11 @@ void detail::wait_for_host_work(SpaceKind space, Stream stream) {
   if (space == SpaceKind::pinned) synchronize(stream);
 }
 
-void copy_first(const Storage& to, const Storage& from, index_t count, Stream stream) {
+void copy_first(const UntypedArray& to, const UntypedArray& from, index_t count, Stream stream) {
   copy_range(to, from, 0, count, stream);
 }
 
-void copy(const Storage& to, const Storage& from, Stream stream) {
+void copy(const UntypedArray& to, const UntypedArray& from, Stream stream) {
   require_two_arrays_of_one_type(to, from);
   if (to.size != from.size) {
     throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": resize the target first");
@@ -124,22 +126,22 @@ void copy(const Storage& to, const Storage& from, Stream stream) {
   copy_first(to, from, from.size, stream);
 }
 
-Losses losses_of_copy(const Storage& to, const Storage& from, Stream stream) {
+Losses losses_of_copy(const UntypedArray& to, const UntypedArray& from, Stream stream) {
   require_fields(to, from);
   return count_losses(to, from, 0, from.size, stream);
 }
 
-void throw_if_falsified(const Losses& losses, const Storage& storage) {
+void throw_if_falsified(const Losses& losses, const UntypedArray& array) {
   if (losses.falsified() == 0) return;
   std::string field = "byte " + std::to_string(losses.first.offset);
-  for (const FieldInfo& candidate : storage.fields) {
+  for (const FieldInfo& candidate : array.fields) {
     const int at = losses.first.offset - candidate.offset, size = element_bytes(candidate.type);
     if (at >= 0 && at < candidate.count * size) {
       field = std::string(candidate.name) + (candidate.count > 1 ? "[" + std::to_string(at / size) + "]" : "");
     }
   }
   std::ostringstream message;
-  message << describe(storage) << ": its storage formats cannot hold " << losses.falsified() << " values ("
+  message << describe(array) << ": its storage formats cannot hold " << losses.falsified() << " values ("
           << losses.out_of_range << " out of range, " << losses.not_a_number << " NaN or infinite, "
           << losses.not_a_rotation << " not rotations); the first is " << losses.first.value << " in " << field
           << " of object " << losses.first.object
@@ -187,19 +189,19 @@ void start_losses(Losses& counters, const Losses* old, index_t objects, SpaceKin
   write_losses(counters, fresh, space);
 }
 
-void initialize(const Storage& storage, index_t begin, index_t end) {
+void initialize(const UntypedArray& array, index_t begin, index_t end) {
   if (begin == end) return;
-  detail::wait_for_host_work(storage.space);
-  for (const FieldInfo& field : storage.fields) {
+  detail::wait_for_host_work(array.space);
+  for (const FieldInfo& field : array.fields) {
     if (!field.is_stored()) continue;
     const detail::Fill fill(field);
     if (fill.is_zero()) continue;
-    if (host_accessible(storage.space)) {
-      const detail::Addressing array(storage);
+    if (host_accessible(array.space)) {
+      const detail::Addressing addresses(array);
 #pragma omp parallel for schedule(static) if (end - begin > 8192)
-      for (index_t i = begin; i < end; ++i) fill.run(array, i);
+      for (index_t i = begin; i < end; ++i) fill.run(addresses, i);
     } else {
-      backend::fill(storage, fill, begin, end);
+      backend::fill(array, fill, begin, end);
     }
   }
 }

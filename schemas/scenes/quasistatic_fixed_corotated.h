@@ -3,8 +3,7 @@
 #pragma once
 
 #include <fem/materials/fixed_corotated.h>
-#include <fem/solver/product_host.h>
-#include <fem/solver/schwarz_host.h>
+#include <fem/solver/performed_steps.h>
 #include <fem/solver/solver_groups.h>
 #include <fem/solver/solver_program.h>
 #include <physgen/scene.h>

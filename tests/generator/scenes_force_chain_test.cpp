@@ -2,6 +2,7 @@
 #include <force_chain.scene.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
+#include <scenes/force_chain.h>
 
 #include <random>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 namespace physgen::test {
 

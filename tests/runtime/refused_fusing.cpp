@@ -57,6 +57,16 @@ void a_local_that_is_not_named() {
   const auto other = local<elasticity::StressDerivativeObject, float, FormatsOfSpace, struct Other>();
   fused([=](auto k) { kept[k].x1111() = other[k].x1111().get(); });
 }
+/// refused a_local_of_an_outer_group_in_an_inner_one: name it in the outer locals(...) alone
+void a_local_of_an_outer_group_in_an_inner_one() {
+  const auto inner = fuse(locals(kept), over<float>([=](auto k) { kept[k].x1111() = kept[k].x2222().get(); }));
+  parallel_for(Host{}, 5, fuse(locals(kept), over<float>([=](auto k) { kept[k].x2222() = 1.0F; }), inner));
+}
+/// refused a_local_of_an_outermost_group_in_an_innermost_one: name it in the outer locals(...) alone
+void a_local_of_an_outermost_group_in_an_innermost_one() {
+  const auto inner = fuse(locals(kept), over<float>([=](auto k) { kept[k].x1111() = kept[k].x2222().get(); }));
+  parallel_for(Host{}, 5, fuse(locals(kept), fuse(locals(), inner)));
+}
 /// refused two_locals_of_one_type: two locals have one type
 void two_locals_of_one_type() {
   const auto other = local<elasticity::StressDerivativeObject, float>();

@@ -39,6 +39,11 @@ struct OverAnyViews {
 template <class View>
 OverAnyViews(View) -> OverAnyViews<View>;
 
+struct WithoutOne : elasticity::StressDerivativeFormats<Host> {
+  using x1111 = format::Pruned<First, First, First>;
+};
+using WithoutOneArray = elasticity::StressDerivativeArray<float, Host, Soa, WithoutOne>;
+
 struct Halves : elasticity::StressDerivativeFormats<Host> {
   using x1111 = format::Half<>;
 };
@@ -57,10 +62,12 @@ void a_probed_scalar_that_is_read_later(FirstProbe& first, SecondProbe& second) 
   const auto x = first.view()[0].x1111();
   second.view()[0].x1111() = x;
 }
-/// refused raw_memory_of_a_probed_view: a_probed_array_has_no_raw_memory
+/// refused raw_memory_of_a_probed_view: a probed array has no raw memory
 void raw_memory_of_a_probed_view(FirstProbe& first) { (void)reinterpret_cast<float*>(first.view().data()); }
-/// refused raw_memory_of_a_probed_array: storage
-void raw_memory_of_a_probed_array(FirstProbe& first) { (void)first.storage(); }
+/// refused raw_memory_of_a_view_with_a_pruned_field: what lies in its memory depends on the scene
+void raw_memory_of_a_view_with_a_pruned_field(WithoutOneArray& pruned) { (void)pruned.view().data(); }
+/// refused raw_memory_of_a_probed_array: untyped
+void raw_memory_of_a_probed_array(FirstProbe& first) { (void)first.untyped(); }
 /// refused copying_bytes_from_a_probed_field: address of
 void copying_bytes_from_a_probed_field(ProbeOf<elasticity::StressArray<float>, First>& stress) {
   float x[9];
@@ -82,4 +89,9 @@ void the_address_of_a_half(ProbeOfHalves& halves) { (void)&halves.view()[0].x111
 const ProbeArray<elasticity::StressDerivativeObject, float, Soa, Halves> an_array_that_is_no_probe;
 
 // ---- What is not refused ----
-void accepted(ProbeExecutor<Host>& on, FirstProbe& first) { on.run(1, OverAnyViews{first.view()}); }
+void accepted(ProbeExecutor<Host>& on, FirstProbe& first, Derivatives& plain, WithoutOneArray& pruned) {
+  // What asks whether it compiles finds the same of every view: what does not compile is a use.
+  static_assert(requires { first.view().data(); } && requires { plain.view().data(); });
+  static_assert(requires { pruned.view().data(); });
+  on.run(1, OverAnyViews{first.view()});
+}

@@ -10,6 +10,7 @@
 
 #include "memory.h"
 #include "motion.h"
+#include "output/folder_lock.h"
 #include "output/hash.h"
 #include "run_files.h"
 #include "scene.h"
@@ -86,7 +87,11 @@ Outcome run(Options options, const std::string& command) {
     return Outcome::done;
   }
   require_memory_for(options, bytes);
-  if (!options.out.empty() && !options.restart) require_writable(options.out);
+  std::optional<FolderLock> lock;
+  if (!options.out.empty()) {
+    if (!options.restart) require_writable(options.out);
+    if (is_writable(options.out)) lock.emplace(options.out);  // else a run that goes on writes nothing
+  }
 
   terminal.set_up(2, parts, "meshes of " + std::to_string(counts.front().tets) + " tets");
   if (options.is_cube()) scene = make_scene(options, make_cube(options));

@@ -168,19 +168,11 @@ std::int64_t linear_body_bytes(const LevelCounts& c, bool assembled) {
          bytes_of<decltype(Vectors::state)>(1);
 }
 
-/// As ExplicitBody::bytes().
 template <class Real, class Space>
 RunBytes explicit_bytes(const LevelCounts& c) {
-  using Body = fem::ExplicitBody<Real, Space>;
-  const std::int64_t n = c.nodes;
+  using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
   RunBytes bytes;
-  bytes.solver = bytes_of<decltype(Body::tets)>(c.tets) + bytes_of<decltype(Body::rest)>(c.tets) +
-                 bytes_of<decltype(Body::corners)>(c.tets) + bytes_of<decltype(Body::node_tet_ranges)>(n) +
-                 bytes_of<decltype(Body::node_tets)>(4 * c.tets) + bytes_of<decltype(Body::constraints)>(n) +
-                 bytes_of<decltype(Body::masses)>(n) + bytes_of<decltype(Body::loads)>(n) +
-                 bytes_of<decltype(Body::motion)>(n) + bytes_of<decltype(Body::displacements)>(n) +
-                 bytes_of<decltype(Body::rounded)>(n) + bytes_of<decltype(Body::velocities)>(n) +
-                 bytes_of<decltype(Body::forces)>(n) + bytes_of<decltype(Body::measured)>(1);
+  bytes.solver = Body::bytes(fem::explicit_counts<Body>(c.nodes, c.tets));
   bytes.levels = {bytes.solver};
   bytes.stresses = bytes_of<elasticity::StressArray<Real, Space>>(c.tets);
   return bytes;

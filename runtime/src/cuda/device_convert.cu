@@ -143,8 +143,7 @@ __global__ void convert_kernel(const Addressing to, const Addressing from, const
   const auto lo = static_cast<int>(max(block.first, block_begin) - block_begin);
   const auto hi = static_cast<int>(min(block.last, block_begin + index_t{blockDim.x}) - block_begin);
   if constexpr (kFromStaged) {
-    move_records<true>(block.from, from_shared, from.base + (block_begin - from.first) * from.record_bytes,
-                       lo * block.from.words, hi * block.from.words);
+    move_records<true>(block.from, from_shared, from.record(block_begin), lo * block.from.words, hi * block.from.words);
   }
   if constexpr (kToStaged) {  // padding of records, and what is converted later, is zero until then
     const int words = block.to.stride * static_cast<int>(blockDim.x);
@@ -170,8 +169,7 @@ __global__ void convert_kernel(const Addressing to, const Addressing from, const
   }
   if constexpr (kToStaged) {
     __syncthreads();
-    move_records<false>(block.to, to_shared, to.base + (block_begin - to.first) * to.record_bytes, lo * block.to.words,
-                        hi * block.to.words);
+    move_records<false>(block.to, to_shared, to.record(block_begin), lo * block.to.words, hi * block.to.words);
   }
 }
 
@@ -255,8 +253,8 @@ void launch(const Addressing& to, const Addressing& from, const Moves& moves, co
 
 }  // namespace
 
-void cuda::convert(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
-                   index_t end, Stream stream) {
+void cuda::convert(const UntypedArray& to, index_t to_first, const UntypedArray& from, index_t from_first,
+                   index_t begin, index_t end, Stream stream) {
   const index_t aligned = align_up(begin, padding_objects);
   if (begin < aligned && aligned < end) {  // whole tiles, which have faster ways, begin later
     convert(to, to_first, from, from_first, begin, aligned, stream);
@@ -269,7 +267,7 @@ void cuda::convert(const Storage& to, index_t to_first, const Storage& from, ind
   const detail::Conversion conversion(to, from);
   // Records are staged whole where they are made of 4-byte words and those of 32 objects fit; the target's only when
   // one launch has all their elements, since what was there before is lost.
-  const auto can_stage = [](const Storage& array) {
+  const auto can_stage = [](const UntypedArray& array) {
     return array.pitch == 1 && array.record_bytes % 4 == 0 && array.record_bytes <= most_shared / 2 / 32 - 4;
   };
   int element_bytes_written = 0;
@@ -309,7 +307,8 @@ void cuda::convert(const Storage& to, index_t to_first, const Storage& from, ind
   });
 }
 
-Losses backend::count_losses(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+Losses backend::count_losses(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end,
+                             Stream stream) {
   const cuda::StreamMemory memory(sizeof(Losses), stream);
   auto* on_device = reinterpret_cast<Losses*>(memory.data());
   Losses losses;
@@ -327,9 +326,9 @@ Losses backend::count_losses(const Storage& to, const Storage& from, index_t beg
   return losses;
 }
 
-void backend::fill(const Storage& storage, const detail::Fill& field, index_t begin, index_t end) {
+void backend::fill(const UntypedArray& array, const detail::Fill& field, index_t begin, index_t end) {
   detail::refuse_capture(nullptr, "the initial values of an array");
-  fill_kernel<<<blocks_for(end - begin, threads), threads>>>(Addressing(storage), field, begin, end);
+  fill_kernel<<<blocks_for(end - begin, threads), threads>>>(Addressing(array), field, begin, end);
   check(cudaGetLastError(), "launching the fill of an array");
   check(cudaDeviceSynchronize(), "filling an array");
 }

@@ -16,10 +16,10 @@ struct Staged {
   int stride;      // from one record to the next [words]
   unsigned magic;  // word / words = the upper half of word * magic, for words of a block
 
-  static Staged of(const Storage& storage, bool staged) {
+  static Staged of(const UntypedArray& array, bool staged) {
     Staged result{0, 0, 0};
     if (!staged) return result;
-    result.words = storage.record_bytes / 4;
+    result.words = array.record_bytes / 4;
     result.stride = result.words | 1;
     result.magic = static_cast<unsigned>((0xffffffffULL + static_cast<unsigned>(result.words)) /
                                          static_cast<unsigned>(result.words));
@@ -76,14 +76,14 @@ struct Place {
       pitch = 1;
       lane = 0;
     } else {
-      const index_t here = i - array.first;
-      const index_t tile = here >> array.shift;
-      object = array.base + tile * array.pitch * array.record_bytes;
+      object = array.tile_of(i);
       pitch = array.pitch;
-      lane = here - (tile << array.shift);
+      lane = array.lane(i);
     }
   }
-  [[nodiscard]] __device__ std::byte* at(int offset, int size) const { return object + offset * pitch + lane * size; }
+  [[nodiscard]] __device__ std::byte* at(int offset, int size) const {
+    return object + law::channel_begin(offset, pitch) + law::lane_begin(lane, size);
+  }
 };
 
 /// Shared records are aligned to 4 bytes only, so an 8-byte element is moved as two words.

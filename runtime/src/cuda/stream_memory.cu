@@ -1,6 +1,6 @@
 // See stream_memory.h.
 #include <physgen/cuda/check.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <map>
 #include <mutex>

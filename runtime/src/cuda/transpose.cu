@@ -20,12 +20,8 @@ struct Channels {
   std::byte* first;  // of the object's elements
   index_t step;      // from one element to the next [bytes]
 
-  __device__ Channels(const Addressing& array, index_t i, int size) {
-    const index_t here = i - array.first;
-    const index_t tile = here >> array.shift;
-    first = array.base + tile * array.pitch * array.record_bytes + (here - (tile << array.shift)) * size;
-    step = array.pitch * size;
-  }
+  __device__ Channels(const Addressing& array, index_t i, int size)
+      : first(array.address(i, 0, size)), step(law::channel_begin(size, array.pitch)) {}
 };
 
 /// Between two arrays in channels. A thread takes as many objects as fill 16 bytes of a channel.
@@ -60,7 +56,8 @@ __global__ void __launch_bounds__(block_objects)
   __shared__ unsigned shared[Records::stride * block_objects];
   const int t = static_cast<int>(threadIdx.x);
   const index_t block_begin = begin + blockIdx.x * index_t{block_objects};
-  const auto* records = reinterpret_cast<const uint4*>(from.base + (block_begin - from.first) * index_t{N * sizeof(T)});
+  const auto* records =
+      reinterpret_cast<const uint4*>(from.base + law::tile_begin(block_begin - from.first, index_t{N * sizeof(T)}));
   constexpr int rounds = (Records::vectors + block_objects - 1) / block_objects;
   uint4 loaded[rounds];
 #pragma unroll
@@ -110,7 +107,7 @@ __global__ void __launch_bounds__(block_objects) to_records(const Addressing to,
     }
   }
   __syncthreads();
-  auto* records = reinterpret_cast<uint4*>(to.base + (block_begin - to.first) * index_t{N * sizeof(T)});
+  auto* records = reinterpret_cast<uint4*>(to.base + law::tile_begin(block_begin - to.first, index_t{N * sizeof(T)}));
 #pragma unroll
   for (int v = t; v < Records::vectors; v += block_objects) {
     records[v] = {shared[Records::place(4 * v)], shared[Records::place(4 * v + 1)], shared[Records::place(4 * v + 2)],
@@ -142,11 +139,11 @@ Launch find(int elements, std::integer_sequence<int, N...> /*counts*/) {
 }
 
 // A channel's 16 bytes never leave its tile.
-[[nodiscard]] bool wide_tiles(const Storage& array) { return array.pitch == 1 || array.pitch % 4 == 0; }
+[[nodiscard]] bool wide_tiles(const UntypedArray& array) { return array.pitch == 1 || array.pitch % 4 == 0; }
 
 }  // namespace
 
-index_t transpose(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
+index_t transpose(const UntypedArray& to, index_t to_first, const UntypedArray& from, index_t from_first, index_t begin,
                   index_t end, Stream stream) {
   const index_t objects = (end - begin) / block_objects * block_objects;
   const bool both_records = to.pitch == 1 && from.pitch == 1;

@@ -21,14 +21,15 @@ void copy_rows(std::byte* /*to*/, index_t /*to_pitch*/, const std::byte* /*from*
                index_t /*bytes*/, int /*rows*/, Stream /*stream*/) {
   throw Error(reason);
 }
-index_t convert(const Storage& /*to*/, const Storage& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+index_t convert(const UntypedArray& /*to*/, const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/,
+                Stream /*stream*/) {
   throw Error(reason);
 }
-void fill(const Storage& /*storage*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
+void fill(const UntypedArray& /*storage*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
   throw Error(reason);
 }
 
-Losses count_losses(const Storage& /*to*/, const Storage& /*from*/, index_t /*begin*/, index_t /*end*/,
+Losses count_losses(const UntypedArray& /*to*/, const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/,
                     Stream /*stream*/) {
   throw Error(reason);
 }

@@ -6,15 +6,15 @@
 
 namespace physgen::backend {
 
-void pick(const Storage& /*to*/, index_t /*begin*/, const Storage& /*from*/, detail::Picked /*picked*/,
+void pick(const UntypedArray& /*to*/, index_t /*begin*/, const UntypedArray& /*from*/, detail::Picked /*picked*/,
           index_t /*count*/, Stream /*stream*/) {
   throw Error(reason);
 }
-index_t first_not_renumbered(const Storage& /*storage*/, const FieldInfo& /*field*/,
+index_t first_not_renumbered(const UntypedArray& /*storage*/, const FieldInfo& /*field*/,
                              const detail::NewNumbers& /*numbers*/) {
   throw Error(reason);
 }
-void renumber(const Storage& /*storage*/, const FieldInfo& /*field*/, const detail::NewNumbers& /*numbers*/) {
+void renumber(const UntypedArray& /*storage*/, const FieldInfo& /*field*/, const detail::NewNumbers& /*numbers*/) {
   throw Error(reason);
 }
 

@@ -1,8 +1,7 @@
 // What the solver on the CPU reads and writes.
 #include "probe_solver.h"
 
-#include <fem/solver/product_host.h>
-#include <fem/solver/schwarz_host.h>
+#include <fem/solver/performed_steps.h>
 
 namespace physgen::fem::test {
 namespace {

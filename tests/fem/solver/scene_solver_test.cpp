@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
 #include <quasistatic.scene.h>
+#include <scenes/quasistatic.h>
 
 #include <cstring>
 #include <vector>
@@ -73,8 +74,8 @@ struct Groups {
     for (const auto& level : make_linear_levels<Level>(used, settings)) add(*level);
     krylov.allocate({.node = nodes});
     stresses.allocate({.tet = tets});
-    start_without_values(stresses.of_tets.storage(), {"P"});
-    start_without_values(body.forces.storage(), {"f"});
+    start_without_values(stresses.of_tets.untyped(), {"P"});
+    start_without_values(body.forces.untyped(), {"f"});
     facts.chunks = mesh.chunks;
     facts.rounding_force = rounding_force(settings, finest, given.loading.motion, false, mesh.spacing);
     facts.moves = true;

@@ -96,7 +96,27 @@ case $rule in
     stable=$(sed -nE 's/.*about ([0-9.e-]+) s;.*/\1/p' err)
     # Stable at rest, and not where tets are half as high.
     expect_exit 3 "${small[@]}" --scene explicit-dynamics --compress 0.5 --duration 0.5 --frames 2 --time-step "$stable"
-    expect err 'the motion is not finite at [0-9.]+ s: a time step of .* Try --time-step [0-9.e-]+, or --scene implicit' ;;
+    expect err 'the motion is not finite at [0-9.]+ s, time step [0-9]+ of this state: tet [0-9]+ has a stress .* F = \['
+    expect err 'A time step of .* Try --time-step [0-9.e-]+, or --scene implicit'
+    # A look every few steps ends it long before the state is due.
+    expect_exit 3 "${small[@]}" --scene explicit-dynamics --compress 0.9 --duration 20 --frames 1 --time-step "$stable"
+    (($(sed -nE 's/.* time step ([0-9]+) of this state.*/\1/p' err) < 40000)) || fail 'all steps were taken'
+    expect_exit 3 "${small[@]}" --scene implicit-dynamics --young 1e300 --compress 0.1
+    expect err 'no equilibrium with inertia behind 0 s.* There, tet [0-9]+ .*F = \[' ;;
+  inverted_tets_of_a_motion_are_said)
+    # Ten metres a second: faster than the body gives way.
+    expect_exit 0 "${small[@]}" --scene implicit-dynamics --compress 0.9 --duration 0.02 --frames 4 --out o
+    mapfile -t J < <(number_of smallest_J o/run.json)
+    inverted=0
+    for number in "${J[@]}"; do [[ $number != -* ]] || inverted=$((inverted + 1)); done
+    ((${#J[@]} == 4 && inverted > 0)) || fail 'no inverted tets'
+    (($(grep -cE '^ .* +-[0-9.]+ +[0-9.]+  inverted$' out) == inverted)) || fail 'other states are marked'
+    expect out "^$inverted of 4 states have inverted tets$"
+    (($(grep -cE '^  [0-9]+ tets? (is|are) inverted, (most of all )?tet [0-9]+: J -[0-9.]+, F = \[.*;.*;.*\]$' out) == 1)) ||
+      fail 'it is not told once'
+    expect out 'Try a shorter --time-step, a longer --duration'
+    expect_exit 0 "${motion[@]}" --scene implicit-dynamics
+    expect_no out 'inverted' ;;
   linear_elastic_equilibria_scale_with_the_load)
     expect_exit 0 "${small[@]}" --scene linear-elastic --precision double --tolerance 1e-12 --compress 0.05 0.1 --out o
     expect out 'note: linear elasticity takes the change of volume of each tet by itself'

@@ -3,7 +3,7 @@
 #include <fem/solver/scattered.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 #include <truthcube/linear_solves/cusparse_product.h>
 #include <truthcube/linear_solves/vendor_solver.h>
 

@@ -1,7 +1,7 @@
 // The order of edges by slices of nodes.
 #include <fem/kernels/edge_slices.h>
 #include <physgen/error.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <algorithm>
 #include <numeric>

@@ -64,6 +64,7 @@ class RowsOf {
   ~RowsOf() = default;
 
   [[nodiscard]] View view() { return {ranges_->const_view(), entries_->view(), targets}; }
+  [[nodiscard]] ConstView view() const { return const_view(); }
   [[nodiscard]] ConstView const_view() const { return {ranges_->const_view(), entries_->const_view(), targets}; }
 
  private:

@@ -2,9 +2,7 @@
 #include <fem/solver/implicit_solver_of.h>
 #include <fem/solver/linear_solver_of.h>
 #include <fem/solver/make_evaluator.h>
-#include <fem/solver/product_cuda.h>
-#include <fem/solver/schwarz_cuda.h>
-#include <fem/solver/small_levels_cuda.h>
+#include <fem/solver/performed_steps.h>
 #include <fem/solver/solver_of.h>
 #include <fem/solver/solvers.h>
 
