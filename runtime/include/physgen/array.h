@@ -3,7 +3,7 @@
 
 #include <physgen/buffer.h>
 #include <physgen/copy_fields.h>
-#include <physgen/object_info.h>
+#include <physgen/record.h>
 #include <physgen/storage.h>
 #include <physgen/view.h>
 
