@@ -1,20 +1,16 @@
 // See layout_map.h.
-#include "layout_map.h"
+#include "plan/layout_map.h"
 
 #include <algorithm>
 #include <map>
 
-namespace physgen::command {
+namespace physgen::plan {
 namespace {
 
-int bytes_of(plan::Bytes bytes, Precision precision) {
-  return precision == Precision::with_float ? bytes.with_float : bytes.with_double;
-}
-
 /// The name of a run with all entries of arrays instead of one: "points[0..9].x".
-std::string accessor_name(const plan::Run& run) {
+std::string accessor_name(const Run& run) {
   std::string name;
-  for (const plan::Step& step : run.path) {
+  for (const Step& step : run.path) {
     if (!name.empty()) name += '.';
     name += step.declaration().name;
     if (step.entry >= 0) name += "[0.." + std::to_string(step.declaration().array_extent - 1) + "]";
@@ -22,17 +18,17 @@ std::string accessor_name(const plan::Run& run) {
   return name;
 }
 
-std::vector<Accessor> accessors_of(const plan::Record& record, Precision precision) {
+std::vector<Accessor> accessors_of(const Record& record, Precision precision) {
   std::vector<Accessor> accessors;
   std::map<std::string, std::size_t> known;
-  for (const plan::Run& run : plan::runs(record)) {
+  for (const Run& run : runs(record)) {
     const std::string name = accessor_name(run);
     const auto [found, is_new] = known.emplace(name, accessors.size());
     if (is_new) {
-      const int bytes = bytes_of(plan::element_bytes(run.field(), record.space), precision);
+      const int bytes = element_bytes(run.field(), record.space).of(precision);
       accessors.push_back({name, run.field(), run.field().format(record.space), bytes, {}, run.count, {}});
     }
-    accessors[found->second].runs.push_back({run.name(), bytes_of(run.offset, precision)});
+    accessors[found->second].runs.push_back({run.name(), run.offset.of(precision)});
   }
   return accessors;
 }
@@ -124,7 +120,7 @@ Cell LayoutMap::at(long long address) const {
   return {cell, cell + accessor.bytes, segment->accessor, element, tile * pitch + place % pitch};
 }
 
-LayoutMap map_layout(const plan::Record& record, model::Layout layout, Precision precision) {
+LayoutMap map_layout(const Record& record, model::Layout layout, Precision precision) {
   LayoutMap map;
   map.object = record.object->qualified_name();
   map.spaces = {record.space};
@@ -132,8 +128,7 @@ LayoutMap map_layout(const plan::Record& record, model::Layout layout, Precision
   map.precision = precision;
   const model::LayoutFacts& facts = model::facts(layout.kind);
   map.pitch = facts.pitch(assumed_objects, layout.tile);
-  map.record_bytes =
-      facts.record_bytes(bytes_of(record.bytes, precision), bytes_of(record.alignment, precision), layout.tile);
+  map.record_bytes = facts.record_bytes(record.bytes.of(precision), record.alignment.of(precision), layout.tile);
   map.accessors = accessors_of(record, precision);
   map.segments = segments_of(map);
   for (Accessor& accessor : map.accessors) accessor.sectors = sectors_of(map, accessor);
@@ -171,4 +166,4 @@ long long sectors_of_warp(const LayoutMap& map) {
   return sectors.count();
 }
 
-}  // namespace physgen::command
+}  // namespace physgen::plan

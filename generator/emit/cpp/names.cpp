@@ -1,32 +1,15 @@
 // See names.h.
-#include "model/names.h"
+#include "emit/cpp/names.h"
 
 #include <algorithm>
 #include <cctype>
 #include <span>
 
-#include "model/catalog.h"
-#include "model/taken_names.h"
+#include "emit/cpp/taken_names.h"
+#include "model/facts.h"
 
-namespace physgen::model {
+namespace physgen::emit::cpp {
 namespace {
-
-// Only a model from JSON can hold these: Clang does not let them through.
-constexpr std::string_view keywords[] = {
-    "alignas",     "alignof",  "and",        "and_eq",    "asm",       "auto",         "bitand",
-    "bitor",       "bool",     "break",      "case",      "catch",     "char",         "char16_t",
-    "char32_t",    "char8_t",  "class",      "co_await",  "co_return", "co_yield",     "compl",
-    "concept",     "const",    "const_cast", "consteval", "constexpr", "constinit",    "continue",
-    "decltype",    "default",  "delete",     "do",        "double",    "dynamic_cast", "else",
-    "enum",        "explicit", "export",     "extern",    "false",     "float",        "for",
-    "friend",      "goto",     "if",         "inline",    "int",       "long",         "mutable",
-    "namespace",   "new",      "noexcept",   "not",       "not_eq",    "nullptr",      "operator",
-    "or",          "or_eq",    "private",    "protected", "public",    "register",     "reinterpret_cast",
-    "requires",    "return",   "short",      "signed",    "sizeof",    "static",       "static_assert",
-    "static_cast", "struct",   "switch",     "template",  "this",      "thread_local", "throw",
-    "true",        "try",      "typedef",    "typeid",    "typename",  "union",        "unsigned",
-    "using",       "virtual",  "void",       "volatile",  "wchar_t",   "while",        "xor",
-    "xor_eq"};
 
 constexpr std::string_view reserved_fields[] = {"get",       "put",     "Real", "Cursor", "Value",   "Record", "bytes",
                                                 "alignment", "physgen", "std",  "Eigen",  "Formats", "Space"};
@@ -41,8 +24,8 @@ bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
 }
 
 bool is_type_of_the_vocabulary(std::string_view name) {
-  return std::ranges::any_of(shapes(), [&](const ShapeFacts& row) { return row.type == name; }) ||
-         std::ranges::any_of(elements(), [&](const ElementFacts& row) { return row.schema == name; });
+  return std::ranges::any_of(model::shapes(), [&](const model::ShapeFacts& row) { return row.type == name; }) ||
+         std::ranges::any_of(model::elements(), [&](const model::ElementFacts& row) { return row.schema == name; });
 }
 
 bool is_identifier(std::string_view name) {
@@ -66,7 +49,6 @@ std::string with_small_letters(std::string_view name) {
 
 std::string name_problem(std::string_view name, NameOf of) {
   if (!is_identifier(name)) return "is not a name of ASCII letters, digits and underscores; choose such a name";
-  if (is_one_of(name, keywords)) return "is a keyword of C++; choose another name";
   if (name.front() == '_') return "begins with an underscore, which is reserved; write the name without it";
   if (name.back() == '_')
     return "ends with an underscore, which generated code keeps for its own members; write the name without it";
@@ -84,4 +66,4 @@ std::string name_problem(std::string_view name, NameOf of) {
   return {};
 }
 
-}  // namespace physgen::model
+}  // namespace physgen::emit::cpp

@@ -1,16 +1,12 @@
 // The formats: how each field is stored in each memory space, as types that a program can replace one by one; and the
 // formats that tell reads and writes of each field apart.
-#include "emit/pieces.h"
-#include "emit/text.h"
+#include "emit/cpp/pieces.h"
+#include "emit/cpp/text.h"
 
-namespace physgen::emit {
+namespace physgen::emit::cpp {
 
 void formats_struct(Printer& out, const model::Object& object) {
   const std::string name = object.name + "Formats";
-  out.comment("///", "How the fields of one " + object.name +
-                         " are stored in a memory space. To store some otherwise, derive from it, declare those anew, "
-                         "and name the derived struct as the last argument of " +
-                         object.name + "Array.");
   out.line("template <class Space>");
   out.open("struct " + name + " {");
   for (const model::Field& field : object.fields) {
@@ -32,9 +28,6 @@ void probe_struct(Printer& out, const plan::Record& record) {
   const std::string array = local_name("ArrayTag", object), base = local_name("Base", object);
   const std::string outer = local_name("Object", object), first = local_name("first", object);
   out.line("struct " + tag + ";");
-  out.comment("///", formats + " whose reads and writes are told apart for the array that the tag " + array +
-                         " names; see <physgen/probe.h>. The list of fields of " + outer +
-                         " has the first of these as number " + first + ".");
   out.list("template <",
            {"class " + array, "class " + base + " = " + formats + "<physgen::Host>", "class " + outer + " = " + tag,
             "int " + first + " = 0"},
@@ -59,4 +52,4 @@ void probe_struct(Printer& out, const plan::Record& record) {
   out.close("};");
 }
 
-}  // namespace physgen::emit
+}  // namespace physgen::emit::cpp

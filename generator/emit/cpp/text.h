@@ -3,14 +3,12 @@
 
 #include <string>
 
-#include "plan/plan.h"
+#include "model/model.h"
 
-namespace physgen::emit {
+namespace physgen::emit::cpp {
 
-/// Shortest text that reads back as `value`, for people: "0.5", "1e-12", "3".
-[[nodiscard]] std::string number(double value);
-
-/// The same as a literal of type double, "3.0": as integers, numbers of 20 digits would be taken modulo 2^64.
+/// The shortest literal of type double that reads back as `value`, "3.0": as integers, numbers of 20 digits would be
+/// taken modulo 2^64.
 [[nodiscard]] std::string real(double value);
 
 /// C++ type of a stored element: "Real", "float", "double", "std::int32_t".
@@ -25,15 +23,9 @@ namespace physgen::emit {
 /// "physgen::format::Half<4>": how elements of the field are stored in a space. @pre not an object
 [[nodiscard]] std::string format_type(const model::Field& field, model::Space space);
 
-/// Shape, format and type to compute with, as template arguments: "physgen::shape::Rotation, typename Formats::U,
-/// Real".
-[[nodiscard]] std::string stored_as(const model::Field& field);
-
-/// Name of a type generated for the object that `field` nests, as written in the code of `user`.
+/// Name of a type generated for the object that `field` nests, as written in the code of
+/// `user`: qualified when the namespaces differ.
 [[nodiscard]] std::string nested_type_name(const model::Field& field, const char* ending, const model::Object& user);
-
-/// Name of a type generated for `target`, as written in the code of `user`: qualified when the namespaces differ.
-[[nodiscard]] std::string type_name(const model::Object& target, const char* ending, const model::Object& user);
 
 /// The comment of a field: what the schema says, with unit, and what else holds for it. May be empty.
 [[nodiscard]] std::string field_comment(const model::Field& field);
@@ -45,4 +37,4 @@ namespace physgen::emit {
 /// `name` for a local variable, with an underscore if a field is called so: fields never end with one.
 [[nodiscard]] std::string local_name(const char* name, const model::Object& object);
 
-}  // namespace physgen::emit
+}  // namespace physgen::emit::cpp

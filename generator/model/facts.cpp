@@ -1,5 +1,5 @@
-// See catalog.h: looking things up there, and lists of what is there.
-#include "model/catalog.h"
+// See facts.h.
+#include "model/facts.h"
 
 #include <stdexcept>
 
@@ -44,15 +44,6 @@ const LayoutFacts& facts(LayoutKind kind) { return at(layout_rows, kind); }
 const EncodingFacts& facts(Encoding encoding) { return at(encoding_rows, encoding); }
 const ShapeFacts& facts(Shape shape) { return at(shape_rows, shape); }
 const ElementFacts& facts(Element element) { return at(element_rows, element); }
-
-std::string joined(const std::vector<std::string>& words, std::string_view last) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 < words.size() ? ", " : last;
-    text += words[i];
-  }
-  return text;
-}
 
 std::string layout_word(Layout layout) {
   const LayoutFacts& row = facts(layout.kind);

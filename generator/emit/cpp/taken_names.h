@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace physgen::model {
+namespace physgen::emit::cpp {
 
 /// Capitals, digits and an underscore, as in INT_MAX: the form of nearly all macros of system headers, too many to
 /// list. J2, EA or K are none.
@@ -17,4 +17,4 @@ namespace physgen::model {
 /// that nothing else can be called so there: index, time, div, tm.
 [[nodiscard]] bool is_name_of_the_c_library(std::string_view name);
 
-}  // namespace physgen::model
+}  // namespace physgen::emit::cpp

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace physgen::model {
+namespace physgen::emit::cpp {
 
 enum class NameOf { field, object, scope };
 
@@ -17,4 +17,4 @@ inline constexpr std::array<std::string_view, 8> generated_endings = {"",    "Fo
 /// Why `name` cannot be the name of such a thing, without subject ("is a keyword of C++; ..."); empty if it can be.
 [[nodiscard]] std::string name_problem(std::string_view name, NameOf of);
 
-}  // namespace physgen::model
+}  // namespace physgen::emit::cpp

@@ -1,12 +1,12 @@
 // See taken_names.h. The tables are what g++ and clang++ on Linux and nvcc define after the headers of C, C++, POSIX,
 // Eigen, xsimd and CUDA, without what the rules below tell by its form.
-#include "model/taken_names.h"
+#include "emit/cpp/taken_names.h"
 
 #include <algorithm>
 #include <cctype>
 #include <span>
 
-namespace physgen::model {
+namespace physgen::emit::cpp {
 namespace {
 
 // Numbers of errors, <cerrno>.
@@ -243,4 +243,4 @@ bool is_name_of_the_c_library(std::string_view name) {
          is_one_of(name.substr(0, name.size() - 1), library_names);
 }
 
-}  // namespace physgen::model
+}  // namespace physgen::emit::cpp

@@ -7,7 +7,7 @@
 
 #include "model/model.h"
 
-namespace physgen::model {
+namespace physgen::emit::cpp {
 
 /// Largest code of one object and of the objects of one schema [bytes]. The former takes compilers about 10 seconds;
 /// the latter is that of a thousand objects of ten fields.
@@ -24,10 +24,10 @@ struct ObjectSize {
 class HeaderSizes {
  public:
   /// The size of an object, which those after it may nest; nested objects that are not known count nothing.
-  ObjectSize of(const Object& object);
+  ObjectSize of(const model::Object& object);
 
   /// Objects that nest this one, which has been refused, are to be estimated without it.
-  void forget(const Object& object) { runs_.erase(object.qualified_name()); }
+  void forget(const model::Object& object) { runs_.erase(object.qualified_name()); }
 
  private:
   /// The fields of an object, those of its nested objects included: each is a line in the table of fields, with its
@@ -41,4 +41,4 @@ class HeaderSizes {
   std::map<std::string, Runs, std::less<>> runs_;  // by qualified name
 };
 
-}  // namespace physgen::model
+}  // namespace physgen::emit::cpp

@@ -1,21 +1,18 @@
 // Where arrays of one object type place every element, in one layout: the law of addresses (layout.h of the runtime)
-// over a planned record, padding, and how many sectors of memory a warp touches. Numbers only; no text, no files.
+// over a planned record, padding, and how many sectors of memory a warp touches.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "model/model.h"
 #include "plan/plan.h"
 
-namespace physgen::command {
+namespace physgen::plan {
 
 inline constexpr int warp_objects =
     32;  ///< a warp reads one element of so many objects that follow each other: a request
 inline constexpr int sector_bytes = 32;                  ///< what CUDA's memory delivers at least
 inline constexpr long long assumed_objects = 1LL << 20;  ///< length of the array; only the pitch of Soa depends on it
-
-enum class Precision { with_float, with_double };
 
 /// The sectors touched by a warp: objects 0 to 31.
 struct Sectors {
@@ -27,20 +24,20 @@ struct Sectors {
 };
 
 /// Elements of one field in one record; consecutive ones are bytes apart.
-struct Run {
+struct FieldRun {
   std::string name;  ///< "F", "points[2].x"
   int offset = 0;    ///< of the first element in the record
-  bool operator==(const Run&) const = default;
+  bool operator==(const FieldRun&) const = default;
 };
 
 /// A field, or a field of a nested object: what the generated classes have one accessor for.
 struct Accessor {
   std::string name;  ///< "F", "points[0..9].x"
   model::Field field;
-  model::Format format;   ///< in the map's space
-  int bytes = 0;          ///< of one element
-  std::vector<Run> runs;  ///< one, but for fields of a fixed array of objects
-  int run_elements = 0;   ///< elements of each run
+  model::Format format;        ///< in the map's space
+  int bytes = 0;               ///< of one element
+  std::vector<FieldRun> runs;  ///< one, but for fields of a fixed array of objects
+  int run_elements = 0;        ///< elements of each run
   Sectors sectors;
   [[nodiscard]] int elements() const { return static_cast<int>(runs.size()) * run_elements; }
   [[nodiscard]] int offset(int element) const {
@@ -93,7 +90,7 @@ struct LayoutMap {
 };
 
 /// @param space decides the formats; must be the record's
-[[nodiscard]] LayoutMap map_layout(const plan::Record& record, model::Layout layout, Precision precision);
+[[nodiscard]] LayoutMap map_layout(const Record& record, model::Layout layout, Precision precision);
 
 /// Numbers of the segments that a drawing shows. Of the entries of a fixed array of objects it is the first and the
 /// last; -1 stands for the others. Repeated padding goes with what is before it.
@@ -102,4 +99,4 @@ struct LayoutMap {
 /// Different sectors that hold the warp's objects, each counted once however many requests touch it.
 [[nodiscard]] long long sectors_of_warp(const LayoutMap& map);
 
-}  // namespace physgen::command
+}  // namespace physgen::plan
