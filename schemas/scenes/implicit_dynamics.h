@@ -21,9 +21,6 @@ struct PHYSGEN_SCENE() implicit_dynamics : fem::groups::OfBody,
                                            fem::groups::OfInertia,
                                            fem::groups::OfKrylov {
   using Real = fem::groups::Real;
-  struct Choices {
-    static constexpr bool assembled = true, matrix_free = false, grids = false;
-  };
 
   /// Leaves momentum and kinetic energy in inertia.measured.
   /// @return how the step was solved for; where it did not converge, positions and velocities are as before
@@ -33,7 +30,7 @@ struct PHYSGEN_SCENE() implicit_dynamics : fem::groups::OfBody,
                                    const fem::SolverSettings& settings, fem::MeshFacts& facts,
                                    const fem::TimeStep& step) {
     fem::NoArrays none;
-    auto solver = fem::solver_program<Real, fem::StoredAsComputed, Choices>(
+    auto solver = fem::solver_program<Real, fem::StoredAsComputed, fem::AssembledOnMeshes>(
         on, settings, material, facts,
         fem::SolverGroups{body, patches, none, chunk, level, none, none, inertia, krylov});
     const fem::NewtonResult result = solver.step(step);

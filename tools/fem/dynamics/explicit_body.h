@@ -26,11 +26,6 @@ template <class Space>
   return fixed_order ? NodeSums::placed : NodeSums::added;
 }
 
-template <class Real, class Space>
-struct ExplicitBody : scenes::explicit_dynamics_scene::Body<Space, Real> {
-  [[nodiscard]] index_t nodes() const { return this->velocities.size(); }
-};
-
 /// @tparam Body of scenes::explicit_dynamics_scene
 template <class Body>
 [[nodiscard]] constexpr typename Body::Counts explicit_counts(index_t nodes, index_t tets, NodeSums sums) {
@@ -45,7 +40,7 @@ template <class Body>
 }
 
 /// Makes the arrays of a body at rest.
-/// @param body an ExplicitBody
+/// @param body of scenes::explicit_dynamics_scene
 /// @param masses of nodes [kg]
 /// @param fixed_order whether sums have the same bits on every run
 template <class Body>
@@ -53,10 +48,6 @@ void fill_explicit_body(Body& body, const MeshLevel& level, const Loading& loadi
                         bool fixed_order) {
   using HostRows = RowArrays<elasticity::IncidenceRangeArray<float>, elasticity::IncidenceArray<float>>;
   const auto tets = index_t(level.mesh.tets.size());
-  const auto put = [](auto& array, const auto& from) {
-    copy(array, from);
-    synchronize();  // `from` goes afterwards
-  };
   const NodeSums sums = node_sums<typename Body::Space>(fixed_order);
   body.allocate(explicit_counts<Body>(level.mesh.nodes, tets, sums));
   put(body.tets, host_tets(level));
