@@ -193,7 +193,9 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
         Names::is_physgen(method->getParent(), "ElementRef") && harmless_.count(call) == 0)
       unknown(object_of(*call)->getType(), "the address of an element, behind which lie others,", call->getBeginLoc());
     if (callee->getIdentifier() == nullptr) return true;
-    if (callee->getName().starts_with("atomic") && walk_.names_.is_library(callee->getLocation()))
+    const auto begins_with = [&](const char* text) { return callee->getName().starts_with(text); };
+    if ((begins_with("atomic") || begins_with("__ld") || begins_with("__st")) &&  // CUDA's, of one element
+        walk_.names_.is_library(callee->getLocation()))
       for (const clang::Expr* argument : call->arguments()) harmless_.insert(written(argument));
     if (callee->getName() == "bit_cast" && call->getNumArgs() > 0)
       unknown(call->getArg(0)->getType(), "bit_cast", call->getBeginLoc());
@@ -308,7 +310,7 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
   int function_;
   bool is_users_;
   std::map<const clang::Expr*, clang::SourceLocation> places_;  // of callees
-  std::set<const clang::Expr*> harmless_;                       // addresses for atomicAdd() and the like, and in *&x
+  std::set<const clang::Expr*> harmless_;  // addresses for atomicAdd(), __ldcg() and the like, and in *&x
 };
 
 void Walk::follow() {
