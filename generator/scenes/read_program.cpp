@@ -88,16 +88,23 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
  private:
   // ---- The program, and functions that it calls --------------------------------------------------------------------
 
+  /// As instantiate<Probed>() of the unit calls it.
   const clang::FunctionDecl* find_program() {
     for (const auto* found : context_.getTranslationUnitDecl()->lookup(&context_.Idents.get("physgen_probe_unit")))
       if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(found))
-        for (const auto* inner : space->lookup(&context_.Idents.get("instantiate")))
-          if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(inner); function && function->hasBody())
-            for (const auto* statement : function->getBody()->children())
-              if (const auto* call = call_of(statement); call != nullptr && call->getDirectCallee() != nullptr) {
-                const clang::FunctionDecl* definition = nullptr;
-                if (call->getDirectCallee()->isDefined(definition)) return definition;
-              }
+        for (auto* inner : space->lookup(&context_.Idents.get("instantiate")))
+          if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(inner))
+            for (const auto* function : pattern->specializations())
+              if (const auto* program = called(*function); program != nullptr) return program;
+    return nullptr;
+  }
+  static const clang::FunctionDecl* called(const clang::FunctionDecl& function) {
+    const auto* arrays = function.getTemplateSpecializationArgs()->get(0).getAsType()->getAsCXXRecordDecl();
+    const clang::FunctionDecl* definition = nullptr;
+    if (arrays == nullptr || arrays->getName() != "Probed" || !function.isDefined(definition)) return nullptr;
+    for (const auto* statement : definition->getBody()->children())
+      if (const auto* call = call_of(statement); call != nullptr && call->getDirectCallee() != nullptr)
+        if (const clang::FunctionDecl* program = nullptr; call->getDirectCallee()->isDefined(program)) return program;
     return nullptr;
   }
 
