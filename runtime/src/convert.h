@@ -1,6 +1,8 @@
 // A conversion of objects between two arrays as data: which elements move where, on host and device.
 #pragma once
 
+#include <physgen/losses.h>
+
 #include <bit>
 #include <cmath>
 #include <vector>

@@ -1,10 +1,14 @@
 // The object array: objects of one generated type in one layout and one memory space, with an object count and a pitch.
 #pragma once
 
+#include <physgen/array_losses.h>
 #include <physgen/buffer.h>
+#include <physgen/copy.h>
 #include <physgen/copy_fields.h>
-#include <physgen/object_info.h>
-#include <physgen/untyped_array.h>
+#include <physgen/device.h>
+#include <physgen/initial_values.h>
+#include <physgen/record.h>
+#include <physgen/single_elements.h>
 #include <physgen/view.h>
 
 #include <algorithm>

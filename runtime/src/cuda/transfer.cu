@@ -8,21 +8,22 @@
 // one travels, the processor is at the next one.
 #include <physgen/chunked_transfer.h>
 #include <physgen/cuda/check.h>
+#include <physgen/device.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "../backend.h"
+#include "../backend/transfer.h"
 #include "../chunks.h"
 #include "../convert.h"
 #include "../describe.h"
 #include "../host_convert.h"
 #include "../part.h"
 #include "../plain_copy.h"
-#include "device_convert.h"
-#include "pinned_ring.h"
-#include "side_stream.h"
-#include "stream_memory.h"
+#include "parts/device_convert.h"
+#include "parts/pinned_ring.h"
+#include "parts/side_stream.h"
+#include "parts/stream_memory.h"
 
 namespace physgen {
 

@@ -1,10 +1,17 @@
-// Transfers in chunks in a build without CUDA: there is nowhere to transfer to.
+// Transfers in a build without CUDA: there is nowhere to transfer to.
+#include "../backend/transfer.h"
+
 #include <physgen/chunked_transfer.h>
 #include <physgen/error.h>
 
-#include "reason.h"
+#include "parts/reason.h"
 
 namespace physgen {
+
+index_t backend::convert(const UntypedArray& /*to*/, const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/,
+                         Stream /*stream*/) {
+  throw Error(backend::reason);
+}
 
 struct ChunkedUpload::State {
   UntypedArray chunk;
