@@ -85,6 +85,8 @@ class Joiner {
     const ProgramStep &before = list.steps[next - 1], &step = list.steps[next];
     if (!list.between[next - 1].empty()) why.push_back(list.between[next - 1] + " stands between them");
     for (std::size_t k = first; k < next; ++k) hazards(list.steps[k], step, why);
+    if (head(step) != head(before))
+      why.push_back("they are run in different words, '" + head(before) + "' and '" + head(step) + "'");
     if (step.runs.empty() || before.runs.empty())
       why.push_back(short_name(step.runs.empty() ? step.step : before.step) +
                     " runs over a number of objects that is no array's size()");
@@ -94,6 +96,11 @@ class Joiner {
     if (why.empty() && step.scalar_bytes != before.scalar_bytes)
       why.push_back("packs of " + short_name(step.step) + " have another width");
     return why;
+  }
+
+  /// "on.run("
+  [[nodiscard]] std::string head(const ProgramStep& step) const {
+    return program_.text.substr(step.statement.begin, step.count.begin - step.statement.begin);
   }
 
   void alone(const ProgramStep& step, Reasons& why) const {
