@@ -220,8 +220,8 @@ TEST(Proofs, follow_formats_into_arrays_of_nested_objects) {
   const std::string text =
       accessor_header(schema({object("B", {stored_on_cuda(scalar("h"), Encoding::half), scalar("x")}),
                               object("A", {array(nested("b", "test::B"), 2), scalar("i", Element::index)})}));
-  expect_contains(text, "<AObject, physgen::Cuda>({20, 4, {4, 0, 12, 8, 16}}, ");
-  expect_contains(text, "texts = {{\n      {\"b[0].h\"}, {\"b[0].x\"}, {\"b[1].h\"}, {\"b[1].x\"}, {\"i\"}}};\n");
+  expect_contains(text, "<AObject, physgen::Cuda>(\n    {20, 4, {4, 0, 12, 8, 16}}, {36, 8, ");
+  expect_contains(text, "texts = {{{\"b[0].h\"}, {\"b[0].x\"}, {\"b[1].h\"}, {\"b[1].x\"}, {\"i\"}}};\n");
 }
 
 }  // namespace
