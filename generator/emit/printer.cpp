@@ -53,6 +53,24 @@ void Printer::function(std::string_view signature, const std::vector<std::string
   close("}");
 }
 
+void Printer::function_of_sum(std::string_view signature, const std::vector<std::string>& terms) {
+  open(std::string(signature) + " {");
+  const std::string begin = "return ";
+  std::string current = begin;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const std::string term = terms[i] + (i + 1 == terms.size() ? ";" : " +");
+    if (i > 0 && !fits(current.size() + 1 + term.size())) {
+      line(current);
+      current.assign(begin.size(), ' ');
+    } else if (i > 0) {
+      current += ' ';
+    }
+    current += term;
+  }
+  line(current);
+  close("}");
+}
+
 void Printer::list(std::string_view head, const std::vector<std::string>& items, std::string_view tail) {
   std::string current(head);
   for (std::size_t i = 0; i < items.size(); ++i) {

@@ -50,8 +50,7 @@ const clang::Expr* initializer(const clang::VarDecl* variable) {
 Names::Names(clang::ASTContext& context, const std::vector<std::string>& folders)
     : context_(context), sources_(context.getSourceManager()), folders_(folders) {
   for (const auto* probe : probes())
-    if (const auto* tag = probe->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl())
-      tags_.emplace(tag->getCanonicalDecl(), tag_name(*tag));
+    if (const auto* tag = tag_of(*probe).first) tags_.emplace(tag->getCanonicalDecl(), tag_name(*tag));
 }
 
 Place Names::place(clang::SourceLocation location) const {
@@ -89,8 +88,16 @@ std::vector<const clang::ClassTemplateSpecializationDecl*> Names::probes() const
   if (physgen == nullptr) return result;
   for (clang::NamedDecl* found : physgen->lookup(&context_.Idents.get("Probe")))
     if (const auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
-      for (const auto* probe : pattern->specializations()) result.push_back(probe);
+      for (const auto* probe : pattern->specializations())
+        if (!is_physgen(tag_of(*probe).first, "StoringNothing", {"probe"})) result.push_back(probe);
   return result;
+}
+
+std::pair<const CXXRecordDecl*, bool> Names::tag_of(const clang::ClassTemplateSpecializationDecl& probe) {
+  const auto* tag = probe.getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
+  const auto* own = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(tag);
+  if (own == nullptr || own->getIdentifier() == nullptr || own->getName() != "AtOwnIndex") return {tag, false};
+  return {own->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl(), true};
 }
 
 std::string Names::tag_name(const CXXRecordDecl& tag) {
@@ -102,7 +109,7 @@ std::string Names::tag_name(const CXXRecordDecl& tag) {
 
 FieldUse Names::field(const clang::ClassTemplateSpecializationDecl& probe) {
   const auto& arguments = probe.getTemplateArgs();
-  const auto* tag = arguments[0].getAsType()->getAsCXXRecordDecl();
+  const auto [tag, own] = tag_of(probe);
   const auto* object = arguments[1].getAsType()->getAsCXXRecordDecl();
   const auto number = static_cast<std::size_t>(arguments[2].getAsIntegral().getExtValue());
   const auto [fields, is_new] = fields_.try_emplace(object->getCanonicalDecl());
@@ -110,6 +117,7 @@ FieldUse Names::field(const clang::ClassTemplateSpecializationDecl& probe) {
     for (const clang::NamedDecl* found : object->getDefinition()->lookup(&context_.Idents.get("texts")))
       first_texts(initializer(llvm::dyn_cast<clang::VarDecl>(found)), fields->second);
   FieldUse use;
+  use.own = own;
   use.array = tags_.at(tag->getCanonicalDecl());
   use.field = number < fields->second.size() ? fields->second[number] : std::to_string(number);
   return use;
@@ -185,6 +193,23 @@ std::vector<const clang::FunctionDecl*> Names::steps() const {
   return result;
 }
 
+std::vector<const clang::FunctionDecl*> Names::variants() const {
+  const auto* unit = space({"physgen_probe_unit"});
+  if (unit == nullptr) return {};
+  std::vector<const clang::FunctionDecl*> result;
+  for (clang::NamedDecl* found : unit->lookup(&context_.Idents.get("instantiate")))
+    if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(found))
+      for (const auto* function : pattern->specializations()) result.push_back(function);
+  std::ranges::stable_sort(result, [](const FunctionDecl* a, const FunctionDecl* b) {
+    const auto is_probed = [](const FunctionDecl* function) {
+      const auto* as = function->getTemplateSpecializationArgs()->get(0).getAsType()->getAsCXXRecordDecl();
+      return as != nullptr && as->getName() == "Probed";
+    };
+    return is_probed(a) && !is_probed(b);
+  });
+  return result;
+}
+
 Step Names::step(const clang::FunctionDecl& function) {
   Step step;
   const llvm::StringRef kind = function.getName();
@@ -219,9 +244,14 @@ bool Names::is_object_reference(const CXXRecordDecl& record) {
   return !scope->lookup(&record.getASTContext().Idents.get(object)).empty();
 }
 
-bool Names::is_physgen(const CXXRecordDecl* record, llvm::StringRef name) {
-  if (record == nullptr || record->getIdentifier() == nullptr || record->getName() != name) return false;
-  const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(record->getDeclContext());
+bool Names::is_physgen(const clang::NamedDecl* declaration, llvm::StringRef name,
+                       std::initializer_list<llvm::StringRef> inner) {
+  if (declaration == nullptr || declaration->getIdentifier() == nullptr || declaration->getName() != name) return false;
+  const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(declaration->getDeclContext());
+  for (const llvm::StringRef outer : inner) {
+    if (space == nullptr || space->getName() != outer) return false;
+    space = llvm::dyn_cast<clang::NamespaceDecl>(space->getDeclContext());
+  }
   return space != nullptr && space->getName() == "physgen";
 }
 

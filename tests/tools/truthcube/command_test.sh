@@ -228,6 +228,31 @@ case $rule in
     expect_exit 1 "${small[@]}" --out /proc/truthcube
     expect err 'cannot make the folder /proc/truthcube'
     expect_no out 'solved' ;;
+  a_folder_that_another_run_writes_is_refused)
+    mapfile -t steps < <(seq 0.001 0.001 0.3)
+    "$program" --cells 8 --threads 1 --tolerance 1e-9 --compress "${steps[@]}" --out o >first 2>&1 &
+    pid=$!
+    until [[ -s o/checkpoint.h5 ]]; do
+      kill -0 $pid 2>/dev/null || fail 'it ended before the first step'
+      sleep 0.05
+    done
+    for more in "" --restart "--scene explicit-dynamics --compress 0.1"; do
+      # shellcheck disable=SC2086
+      expect_exit 1 "${small[@]}" --out o $more
+      expect err "o: another run writes there, process $pid on .* wait until it has ended, or choose another --out"
+    done
+    expect_exit 0 "${small[@]}" --out o --dry-run
+    kill -0 $pid || fail 'the first run ended'
+    kill -INT $pid
+    got=0
+    wait $pid || got=$?
+    ((got == 130)) || fail "exit $got instead of 130"
+    (($(wc -l <o/beads.csv) == 343 * $(number_of compression o/run.json | wc -l) + 1)) || fail 'beads of other steps'
+    for end in 0 3; do
+      [[ ! -e o/run.lock ]] || fail 'a lock is left'
+      expect_exit $end "${small[@]}" --compress 0.05 $( ((end == 0)) || echo 0.999999) --out o
+    done
+    [[ ! -e o/run.lock ]] || fail 'a lock is left' ;;
   a_file_that_may_not_grow_keeps_the_steps_before)
     flags=(--cells 8 --threads 1 --compress 0.01 0.02 0.03 0.04 0.05 0.06)
     expect_exit 0 "${flags[@]}" --out whole
@@ -251,6 +276,15 @@ case $rule in
     (($(wc -l <o/beads.csv) == 343 * steps + 1)) || fail 'beads of other steps than the record'
     awk -v a="$last" -v b="$(number_of compression o/run.json | tail -1)" 'BEGIN { exit !(a - b < 1e-5 && b - a < 1e-5) }' ||
       fail "the last step written is not at $last" ;;
+  inverted_tets_of_an_equilibrium_are_said)
+    flags=("${small[@]}" --volume tets --material st-venant-kirchhoff)
+    expect_exit 0 "${flags[@]}" --compress 0.6 --out o
+    J=$(number_of smallest_J o/run.json | head -1)
+    [[ $J == -* ]] || fail 'no inverted tets'
+    expect out "[0-9]+ tets are inverted, most of all tet [0-9]+: J ${J:0:4}.*, F = \[.*;.*;.*\]"
+    expect out 'none of a real body[.] Try more and smaller --compress steps'
+    expect_exit 0 "${flags[@]}" --compress 0.1
+    expect_no out 'inverted' ;;
   what_is_not_finite_is_said_with_its_tet)
     expect_exit 3 "${small[@]}" --young 1e300 --compress 0.1 --out o
     expect err 'not finite'
