@@ -1,7 +1,7 @@
 // A conversion of objects between two arrays as data: which elements move where, on host and device.
 #pragma once
 
-#include <physgen/losses.h>
+#include <physgen/detail/count_losses.h>
 
 #include <bit>
 #include <cmath>

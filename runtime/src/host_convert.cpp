@@ -2,7 +2,7 @@
 // the inner loop runs along the objects with both types known.
 #include "host_convert.h"
 
-#include <physgen/host_loop.h>
+#include <physgen/detail/host_loop.h>
 
 #include <algorithm>
 #include <cstring>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <physgen/cuda/parallel_for.h>
-#include <physgen/host_loop.h>
+#include <physgen/detail/host_loop.h>
 #include <physgen/reduce.h>
 #include <physgen/reduce_workspace.h>
 

@@ -2,7 +2,7 @@
 // compared in one type and select or are joined in another.
 #pragma once
 
-#include <physgen/lanewise.h>
+#include <physgen/detail/lanewise.h>
 #include <physgen/simd_access.h>
 
 #include <cstdint>
