@@ -149,10 +149,15 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     return " at " + usage::text_of(names_.place(location));
   }
 
+  struct Declared {
+    std::string name, place;
+    std::size_t steps = 0;  // that stand before it
+  };
+
   void list(const clang::CompoundStmt& compound) {
     ProgramSteps steps;
     std::string between;
-    std::vector<std::pair<std::string, std::string>> declared;  // since the last break: name, place
+    std::vector<Declared> declared;  // since the last break
     for (const clang::Stmt* statement : compound.body()) {
       const auto* call = call_of(statement);
       if (call != nullptr && asked(*call) == "run") {
@@ -170,13 +175,14 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
           continue;
         }
       }
-      if (const std::string other = declaration(statement, declared); !other.empty()) between = other;
+      if (const std::string other = declaration(statement, steps.steps.size(), declared); !other.empty())
+        between = other;
     }
     if (!steps.steps.empty()) result_.lists.push_back(std::move(steps));
   }
 
   /// @return why steps cannot be moved across a statement; empty: it only names values
-  std::string declaration(const clang::Stmt* statement, std::vector<std::pair<std::string, std::string>>& declared) {
+  std::string declaration(const clang::Stmt* statement, std::size_t steps, std::vector<Declared>& declared) {
     if (llvm::isa<clang::NullStmt>(statement)) return {};
     const auto* group = llvm::dyn_cast<clang::DeclStmt>(statement);
     if (group == nullptr) {
@@ -189,7 +195,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     }
     for (const clang::Decl* one : group->decls()) {
       if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(one))
-        declared.emplace_back(named->getNameAsString(), at(named->getLocation()));
+        declared.push_back({named->getNameAsString(), at(named->getLocation()), steps});
       const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
       if (variable == nullptr || variable->getInit() == nullptr) continue;
       if (const std::string effects = effects_of(variable->getInit(), names_); !effects.empty())
@@ -199,13 +205,14 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
   }
 
   /// A name that an earlier step uses for something else.
-  std::string clash(const ProgramSteps& steps, const std::vector<std::pair<std::string, std::string>>& declared) const {
-    for (std::size_t k = steps.steps.size(); k-- > 0;) {
-      for (const auto& [name, place] : declared)
-        if (!name.empty() && has_word(text_of(steps.steps[k].statement), name))
-          return "the declaration of " + name + place + ", a name that " + steps.steps[k].step + " is given, too";
-      if (k > 0 && !steps.between[k - 1].empty()) break;
-    }
+  std::string clash(const ProgramSteps& steps, const std::vector<Declared>& declared) const {
+    for (const Declared& one : declared)
+      for (std::size_t k = one.steps; k-- > 0;) {
+        if (!one.name.empty() && has_word(text_of(steps.steps[k].statement), one.name))
+          return "the declaration of " + one.name + one.place + ", a name that " + steps.steps[k].step +
+                 " is given, too";
+        if (k > 0 && !steps.between[k - 1].empty()) break;
+      }
     return {};
   }
   std::string directive(const ProgramStep& before, const ProgramStep& step) const {

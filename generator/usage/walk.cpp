@@ -187,7 +187,14 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
   bool VisitCallExpr(clang::CallExpr* call) {
     places_[call->getCallee()->IgnoreParenImpCasts()] = place_of(*call);
     const FunctionDecl* callee = call->getDirectCallee();
-    if (!is_users_ || callee == nullptr || callee->getIdentifier() == nullptr) return true;
+    if (!is_users_ || callee == nullptr) return true;
+    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+        method != nullptr && method->getOverloadedOperator() == clang::OO_Amp &&
+        Names::is_physgen(method->getParent(), "ElementRef") && harmless_.count(call) == 0)
+      unknown(object_of(*call)->getType(), "the address of an element, behind which lie others,", call->getBeginLoc());
+    if (callee->getIdentifier() == nullptr) return true;
+    if (callee->getName().starts_with("atomic") && walk_.names_.is_library(callee->getLocation()))
+      for (const clang::Expr* argument : call->arguments()) harmless_.insert(written(argument));
     if (callee->getName() == "bit_cast" && call->getNumArgs() > 0)
       unknown(call->getArg(0)->getType(), "bit_cast", call->getBeginLoc());
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
@@ -195,8 +202,22 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
       unknown(object_of(*call)->getType(), "data()", place_of(*call));
     return true;
   }
+  /// `*&x` as a value, where something is assigned to it, or as what a function returns.
+  void only_the_element(const clang::Expr* expression) {
+    const auto* at = llvm::dyn_cast<clang::UnaryOperator>(expression->IgnoreParens());
+    if (at != nullptr && at->getOpcode() == clang::UO_Deref) harmless_.insert(written(at->getSubExpr()));
+  }
+  bool VisitReturnStmt(clang::ReturnStmt* statement) {
+    if (statement->getRetValue() != nullptr) only_the_element(statement->getRetValue()->IgnoreImplicit());
+    return true;
+  }
+  bool VisitBinaryOperator(clang::BinaryOperator* operation) {
+    if (operation->isAssignmentOp()) only_the_element(operation->getLHS());
+    return true;
+  }
   bool VisitCastExpr(clang::CastExpr* cast) {
     const auto kind = cast->getCastKind();
+    if (kind == clang::CK_LValueToRValue) only_the_element(cast->getSubExpr());
     if (kind == clang::CK_BitCast || kind == clang::CK_LValueBitCast || kind == clang::CK_PointerToIntegral)
       unknown(cast->getSubExpr()->getType(), "a cast to other types, as of memcpy or reinterpret_cast",
               cast->getBeginLoc());
@@ -209,6 +230,9 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
     return function(reference->getDecl(), reference, reference->getLocation());
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {
+    if (const auto* record = llvm::dyn_cast<clang::RecordDecl>(member->getMemberDecl()->getDeclContext());
+        record != nullptr && record->isUnion())
+      unknown(walk_.context_.getCanonicalTagType(record), "a union", member->getMemberLoc());
     return function(member->getMemberDecl(), member, member->getMemberLoc());
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construction) {
@@ -284,6 +308,7 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
   int function_;
   bool is_users_;
   std::map<const clang::Expr*, clang::SourceLocation> places_;  // of callees
+  std::set<const clang::Expr*> harmless_;                       // addresses for atomicAdd() and the like, and in *&x
 };
 
 void Walk::follow() {

@@ -101,7 +101,7 @@ class RunsTest(unittest.TestCase):
             for axes, compression in zip(figure.axes, panels):
                 steps = [run["steps"][0] for run in runs]
                 wanted = [
-                    (step["seconds"], step["beads"]["rms_mm"]) for step in steps if step["compression"] == compression
+                    (step["warm_seconds"], step["beads"]["rms_mm"]) for step in steps if step["compression"] == compression
                 ]
                 drawn = [tuple(point) for line in axes.lines for point in line.get_xydata()]
                 self.assertEqual(sorted(drawn), sorted(wanted))
@@ -134,7 +134,7 @@ class RunsTest(unittest.TestCase):
         refused(lambda runs: runs[3].pop("settings"), r"runs\[3\] has no 'settings'")
         refused(lambda runs: runs[3]["steps"][0].pop("beads"), r"runs\[3\]: steps\[0\] has no 'beads'")
         refused(lambda runs: runs[3]["steps"][0]["beads"].update(rms_mm=0), r"'rms_mm' is 0, and a logarithm")
-        refused(lambda runs: runs[3]["steps"][0].update(seconds=None), "'seconds' is None, and a logarithm")
+        refused(lambda runs: runs[3]["steps"][0].update(warm_seconds=None), "'warm_seconds' is None, and a logarithm")
         refused(lambda runs: runs[3]["steps"].append(runs[3]["steps"][0]), r"runs\[3\] has 2 steps, and times count")
         refused(lambda runs: runs[3].update(device="A GPU"), "runs of A GPU and .*: their times do not compare")
 

@@ -7,6 +7,7 @@
 #include <physgen/detail/copy_fields.h>
 #include <physgen/device.h>
 #include <physgen/initial_values.h>
+#include <physgen/record.h>
 #include <physgen/single_elements.h>
 #include <physgen/view.h>
 

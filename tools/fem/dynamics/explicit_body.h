@@ -11,11 +11,6 @@
 
 namespace physgen::fem {
 
-template <class Real, class Space>
-struct ExplicitBody : scenes::explicit_dynamics_scene::Body<Space, Real> {
-  [[nodiscard]] index_t nodes() const { return this->velocities.size(); }
-};
-
 /// @tparam Body of scenes::explicit_dynamics_scene
 template <class Body>
 [[nodiscard]] constexpr typename Body::Counts explicit_counts(index_t nodes, index_t tets) {
@@ -23,16 +18,12 @@ template <class Body>
 }
 
 /// Makes the arrays of a body at rest.
-/// @param body an ExplicitBody
+/// @param body of scenes::explicit_dynamics_scene
 /// @param masses of nodes [kg]
 template <class Body>
 void fill_explicit_body(Body& body, const MeshLevel& level, const Loading& loading, const std::vector<double>& masses) {
   using HostRows = RowArrays<elasticity::IncidenceRangeArray<float>, elasticity::IncidenceArray<float>>;
   const auto tets = index_t(level.mesh.tets.size());
-  const auto put = [](auto& array, const auto& from) {
-    copy(array, from);
-    synchronize();  // `from` goes afterwards
-  };
   body.allocate(explicit_counts<Body>(level.mesh.nodes, tets));
   put(body.tets, host_tets(level));
   put(body.rest, host_rest_shapes(level));

@@ -58,7 +58,7 @@ template <class On, class Real>
 class ExplicitSolverOf final : public DynamicSolver {
  public:
   using Space = typename On::Space;
-  using Body = ExplicitBody<Real, Space>;
+  using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
 
   ExplicitSolverOf(const MeshLevel& level, const Loading& loading, const DynamicSettings& settings)
       : settings_(settings),
