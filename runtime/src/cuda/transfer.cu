@@ -93,7 +93,7 @@ bool processor_converts(const UntypedArray& host, const UntypedArray& device) {
 struct Passage {
   UntypedArray device;
   Chunks chunks;
-  UntypedArray chunk;                        // in pinned memory; place() says which
+  UntypedArray chunk;                        // in pinned memory; take_piece() says which
   UntypedArray part;                         // the same in CUDA memory, where the device converts
   std::optional<cuda::PinnedRing> ring;      // none for no objects
   std::optional<cuda::StreamMemory> memory;  // of the part
@@ -120,21 +120,21 @@ struct Passage {
   // The number of the object at the beginning of a chunk: what the device converts is in step with its tiles.
   [[nodiscard]] index_t beginning(index_t k) const { return memory ? chunks.aligned(k) : chunks.first(k); }
   [[nodiscard]] index_t count(index_t k) const { return chunks.last(k) - chunks.first(k); }
-  void place(index_t k) {
+  void take_piece(index_t k) {
     chunk.base = ring->piece(k);
     chunk.size = chunks.last(k) - beginning(k);
   }
 
   void send(index_t k) {
     const index_t first = chunks.first(k), lead = first - beginning(k);
-    place(k);
+    take_piece(k);
     detail::copy_plain(memory ? part : device, memory ? lead : first, chunk, lead, count(k), stream);
     ring->used(k, stream);
     if (memory) cuda::convert(device, 0, part, beginning(k), first, chunks.last(k), stream);
   }
   void fetch(index_t k) {
     const index_t first = chunks.first(k), lead = first - beginning(k);
-    place(k);
+    take_piece(k);
     if (memory) cuda::convert(part, beginning(k), device, 0, first, chunks.last(k), stream);
     detail::copy_plain(chunk, lead, memory ? part : device, memory ? lead : first, count(k), stream);
     ring->used(k, stream);
@@ -146,7 +146,7 @@ struct Passage {
     if (at >= 0) send(at);
     if (++at >= chunks.count()) return false;
     ring->wait(at);
-    place(at);
+    take_piece(at);
     // Padding of records travels, too, and must not be what another transfer left.
     const bool padded_records = detail::stored_bytes(device) < device.record_bytes;
     if (!memory && padded_records) detail::clear_on_host(chunk.base, chunk.size * chunk.record_bytes);
@@ -158,7 +158,7 @@ struct Passage {
     ++at;
     for (; ordered < std::min(chunks.count(), at + cuda::PinnedRing::pieces); ++ordered) fetch(ordered);
     if (at >= chunks.count()) return false;
-    place(at);
+    take_piece(at);
     ring->wait(at);
     return true;
   }
