@@ -1,5 +1,6 @@
 // Single elements of arrays without their types, by number, as doubles.
 #include <physgen/array_losses.h>
+#include <physgen/detail/count_losses.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
 #include <physgen/single_elements.h>

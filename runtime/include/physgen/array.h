@@ -4,7 +4,7 @@
 #include <physgen/array_losses.h>
 #include <physgen/buffer.h>
 #include <physgen/copy.h>
-#include <physgen/copy_fields.h>
+#include <physgen/detail/copy_fields.h>
 #include <physgen/device.h>
 #include <physgen/initial_values.h>
 #include <physgen/record.h>

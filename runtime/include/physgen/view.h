@@ -1,7 +1,7 @@
 // A view: what a kernel holds of an array. A trivially copyable value of two words and, for Soa, the pitch.
 #pragma once
 
-#include <physgen/cursor.h>
+#include <physgen/detail/cursor.h>
 #include <physgen/error.h>
 #include <physgen/layout.h>
 #include <physgen/object_ref.h>
