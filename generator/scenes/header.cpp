@@ -174,10 +174,18 @@ class Header {
     }
     out_.line();
     allocate(group);
-    std::string sum;
-    for (const Array& array : group.arrays) sum += (sum.empty() ? "" : " + ") + array.name + ".bytes()";
+    std::vector<std::string> names;
+    for (const Array& array : group.arrays) names.push_back(array.name);
+    const std::string bytes = "[[nodiscard]] physgen::index_t bytes() const", sum = "return physgen::bytes_of(";
     out_.line("/// Of memory held by all arrays, padding included.");
-    out_.function("[[nodiscard]] physgen::index_t bytes() const", {"return " + sum + ";"});
+    const std::string statement = sum + model::joined(names) + ");";
+    if (bytes.size() + statement.size() < emit::Printer::columns - 10) {
+      out_.function(bytes, {statement});
+    } else {
+      out_.open(bytes + " {");
+      out_.filled(sum, names, ");");
+      out_.close("}");
+    }
     out_.close("};");
     out_.line();
   }
@@ -201,10 +209,6 @@ class Header {
     std::vector<std::string> statements;
     for (const Array& array : group.arrays) {
       const std::string count = array.set.empty() ? std::to_string(array.count) : "counts." + array.set;
-      if (array.uniform) {
-        statements.push_back(array.name + ".resize(" + count + ");");
-        continue;
-      }
       std::string unset;
       for (const FieldNeed& field : needs_.of(group.full_name(array)).fields)
         if (field.kept && !array.is_input(field.field.name) && !field.field.initial)

@@ -69,7 +69,7 @@ struct Body {
   }
 
   /// Of memory held by all arrays, padding included.
-  [[nodiscard]] physgen::index_t bytes() const { return x.bytes() + svd.bytes() + f.bytes() + extra.bytes(); }
+  [[nodiscard]] physgen::index_t bytes() const { return physgen::bytes_of(x, svd, f, extra); }
 };
 
 }  // namespace scenes::chain_scene
