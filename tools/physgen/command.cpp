@@ -201,9 +201,9 @@ void describe(CLI::App& app, Arguments& arguments) {
                        ": of the arrays of every object in both spaces, in place of what the "
                        "schema says; an array whose program names a layout keeps it")
       ->type_name("LAYOUT");
-  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that gets the present time when all is written")
+  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that is touched after all outputs are written")
                     ->type_name("FILE");
-  generate->add_option("--depfile", arguments.depfile, "File for what the stamp depends on, in the syntax of Make")
+  generate->add_option("--depfile", arguments.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)
       ->type_name("FILE");
   generate->add_flag("--verbose", arguments.verbose, "Say which files were written and which were unchanged");
