@@ -106,7 +106,7 @@ class Joiner {
   void alone(const ProgramStep& step, Reasons& why) const {
     const std::string name = short_name(step.step);
     if (!step.takes_packs)
-      why.push_back(name + " takes no packs, since its call operator is no template over the index");
+      why.push_back(name + " takes no packs, since its call operator is not a template over the index");
     else if (!step.obstacle.empty())
       why.push_back(name + ": " + step.obstacle);
     else if (uses_.of(step.step) == nullptr)

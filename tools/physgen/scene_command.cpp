@@ -141,10 +141,10 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
                   "Write DIR/x.everything.h, too: the same arrays with every field, to compare with");
   scene->add_flag("--print-model", request.print_model, "Print what physgen reads from the declaration, as JSON");
   scene->add_flag("--print-unit", request.print_unit,
-                  "Print the unit that is looked at, the program over probes, which any compiler takes");
-  auto* stamp = scene->add_option("--stamp", request.stamp, "File that gets the present time when all is written")
+                  "Print the source that is analysed: the program over probes, which any compiler takes");
+  auto* stamp = scene->add_option("--stamp", request.stamp, "File that is touched after all outputs are written")
                     ->type_name("FILE");
-  scene->add_option("--depfile", request.depfile, "File for what the stamp depends on, in the syntax of Make")
+  scene->add_option("--depfile", request.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)
       ->type_name("FILE");
   scene->footer(

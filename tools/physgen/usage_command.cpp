@@ -49,7 +49,7 @@ class UsageCommand {
     }
     if (!good) return errors;
     if (request_.side.empty() && !usage::has_device_side())
-      times_ += "there is no CUDA toolkit: what only a device does was not looked at\n";
+      times_ += "there is no CUDA toolkit: code for the device alone was not analysed\n";
     if (request_.checked_in.empty())
       for (const usage::Program& program : programs) out_ << usage::table(program) << '\n';
     out_ << times_;
@@ -179,7 +179,7 @@ void describe_usage(CLI::App& app, UsageRequest& request) {
                    "Declarations of scenes (<physgen/scene.h>), or C++ sources that give steps to a ProbeExecutor "
                    "(<physgen/probe.h>)")
       ->required();
-  usage->add_option("--json", request.json, "File for the same as JSON")->type_name("FILE");
+  usage->add_option("--json", request.json, "File for the table as JSON")->type_name("FILE");
   usage
       ->add_option("--check", request.checked_in,
                    "Compare with this JSON in place of printing; where it is stale, say in what, and exit with 1")
