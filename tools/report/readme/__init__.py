@@ -6,4 +6,10 @@
 - A picture is drawn anew when its files change: pictures.py.
 - What looks measured and comes from no result file is in elsewhere.py, with where it is from."""
 
-READMES = ["README.md", "tools/fem/README.md", "tools/physbench/README.md", "tools/examples/kernels.md"]
+READMES = [
+    "README.md",
+    "tools/fem/README.md",
+    "tools/physbench/README.md",
+    "tools/truthcube/README.md",
+    "tools/examples/kernels.md",
+]

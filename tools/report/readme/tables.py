@@ -2,7 +2,7 @@
 readme_numbers.py), or the text of another file, and makes all lines of the table."""
 import json
 
-from truthcube import linear_solves, records
+from truthcube import layouts, linear_solves, records
 
 from . import text
 
@@ -140,6 +140,12 @@ def _linear_solves(content):
     return _lines(*linear_solves.lines(records.parse(content, name), name))
 
 
+def _layouts(content):
+    """Two builds of layout_runs.py: one line for each body."""
+    name = "layouts.json"
+    return _lines(*layouts.lines(records.parse(content, name), name))
+
+
 TABLES = {
     "kernels": _kernels,
     "errors": _errors,
@@ -149,4 +155,5 @@ TABLES = {
     "packages": _packages,
     "truthcube": _truthcube,
     "linear_solves": _linear_solves,
+    "layouts": _layouts,
 }
