@@ -50,6 +50,8 @@ class LivenessFinder {
       if (writes(use)) result_.written.insert(name_of(use));
     }
     for (const auto& use : usage_.unknown) unknown_use(use);
+    for (const auto& race : usage_.races) error(location(race.writer_place), usage::text_of(race));
+    for (const auto& dependence : usage_.dependences) error(location(dependence.place), usage::text_of(dependence));
   }
 
   /// All of the array may be read and written there.

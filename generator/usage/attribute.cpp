@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -27,11 +28,15 @@ class Attribution {
   Usage usage() {
     Usage result;
     std::set<int> steps_lead_to;
+    const std::set<int> others = compare_variants(result);
     for (const Step& step : graph_.steps) {
-      if (is_part_of_a_step(step.function)) continue;
+      if (is_part_of_a_step(step.function) || others.count(step.function) != 0) continue;
       StepUse use = step.use;
-      use.fields = accesses({step.function}, [&](const Function& f) { return step.own_files.count(f.file) != 0; });
-      steps_lead_to.merge(reached_);
+      const Own own = [&](const Function& f) { return step.own_files.count(f.file) != 0; };
+      use.fields = accesses({step.function}, own);
+      const std::set<int> lead_to = reached_;
+      races(lead_to, own, result);
+      steps_lead_to.insert(lead_to.begin(), lead_to.end());
       result.steps.push_back(std::move(use));
     }
     unattributed(steps_lead_to, result);
@@ -72,16 +77,38 @@ class Attribution {
 
   [[nodiscard]] bool leads(int f) const { return leads_[static_cast<std::size_t>(f)]; }
 
-  [[nodiscard]] std::set<int> reachable(const std::vector<int>& from) const {
+  using Kind = bool Function::*;
+
+  /// @param stop at functions of these kinds, but for those it starts from
+  [[nodiscard]] std::set<int> reachable(const std::vector<int>& from, const std::vector<Kind>& stop = {}) const {
     std::set<int> result;
     std::vector<int> next = from;
     while (!next.empty()) {
       const int f = next.back();
       next.pop_back();
       if (!leads(f) || stop_.count(f) != 0 || !result.insert(f).second) continue;
-      for (const Call& call : at(f).calls) next.push_back(call.to);
+      for (const Call& call : at(f).calls)
+        if (std::ranges::none_of(stop, [&](Kind kind) { return at(call.to).*kind; })) next.push_back(call.to);
     }
     return result;
+  }
+
+  [[nodiscard]] std::vector<int> of_kind(const std::set<int>& functions, Kind kind) const {
+    std::vector<int> result;
+    std::ranges::copy_if(functions, std::back_inserter(result), [&](int f) { return at(f).*kind; });
+    return result;
+  }
+
+  /// Accesses of other objects than the step's own, and those that add() makes: of code that is called with an index
+  /// whose type tells it from all others.
+  struct Others {
+    std::set<int> gathered, added;
+  };
+  [[nodiscard]] Others others(std::vector<int> from) const {
+    const std::vector<int> fused = of_kind(reached_, &Function::fused);
+    from.insert(from.end(), fused.begin(), fused.end());
+    const std::set<int> shown = reachable(from, {&Function::single_object});
+    return {reachable(from, {&Function::single_object, &Function::adds}), reachable(of_kind(shown, &Function::adds))};
   }
 
   /// Accesses that `from` leads to through functions that are not the step's own.
@@ -100,8 +127,11 @@ class Attribution {
     return result;
   }
 
-  [[nodiscard]] FieldUse use_of(const Function& access) const {
+  [[nodiscard]] FieldUse use_of(int f, const Others& others) const {
+    const Function& access = at(f);
     FieldUse use = graph_.fields[static_cast<std::size_t>(access.field)];
+    use.gathered = !use.own && others.gathered.count(f) != 0;
+    use.added = !use.own && others.added.count(f) != 0;
     use.address_taken = access.access == Access::address;
     use.read = access.access == Access::read;
     use.written = access.access == Access::write;
@@ -113,15 +143,16 @@ class Attribution {
     std::vector<FieldUse> result;
     std::map<int, std::set<Reached>> known;
     reached_ = reachable(from);
+    const Others others = this->others(from);
     for (const int f : reached_) {
-      if (at(f).access != Access::none) add(result, use_of(at(f)));
+      if (at(f).access != Access::none) add(result, use_of(f, others));
       if (!own(at(f))) continue;
       for (const Call& call : at(f).calls) {
         if (!leads(call.to)) continue;
         const auto [entry, is_new] = known.try_emplace(call.to);
         if (is_new) entry->second = through_others(call.to, own);
         for (const Reached& reached : entry->second) {
-          FieldUse use = use_of(at(reached.function));
+          FieldUse use = use_of(reached.function, others);
           use.places = {call.place};
           use.whole_object = reached.whole_object;
           if (use.whole_object) use.whole_places = use.places;
@@ -141,7 +172,91 @@ class Attribution {
     result.unattributed = accesses(entries, [](const Function& f) { return !f.of_library; });
     for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
       const bool known = steps_lead_to.count(static_cast<int>(f)) != 0 || reached_.count(static_cast<int>(f)) != 0;
-      if (graph_.functions[f].access != Access::none && !known) add(result.unattributed, use_of(graph_.functions[f]));
+      if (graph_.functions[f].access != Access::none && !known)
+        add(result.unattributed, use_of(static_cast<int>(f), {}));
+    }
+  }
+
+  /// All functions that one leads to, through any others.
+  [[nodiscard]] std::set<int> all_from(int function) const {
+    std::set<int> result;
+    std::vector<int> next = {function};
+    while (!next.empty()) {
+      const int f = next.back();
+      next.pop_back();
+      if (!result.insert(f).second) continue;
+      for (const Call& call : at(f).calls) next.push_back(call.to);
+    }
+    return result;
+  }
+
+  /// @return the functions that only other variants lead to than that over probes
+  std::set<int> compare_variants(Usage& result) const {
+    std::set<int> others;
+    if (graph_.variants.empty()) return others;
+    const auto facts = [&](const std::set<int>& functions) {
+      std::map<Place, std::set<std::string>> found;
+      for (const int f : functions)
+        for (const Fact& fact : at(f).facts) found[fact.place].insert(fact.what);
+      return found;
+    };
+    const auto text = [](auto& of, auto& without, const Place& place) {
+      std::string result;
+      for (const std::string& what : of[place])
+        if (without[place].count(what) == 0) result += (result.empty() ? "" : " and ") + what;
+      return result.empty() ? std::string("nothing") : result;
+    };
+    const std::set<int> over_probes = all_from(graph_.variants.front());
+    auto expected = facts(over_probes);
+    for (const int variant : graph_.variants) {
+      const std::set<int> functions = all_from(variant);
+      std::ranges::set_difference(functions, over_probes, std::inserter(others, others.end()));
+      auto found = facts(functions);
+      auto places = found;
+      places.insert(expected.begin(), expected.end());
+      const Place* before = nullptr;  // one for each line is enough
+      for (const auto& [place, ignored] : places) {
+        if (found[place] == expected[place]) continue;
+        if (before == nullptr || before->file != place.file || before->line != place.line)
+          result.dependences.push_back({place, text(found, expected, place) + " or " + text(expected, found, place)});
+        before = &place;
+      }
+    }
+    return others;
+  }
+
+  /// The kernels of a fused kernel, and what each does.
+  struct PartUse {
+    std::string kernel;
+    int behind = 0;
+    std::vector<int> call_operators;
+    std::vector<FieldUse> fields;
+  };
+
+  /// @param lead_to functions of a step, whose own ones have places
+  void races(const std::set<int>& lead_to, const Own& own, Usage& result) {
+    std::vector<PartUse> parts;
+    for (const Part& part : graph_.parts) {
+      if (lead_to.count(part.call_operator) == 0) continue;
+      auto same = std::ranges::find_if(
+          parts, [&](const PartUse& known) { return known.kernel == part.kernel && known.behind == part.behind; });
+      if (same == parts.end()) same = parts.insert(same, {part.kernel, part.behind, {}, {}});
+      same->call_operators.push_back(part.call_operator);
+    }
+    for (PartUse& part : parts) part.fields = accesses(part.call_operators, own);
+    for (const PartUse& one : parts)
+      for (const PartUse& other : parts)
+        if (&one != &other) races(one, other, result);
+  }
+
+  static void races(const PartUse& one, const PartUse& other, Usage& result) {
+    const auto place = [](const FieldUse& use) { return use.places.empty() ? Place() : use.places.front(); };
+    for (const FieldUse& writing : one.fields) {
+      if (!writing.written && !writing.address_taken) continue;
+      for (const FieldUse& use : other.fields) {
+        if (use.array != writing.array || use.field != writing.field || may_be_fused(writing, use)) continue;
+        result.races.push_back({use.array, use.field, one.kernel, other.kernel, place(writing), place(use)});
+      }
     }
   }
 

@@ -23,6 +23,9 @@ void add(Facts& facts, const std::string& where, const std::vector<FieldUse>& us
     facts[field + ": read"] = text_of(use.read);
     facts[field + ": written"] = text_of(use.written);
     facts[field + ": address taken"] = text_of(use.address_taken);
+    facts[field + ": of the step's own objects"] = text_of(use.own);
+    facts[field + ": of other objects"] = text_of(use.gathered);
+    facts[field + ": added to other objects"] = text_of(use.added);
     facts[field + ": with all fields at once"] = text_of(use.whole_object);
     facts[field + ": places"] = text_of(use.places);
     facts[field + ": places of all fields at once"] = text_of(use.whole_places);

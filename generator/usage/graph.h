@@ -18,13 +18,24 @@ struct Call {
   Place place;
 };
 
+/// Something that code consists of, or the value of something constant in it.
+struct Fact {
+  Place place;
+  std::string what;
+  auto operator<=>(const Fact&) const = default;
+};
+
 struct Function {
-  std::string file;           ///< where it is defined
-  bool of_library = false;    ///< of the runtime, generated, or the system's
-  bool whole_object = false;  ///< get() or put() of a generated reference
+  std::string file;            ///< where it is defined
+  bool of_library = false;     ///< of the runtime, generated, or the system's
+  bool whole_object = false;   ///< get() or put() of a generated reference
+  bool adds = false;           ///< add() of a reference to a field
+  bool fused = false;          ///< the call operator of a fused kernel
+  bool single_object = false;  ///< calls a kernel for one object, whose index types do not tell from others
   Access access = Access::none;
   int field = -1;  ///< that it accesses: index into Graph::fields
   std::vector<Call> calls;
+  std::set<Fact> facts;  ///< of a function of the program, where there are variants
 };
 
 struct Step {
@@ -33,12 +44,21 @@ struct Step {
   std::set<std::string> own_files;  ///< where its kernel and what the kernel is made of are defined
 };
 
+/// A kernel in a fused one.
+struct Part {
+  int call_operator = 0;  ///< index of a function
+  std::string kernel;
+  int behind = 0;  ///< how many kernels of the group come after it
+};
+
 struct Graph {
   std::vector<Function> functions;
-  std::vector<FieldUse> fields;  ///< array and field alone
+  std::vector<FieldUse> fields;  ///< array and field, and whether at the kernel's own index
   std::vector<Step> steps;
+  std::vector<Part> parts;
   std::vector<int> entries;  ///< functions of the program, for places of accesses that no step leads to
   std::vector<UnknownUse> unknown;
+  std::vector<int> variants;  ///< functions that run the program over probes, and then over other arrays; or none
 };
 
 /// Gives every access to the steps that lead to it. Its places are those calls in the step's own files that lead to it

@@ -27,6 +27,9 @@ Json write(const std::vector<FieldUse>& uses) {
     write(json, "read", use.read);
     write(json, "written", use.written);
     write(json, "address_taken", use.address_taken);
+    write(json, "own", use.own);
+    write(json, "gathered", use.gathered);
+    write(json, "added", use.added);
     write(json, "whole_object", use.whole_object);
     write(json, "places", use.places);
     write(json, "whole_places", use.whole_places);
@@ -121,6 +124,9 @@ FieldUse read_field(Reader& json) {
   use.read = json.flag("read");
   use.written = json.flag("written");
   use.address_taken = json.flag("address_taken");
+  use.own = json.flag("own");
+  use.gathered = json.flag("gathered");
+  use.added = json.flag("added");
   use.whole_object = json.flag("whole_object");
   use.places = json.places("places");
   use.whole_places = json.places("whole_places");

@@ -22,17 +22,20 @@ const clang::StringLiteral* first_text(const clang::Stmt* statement) {
   return nullptr;
 }
 
-/// Of every call within an initializer, the first text: that of field_info("name", ...).
-void first_texts_of_calls(const clang::Stmt* statement, std::vector<std::string>& texts) {
+/// The names in the texts of an object's fields, {{{"U", "1"}, {"V"}}}: of each innermost pair of braces, the first
+/// text.
+void first_texts(const clang::Stmt* statement, std::vector<std::string>& texts) {
   if (statement == nullptr) return;
-  if (llvm::isa<clang::CallExpr>(statement)) {
-    const auto* text = first_text(statement);
-    std::string name = text == nullptr ? std::string() : text->getString().str();
+  const auto* braces = llvm::dyn_cast<clang::InitListExpr>(statement);
+  const bool innermost =
+      braces != nullptr && braces->getNumInits() > 0 && !llvm::isa<clang::InitListExpr>(braces->getInit(0));
+  if (const auto* text = innermost ? first_text(braces->getInit(0)) : nullptr) {
+    std::string name = text->getString().str();
     for (std::size_t at; (at = name.find("[0]")) != std::string::npos;) name.erase(at, 3);  // one for all entries
     texts.push_back(std::move(name));
     return;
   }
-  for (const clang::Stmt* child : statement->children()) first_texts_of_calls(child, texts);
+  for (const clang::Stmt* child : statement->children()) first_texts(child, texts);
 }
 
 const clang::Expr* initializer(const clang::VarDecl* variable) {
@@ -47,8 +50,7 @@ const clang::Expr* initializer(const clang::VarDecl* variable) {
 Names::Names(clang::ASTContext& context, const std::vector<std::string>& folders)
     : context_(context), sources_(context.getSourceManager()), folders_(folders) {
   for (const auto* probe : probes())
-    if (const auto* tag = probe->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl())
-      tags_.emplace(tag->getCanonicalDecl(), tag_name(*tag));
+    if (const auto* tag = tag_of(*probe).first) tags_.emplace(tag->getCanonicalDecl(), tag_name(*tag));
 }
 
 Place Names::place(clang::SourceLocation location) const {
@@ -86,8 +88,16 @@ std::vector<const clang::ClassTemplateSpecializationDecl*> Names::probes() const
   if (physgen == nullptr) return result;
   for (clang::NamedDecl* found : physgen->lookup(&context_.Idents.get("Probe")))
     if (const auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
-      for (const auto* probe : pattern->specializations()) result.push_back(probe);
+      for (const auto* probe : pattern->specializations())
+        if (!is_physgen(tag_of(*probe).first, "StoringNothing", {"probe"})) result.push_back(probe);
   return result;
+}
+
+std::pair<const CXXRecordDecl*, bool> Names::tag_of(const clang::ClassTemplateSpecializationDecl& probe) {
+  const auto* tag = probe.getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
+  const auto* own = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(tag);
+  if (own == nullptr || own->getIdentifier() == nullptr || own->getName() != "AtOwnIndex") return {tag, false};
+  return {own->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl(), true};
 }
 
 std::string Names::tag_name(const CXXRecordDecl& tag) {
@@ -99,15 +109,15 @@ std::string Names::tag_name(const CXXRecordDecl& tag) {
 
 FieldUse Names::field(const clang::ClassTemplateSpecializationDecl& probe) {
   const auto& arguments = probe.getTemplateArgs();
-  const auto* tag = arguments[0].getAsType()->getAsCXXRecordDecl();
+  const auto [tag, own] = tag_of(probe);
   const auto* object = arguments[1].getAsType()->getAsCXXRecordDecl();
   const auto number = static_cast<std::size_t>(arguments[2].getAsIntegral().getExtValue());
   const auto [fields, is_new] = fields_.try_emplace(object->getCanonicalDecl());
   if (is_new && object->hasDefinition())
-    for (const clang::NamedDecl* found : object->getDefinition()->lookup(&context_.Idents.get("fields")))
-      if (const auto* pattern = llvm::dyn_cast<clang::VarTemplateDecl>(found))
-        first_texts_of_calls(initializer(pattern->getTemplatedDecl()), fields->second);
+    for (const clang::NamedDecl* found : object->getDefinition()->lookup(&context_.Idents.get("texts")))
+      first_texts(initializer(llvm::dyn_cast<clang::VarDecl>(found)), fields->second);
   FieldUse use;
+  use.own = own;
   use.array = tags_.at(tag->getCanonicalDecl());
   use.field = number < fields->second.size() ? fields->second[number] : std::to_string(number);
   return use;
@@ -183,6 +193,23 @@ std::vector<const clang::FunctionDecl*> Names::steps() const {
   return result;
 }
 
+std::vector<const clang::FunctionDecl*> Names::variants() const {
+  const auto* unit = space({"physgen_probe_unit"});
+  if (unit == nullptr) return {};
+  std::vector<const clang::FunctionDecl*> result;
+  for (clang::NamedDecl* found : unit->lookup(&context_.Idents.get("instantiate")))
+    if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(found))
+      for (const auto* function : pattern->specializations()) result.push_back(function);
+  std::ranges::stable_sort(result, [](const FunctionDecl* a, const FunctionDecl* b) {
+    const auto is_probed = [](const FunctionDecl* function) {
+      const auto* as = function->getTemplateSpecializationArgs()->get(0).getAsType()->getAsCXXRecordDecl();
+      return as != nullptr && as->getName() == "Probed";
+    };
+    return is_probed(a) && !is_probed(b);
+  });
+  return result;
+}
+
 Step Names::step(const clang::FunctionDecl& function) {
   Step step;
   const llvm::StringRef kind = function.getName();
@@ -217,9 +244,14 @@ bool Names::is_object_reference(const CXXRecordDecl& record) {
   return !scope->lookup(&record.getASTContext().Idents.get(object)).empty();
 }
 
-bool Names::is_physgen(const CXXRecordDecl* record, llvm::StringRef name) {
-  if (record == nullptr || record->getIdentifier() == nullptr || record->getName() != name) return false;
-  const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(record->getDeclContext());
+bool Names::is_physgen(const clang::NamedDecl* declaration, llvm::StringRef name,
+                       std::initializer_list<llvm::StringRef> inner) {
+  if (declaration == nullptr || declaration->getIdentifier() == nullptr || declaration->getName() != name) return false;
+  const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(declaration->getDeclContext());
+  for (const llvm::StringRef outer : inner) {
+    if (space == nullptr || space->getName() != outer) return false;
+    space = llvm::dyn_cast<clang::NamespaceDecl>(space->getDeclContext());
+  }
   return space != nullptr && space->getName() == "physgen";
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "usage/graph.h"
@@ -29,22 +30,28 @@ class Names {
   [[nodiscard]] FieldUse field(const clang::ClassTemplateSpecializationDecl& probe);
   /// Specialisations of the function templates that executors of probes instantiate.
   [[nodiscard]] std::vector<const clang::FunctionDecl*> steps() const;
+  /// Of a unit of a scene: what runs its program over probes, and then what runs it over other arrays.
+  [[nodiscard]] std::vector<const clang::FunctionDecl*> variants() const;
   /// Name, place, arrays and own files of a step.
   [[nodiscard]] Step step(const clang::FunctionDecl& function);
   /// Arrays whose tags a type mentions, in the order of its parameters and members.
   [[nodiscard]] std::vector<std::string> arrays(clang::QualType type);
+  [[nodiscard]] std::string kernel_name(const clang::CXXRecordDecl& kernel) const;
   /// Whether a class is a generated reference to objects, such as elasticity::TetRef.
   [[nodiscard]] static bool is_object_reference(const clang::CXXRecordDecl& record);
-  /// Whether a class is `name` of namespace physgen.
-  [[nodiscard]] static bool is_physgen(const clang::CXXRecordDecl* record, llvm::StringRef name);
+  /// Whether a class or a function is `name` of namespace physgen, or of namespaces in it, innermost first.
+  [[nodiscard]] static bool is_physgen(const clang::NamedDecl* declaration, llvm::StringRef name,
+                                       std::initializer_list<llvm::StringRef> inner = {});
 
  private:
   using Visit = std::function<bool(const clang::CXXRecordDecl&)>;
   [[nodiscard]] const clang::DeclContext* space(std::initializer_list<llvm::StringRef> path) const;
   void classes(clang::QualType type, const Visit& visit, std::set<const clang::Decl*>& seen) const;
   void classes(const clang::TemplateArgument& argument, const Visit& visit, std::set<const clang::Decl*>& seen) const;
+  /// The tag of a probe's array, and whether the probe is one at the kernel's own index.
+  [[nodiscard]] static std::pair<const clang::CXXRecordDecl*, bool> tag_of(
+      const clang::ClassTemplateSpecializationDecl& probe);
   [[nodiscard]] std::string tag_name(const clang::CXXRecordDecl& tag);
-  [[nodiscard]] std::string kernel_name(const clang::CXXRecordDecl& kernel) const;
 
   clang::ASTContext& context_;
   const clang::SourceManager& sources_;

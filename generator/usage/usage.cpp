@@ -26,13 +26,25 @@ auto key(const StepUse& step) { return std::tie(step.kernel, step.arrays, step.p
 void add(std::vector<FieldUse>& uses, const FieldUse& use) {
   const auto same = std::ranges::find_if(
       uses, [&](const FieldUse& known) { return known.array == use.array && known.field == use.field; });
-  FieldUse& to = same != uses.end() ? *same : uses.emplace_back(FieldUse{use.array, use.field, {}, {}, {}, {}, {}, {}});
+  FieldUse& to = same != uses.end() ? *same : uses.emplace_back();
+  to.array = use.array;
+  to.field = use.field;
   to.read = to.read || use.read;
   to.written = to.written || use.written;
   to.address_taken = to.address_taken || use.address_taken;
+  to.own = to.own || use.own;
+  to.gathered = to.gathered || use.gathered;
+  to.added = to.added || use.added;
   to.whole_object = to.whole_object || use.whole_object;
   merge(to.places, use.places);
   merge(to.whole_places, use.whole_places);
+}
+
+bool may_be_fused(const FieldUse& one, const FieldUse& other) {
+  const auto writes = [](const FieldUse& use) { return use.written || use.address_taken; };
+  const auto own = [](const FieldUse& use) { return use.own && !use.gathered && !use.added; };
+  const auto adds = [](const FieldUse& use) { return use.added && !use.gathered && !use.own; };
+  return (!writes(one) && !writes(other)) || (own(one) && own(other)) || (adds(one) && adds(other));
 }
 
 void sort(Usage& usage) {
@@ -51,6 +63,10 @@ void sort(Usage& usage) {
   sort(usage.unattributed);
   std::ranges::sort(usage.unknown);
   usage.unknown.erase(std::ranges::unique(usage.unknown).begin(), usage.unknown.end());
+  std::ranges::sort(usage.races);
+  usage.races.erase(std::ranges::unique(usage.races).begin(), usage.races.end());
+  std::ranges::sort(usage.dependences);
+  usage.dependences.erase(std::ranges::unique(usage.dependences).begin(), usage.dependences.end());
 }
 
 Usage unite(const Usage& a, const Usage& b) {
@@ -58,6 +74,8 @@ Usage unite(const Usage& a, const Usage& b) {
   result.steps.insert(result.steps.end(), b.steps.begin(), b.steps.end());
   for (const FieldUse& use : b.unattributed) add(result.unattributed, use);
   result.unknown.insert(result.unknown.end(), b.unknown.begin(), b.unknown.end());
+  result.races.insert(result.races.end(), b.races.begin(), b.races.end());
+  result.dependences.insert(result.dependences.end(), b.dependences.begin(), b.dependences.end());
   sort(result);
   return result;
 }
@@ -79,12 +97,25 @@ std::string name_of(const StepUse& step) {
   return step.kernel + '(' + arrays + ')';
 }
 
+std::string text_of(const Race& race) {
+  return race.writer + " writes " + race.array + "." + race.field + ", and " + race.other + " uses it at " +
+         text_of(race.other_place) +
+         " in the same fused kernel, one of them at other objects than its own: what it finds there depends on how "
+         "threads run; take one of the two out of fuse(...)";
+}
+
+std::string text_of(const Dependence& dependence) {
+  return "the program depends on how fields are stored (here " + dependence.what +
+         "), so it would compute something else, or read other fields, where some are pruned; write what is the same "
+         "for every format, or choose by a template parameter of the kernel";
+}
+
 std::string text_of(const Place& place) {
   return place.file + ':' + std::to_string(place.line) + ':' + std::to_string(place.column);
 }
 
 std::string short_text(const Place& place) {
-  return text_of({place.file.substr(place.file.rfind('/') + 1), place.line, place.column});
+  return text_of(Place{place.file.substr(place.file.rfind('/') + 1), place.line, place.column});
 }
 
 }  // namespace physgen::usage

@@ -19,7 +19,11 @@ struct FieldUse {
   std::string array;  ///< as the program names it: "svds"
   std::string field;  ///< "svd.U" of a nested object, "points.x" of a fixed array of them
   bool read = false, written = false;
-  bool address_taken = false;       ///< by `&` of an element or an atomic operation
+  bool address_taken = false;  ///< by `&` of an element or an atomic operation
+  // Of which objects. None of the three: of a kernel that takes single objects alone, types do not tell.
+  bool own = false;                 ///< of those that the step is called for
+  bool gathered = false;            ///< of others, which it finds by indices of its own making
+  bool added = false;               ///< of others, by add()
   bool whole_object = false;        ///< by a get() or put() of all fields, too, at `whole_places`
   std::vector<Place> places;        ///< in the kernel's own source, in ascending order, each once
   std::vector<Place> whole_places;  ///< those of them where all fields are read or written at once
@@ -44,10 +48,28 @@ struct UnknownUse {
   auto operator<=>(const UnknownUse&) const = default;
 };
 
+/// Two kernels of one fused kernel that may not be fused, because of this field.
+struct Race {
+  std::string array, field;
+  std::string writer, other;  ///< the kernels
+  Place writer_place, other_place;
+  auto operator<=>(const Race&) const = default;
+};
+
+/// A place where the program's code is another over arrays with all fields, over probes, or over arrays that store
+/// nothing: it depends on how fields are stored.
+struct Dependence {
+  Place place;
+  std::string what;  ///< "1 or 0": what stands there over arrays with all fields, and over others
+  auto operator<=>(const Dependence&) const = default;
+};
+
 struct Usage {
-  std::vector<StepUse> steps;          ///< by kernel, arrays and place, in ascending order
-  std::vector<FieldUse> unattributed;  ///< by no step that the analysis can name: these are wanted
-  std::vector<UnknownUse> unknown;     ///< errors, but where the program declares the arrays' fields
+  std::vector<StepUse> steps;           ///< by kernel, arrays and place, in ascending order
+  std::vector<FieldUse> unattributed;   ///< by no step that the analysis can name: these are wanted
+  std::vector<UnknownUse> unknown;      ///< errors, but where the program declares the arrays' fields
+  std::vector<Race> races;              ///< errors
+  std::vector<Dependence> dependences;  ///< errors
   bool operator==(const Usage&) const = default;
 };
 
@@ -67,6 +89,10 @@ struct Program {
 /// Puts everything in ascending order, equal steps and fields together.
 void sort(Usage& usage);
 
+/// Whether two kernels may use one field, one after the other for the same objects in one fused kernel: each its own
+/// objects alone, or both to add, or none of them to write. Else other objects' threads come in between.
+[[nodiscard]] bool may_be_fused(const FieldUse& one, const FieldUse& other);
+
 /// Adds what `use` says to the uses of the same field, or as a new one.
 void add(std::vector<FieldUse>& uses, const FieldUse& use);
 
@@ -76,5 +102,9 @@ void add(std::vector<FieldUse>& uses, const FieldUse& use);
 /// "compute_svd.h:42:9", or with all of the file's name
 [[nodiscard]] std::string short_text(const Place& place);
 [[nodiscard]] std::string text_of(const Place& place);
+
+/// What is wrong and what to write instead, without the first place and without a full stop.
+[[nodiscard]] std::string text_of(const Race& race);
+[[nodiscard]] std::string text_of(const Dependence& dependence);
 
 }  // namespace physgen::usage

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "usage/facts.h"
 #include "usage/names.h"
 
 namespace physgen::usage {
@@ -51,7 +52,8 @@ clang::SourceLocation place_of(const clang::CallExpr& call) {
 
 class Walk {
  public:
-  Walk(clang::ASTContext& context, const std::vector<std::string>& folders) : names_(context, folders) {}
+  Walk(clang::ASTContext& context, const std::vector<std::string>& folders)
+      : context_(context), names_(context, folders) {}
 
   Graph graph(const std::vector<const FunctionDecl*>& functions) {
     for (const auto* probe : names_.probes()) accesses_of(*probe);
@@ -60,10 +62,13 @@ class Walk {
       step.function = number(function);
       graph_.steps.push_back(std::move(step));
     }
+    for (const FunctionDecl* function : names_.variants()) graph_.variants.push_back(number(function));
     follow();
     for (const FunctionDecl* function : functions)
       if (!names_.is_library(function->getLocation())) graph_.entries.push_back(number(function));
     follow();
+    for (const auto* run : runs_) part(*run);
+    if (!graph_.variants.empty()) facts();
     return std::move(graph_);
   }
 
@@ -95,25 +100,63 @@ class Walk {
         numbers_.emplace(declaration->getCanonicalDecl(), static_cast<int>(graph_.functions.size()));
     if (!is_new) return entry->second;
     Function& made = graph_.functions.emplace_back();
+    declarations_.push_back(declaration);
     const FunctionDecl* definition = nullptr;
     if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration)) (void)function->isDefined(definition);
     const auto location = (definition != nullptr ? definition : declaration)->getLocation();
     made.file = names_.place(location).file;
     made.of_library = names_.is_library(location);
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration);
-        method != nullptr && method->getIdentifier() != nullptr)
+        method != nullptr && method->getIdentifier() != nullptr) {
       made.whole_object = (method->getName() == "get" || method->getName() == "put") &&
                           Names::is_object_reference(*method->getParent());
+      if (method->getName() == "run" && Names::is_physgen(method->getParent(), "Steps", {"detail"}))
+        runs_.push_back(method);
+      made.adds = method->getName() == "add" && (Names::is_physgen(method->getParent(), "FieldRef") ||
+                                                 Names::is_physgen(method->getParent(), "ElementRef"));
+    }
+    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration))
+      made.fused = method->getOverloadedOperator() == clang::OO_Call && Names::is_physgen(method->getParent(), "Fused");
+    if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration))
+      made.single_object = Names::is_physgen(function, "single_object", {"detail", "probe"});
     queue_.push_back(definition != nullptr ? definition : declaration);
     return entry->second;
   }
 
+  void facts() {
+    const std::function<Place(clang::SourceLocation)> place = [&](auto location) { return names_.place(location); };
+    for (std::size_t f = 0; f < graph_.functions.size(); ++f) {
+      const clang::Decl* code = declarations_[f];
+      const FunctionDecl* definition = nullptr;
+      if (const auto* function = llvm::dyn_cast<FunctionDecl>(code);
+          function != nullptr && function->isDefined(definition))
+        code = definition;
+      if (graph_.functions[f].of_library || code->getDeclContext()->isDependentContext()) continue;
+      graph_.functions[f].facts = facts_of(*code, context_, place);
+    }
+  }
+
+  /// The kernel that Steps<Kernel, ...>::run calls first.
+  void part(const clang::CXXMethodDecl& run) {
+    const auto* steps = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(run.getParent());
+    const auto kernels = steps->getTemplateArgs()[0].pack_elements();
+    const auto* kernel = kernels.front().getAsType()->getAsCXXRecordDecl();
+    const int behind = static_cast<int>(kernels.size()) - 1;
+    for (const Call& call : graph_.functions[static_cast<std::size_t>(number(&run))].calls) {
+      const auto* called = llvm::dyn_cast<clang::CXXMethodDecl>(declarations_[static_cast<std::size_t>(call.to)]);
+      if (called != nullptr && called->getOverloadedOperator() == clang::OO_Call && called->getParent() == kernel)
+        graph_.parts.push_back({call.to, names_.kernel_name(*kernel), behind});
+    }
+  }
+
   void follow();
 
+  clang::ASTContext& context_;
   Names names_;
   Graph graph_;
   std::map<const clang::Decl*, int> numbers_;
-  std::vector<const clang::Decl*> queue_;
+  std::vector<const clang::Decl*> queue_, declarations_;  // the latter beside Graph::functions
+  std::vector<const clang::CXXMethodDecl*> runs_;         // of steps of fused kernels
 };
 
 /// Finds what one body calls, constructs, destroys or takes the address of.
@@ -144,7 +187,14 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
   bool VisitCallExpr(clang::CallExpr* call) {
     places_[call->getCallee()->IgnoreParenImpCasts()] = place_of(*call);
     const FunctionDecl* callee = call->getDirectCallee();
-    if (!is_users_ || callee == nullptr || callee->getIdentifier() == nullptr) return true;
+    if (!is_users_ || callee == nullptr) return true;
+    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
+        method != nullptr && method->getOverloadedOperator() == clang::OO_Amp &&
+        Names::is_physgen(method->getParent(), "ElementRef") && harmless_.count(call) == 0)
+      unknown(object_of(*call)->getType(), "the address of an element, behind which lie others,", call->getBeginLoc());
+    if (callee->getIdentifier() == nullptr) return true;
+    if (callee->getName().starts_with("atomic") && walk_.names_.is_library(callee->getLocation()))
+      for (const clang::Expr* argument : call->arguments()) harmless_.insert(written(argument));
     if (callee->getName() == "bit_cast" && call->getNumArgs() > 0)
       unknown(call->getArg(0)->getType(), "bit_cast", call->getBeginLoc());
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
@@ -152,8 +202,22 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
       unknown(object_of(*call)->getType(), "data()", place_of(*call));
     return true;
   }
+  /// `*&x` as a value, where something is assigned to it, or as what a function returns.
+  void only_the_element(const clang::Expr* expression) {
+    const auto* at = llvm::dyn_cast<clang::UnaryOperator>(expression->IgnoreParens());
+    if (at != nullptr && at->getOpcode() == clang::UO_Deref) harmless_.insert(written(at->getSubExpr()));
+  }
+  bool VisitReturnStmt(clang::ReturnStmt* statement) {
+    if (statement->getRetValue() != nullptr) only_the_element(statement->getRetValue()->IgnoreImplicit());
+    return true;
+  }
+  bool VisitBinaryOperator(clang::BinaryOperator* operation) {
+    if (operation->isAssignmentOp()) only_the_element(operation->getLHS());
+    return true;
+  }
   bool VisitCastExpr(clang::CastExpr* cast) {
     const auto kind = cast->getCastKind();
+    if (kind == clang::CK_LValueToRValue) only_the_element(cast->getSubExpr());
     if (kind == clang::CK_BitCast || kind == clang::CK_LValueBitCast || kind == clang::CK_PointerToIntegral)
       unknown(cast->getSubExpr()->getType(), "a cast to other types, as of memcpy or reinterpret_cast",
               cast->getBeginLoc());
@@ -166,6 +230,9 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
     return function(reference->getDecl(), reference, reference->getLocation());
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {
+    if (const auto* record = llvm::dyn_cast<clang::RecordDecl>(member->getMemberDecl()->getDeclContext());
+        record != nullptr && record->isUnion())
+      unknown(walk_.context_.getCanonicalTagType(record), "a union", member->getMemberLoc());
     return function(member->getMemberDecl(), member, member->getMemberLoc());
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construction) {
@@ -241,6 +308,7 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
   int function_;
   bool is_users_;
   std::map<const clang::Expr*, clang::SourceLocation> places_;  // of callees
+  std::set<const clang::Expr*> harmless_;                       // addresses for atomicAdd() and the like, and in *&x
 };
 
 void Walk::follow() {

@@ -28,7 +28,7 @@ Lanes lanes(const Addressing& array, index_t i, int offset, int size) {
 /// Objects from i on whose elements are evenly spaced.
 index_t evenly_spaced(const Addressing& array, index_t i) {
   if (array.records() || array.shift == 63) return std::numeric_limits<index_t>::max();
-  return array.pitch - ((i - array.first) & (array.pitch - 1));
+  return array.pitch - array.lane(i);
 }
 
 template <class To, class From, class Convert>
@@ -88,8 +88,8 @@ void clear_on_host(std::byte* memory, index_t bytes) {
   }
 }
 
-void convert_on_host(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
-                     index_t end) {
+void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArray& from, index_t from_first,
+                     index_t begin, index_t end) {
   const Addressing to_array(to, to_first), from_array(from, from_first);
   const Conversion conversion(to, from);
   const bool whole_records = to_array.records() && from_array.records() && same_records(to, from);
@@ -121,7 +121,7 @@ void convert_on_host(const Storage& to, index_t to_first, const Storage& from, i
   failure.rethrow();
 }
 
-Losses count_on_host(const Storage& to, const Storage& from, index_t begin, index_t end) {
+Losses count_on_host(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end) {
   const Addressing array(from);
   const Conversion conversion(to, from);
   Losses losses;

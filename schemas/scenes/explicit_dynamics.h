@@ -1,4 +1,4 @@
-// The scene explicit_dynamics: a time step of symplectic Euler of a Neo-Hookean body.
+// The scene explicit_dynamics: a time step of symplectic Euler of a Neo-Hookean body, and what is measured of it.
 #pragma once
 
 #include <dynamics.physgen.h>
@@ -11,7 +11,7 @@
 namespace scenes {
 using namespace physgen::scene;
 
-/// Explicit dynamics of a Neo-Hookean body: one step of symplectic Euler with lumped mass.
+/// Explicit dynamics of a Neo-Hookean body: one step of symplectic Euler with lumped mass, and the motion after it.
 struct PHYSGEN_SCENE() explicit_dynamics {
   using Real = float;
 
@@ -32,13 +32,17 @@ struct PHYSGEN_SCENE() explicit_dynamics {
     PHYSGEN_ARRAY(per("node"), input(), output()) Array<elasticity::NodeDisplacementObject, double> displacements;
     PHYSGEN_ARRAY(per("node"), input(), output()) Array<elasticity::NodeDisplacementObject, Real> rounded;
     PHYSGEN_ARRAY(per("node"), input(), output()) Array<dynamics::NodeVelocityObject, double> velocities;
+    /// Elastic.
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeForceObject, Real> forces;
+    /// Energies and momentum; the farthest coordinate stays what it is at the beginning.
+    PHYSGEN_ARRAY(per(1), input("farthest"), output()) Array<dynamics::MotionObject, double> measured;
   };
 
   template <class On, class Body>
   static void program(On& on, Body& body, const physgen::fem::NeoHookean<Real>& material,
                       const physgen::fem::TimeStep& step) {
     physgen::fem::explicit_step(on, body, material, step);
+    physgen::fem::measure_explicit_motion(on, body, material);
   }
 };
 

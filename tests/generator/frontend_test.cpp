@@ -142,12 +142,12 @@ TEST(Frontend, reads_nested_and_imported_objects) {
   const auto shape = folder.write(
       "parts/shape.h", schema_of("namespace shape {\nstruct PHYSGEN_OBJECT() Corner {\n  Scalar x;\n};\n}\n"));
   const auto units = folder.write("more/units.h", schema_of("struct PHYSGEN_OBJECT() Unit {\n  Scalar x;\n};\n"));
-  const auto result = frontend::parse(main, {{folder / "more"}});
+  const auto result = parse_file(main, {folder / "more"});
   ASSERT_TRUE(result.schema.has_value()) << result.diagnostics;
   ASSERT_EQ(result.schema->imported.size(), 2u);
   EXPECT_EQ(result.schema->imported[0].qualified_name(), "m::shape::Corner");
-  EXPECT_EQ(result.schema->imported[0].header, "shape.physgen.h");
-  EXPECT_EQ(result.schema->imported[1].header, "units.physgen.h");
+  EXPECT_EQ(result.schema->imported[0].schema, "shape.physgen.h");
+  EXPECT_EQ(result.schema->imported[1].schema, "units.physgen.h");
   ASSERT_EQ(result.schema->objects.size(), 1u);
   const auto& field = result.schema->objects[0].fields.at(0);
   EXPECT_EQ(field.shape, Shape::object);
@@ -160,7 +160,7 @@ TEST(Frontend, reports_errors_of_an_included_schema_in_its_file) {
   const Folder folder;
   const auto main = folder.write("main.h", "#include \"schema.h\"\n" + schema_of(object("Scalar x;")));
   folder.write("schema.h", schema_of("struct PHYSGEN_OBJECT() B {\n  Scalar* p;\n};\n"));
-  const auto result = frontend::parse(main);
+  const auto result = parse_file(main);
   EXPECT_FALSE(result.schema.has_value());
   ASSERT_EQ(headlines(result.diagnostics).size(), 1u) << result.diagnostics;
   EXPECT_EQ(headlines(result.diagnostics)[0].substr(0, 30), "4:3: error: field 'p' is a poi");
@@ -302,7 +302,7 @@ std::string vocabulary_with(const std::vector<std::pair<std::string, std::string
 frontend::Result parse_with(const std::string& vocabulary, const std::string& text) {
   const Folder folder;
   folder.write("include/physgen/schema.h", vocabulary);
-  return frontend::parse(folder.write("schema.h", text), {{folder / "include"}});
+  return parse_file(folder.write("schema.h", text), {folder / "include"});
 }
 
 const std::string all_enumerations = schema_of(

@@ -72,6 +72,8 @@ struct PHYSGEN_SCENE() scene {
   EXPECT_EQ(svds.object, "Svd");
   EXPECT_EQ(svds.doc, "of each tet");
   EXPECT_EQ(svds.real, "double");
+  EXPECT_TRUE(svds.own_real && !one.own_real);
+  EXPECT_EQ(svds.header, "objects.h");
   EXPECT_EQ(svds.set, "tet");
   EXPECT_TRUE(svds.is_input("U") && svds.is_input("n") && svds.is_output("n") && !svds.is_output("U"));
   EXPECT_EQ(svds.location.line, 7);

@@ -45,43 +45,43 @@ struct CompactTurns : elasticity::DeformationSvdFormats<Host> {
 using Record = std::vector<std::byte>;
 using Records = std::vector<Record>;
 
-Record record_at(const Storage& storage, index_t i) {
+Record record_at(const UntypedArray& untyped, index_t i) {
   Record record;
-  for (const FieldInfo& field : storage.fields) {
+  for (const FieldInfo& field : untyped.fields) {
     const int size = element_bytes(field.type);
     for (int k = 0; k < field.count; ++k) {
       const std::byte* element =
-          storage.base + address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+          untyped.base + address_by_law(field.offset + k * size, i, untyped.pitch, untyped.record_bytes, size);
       record.insert(record.end(), element, element + size);
     }
   }
   return record;
 }
 
-Records records_of(const Storage& storage) {
+Records records_of(const UntypedArray& untyped) {
   Records records;
-  for (index_t i = 0; i < storage.size; ++i) records.push_back(record_at(storage, i));
+  for (index_t i = 0; i < untyped.size; ++i) records.push_back(record_at(untyped, i));
   return records;
 }
 
 /// How many objects differ from those that the array must hold.
-index_t count_wrong(const Storage& storage, const Records& model) {
-  if (storage.size != static_cast<index_t>(model.size())) return storage.size + 1;
+index_t count_wrong(const UntypedArray& untyped, const Records& model) {
+  if (untyped.size != static_cast<index_t>(model.size())) return untyped.size + 1;
   index_t count = 0;
-  for (index_t i = 0; i < storage.size; ++i) count += record_at(storage, i) != model[static_cast<std::size_t>(i)];
+  for (index_t i = 0; i < untyped.size; ++i) count += record_at(untyped, i) != model[static_cast<std::size_t>(i)];
   return count;
 }
 
-void expect_records(const Storage& storage, const Records& model, const std::string& after) {
-  ASSERT_EQ(count_wrong(storage, model), 0) << "after " << after;
+void expect_records(const UntypedArray& untyped, const Records& model, const std::string& after) {
+  ASSERT_EQ(count_wrong(untyped, model), 0) << "after " << after;
 }
 
 /// Random numbers: rotations, and numbers of which indices and halves hold some exactly.
-void put_random_numbers(const Storage& storage, std::mt19937& random) {
+void put_random_numbers(const UntypedArray& untyped, std::mt19937& random) {
   std::uniform_real_distribution<double> value(-0.99, 0.99);
-  for (index_t i = 0; i < storage.size; ++i) {
+  for (index_t i = 0; i < untyped.size; ++i) {
     int k = 0;
-    for (const FieldInfo& field : storage.fields) {
+    for (const FieldInfo& field : untyped.fields) {
       Eigen::Matrix3d R;
       for (int e = 0; e < field.visible_count(); ++e, ++k) {
         if (field.rotation && e % 9 == 0) R = random_rotation(random);
@@ -89,7 +89,7 @@ void put_random_numbers(const Storage& storage, std::mt19937& random) {
         const double drawn = field.type == ElementType::int32 ? static_cast<double>(random() % 1000)
                              : field.rotation                 ? R(e % 9 % 3, e % 9 / 3)
                                                               : value(random);
-        putdata(storage, i, k, drawn);
+        putdata(untyped, i, k, drawn);
       }
     }
   }
@@ -98,14 +98,14 @@ void put_random_numbers(const Storage& storage, std::mt19937& random) {
 template <class Object>
 Array<Object, double, Host, Aos> random_objects(index_t n, std::mt19937& random) {
   Array<Object, double, Host, Aos> objects(n);
-  put_random_numbers(objects.storage(), random);
+  put_random_numbers(objects.untyped(), random);
   return objects;
 }
 
 /// Objects of one array in the form of another, each by a copy of its own: what a copy of all must give.
 /// @param one, converted an AoS record in the form of each
-Records converted_one_by_one(const Storage& from, index_t begin, index_t end, const Storage& one,
-                             const Storage& converted) {
+Records converted_one_by_one(const UntypedArray& from, index_t begin, index_t end, const UntypedArray& one,
+                             const UntypedArray& converted) {
   Records records;
   for (index_t i = begin; i < end; ++i) {
     const Record record = record_at(from, i);
@@ -124,26 +124,26 @@ template <class To, class From>
 Records converted_one_by_one(const From& from, index_t begin, index_t end) {
   const Array<typename From::Object, typename From::View::Precision, Host, Aos, typename From::Formats> one(1);
   const Array<typename To::Object, typename To::View::Precision, Host, Aos, typename To::Formats> converted(1);
-  return converted_one_by_one(from.storage(), begin, end, one.storage(), converted.storage());
+  return converted_one_by_one(from.untyped(), begin, end, one.untyped(), converted.untyped());
 }
 
 /// Renumbers the field of indices to numbers in random order, and expects all other elements as before.
-void renumber_field(const Storage& storage, const FieldInfo& field, std::mt19937& random) {
+void renumber_field(const UntypedArray& untyped, const FieldInfo& field, std::mt19937& random) {
   const std::vector<index_t> numbers = random_order(1000, random);
   int first = 0;  // the field's first element, as code counts them
-  for (const FieldInfo& other : storage.fields) {
+  for (const FieldInfo& other : untyped.fields) {
     if (other.offset == field.offset) break;
     first += other.visible_count();
   }
   const int last = first + field.visible_count();
-  for (index_t i = 0; i < storage.size; ++i) {
+  for (index_t i = 0; i < untyped.size; ++i) {
     for (int k = first; k < last; ++k) {  // initial values may name no object
-      if (getdata(storage, i, k) < 0) putdata(storage, i, k, 0);
+      if (getdata(untyped, i, k) < 0) putdata(untyped, i, k, 0);
     }
   }
-  const Model before = elements_of(storage);
-  renumber(storage, field.name, numbers);
-  const Model after = elements_of(storage);
+  const Model before = elements_of(untyped);
+  renumber(untyped, field.name, numbers);
+  const Model after = elements_of(untyped);
   for (std::size_t i = 0; i < before.size(); i += 7) {
     Model::value_type expected = before[i];
     for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); ++k) {
@@ -161,18 +161,18 @@ void fuzz_pair_of_size(index_t n, std::mt19937& random) {
   copy(a, random_objects<Object>(n, random));
   copy(b, a);
   Records model = converted_one_by_one<B>(a, 0, n);
-  expect_records(b.storage(), model, "a copy");
+  expect_records(b.untyped(), model, "a copy");
   copy(a, b);
-  expect_records(a.storage(), converted_one_by_one<A>(b, 0, n), "a copy back");
+  expect_records(a.untyped(), converted_one_by_one<A>(b, 0, n), "a copy back");
 
   for (int repeat = 0; repeat < 3; ++repeat) {
     const auto begin = static_cast<index_t>(random() % static_cast<unsigned>(n + 1));
     const auto end = begin + static_cast<index_t>(random() % static_cast<unsigned>(n - begin + 1));
     copy(a, random_objects<Object>(n, random));
-    copy_range(b.storage(), a.storage(), begin, end);
+    copy_range(b.untyped(), a.untyped(), begin, end);
     const Records part = converted_one_by_one<B>(a, begin, end);
     std::copy(part.begin(), part.end(), model.begin() + begin);
-    expect_records(b.storage(), model, "a copy of " + std::to_string(begin) + " to " + std::to_string(end));
+    expect_records(b.untyped(), model, "a copy of " + std::to_string(begin) + " to " + std::to_string(end));
   }
 
   const std::vector<index_t> erased = random_part(n, random);
@@ -180,28 +180,28 @@ void fuzz_pair_of_size(index_t n, std::mt19937& random) {
   for (const index_t i : remaining(n, erased)) kept.push_back(model[static_cast<std::size_t>(i)]);
   erase(b, erased);
   model = kept;
-  expect_records(b.storage(), model, "erasing");
+  expect_records(b.untyped(), model, "erasing");
 
   append(b, a);
   const Records added = converted_one_by_one<B>(a, 0, n);
   model.insert(model.end(), added.begin(), added.end());
-  expect_records(b.storage(), model, "appending objects of another form");
+  expect_records(b.untyped(), model, "appending objects of another form");
 
   const B fresh(1);
-  const Record initial = record_at(fresh.storage(), 0);
+  const Record initial = record_at(fresh.untyped(), 0);
   append(b, 37);
   model.insert(model.end(), 37, initial);
-  expect_records(b.storage(), model, "appending new ones");
+  expect_records(b.untyped(), model, "appending new ones");
 
   const index_t less = b.size() / 3;
   b.resize(less);
   b.resize(less + 70);
   model.resize(static_cast<std::size_t>(less));
   model.resize(static_cast<std::size_t>(less + 70), initial);
-  expect_records(b.storage(), model, "shrinking and growing");
+  expect_records(b.untyped(), model, "shrinking and growing");
 
-  for (const FieldInfo& field : b.storage().fields) {
-    if (field.type == ElementType::int32) renumber_field(b.storage(), field, random);
+  for (const FieldInfo& field : b.untyped().fields) {
+    if (field.type == ElementType::int32) renumber_field(b.untyped(), field, random);
   }
 }
 
@@ -330,7 +330,7 @@ TEST(Arrays, are_copied_by_eight_threads_at_once) {
   copy(source, objects);
   Array<Shapes, float, Host, Aosoa<64>> expected(n);
   copy(expected, source);
-  const Records model = records_of(expected.storage());
+  const Records model = records_of(expected.untyped());
   std::array<index_t, 8> wrong{};
   std::vector<std::thread> threads;
   for (std::size_t t = 0; t < wrong.size(); ++t) {
@@ -338,7 +338,7 @@ TEST(Arrays, are_copied_by_eight_threads_at_once) {
       for (int repeat = 0; repeat < 5; ++repeat) {
         Array<Shapes, float, Host, Aosoa<64>> own(n);
         copy(own, source);
-        wrong[t] += count_wrong(own.storage(), model);
+        wrong[t] += count_wrong(own.untyped(), model);
       }
     });
   }

@@ -1,4 +1,4 @@
-// Storage formats: each number of 16 bits, rounding, and arrays whose fields are stored otherwise than computed.
+// UntypedArray formats: each number of 16 bits, rounding, and arrays whose fields are stored otherwise than computed.
 #include <physgen/parallel_for.h>
 
 #include <cmath>
@@ -232,12 +232,12 @@ TEST(Formats, what_a_copy_loses_is_counted_with_its_place) { check_losses<Host>(
 TEST(Formats, copies_between_arrays_that_share_memory_or_have_none_are_refused) {
   elasticity::StressDerivativeArray<float, Host, Soa> array(100), other(100);
   for (int k = 0; k < array.elements; ++k) array.putdata(7, k, k + 1);
-  Storage shifted = array.storage();
+  UntypedArray shifted = array.untyped();
   shifted.base += 64;
-  EXPECT_NE(message_of([&] { copy(shifted, array.storage()); }).find("share memory"), std::string::npos);
-  Storage nowhere = other.storage();
+  EXPECT_NE(message_of([&] { copy(shifted, array.untyped()); }).find("share memory"), std::string::npos);
+  UntypedArray nowhere = other.untyped();
   nowhere.base = nullptr;
-  EXPECT_NE(message_of([&] { copy(array.storage(), nowhere); }).find("no memory (null)"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy(array.untyped(), nowhere); }).find("no memory (null)"), std::string::npos);
   for (int k = 0; k < array.elements; ++k) EXPECT_EQ(array.getdata(7, k), k + 1);
 }
 

@@ -15,12 +15,12 @@ void expect_bytes(index_t bytes, const A& a, const B& b, index_t begin, index_t 
     EXPECT_EQ(bytes, 0);
     return;
   }
-  const auto object_bytes = [](const Storage& storage) {
+  const auto object_bytes = [](const UntypedArray& untyped) {
     index_t elements = 0;
-    for (const FieldInfo& field : storage.fields) elements += field.count * element_bytes(field.type);
+    for (const FieldInfo& field : untyped.fields) elements += field.count * element_bytes(field.type);
     return elements;
   };
-  const Storage x = a.storage(), y = b.storage();
+  const UntypedArray x = a.untyped(), y = b.untyped();
   const index_t tiles = align_up(end, index_t{64}) - begin / 64 * 64;
   EXPECT_GE(bytes, (end - begin) * std::min(object_bytes(x), object_bytes(y)));
   const bool all = begin == 0 && end == x.size;
@@ -43,13 +43,13 @@ void check_ranges_between(index_t n, std::mt19937& random) {
     if (to_device) {
       randomise_objects(host.array, random);
       host.model = objects_of(host.array);
-      const index_t bytes = copy_range(device.array.storage(), host.array.storage(), begin, end);
+      const index_t bytes = copy_range(device.array.untyped(), host.array.untyped(), begin, end);
       copy_part(host.model, device.model);
       expect_bytes(bytes, host.array, device.array, begin, end);
     } else {
       randomise_objects(device.array, random);
       device.model = objects_of(device.array);
-      const index_t bytes = copy_range(host.array.storage(), device.array.storage(), begin, end);
+      const index_t bytes = copy_range(host.array.untyped(), device.array.untyped(), begin, end);
       copy_part(device.model, host.model);
       expect_bytes(bytes, host.array, device.array, begin, end);
     }
@@ -90,11 +90,11 @@ void check_ranges_of_different_sizes() {
   std::mt19937 random(seed());
   Random<elasticity::TetArray<float, Host, Layout>> host(700, random);
   Random<elasticity::TetArray<float, Space, Layout>> device(1300, random);
-  copy_range(device.array.storage(), host.array.storage(), 100, 700);
+  copy_range(device.array.untyped(), host.array.untyped(), 100, 700);
   synchronize();
   std::copy(host.model.begin() + 100, host.model.end(), device.model.begin() + 100);
   expect_sound(device.array, device.model);
-  const auto storages = std::pair(device.array.storage(), host.array.storage());
+  const auto storages = std::pair(device.array.untyped(), host.array.untyped());
   for (const auto& [begin, end] : {std::pair(-1, 3), std::pair(5, 4), std::pair(0, 701)}) {
     EXPECT_THROW(copy_range(storages.first, storages.second, begin, end), Error) << begin << " to " << end;
   }
@@ -127,23 +127,23 @@ class MirrorCheck {
 
  private:
   template <class Array, class View>
-  static Storage storage_of(const View& view) {
-    Storage storage = Array(view.size()).storage();  // of the form alone
-    storage.base = const_cast<std::byte*>(view.data());
-    return storage;
+  static UntypedArray storage_of(const View& view) {
+    UntypedArray untyped = Array(view.size()).untyped();  // of the form alone
+    untyped.base = const_cast<std::byte*>(view.data());
+    return untyped;
   }
   template <class Array, class View>
   void put(const View& view, index_t begin, index_t end, double value) {
-    const Storage storage = storage_of<Array>(view);
+    const UntypedArray untyped = storage_of<Array>(view);
     for (const index_t i : {begin, end - 1}) {
-      putdata(storage, i, 1, value);
+      putdata(untyped, i, 1, value);
       model_[static_cast<std::size_t>(i)][1] = value;
     }
   }
   template <class Array, class View>
   void expect(const View& view) {
     Array objects(view.size());
-    copy(objects.storage(), storage_of<Array>(view));
+    copy(objects.untyped(), storage_of<Array>(view));
     synchronize();
     EXPECT_EQ(objects_of(objects), model_);
   }
@@ -246,20 +246,20 @@ template <class Mirror, class Written, class Kept>
 void check_mirror_keeps_what_nobody_wrote(Side kept_side, index_t n) {
   std::mt19937 random(seed());
   Mirror mirror(n);
-  const auto tenths = [&](const Storage& storage) {
+  const auto tenths = [&](const UntypedArray& untyped) {
     Kept values(n);
     for (index_t i = 0; i < n; ++i) {
       for (int k = 0; k < values.elements; ++k) values.putdata(i, k, 0.1 * static_cast<double>(3 * i + k + 1));
     }
-    copy(storage, values.storage());
+    copy(untyped, values.untyped());
     synchronize();
   };
-  const auto storage_of = [&](const auto& view, Storage form) {
+  const auto storage_of = [&](const auto& view, UntypedArray form) {
     form.base = const_cast<std::byte*>(view.data());
     return form;
   };
-  const Storage kept_form = Kept(n).storage(), written_form = Written(n).storage();
-  Storage kept, written;
+  const UntypedArray kept_form = Kept(n).untyped(), written_form = Written(n).untyped();
+  UntypedArray kept, written;
   if (kept_side == Side::host) {
     kept = storage_of(mirror.write_host(), kept_form);
     tenths(kept);
@@ -297,7 +297,7 @@ void check_mirror_keeps_what_nobody_wrote(Side kept_side, index_t n) {
   read(0, n);
   index_t changed = 0, missed = 0;
   Kept now(n);
-  copy(now.storage(), kept);
+  copy(now.untyped(), kept);
   synchronize();
   for (index_t i = 0; i < n; ++i) {
     if (touched[static_cast<std::size_t>(i)]) {

@@ -43,10 +43,10 @@ void check_stores(index_t n) {
     poison(part);
     std::vector<bool> written(static_cast<std::size_t>(n), false);
     store(written);
-    expect_only_stored_elements_written(part.storage(), written);
+    expect_only_stored_elements_written(part.untyped(), written);
     for (index_t i = 0; i < n; ++i) {
       if (!written[static_cast<std::size_t>(i)]) continue;
-      for_each_element(part.storage(), [&](int k, const FieldInfo& field) {
+      for_each_element(part.untyped(), [&](int k, const FieldInfo& field) {
         if (field.is_stored()) {
           ASSERT_EQ(part.getdata(i, k), full.getdata(i, k)) << field.name << " of " << i;
         }
@@ -96,9 +96,9 @@ TYPED_TEST(NothingStored, is_what_single_elements_and_masked_stores_of_pruned_fi
     poison(entries);
     run(StoreSomeFields<decltype(svds.view()), decltype(derivatives.view()), decltype(entries.view())>{
         svds.view(), derivatives.view(), entries.view()});
-    expect_only_stored_elements_written(derivatives.storage(), std::vector<bool>(77, false));
-    expect_only_stored_elements_written(entries.storage(), std::vector<bool>(77, false));
-    expect_only_stored_elements_written(svds.storage(), std::vector<bool>(77, true));
+    expect_only_stored_elements_written(derivatives.untyped(), std::vector<bool>(77, false));
+    expect_only_stored_elements_written(entries.untyped(), std::vector<bool>(77, false));
+    expect_only_stored_elements_written(svds.untyped(), std::vector<bool>(77, true));
     for (int k = 18; k < 21; ++k) ASSERT_EQ(svds.getdata(76, k), 6);
     EXPECT_EQ(derivatives.take_losses().falsified(), 0U) << "1e30 would be no half, but is not stored as one";
   };
@@ -139,10 +139,10 @@ TYPED_TEST(NothingStored, is_what_copies_write_for_pruned_fields) {
   std::mt19937 random(seed());
   const auto check = [&](const auto& full, auto& part) {
     poison(part);
-    copy_range(part.storage(), full.storage(), 5, 44);
+    copy_range(part.untyped(), full.untyped(), 5, 44);
     std::vector<bool> written(50, false);
     std::fill(written.begin() + 5, written.begin() + 44, true);
-    expect_only_stored_elements_written(part.storage(), written);
+    expect_only_stored_elements_written(part.untyped(), written);
   };
   Array<PatchObject, float, Host, TypeParam> patches(50);
   Array<PatchObject, float, Host, TypeParam, PartOfPatch> parts(50);
@@ -174,7 +174,7 @@ TYPED_TEST(NothingStored, of_one_rotation_the_other_is_stored_as_a_quaternion) {
   copy(from_full, full);
   expect_part_of(part, full);
   expect_part_of(from_full, full);
-  EXPECT_EQ(part.storage().fields[0].visible_count(), 9);
+  EXPECT_EQ(part.untyped().fields[0].visible_count(), 9);
 }
 
 TYPED_TEST(NothingStored, of_any_field_there_are_objects_all_the_same) { check_only_pruned_fields<Host, TypeParam>(); }

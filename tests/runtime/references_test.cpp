@@ -1,5 +1,5 @@
 // References: what is written over them means the same for one object, a pack and any storage format, or it does not
-// compile. What a compiler must refuse stands here as static_asserts; messages are checked in must_not_compile.cpp.
+// compile. What a compiler must refuse stands here as static_asserts; refused_references.cpp checks the messages.
 #include <physgen/kernel.h>
 #include <physgen/parallel_for.h>
 

@@ -75,13 +75,13 @@ void expect_rows(const Rows& rows, const RowModel<typename Rows::Value>& expecte
 /// Puts what no kernel may see into the memory behind the last object.
 template <class Array>
 void plant_garbage(Array& array) {
-  const Storage storage = array.storage();
-  for (index_t i = storage.size; i < storage.padded; ++i) {
-    for (const FieldInfo& field : storage.fields) {
+  const UntypedArray untyped = array.untyped();
+  for (index_t i = untyped.size; i < untyped.padded; ++i) {
+    for (const FieldInfo& field : untyped.fields) {
       const int size = element_bytes(field.type);
       for (int k = 0; k < field.count; ++k) {
         std::byte* at =
-            storage.base + address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+            untyped.base + address_by_law(field.offset + k * size, i, untyped.pitch, untyped.record_bytes, size);
         const std::uint64_t bits = field.type == ElementType::int32     ? 0x7fffffff
                                    : field.type == ElementType::float64 ? 0x7ff4000000000000
                                                                         : 0x7fa00000;

@@ -70,7 +70,7 @@ void check_changes(index_t n, std::mt19937& random) {
   Tested converted(n);
   copy(converted, other.array);
   const Model others = objects_of(converted);
-  if (is_exact(array.storage())) {
+  if (is_exact(array.untyped())) {
     ASSERT_EQ(others, other.model);
   }
   model.insert(model.end(), others.begin(), others.end());

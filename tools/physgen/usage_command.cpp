@@ -138,6 +138,14 @@ class UsageCommand {
       err_ << usage::text_of(use.place) << ": error: " << use.what << " may use any field of " << use.array
            << " in any way; use its fields by name, or declare all of them as input() and output() of a scene\n";
     }
+    for (const usage::Race& race : found.races) {
+      sound = false;
+      err_ << usage::text_of(race.writer_place) << ": error: " << usage::text_of(race) << '\n';
+    }
+    for (const usage::Dependence& dependence : found.dependences) {
+      sound = false;
+      err_ << usage::text_of(dependence.place) << ": error: " << usage::text_of(dependence) << '\n';
+    }
     return sound;
   }
 

@@ -11,14 +11,18 @@ import sys
 from dataclasses import dataclass
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
+import readme_figures  # noqa: E402
+import readme_sentences  # noqa: E402
+import readme_tables  # noqa: E402
 import rows  # noqa: E402
-from readme import READMES, elsewhere, pictures, sentences, tables  # noqa: E402
 from truthcube import records  # noqa: E402
 
-HELP = """Compares the figures of READMEs with the checked-in results (--check), or writes them anew (--write): tables
+HELP = """Compares the figures of READMEs with the checked-in results (--check), or replaces them (--write): tables
 between <!-- figures: NAME, from FILE.json --> and <!-- end of figures -->, figures in sentences, and pictures; and the
-table of packages with tools/packages.txt. What stands where is listed in tools/report/readme."""
-LIST = "tools/report/readme"
+table of packages with tools/packages.txt. tools/report/readme_figures.py lists the READMEs and says where figures are described."""
+LIST = "tools/report/readme_figures.py"
+SENTENCES = "tools/report/readme_sentences.py"
+TABLES = "tools/report/readme_tables.py"
 RESULTS = "tools/report/results"
 BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w./]+) -->\n")
 END = "<!-- end of figures -->\n"
@@ -44,7 +48,7 @@ class File:
         found = [row for row in self.rows if any(_fits(row.name, pattern) for pattern in patterns)]
         if not found:
             raise FiguresError(
-                f"{RESULTS}/{self.name} has no row {' or '.join(patterns)}; measure it, or mend the name in {LIST}"
+                f"{RESULTS}/{self.name} has no row {' or '.join(patterns)}; measure it, or mend the name in {SENTENCES} or {TABLES}"
             )
         return found
 
@@ -52,7 +56,7 @@ class File:
         """The only row of that name. @throws FiguresError where there is none, or more than one"""
         found = self.all(pattern)
         if len(found) > 1:
-            raise FiguresError(f"{RESULTS}/{self.name} has {len(found)} rows {pattern}; say more in {LIST}")
+            raise FiguresError(f"{RESULTS}/{self.name} has {len(found)} rows {pattern}; say more in {SENTENCES} or {TABLES}")
         return found[0]
 
 
@@ -87,19 +91,19 @@ class Checkout:
     def edits(self, readme, text):
         """All of a README's figures that results hold, in order. @throws FiguresError"""
         found = []
-        for begin, end, table, file in tables_in(readme, text):
+        for begin, end, table, file in tables(readme, text):
             found += self._table(begin, end, table, file, f"{readme}:{line(text, begin) - 1}", text)
-        for sentence in sentences.SENTENCES:
+        for sentence in readme_sentences.SENTENCES:
             if sentence.readme == readme:
                 found += self._sentence(sentence, text)
         return sorted(found, key=lambda edit: edit.begin)
 
     def _table(self, begin, end, table, file, place, text):
-        if table not in tables.TABLES:
-            there = ", ".join(tables.TABLES)
-            raise FiguresError(f"{place}: there is no table '{table}' in {LIST}; it has {there}")
+        if table not in readme_tables.TABLES:
+            there = ", ".join(readme_tables.TABLES)
+            raise FiguresError(f"{place}: there is no table '{table}' in {TABLES}; it has {there}")
         source = self.file(file) if file.endswith(".json") and "/" not in file else self.text(file)
-        wanted = tables.TABLES[table](source).splitlines(keepends=True)
+        wanted = readme_tables.TABLES[table](source).splitlines(keepends=True)
         present = text[begin:end].splitlines(keepends=True)
         if len(wanted) != len(present):
             return [Edit(begin, end, "".join(wanted), file)]
@@ -114,24 +118,24 @@ class Checkout:
         if len(found) != 1:
             raise FiguresError(
                 f"{sentence.readme} has {len(found) or 'no'} sentences \"{sentence.words}\" for {sentence.file}; "
-                f"where the sentence was changed, change it in {LIST}, too"
+                f"where the sentence was changed, change it in {SENTENCES}, too"
             )
         figures = sentence.figures(self.file(sentence.file))
         if len(figures) != found[0].re.groups:
-            raise FiguresError(f"{LIST}: {len(figures)} figures do not fit into \"{sentence.words}\"")
+            raise FiguresError(f"{SENTENCES}: {len(figures)} figures do not fit into \"{sentence.words}\"")
         return [Edit(*found[0].span(k + 1), figure, sentence.file) for k, figure in enumerate(figures)]
 
     def unaccounted(self, readme, text, edits):
         """Places of what looks measured, but is neither held by results nor listed as from elsewhere."""
-        if readme not in elsewhere.COMPLETE:
+        if readme not in readme_figures.COMPLETE:
             return []
-        first, last = elsewhere.COMPLETE[readme]
+        first, last = readme_figures.COMPLETE[readme]
         begin = text.find(first)
         end = text.find(last, begin + len(first)) if last else len(text)
         if begin < 0 or end < 0:
             raise FiguresError(f"{readme} has no part from '{first}' to '{last}'; change {LIST}, too")
         known = [(edit.begin, edit.end) for edit in edits]
-        for words, _ in elsewhere.ELSEWHERE[readme]:
+        for words, _ in readme_figures.ELSEWHERE[readme]:
             found = list(_pattern(words).finditer(text))
             if len(found) != 1:
                 raise FiguresError(f"{readme} has {len(found)} times \"{words}\", which {LIST} says it has once")
@@ -142,23 +146,26 @@ class Checkout:
             if not any(first <= match.start() and match.end() <= last for first, last in known)
         ]
 
+    def differences_in(self, readme):
+        """Lines of text that say where a README disagrees with results. @throws FiguresError, rows.ResultsError"""
+        found, text = [], self.text(readme)
+        edits = self.edits(readme, text)
+        for edit in edits:
+            present = text[edit.begin : edit.end]
+            if present != edit.wanted:
+                difference = _difference(present, edit.wanted)
+                found.append(f"{readme}:{line(text, edit.begin)}: {difference} in {edit.file}")
+        for match in self.unaccounted(readme, text, edits):
+            found.append(
+                f"{readme}:{line(text, match.start())}: '{match[0]}' is held by no results; list its sentence in "
+                f"{SENTENCES} or, with where it is from, in {LIST} under ELSEWHERE"
+            )
+        return found
+
     def differences(self):
-        """What disagrees, as lines of text. @throws FiguresError, rows.ResultsError"""
-        found = []
-        for readme in READMES:
-            text = self.text(readme)
-            edits = self.edits(readme, text)
-            for edit in edits:
-                present = text[edit.begin : edit.end]
-                if present != edit.wanted:
-                    difference = _difference(present, edit.wanted)
-                    found.append(f"{readme}:{line(text, edit.begin)}: {difference} in {edit.file}")
-            for match in self.unaccounted(readme, text, edits):
-                found.append(
-                    f"{readme}:{line(text, match.start())}: '{match[0]}' is held by no results; list its sentence in "
-                    f"{LIST}, under SENTENCES or, with where it is from, under ELSEWHERE"
-                )
-        for picture in pictures.PICTURES:
+        """Lines of text that say where READMEs and pictures disagree with results. @throws FiguresError, rows.ResultsError"""
+        found = [difference for readme in readme_figures.READMES for difference in self.differences_in(readme)]
+        for picture in readme_figures.PICTURES:
             if not self._is_drawn(picture):
                 found.append(f"{picture.path}: not drawn from the present {' and '.join(picture.files)}")
         return found
@@ -166,12 +173,12 @@ class Checkout:
     def write(self):
         """@return names of the files that changed"""
         texts = {}
-        for readme in READMES:
+        for readme in readme_figures.READMES:
             text = self.text(readme)
             for edit in reversed(self.edits(readme, text)):
                 text = text[: edit.begin] + edit.wanted + text[edit.end :]
             texts[readme] = text
-        for picture in pictures.PICTURES:
+        for picture in readme_figures.PICTURES:
             if not self._is_drawn(picture):
                 texts[picture.path] = self._draw(picture)
         changed = [name for name, text in texts.items() if not (self.root / name).exists() or text != self.text(name)]
@@ -203,7 +210,7 @@ def _difference(present, wanted):
     return "\n".join(["a table that has other lines", *(line for line in lines if line[0] in "+-"), "as"])
 
 
-def tables_in(readme, text):
+def tables(readme, text):
     """(begin, end, name, file) of each table in a README. @throws FiguresError where a table has no end"""
     found = []
     for match in BEGIN.finditer(text):

@@ -3,7 +3,7 @@
 // later transfers.
 #pragma once
 
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <memory>
 
@@ -14,7 +14,7 @@ class ChunkedUpload {
  public:
   /// @param to in CUDA memory; @param begin, end which of its objects
   /// @throw Error when pinned memory cannot be had, without CUDA, and while `stream` is being captured
-  ChunkedUpload(const Storage& to, index_t begin, index_t end, Stream stream);
+  ChunkedUpload(const UntypedArray& to, index_t begin, index_t end, Stream stream);
   ~ChunkedUpload();
   ChunkedUpload(const ChunkedUpload&) = delete;
   ChunkedUpload& operator=(const ChunkedUpload&) = delete;
@@ -23,7 +23,7 @@ class ChunkedUpload {
   /// @return false when all have been sent; the transfers may still be under way
   bool next();
   /// Pinned memory in the form of the target: its formats and layout, for the objects begin() .. begin() + size - 1.
-  [[nodiscard]] const Storage& chunk() const;
+  [[nodiscard]] const UntypedArray& chunk() const;
   [[nodiscard]] index_t begin() const;
 
  private:
@@ -36,14 +36,14 @@ class ChunkedDownload {
  public:
   /// @param from in CUDA memory; @param begin, end which of its objects
   /// @throw Error when pinned memory cannot be had, without CUDA, and while `stream` is being captured
-  ChunkedDownload(const Storage& from, index_t begin, index_t end, Stream stream);
+  ChunkedDownload(const UntypedArray& from, index_t begin, index_t end, Stream stream);
   ~ChunkedDownload();
   ChunkedDownload(const ChunkedDownload&) = delete;
   ChunkedDownload& operator=(const ChunkedDownload&) = delete;
 
   /// Waits for the next chunk; the ones after it are on their way meanwhile. @return false when there is none
   bool next();
-  [[nodiscard]] const Storage& chunk() const;
+  [[nodiscard]] const UntypedArray& chunk() const;
   [[nodiscard]] index_t begin() const;
 
  private:

@@ -1,9 +1,9 @@
 // A cursor stands on one object of an array (or on the objects of a SIMD pack) and turns byte offsets of the record
-// into addresses. This file holds the one line of address arithmetic; generated accessors and kernels only use it.
+// into addresses by the law (layout/address.h); generated accessors and kernels only use it.
 #pragma once
 
 #include <physgen/field_ref.h>
-#include <physgen/layout/pitch.h>
+#include <physgen/layout/address.h>
 #include <physgen/losses.h>
 #include <physgen/pack.h>
 
@@ -117,7 +117,9 @@ class Cursor : private LossSink {
   PHYSGEN_FUNCTION Cursor(Byte* base, Pitch pitch, I i, Losses* losses)
       : LossSink(losses, static_cast<index_t>(i)),
         lane_(pitch.lane(static_cast<index_t>(i))),
-        object_(base + pitch.tile(static_cast<index_t>(i)) * pitch.value() * kRecord.stored + lane_ * kRecord.lane),
+        object_(base +
+                law::tile_begin(pitch.tile(static_cast<index_t>(i)), law::tile_bytes(pitch.value(), kRecord.stored)) +
+                law::lane_begin(lane_, kRecord.lane)),
         pitch_(pitch) {}
 
   /// A reference to the field that begins at byte `offset` of the record: of one element, as element() gives it; else a
@@ -136,7 +138,7 @@ class Cursor : private LossSink {
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) element(int offset, int k = 0) const {
     if constexpr (format::is_plain<Format, T> && !of_a_local) {
-      return static_cast<Element<T>&>(address<T>(offset)[k * pitch_.value()]);
+      return static_cast<Element<T>&>(address<T>(offset)[law::channel_begin(k, pitch_.value())]);
     } else {
       return ElementRef<Format, T, Cursor>(*this, offset, k);
     }
@@ -146,7 +148,7 @@ class Cursor : private LossSink {
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION T load(int offset, int k) const {
     using Stored = typename Format::template Stored<T>;
-    return Format::template decode<T>(address<Stored>(offset)[k * pitch_.value()]);
+    return Format::template decode<T>(address<Stored>(offset)[law::channel_begin(k, pitch_.value())]);
   }
   template <class Format, class T>
   PHYSGEN_FUNCTION void store(int offset, int k, const T& value) const {
@@ -155,7 +157,7 @@ class Cursor : private LossSink {
       using Stored = typename Format::template Stored<T>;
       const Stored stored = Format::template encode<T>(value);
       this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
-      address<Stored>(offset)[k * pitch_.value()] = stored;
+      address<Stored>(offset)[law::channel_begin(k, pitch_.value())] = stored;
     }
   }
   /// Adds to kCount elements, from the k-th on, to which other threads may add at the same time.
@@ -180,12 +182,14 @@ class Cursor : private LossSink {
     }
 #endif
     PHYSGEN_UNROLL
-    for (int e = 0; e < kCount; ++e) detail::add_atomically(address<T>(offset)[(k + e) * pitch_.value()], values[e]);
+    for (int e = 0; e < kCount; ++e)
+      detail::add_atomically(address<T>(offset)[law::channel_begin(k + e, pitch_.value())], values[e]);
   }
   /// Of an element whose format is a probe. @return T*, or const T* in a read-only array
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION auto address_of(int offset, int k) const {
-    return Format::template address<T>(address<typename Format::template Stored<T>>(offset) + k * pitch_.value());
+    return Format::template address<T>(address<typename Format::template Stored<T>>(offset) +
+                                       law::channel_begin(k, pitch_.value()));
   }
   /// In checked builds, counts a matrix that is none of a rotation.
   template <class T>
@@ -196,7 +200,7 @@ class Cursor : private LossSink {
   /// The cursor of an object nested at byte `offset` of this one.
   [[nodiscard]] PHYSGEN_FUNCTION Cursor nested(int offset) const {
     Cursor inner = *this;
-    inner.object_ += offset * pitch_.value();
+    inner.object_ += law::channel_begin(offset, pitch_.value());
     inner.advance(offset);
     inner.offset_ += offset;
     return inner;
@@ -259,12 +263,14 @@ class Cursor : private LossSink {
   template <class T>
   [[nodiscard]] PHYSGEN_FUNCTION Element<T>* address(int offset) const {
     constexpr index_t correction = index_t{sizeof(T)} - kRecord.lane;
-    return reinterpret_cast<Element<T>*>(object_ + offset * pitch_.value() + lane_ * correction);
+    return reinterpret_cast<Element<T>*>(object_ + law::channel_begin(offset, pitch_.value()) +
+                                         law::lane_begin(lane_, correction));
   }
 
-  // All fields of an object share object_; computed per field, compilers would not find what is common.
-  index_t lane_;  // the object's place in its tile
-  Byte* object_;  // where the element at offset 0 lies, were it kRecord.lane wide
+  // All fields of an object share object_; computed per field, compilers would not find what is common. It is the
+  // address of an element at offset 0 with kRecord.lane bytes; address() adds what elements of another size need.
+  index_t lane_;
+  Byte* object_;
   Pitch pitch_;
   int offset_ = 0;  // of the object or field it stands on in its record; a constant, once inlined
 };

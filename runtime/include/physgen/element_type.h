@@ -40,6 +40,28 @@ struct ElementTypeFacts {
 [[nodiscard]] PHYSGEN_FUNCTION constexpr int element_bytes(ElementType type) { return facts(type).bytes; }
 [[nodiscard]] PHYSGEN_FUNCTION constexpr double relative_error(ElementType type) { return facts(type).relative_error; }
 
+/// The bits of an element that has no value yet: a signalling NaN, where numbers lie in equal steps the pattern that
+/// stands for NaN, and of integers the lowest, which is no index.
+[[nodiscard]] PHYSGEN_FUNCTION constexpr std::uint64_t bits_of_no_value(ElementType type) {
+  switch (type) {
+    case ElementType::float32:
+      return 0x7fa00000;
+    case ElementType::float64:
+      return 0x7ff4000000000000;
+    case ElementType::half:
+      return 0x7d00;
+    case ElementType::bfloat16:
+      return 0x7fa0;
+    case ElementType::snorm16:
+      return 0x8000;
+    case ElementType::int32:
+      return 0x80000000;
+    case ElementType::none:
+      break;
+  }
+  return 0;
+}
+
 /// The ElementType of a C++ type.
 template <class T>
   requires(std::is_same_v<T, float> || std::is_same_v<T, double> || std::is_same_v<T, std::int32_t>)

@@ -136,28 +136,12 @@ struct LocalMemory<Local<Object, Real, Formats_, Tag>, I, Space> {
     constexpr ElementType type = Object::template fields<Real, Formats>[f].type;
     constexpr int offset = Object::template fields<Real, Formats>[f].offset;
     constexpr int count = Object::template fields<Real, Formats>[f].count;
-    constexpr std::uint64_t bits = invalid_bits(type);
+    constexpr std::uint64_t bits = bits_of_no_value(type);
     constexpr int size = element_bytes(type);
     for (int at = 0; at < count * width; ++at) {
       for (int b = 0; b < size; ++b) {
         memory[offset * width + at * size + b] = static_cast<std::byte>(bits >> (8 * b) & 0xff);
       }
-    }
-  }
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr std::uint64_t invalid_bits(ElementType type) {
-    switch (type) {
-      case ElementType::float32:
-        return 0x7fa00000;
-      case ElementType::float64:
-        return 0x7ff4000000000000;
-      case ElementType::half:
-        return 0x7d00;
-      case ElementType::bfloat16:
-        return 0x7fa0;
-      case ElementType::snorm16:
-        return 0x8000;  // stands for NaN
-      default:
-        return 0x80000000;  // the lowest integer
     }
   }
 };
@@ -179,6 +163,12 @@ struct Frame : LocalMemory<Local, I, Space>... {
     return LocalMemory<Wanted, I, Space>::object(i);
   }
 };
+
+/// Whether one of the fused kernels that gave the index has the local.
+template <class Index, class Local>
+inline constexpr bool has_local = false;
+template <class I, class Frame, class Local>
+inline constexpr bool has_local<Own<I, Frame>, Local> = Frame::template has<Local> || has_local<I, Local>;
 
 template <class Step, class Index>
 PHYSGEN_FUNCTION constexpr void check_step() {
@@ -249,6 +239,10 @@ struct Fused<Locals<Local...>, Step...> {
 #else
     using Space = Host;
 #endif
+    static_assert((!detail::has_local<I, Local> && ...),
+                  "fuse() inside of another: both name this local, and the inner one would have a record of its own, "
+                  "which nothing has written; name it in the outer locals(...) alone, and in the inner one "
+                  "fuse(locals(), ...)");
     using Frame = detail::Frame<detail::Bare<I>, Space, Local...>;
     Frame frame;
     return steps.run(Own<I, Frame>{i, &frame});

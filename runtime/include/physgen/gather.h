@@ -71,7 +71,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
     Gathered gathered(size);
     const auto view = gathered.view();
     detail::host_loop(size, [&](index_t i) { view.put(i, object_of(i)); });
-    throw_if_falsified(gathered.take_losses(), gathered.storage());
+    throw_if_falsified(gathered.take_losses(), gathered.untyped());
     array = std::move(gathered);
   } else {
     // Packed in chunks, in the array's own form, while the chunk before is transferred.
@@ -79,7 +79,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
     constexpr bool cannot_fail = std::is_nothrow_invocable_v<const ObjectOf&, index_t> && !checked_build;
     const bool in_place = cannot_fail && array.size() == size;
     Gathered fresh(in_place ? 0 : size);
-    const Storage target = in_place ? array.storage() : fresh.storage();
+    const UntypedArray target = in_place ? array.untyped() : fresh.untyped();
     ChunkedUpload upload(target, 0, size, stream);
     Losses losses;
     while (upload.next()) {
@@ -128,7 +128,7 @@ void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const 
     detail::host_loop(view.size(), [&](index_t i) { set(i, view.get(i)); });
   } else {
     using Pinned = Array<Object, Real, PinnedHost, Layout, Formats>;
-    ChunkedDownload download(array.storage(), 0, array.size(), stream);
+    ChunkedDownload download(array.untyped(), 0, array.size(), stream);
     while (download.next()) {
       const typename Pinned::ConstView chunk(download.chunk().base, download.chunk().size, download.chunk().pitch);
       const index_t begin = download.begin();

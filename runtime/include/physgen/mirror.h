@@ -72,7 +72,7 @@ class ChangedObjects {
 };
 
 /// Whether both store every element in the same format, so that copies both ways change no bit.
-[[nodiscard]] bool same_formats(const Storage& a, const Storage& b);
+[[nodiscard]] bool same_formats(const UntypedArray& a, const UntypedArray& b);
 
 }  // namespace detail
 
@@ -104,11 +104,11 @@ class Mirror {
   Mirror() = default;
   /// `size` objects with initial values on both sides.
   /// @throw Error when size is negative or the memory cannot be had
-  explicit Mirror(index_t size) : host_(size), device_(size), changed_(size, host_.storage().object) {}
+  explicit Mirror(index_t size) : host_(size), device_(size), changed_(size, host_.untyped().object) {}
   /// The objects of `host`, all of them newer there.
   /// @throw Error when the memory cannot be had
   explicit Mirror(HostArray host)
-      : host_(std::move(host)), device_(host_.size()), changed_(host_.size(), host_.storage().object) {
+      : host_(std::move(host)), device_(host_.size()), changed_(host_.size(), host_.untyped().object) {
     changed_.mark(Side::host, 0, size());
   }
   Mirror(const Mirror&) = default;
@@ -140,14 +140,14 @@ class Mirror {
   /// device's objects.
   /// @throw Error when there are no such objects or a copy fails; the other side's objects then stay the newer ones
   [[nodiscard]] typename HostArray::ConstView read_host(index_t begin, index_t end, Stream stream = nullptr) {
-    update(host_.storage(), device_.storage(), Side::device, begin, end, stream);
+    update(host_.untyped(), device_.untyped(), Side::device, begin, end, stream);
     return host_.const_view();
   }
   [[nodiscard]] typename HostArray::ConstView read_host(Stream stream = nullptr) {
     return read_host(0, size(), stream);
   }
   [[nodiscard]] typename DeviceArray::ConstView read_device(index_t begin, index_t end, Stream stream = nullptr) {
-    update(device_.storage(), host_.storage(), Side::host, begin, end, stream);
+    update(device_.untyped(), host_.untyped(), Side::host, begin, end, stream);
     return device_.const_view();
   }
   [[nodiscard]] typename DeviceArray::ConstView read_device(Stream stream = nullptr) {
@@ -175,7 +175,7 @@ class Mirror {
   }
 
  private:
-  void update(const Storage& to, const Storage& from, Side newer, index_t begin, index_t end, Stream stream) {
+  void update(const UntypedArray& to, const UntypedArray& from, Side newer, index_t begin, index_t end, Stream stream) {
     auto ranges = changed_.newer(newer, begin, end);
     if (ranges.empty()) return;
     if (to.space != SpaceKind::host || from.space != SpaceKind::host) {

@@ -16,8 +16,9 @@ template <class I>
 struct RowVisit {
   static_assert(std::is_integral_v<I>, "rows of packs need <physgen/parallel_for.h>; a gathered index has no rows");
 
-  template <class T, class Ranges, class Entries, class Body>
-  [[gnu::flatten]] PHYSGEN_FUNCTION static void each(const Ranges& ranges, const Entries& entries, I i,
+  /// @tparam Index I, or an Own that holds one
+  template <class T, class Ranges, class Entries, class Index, class Body>
+  [[gnu::flatten]] PHYSGEN_FUNCTION static void each(const Ranges& ranges, const Entries& entries, const Index& i,
                                                      const Body& body) {
     const auto range = ranges[i];
     const index_t begin = range.begin(), end = range.end();
@@ -107,7 +108,7 @@ class Rows {
   /// S(0)))`. (Entries are written by kernels over entries, where no two lanes are one.)
   template <class T = Precision, class I, class Body>
   PHYSGEN_FUNCTION void for_each(const I& i, const Body& body) const {
-    detail::RowVisit<detail::Bare<I>>::template each<T>(ranges_, detail::read_only(entries_), detail::bare(i), body);
+    detail::RowVisit<detail::Bare<I>>::template each<T>(ranges_, detail::read_only(entries_), i, body);
   }
 
   /// For each entry of row(s) i, in their order: total = step(total, entry). Lanes whose rows have ended keep theirs.

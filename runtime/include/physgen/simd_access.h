@@ -21,14 +21,14 @@ class ConsecutiveCursor : public SimdCursor<Derived, W> {
 
   ConsecutiveCursor(Byte* base, Pitch pitch, index_t begin, Losses* losses)
       : Base(losses, begin),
-        tile_(base + pitch.tile(begin) * pitch.value() * kRecord.stored),
+        tile_(base + law::tile_begin(pitch.tile(begin), law::tile_bytes(pitch.value(), kRecord.stored))),
         lane_(pitch.lane(begin)),
         pitch_(pitch) {}
 
  public:
   [[nodiscard]] Derived nested(int offset) const {
     Derived inner = static_cast<const Derived&>(*this);
-    inner.tile_ += offset * pitch_.value();
+    inner.tile_ += law::channel_begin(offset, pitch_.value());
     inner.advance(offset);
     return inner;
   }
@@ -42,10 +42,10 @@ class ConsecutiveCursor : public SimdCursor<Derived, W> {
   [[nodiscard]] auto* address(int offset, int l) const {
     using Element = std::conditional_t<std::is_const_v<Byte>, const T, T>;
     if constexpr (Layout::contiguous(W)) {
-      return reinterpret_cast<Element*>(tile_ + offset * pitch_.value()) + lane_ + l;
+      return reinterpret_cast<Element*>(tile_ + law::channel_begin(offset, pitch_.value()) +
+                                        law::lane_begin(lane_ + l, sizeof(T)));
     } else {
-      Byte* tile = tile_ + pitch_.tile(l) * pitch_.value() * kRecord.stored;
-      return reinterpret_cast<Element*>(tile + offset * pitch_.value()) + pitch_.lane(l);
+      return reinterpret_cast<Element*>(law::element(tile_, pitch_, kRecord.stored, l, offset, sizeof(T)));
     }
   }
 

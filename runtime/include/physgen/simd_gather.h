@@ -29,7 +29,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
 
   [[nodiscard]] Cursor nested(int offset) const {
     Cursor inner = *this;
-    inner.base_ += offset * pitch_.value();
+    inner.base_ += law::channel_begin(offset, pitch_.value());
     inner.advance(offset);
     return inner;
   }
@@ -83,8 +83,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   [[nodiscard]] auto* address(int offset, int l) const {
     using Element = std::conditional_t<std::is_const_v<Byte>, const T, T>;
     const index_t i = index_[static_cast<std::size_t>(l)];
-    Byte* tile = base_ + pitch_.tile(i) * pitch_.value() * kRecord.stored;
-    return reinterpret_cast<Element*>(tile + offset * pitch_.value()) + pitch_.lane(i);
+    return reinterpret_cast<Element*>(law::element(base_, pitch_, kRecord.stored, i, offset, sizeof(T)));
   }
 
   Byte* base_;

@@ -14,8 +14,8 @@ struct RowVisit<I> {
 
   // Lane by lane where integers are compared: compilers vectorise these loops, and without optimization xsimd 8.1 has
   // no comparison of integers for AVX-512.
-  template <class T, class Ranges, class Entries, class Body>
-  [[gnu::flatten]] static void each(const Ranges& ranges, const Entries& entries, const I& i, const Body& body) {
+  template <class T, class Ranges, class Entries, class Index, class Body>
+  [[gnu::flatten]] static void each(const Ranges& ranges, const Entries& entries, const Index& i, const Body& body) {
     using Integers = batch_t<std::int32_t, W>;
     using Numbers = batch_t<T, W>;
     const auto range = ranges[i];

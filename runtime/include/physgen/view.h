@@ -4,9 +4,9 @@
 #include <physgen/cursor.h>
 #include <physgen/error.h>
 #include <physgen/layout.h>
+#include <physgen/object_ref.h>
 #include <physgen/space.h>
 
-#include <concepts>
 #include <cstdio>
 #include <string>
 
@@ -18,36 +18,16 @@ extern "C" __device__ void physgen_a_kernel_on_the_device_uses_a_view_of_Host_me
 
 namespace physgen {
 
-/// References to objects that are read as `Value`: of any layout and format.
-template <class Ref, class Value>
-concept ReadsAs = requires(const Ref& ref) {
-  { ref.get() } -> std::same_as<const Value>;
-};
+namespace detail {
 
-/// Copies the object(s) that `from` refers to; what generated references are assigned by. @return to
-template <class Ref, class From>
-PHYSGEN_FUNCTION const Ref& assign(const Ref& to, const From& from) {
-  to.put(from.get());
-  return to;
-}
+template <class View>
+inline constexpr bool stores_all_fields = [] {
+  for (const auto& field : View::Object::template fields<typename View::Precision, typename View::Formats>)
+    if (field.type == ElementType::none) return false;
+  return true;
+}();
 
-/// Exchanges the objects that two references refer to: `swap(view[i], view[j])`.
-template <class Ref>
-  requires ReadsAs<Ref, typename Ref::Value>
-PHYSGEN_FUNCTION void swap(const Ref& a, const Ref& b) {
-  const auto before = a.get();
-  a.put(b.get());
-  b.put(before);
-}
-
-/// Elements that are stored as they are computed, of single objects: `swap(view[i].m(), view[j].m())`.
-template <class T>
-  requires std::is_arithmetic_v<T>
-PHYSGEN_FUNCTION void swap(T& a, T& b) {
-  const T before = a;
-  a = b;
-  b = before;
-}
+}  // namespace detail
 
 /// @tparam Object a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double; const for a read-only view
@@ -59,11 +39,12 @@ PHYSGEN_FUNCTION void swap(T& a, T& b) {
 /// A kernel on the device that uses a view of Host memory does not link. With PHYSGEN_CHECKED, an index out of range, a
 /// null view and a view of CUDA memory used on the host are reported: an Error on the host, a message and a trap on the
 /// device; values that a storage format cannot hold are counted (losses.h).
-template <class Object, class Real, class Layout_, class Formats_, class Space_ = Host>
+template <class Object_, class Real, class Layout_, class Formats_, class Space_ = Host>
 class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_address]] members out unlike its host
   using Pitch = typename Layout_::Pitch;
 
  public:
+  using Object = Object_;
   using Layout = Layout_;
   using Formats = Formats_;
   using Space = Space_;
@@ -78,7 +59,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   using CursorAt = Cursor<Byte, Layout, RecordSize{Record::bytes, record_bytes, lane_bytes}, I>;
   /// The reference to object(s) under an index of type I, and its value type.
   template <class I>
-  using Ref = typename Object::template Ref<Precision, Formats, CursorAt<I>>;
+  using Ref =
+      typename Object::template Ref<Precision, format::FormatsAt<Formats, detail::is_own<I> || detail::AnyPack<I>>,
+                                    CursorAt<detail::Bare<I>>>;
   template <class I>
   using Value = typename Object::template Value<lanes_t<Precision, I>>;
 
@@ -111,14 +94,15 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
        format::detail::this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_views = {}) = delete;
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
-  [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const
-    requires(!format::are_probes<Formats>)
-  {
+  /// The memory. Neither of a probed array nor of one with pruned fields: who reads it reads all fields.
+  [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const {
+    static_assert(!format::are_probes<Formats>,
+                  "data(): a probed array has no raw memory, so read and write its fields, view[i].field()");
+    static_assert(detail::stores_all_fields<View>,
+                  "data(): fields of this array are pruned, so what lies in its memory depends on the scene; read and "
+                  "write its fields, view[i].field()");
     return base_;
   }
-  format::detail::a_probed_array_has_no_raw_memory_so_read_and_write_its_fields data() const
-    requires(format::are_probes<Formats>)
-  = delete;
   [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
   /// Where the objects lie.
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr SpaceKind space() { return Space::kind; }
@@ -127,8 +111,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
     requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
-    check(i);
-    return Ref<I>(CursorAt<I>(base_, *this, i, losses()));
+    return at<I>(i);
   }
   /// The object(s) at indices that another array holds: `nodes[tets[i].nodes()[0]]`.
   template <detail::ElementReference I>
@@ -136,8 +119,8 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     return (*this)[detail::operand(std::forward<I>(i))];
   }
   template <class I, class Frame>
-  [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) operator[](const Own<I, Frame>& i) const {
-    return (*this)[i.index];
+  [[nodiscard]] PHYSGEN_FUNCTION Ref<Own<I, Frame>> operator[](const Own<I, Frame>& i) const {
+    return at<Own<I, Frame>>(detail::bare(i));
   }
   /// All fields of object(s) i, by value.
   template <class I>
@@ -167,6 +150,13 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
  private:
   template <class, class, class, class, class>
   friend class View;
+
+  /// @tparam I the index, or an Own that holds it
+  template <class I>
+  [[nodiscard]] PHYSGEN_FUNCTION Ref<I> at(const detail::Bare<I>& i) const {
+    check(i);
+    return Ref<I>(CursorAt<detail::Bare<I>>(base_, *this, i, losses()));
+  }
 
   template <class I>
   PHYSGEN_FUNCTION void check(const I& i) const {

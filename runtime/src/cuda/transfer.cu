@@ -8,21 +8,22 @@
 // one travels, the processor is at the next one.
 #include <physgen/chunked_transfer.h>
 #include <physgen/cuda/check.h>
+#include <physgen/device.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "../backend.h"
+#include "../backend/transfer.h"
 #include "../chunks.h"
 #include "../convert.h"
 #include "../describe.h"
 #include "../host_convert.h"
 #include "../part.h"
 #include "../plain_copy.h"
-#include "device_convert.h"
-#include "pinned_ring.h"
-#include "side_stream.h"
-#include "stream_memory.h"
+#include "parts/device_convert.h"
+#include "parts/pinned_ring.h"
+#include "parts/side_stream.h"
+#include "parts/stream_memory.h"
 
 namespace physgen {
 
@@ -32,17 +33,17 @@ using detail::Chunks;
 using detail::part_of;
 
 // Pinned memory to the device, and back: the transfer of one chunk, then, or before it, the conversion.
-index_t convert_pinned(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+index_t convert_pinned(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
   const bool up = to.space == SpaceKind::cuda;
-  const Storage& travelling = up ? from : to;
+  const UntypedArray& travelling = up ? from : to;
   const Chunks chunks(travelling, begin, end, 4);
   // Two parts and a second stream: one part is converted while the other one travels.
   constexpr index_t parts = 2;
-  Storage part = part_of(travelling, chunks.objects, SpaceKind::cuda);
+  UntypedArray part = part_of(travelling, chunks.objects, SpaceKind::cuda);
   const cuda::StreamMemory memory(parts * part.bytes(), stream);
   const cuda::SideStream side(stream);
   const auto part_for = [&](index_t k) {
-    Storage chunk = part;
+    UntypedArray chunk = part;
     chunk.base = memory.data() + k % parts * part.bytes();
     return chunk;
   };
@@ -77,9 +78,9 @@ index_t convert_pinned(const Storage& to, const Storage& from, index_t begin, in
 }
 
 // Whether the processor converts on the way to or from pageable memory.
-bool processor_converts(const Storage& host, const Storage& device) {
+bool processor_converts(const UntypedArray& host, const UntypedArray& device) {
   if (detail::changed_by_own_functions(host, device) != nullptr) return true;
-  const auto plain = [](const Storage& array) {
+  const auto plain = [](const UntypedArray& array) {
     return std::all_of(array.fields.begin(), array.fields.end(), [](const FieldInfo& field) {
       return !field.is_stored() || (element_bytes(field.type) >= 4 && !field.quaternion);
     });
@@ -90,11 +91,11 @@ bool processor_converts(const Storage& host, const Storage& device) {
 // One chunk of the host's form, pinned and on the device, and where the objects of chunk k lie in it.
 struct Passage {
   Chunks chunks;
-  Storage pinned, part;
+  UntypedArray pinned, part;
   cuda::PinnedRing ring;
   cuda::StreamMemory memory;
 
-  Passage(const Storage& host, index_t begin, index_t end, Stream stream)
+  Passage(const UntypedArray& host, index_t begin, index_t end, Stream stream)
       : chunks(host, begin, end),
         pinned(part_of(host, chunks.objects, SpaceKind::pinned)),
         part(pinned),
@@ -105,14 +106,14 @@ struct Passage {
   }
   [[nodiscard]] index_t in_part(index_t k) const { return chunks.first(k) - chunks.aligned(k); }
   [[nodiscard]] index_t count(index_t k) const { return chunks.last(k) - chunks.first(k); }
-  [[nodiscard]] const Storage& piece(index_t k) {
+  [[nodiscard]] const UntypedArray& piece(index_t k) {
     pinned.base = ring.piece(k);
     return pinned;
   }
 };
 
 // Pageable memory to the device.
-index_t upload(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+index_t upload(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
   if (processor_converts(from, to)) {
     ChunkedUpload chunks(to, begin, end, stream);
     while (chunks.next()) {
@@ -134,7 +135,7 @@ index_t upload(const Storage& to, const Storage& from, index_t begin, index_t en
 }
 
 // The device to pageable memory.
-index_t download(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+index_t download(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
   if (processor_converts(to, from)) {
     ChunkedDownload chunks(from, begin, end, stream);
     while (chunks.next()) {
@@ -163,7 +164,7 @@ index_t download(const Storage& to, const Storage& from, index_t begin, index_t 
 
 }  // namespace
 
-index_t backend::convert(const Storage& to, const Storage& from, index_t begin, index_t end, Stream stream) {
+index_t backend::convert(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
   if (to.space == from.space) {
     cuda::convert(to, 0, from, 0, begin, end, stream);
     return (end - begin) * from.record_bytes;
@@ -183,7 +184,7 @@ index_t backend::convert(const Storage& to, const Storage& from, index_t begin, 
 
 namespace {
 
-const Storage& checked_range(const Storage& array, index_t begin, index_t end) {
+const UntypedArray& checked_range(const UntypedArray& array, index_t begin, index_t end) {
   if (array.space == SpaceKind::cuda && begin >= 0 && begin <= end && end <= array.size) return array;
   throw Error("cannot transfer objects " + std::to_string(begin) + " up to " + std::to_string(end) + " of " +
               detail::describe(array) + " in chunks: they must be objects of an array in cuda memory");
@@ -192,15 +193,15 @@ const Storage& checked_range(const Storage& array, index_t begin, index_t end) {
 }  // namespace
 
 struct ChunkedUpload::State {
-  Storage to;
+  UntypedArray to;
   Chunks chunks;
-  Storage chunk;
+  UntypedArray chunk;
   std::optional<cuda::PinnedRing> ring;  // none for no objects
   Stream stream;
   bool padded_records;   // their padding travels, too, and must not be what another transfer left
   index_t filling = -1;  // the chunk that is being filled
 
-  State(const Storage& to_, index_t begin, index_t end, Stream stream_)
+  State(const UntypedArray& to_, index_t begin, index_t end, Stream stream_)
       : to(to_),
         chunks(to_, begin, end),
         chunk(part_of(to_, chunks.objects, SpaceKind::pinned)),
@@ -211,7 +212,7 @@ struct ChunkedUpload::State {
   }
 };
 
-ChunkedUpload::ChunkedUpload(const Storage& to, index_t begin, index_t end, Stream stream)
+ChunkedUpload::ChunkedUpload(const UntypedArray& to, index_t begin, index_t end, Stream stream)
     : state_(std::make_unique<State>(checked_range(to, begin, end), begin, end, stream)) {}
 ChunkedUpload::~ChunkedUpload() = default;
 
@@ -229,19 +230,19 @@ bool ChunkedUpload::next() {
   if (s.padded_records) detail::clear_on_host(s.chunk.base, s.chunk.size * s.chunk.record_bytes);
   return true;
 }
-const Storage& ChunkedUpload::chunk() const { return state_->chunk; }
+const UntypedArray& ChunkedUpload::chunk() const { return state_->chunk; }
 index_t ChunkedUpload::begin() const { return state_->chunks.first(state_->filling); }
 
 struct ChunkedDownload::State {
-  Storage from;
+  UntypedArray from;
   Chunks chunks;
-  Storage chunk;
+  UntypedArray chunk;
   std::optional<cuda::PinnedRing> ring;  // none for no objects
   Stream stream;
   index_t reading = -1;  // the chunk that is being read
   index_t ordered = 0;   // chunks whose transfer has been ordered
 
-  State(const Storage& from_, index_t begin, index_t end, Stream stream_)
+  State(const UntypedArray& from_, index_t begin, index_t end, Stream stream_)
       : from(from_),
         chunks(from_, begin, end),
         chunk(part_of(from_, chunks.objects, SpaceKind::pinned)),
@@ -256,7 +257,7 @@ struct ChunkedDownload::State {
   }
 };
 
-ChunkedDownload::ChunkedDownload(const Storage& from, index_t begin, index_t end, Stream stream)
+ChunkedDownload::ChunkedDownload(const UntypedArray& from, index_t begin, index_t end, Stream stream)
     : state_(std::make_unique<State>(checked_range(from, begin, end), begin, end, stream)) {}
 ChunkedDownload::~ChunkedDownload() = default;
 
@@ -274,7 +275,7 @@ bool ChunkedDownload::next() {
   s.ring->wait(s.reading);
   return true;
 }
-const Storage& ChunkedDownload::chunk() const { return state_->chunk; }
+const UntypedArray& ChunkedDownload::chunk() const { return state_->chunk; }
 index_t ChunkedDownload::begin() const { return state_->chunks.first(state_->reading); }
 
 }  // namespace physgen

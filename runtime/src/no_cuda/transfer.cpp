@@ -1,31 +1,38 @@
-// Transfers in chunks in a build without CUDA: there is nowhere to transfer to.
+// Transfers in a build without CUDA: there is nowhere to transfer to.
+#include "../backend/transfer.h"
+
 #include <physgen/chunked_transfer.h>
 #include <physgen/error.h>
 
-#include "reason.h"
+#include "parts/reason.h"
 
 namespace physgen {
 
+index_t backend::convert(const UntypedArray& /*to*/, const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/,
+                         Stream /*stream*/) {
+  throw Error(backend::reason);
+}
+
 struct ChunkedUpload::State {
-  Storage chunk;
+  UntypedArray chunk;
 };
-ChunkedUpload::ChunkedUpload(const Storage& /*to*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+ChunkedUpload::ChunkedUpload(const UntypedArray& /*to*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
   throw Error(backend::reason);
 }
 ChunkedUpload::~ChunkedUpload() = default;
 bool ChunkedUpload::next() { return false; }
-const Storage& ChunkedUpload::chunk() const { return state_->chunk; }
+const UntypedArray& ChunkedUpload::chunk() const { return state_->chunk; }
 index_t ChunkedUpload::begin() const { return 0; }
 
 struct ChunkedDownload::State {
-  Storage chunk;
+  UntypedArray chunk;
 };
-ChunkedDownload::ChunkedDownload(const Storage& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+ChunkedDownload::ChunkedDownload(const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
   throw Error(backend::reason);
 }
 ChunkedDownload::~ChunkedDownload() = default;
 bool ChunkedDownload::next() { return false; }
-const Storage& ChunkedDownload::chunk() const { return state_->chunk; }
+const UntypedArray& ChunkedDownload::chunk() const { return state_->chunk; }
 index_t ChunkedDownload::begin() const { return 0; }
 
 }  // namespace physgen

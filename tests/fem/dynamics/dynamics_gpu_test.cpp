@@ -1,7 +1,7 @@
 // Motion and linear elasticity on CUDA against the CPU.
 #include <fem/dynamics/explicit.h>
 #include <gtest/gtest.h>
-#include <physgen/storage.h>
+#include <physgen/device.h>
 
 #include "moving.h"
 

@@ -1,6 +1,5 @@
 // What nvcc's compiler of the host finds of the solver on CUDA, and what it does not see. No device is needed.
-#include <fem/solver/product_cuda.h>
-#include <fem/solver/schwarz_cuda.h>
+#include <fem/solver/performed_steps.h>
 
 #include "probe_solver.h"
 

@@ -191,9 +191,9 @@ def extended(arguments):
     objects = []
     sources = sorted((copy / "tools/physgen").glob("layout_*.cpp"))
     for part in ("model", "plan", "emit"):
-        sources += [source for source in sorted((copy / "generator" / part).glob("*.cpp")) if source.stem != "json"]
+        sources += [source for source in sorted((copy / "generator" / part).rglob("*.cpp")) if source.stem != "json"]
     for source in [*sources, arguments.root / "tests/generator/catalog/everything.cpp"]:
-        objects.append(arguments.folder / (source.stem + ".o"))
+        objects.append(arguments.folder / f"{len(objects)}_{source.stem}.o")
         run([*arguments.compiler, f"-I{copy}/generator", f"-I{copy}/tools/physgen", "-c", source, "-o", objects[-1]])
     everything = arguments.folder / "everything"
     run([*arguments.compiler, *objects, *arguments.link, "-o", everything])

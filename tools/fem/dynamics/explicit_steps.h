@@ -85,7 +85,7 @@ template <class View>
 StoreElastic(View) -> StoreElastic<View>;
 
 /// First Piola-Kirchhoff stress of all tets.
-/// @param body ExplicitBody, or arrays of its names
+/// @param body arrays by the names of the scene explicit_dynamics
 /// @param stresses an array of elasticity::Stress, one per tet
 template <class On, class Body, class Material, class Stresses>
 void compute_stresses(On& on, Body& body, const Material& material, Stresses& stresses) {
@@ -115,9 +115,11 @@ void compute_forces(On& on, Body& body, const Material& material) {
                       body.corners.const_view(), body.forces.view()});
 }
 
-/// Leaves the elastic energy in body.measured.
+/// Leaves the energies and the momentum of a body in body.measured.
 template <class On, class Body, class Material>
-void measure_elastic_energy(On& on, Body& body, const Material& material) {
+void measure_explicit_motion(On& on, Body& body, const Material& material) {
+  on.reduce(body.velocities.size(), NodeMotion{body.masses.const_view(), body.velocities.const_view()}, Sum{},
+            StoreMotion{body.measured.view()});
   using Real = typename Material::Scalar;
   const auto F = local<elasticity::DeformationGradientObject, Real>();
   const auto svd = local<elasticity::DeformationSvdObject, Real>();

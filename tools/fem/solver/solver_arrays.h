@@ -23,6 +23,20 @@ template <class Array, class From>
   return array;
 }
 
+/// Fills an array from one that may go afterwards, on the host. @pre both have as many objects
+template <class Array, class From>
+void put(Array& array, const From& from) {
+  copy(array, from);
+  synchronize();
+}
+
+/// The same of rows. @param from RowArrays on the host
+template <class Ranges, class Entries, class Rows>
+void put_rows(Ranges& ranges, Entries& entries, const Rows& from) {
+  put(ranges, from.ranges());
+  put(entries, from.entries());
+}
+
 /// Bytes of arrays, padding included.
 template <class... Arrays>
 [[nodiscard]] index_t bytes_of(const Arrays&... arrays) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <fem/solver/implicit_step.h>
-#include <fem/solver/level_over.h>
 #include <fem/solver/nested_newton.h>
 
 #include <memory>

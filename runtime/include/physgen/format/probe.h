@@ -5,11 +5,38 @@
 #include <physgen/format/native.h>
 #include <physgen/format/quaternion.h>
 
+#include <utility>
+
 namespace physgen {
 
 /// Field number `field` of `Object`, stored as `Base`, in the array that `ArrayTag` names.
 template <class ArrayTag, class Object, int field, class Base>
 struct Probe;
+
+namespace probe {
+
+/// In the place of an array's tag: the same array, under the index that a kernel is called with. What has the plain tag
+/// is under an index that the kernel forms, or under one of which types do not say which it is: that of single objects.
+template <class ArrayTag>
+struct AtOwnIndex {
+  static constexpr const char* name = ArrayTag::name;
+};
+
+/// In the place of an array's tag: an array that stores nothing, and may be read all the same. Where code is another
+/// over it than over the array with all fields, it depends on which fields are stored.
+template <class ArrayTag>
+struct StoringNothing {
+  static constexpr const char* name = ArrayTag::name;
+};
+
+template <class ArrayTag>
+inline constexpr bool stores_nothing = false;
+template <class ArrayTag>
+inline constexpr bool stores_nothing<StoringNothing<ArrayTag>> = true;
+template <class ArrayTag>
+inline constexpr bool stores_nothing<AtOwnIndex<ArrayTag>> = stores_nothing<ArrayTag>;
+
+}  // namespace probe
 
 namespace format {
 
@@ -30,8 +57,15 @@ struct ElementFormat<Probe<ArrayTag, Object, field, Quaternion<Component>>> {
 };
 
 /// Returned by deleted functions, or taken by them: their names are what compilers print.
-struct a_probed_array_has_no_raw_memory_so_read_and_write_its_fields;
 struct this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_views {};
+
+template <template <class, class, class, int> class XProbe, class ArrayTag, class Base, class Object, int first>
+XProbe<probe::AtOwnIndex<ArrayTag>, Base, Object, first> at_own_index(XProbe<ArrayTag, Base, Object, first>);
+
+template <class Formats, bool own>
+struct FormatsAt {
+  using type = Formats;
+};
 
 }  // namespace detail
 
@@ -43,6 +77,20 @@ inline constexpr bool is_probe = detail::is_probe<Format>;
 /// XProbe.
 template <class Formats>
 inline constexpr bool are_probes = requires { typename Formats::array_; };
+
+namespace detail {
+
+template <class Formats>
+  requires are_probes<Formats>
+struct FormatsAt<Formats, true> {
+  using type = decltype(at_own_index(std::declval<Formats>()));
+};
+
+}  // namespace detail
+
+/// The same formats; of a probed array, those that say that the index is the kernel's own.
+template <class Formats, bool own>
+using FormatsAt = typename detail::FormatsAt<Formats, own>::type;
 
 template <class ArrayTag, class Object, int field, class Base>
 inline constexpr bool holds_indices<Probe<ArrayTag, Object, field, Base>> = holds_indices<Base>;

@@ -1,6 +1,7 @@
 // The storage format that tells reads and writes apart.
 #pragma once
 
+#include <physgen/format/nothing.h>
 #include <physgen/probe/registry.h>
 
 namespace physgen {
@@ -49,6 +50,22 @@ struct Probe {
 #ifndef __CUDA_ARCH__
     (void)&probe::detail::Used<ArrayTag, Object, field, access>::use;
 #endif
+  }
+};
+
+/// Of an array that stores nothing. Tells nothing of reads and writes.
+template <class ArrayTag, class Object, int field, class Base>
+  requires(probe::stores_nothing<ArrayTag> && !format::is_quaternion<Base>)
+struct Probe<ArrayTag, Object, field, Base> : format::Nothing {
+  static constexpr double scale = 2, centre = 1;  // of no format
+
+  template <class Real>
+  [[nodiscard]] PHYSGEN_FUNCTION static Real decode(format::detail::NoElement /*stored*/) {
+    return Real();
+  }
+  template <class Real, class Stored>
+  [[nodiscard]] PHYSGEN_FUNCTION static Real* address(Stored* /*stored*/) {
+    return nullptr;
   }
 };
 

@@ -22,11 +22,18 @@ constexpr int lanes_of() {
   return 1;
 }
 
+/// kernel(i) for one object. Types do not tell its index from those that it forms; under packs and in fused kernels
+/// they do.
+template <class Kernel>
+void single_object(const Kernel& kernel) {
+  if (false) (void)kernel(index_t{0});
+}
+
 /// kernel(i), for each kind of index that a program calls it with.
 template <class Kernel, class Space>
 void step(const Kernel& kernel) {
   if (false) {
-    (void)kernel(index_t{0});
+    single_object(kernel);
     constexpr int lanes = lanes_of<Kernel, Space>();
     if constexpr (lanes > 1) (void)kernel(Pack<lanes>{0});
   }

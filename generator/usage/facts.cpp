@@ -1,0 +1,126 @@
+// See facts.h.
+#include "usage/facts.h"
+
+#include <clang/AST/DeclCXX.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/ExprConcepts.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+
+namespace physgen::usage {
+namespace {
+
+class Facts : public clang::RecursiveASTVisitor<Facts> {
+ public:
+  Facts(clang::ASTContext& context, const std::function<Place(clang::SourceLocation)>& place)
+      : context_(context), place_(place) {}
+
+  std::set<Fact> of(const clang::Decl& code) {
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(&code)) {
+      TraverseStmt(const_cast<clang::Expr*>(variable->getAnyInitializer()));
+      return std::move(facts_);
+    }
+    const auto& function = llvm::cast<clang::FunctionDecl>(code);
+    if (function.isDefaulted()) return {};  // whether there is one depends on members
+    add(function.getLocation(), "a call");
+    if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(&function))
+      for (const auto* member : constructor->inits())
+        if (member->isWritten()) TraverseStmt(member->getInit());
+    if (function.doesThisDeclarationHaveABody()) TraverseStmt(function.getBody());
+    return std::move(facts_);
+  }
+
+  static bool TraverseTypeLoc(clang::TypeLoc /*type*/, bool /*qualifier*/ = true) { return true; }
+  // Bodies of lambdas and of local classes are functions of their own.
+  static bool TraverseCXXRecordDecl(clang::CXXRecordDecl* /*record*/) { return true; }
+  bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
+    add(lambda->getBeginLoc(), "a lambda");
+    for (clang::Expr* captured : lambda->capture_inits()) TraverseStmt(captured);
+    return true;
+  }
+  // What does not run is its value alone.
+  bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr* expression) { return value(expression); }
+  bool TraverseRequiresExpr(clang::RequiresExpr* expression) { return value(expression); }
+  bool TraverseConceptSpecializationExpr(clang::ConceptSpecializationExpr* expression) { return value(expression); }
+  bool TraverseTypeTraitExpr(clang::TypeTraitExpr* expression) { return value(expression); }
+  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* expression) { return value(expression); }
+
+  bool VisitStmt(clang::Stmt* statement) {
+    if (!llvm::isa<clang::Expr>(statement)) add(statement->getBeginLoc(), "a statement");
+    return true;
+  }
+  bool VisitIfStmt(clang::IfStmt* statement) {
+    if (statement->isConstexpr()) value(statement->getCond(), statement->getIfLoc());
+    return true;
+  }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
+    const auto* variable = llvm::dyn_cast<clang::VarDecl>(reference->getDecl());
+    name(*reference->getDecl(), reference->getLocation());
+    if (variable != nullptr) constant(*variable, reference->getLocation());
+    return true;
+  }
+  bool VisitMemberExpr(clang::MemberExpr* member) {
+    name(*member->getMemberDecl(), member->getMemberLoc());
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(member->getMemberDecl()))
+      constant(*variable, member->getMemberLoc());
+    return true;
+  }
+  bool VisitSubstNonTypeTemplateParmExpr(clang::SubstNonTypeTemplateParmExpr* expression) { return value(expression); }
+  bool VisitCallExpr(clang::CallExpr* call) {
+    const clang::FunctionDecl* callee = call->getDirectCallee();
+    if (callee != nullptr && callee->isConstexpr() && call->getNumArgs() == 0) value(call);
+    return true;
+  }
+  bool VisitVarDecl(clang::VarDecl* variable) {
+    if (llvm::isa<clang::ParmVarDecl>(variable)) return true;
+    const clang::TypeSourceInfo* written = variable->getTypeSourceInfo();
+    if (written == nullptr || written->getType()->getContainedDeducedType() != nullptr) return true;
+    const std::string type = variable->getType().getCanonicalType().getAsString();
+    if (type.find("physgen::") == std::string::npos) add(variable->getLocation(), type);
+    return true;
+  }
+
+ private:
+  void add(clang::SourceLocation location, std::string what) { facts_.insert({place_(location), std::move(what)}); }
+
+  void name(const clang::NamedDecl& declaration, clang::SourceLocation location) {
+    if (llvm::isa<clang::CXXConversionDecl>(declaration)) return;
+    const auto* function = llvm::dyn_cast<clang::FunctionDecl>(&declaration);
+    if (function != nullptr && function->isOverloadedOperator()) return;
+    std::string text = declaration.getNameAsString();
+    if (function != nullptr && function->getTemplateSpecializationArgs() != nullptr)
+      for (const auto& argument : function->getTemplateSpecializationArgs()->asArray())
+        if (argument.getKind() == clang::TemplateArgument::Integral)
+          text += ' ' + llvm::toString(argument.getAsIntegral(), 10);
+    add(location, std::move(text));
+  }
+
+  void constant(const clang::VarDecl& variable, clang::SourceLocation location) {
+    if (!variable.isUsableInConstantExpressions(context_)) return;
+    const clang::APValue* value = variable.evaluateValue();
+    if (value != nullptr && !variable.getType()->isRecordType())
+      add(location, value->getAsString(context_, variable.getType()));
+  }
+
+  bool value(const clang::Expr* expression) { return value(expression, expression->getBeginLoc()); }
+  bool value(const clang::Expr* expression, clang::SourceLocation location) {
+    clang::Expr::EvalResult result;
+    if (expression == nullptr || expression->isValueDependent() ||
+        !expression->getType()->isIntegralOrEnumerationType())
+      return true;
+    if (expression->EvaluateAsInt(result, context_)) add(location, llvm::toString(result.Val.getInt(), 10));
+    return true;
+  }
+
+  clang::ASTContext& context_;
+  const std::function<Place(clang::SourceLocation)>& place_;
+  std::set<Fact> facts_;
+};
+
+}  // namespace
+
+std::set<Fact> facts_of(const clang::Decl& code, clang::ASTContext& context,
+                        const std::function<Place(clang::SourceLocation)>& place) {
+  return Facts(context, place).of(code);
+}
+
+}  // namespace physgen::usage

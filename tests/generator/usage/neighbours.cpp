@@ -1,0 +1,100 @@
+// Kernels that use their own objects, others, and sums at others, by themselves and in fused kernels; read by the
+// analysis. Arrays are named by what is done to them.
+#include <elasticity.physgen.h>
+#include <physgen/add.h>
+#include <physgen/fuse.h>
+#include <physgen/kernel.h>
+#include <physgen/probe.h>
+
+namespace neighbours {
+
+using namespace physgen;
+
+#ifdef __CUDACC__
+using Space = Cuda;
+#else
+using Space = Host;
+#endif
+
+#define PHYSGEN_TEST_ARRAY(Tag)               \
+  struct Tag##_tag {                          \
+    static constexpr const char* name = #Tag; \
+  };                                          \
+  ProbeOf<elasticity::RestShapeArray<float, Space>, Tag##_tag> Tag
+
+struct Arrays {
+  PHYSGEN_TEST_ARRAY(from);
+  PHYSGEN_TEST_ARRAY(between);
+  PHYSGEN_TEST_ARRAY(to);
+  PHYSGEN_TEST_ARRAY(sums);
+};
+
+/// to[i] = from[i]
+template <class From, class To>
+struct Copy {
+  using Scalar = float;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    to[i].volume() = from[i].volume().get();
+  }
+};
+template <class From, class To>
+Copy(From, To) -> Copy<From, To>;
+
+/// to[i] = from[next]
+template <class From, class To>
+struct Shift {
+  using Scalar = float;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    to[i].volume() = from[numbers(i) + 1].volume().get();
+  }
+};
+template <class From, class To>
+Shift(From, To) -> Shift<From, To>;
+
+/// sums[next] += from[i]
+template <class From, class To>
+struct AddToNext {
+  using Scalar = float;
+  From from;
+  To sums;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    add(i, sums[numbers(i) + 1].volume(), from[i].volume().get());
+  }
+};
+template <class From, class To>
+AddToNext(From, To) -> AddToNext<From, To>;
+
+template <class From, class To>
+struct OneByOne {
+  using Scalar = float;
+  From from;
+  To to;
+  PHYSGEN_FUNCTION void operator()(index_t i) const { to[i].volume() = float(from[i + 1].volume()); }
+};
+template <class From, class To>
+OneByOne(From, To) -> OneByOne<From, To>;
+
+template <class On>
+void program(On& on, Arrays& a) {
+#if defined(PHYSGEN_TEST_STEP)
+  on.run(1, PHYSGEN_TEST_STEP);
+#else
+  on.run(1, Copy{a.from.view(), a.to.view()});
+  on.run(1, Shift{a.from.view(), a.to.view()});
+  on.run(1, AddToNext{a.from.view(), a.sums.view()});
+  on.run(1, OneByOne{a.from.view(), a.to.view()});
+  on.run(1, fuse(locals(), Copy{a.from.view(), a.between.view()}, Copy{a.between.view(), a.to.view()},
+                 AddToNext{a.to.view(), a.sums.view()}, AddToNext{a.between.view(), a.sums.view()}));
+#endif
+}
+
+template void program(ProbeExecutor<Space>& on, Arrays& a);
+
+}  // namespace neighbours
