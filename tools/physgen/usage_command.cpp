@@ -31,7 +31,7 @@ std::string seconds(double value) {
   return text.str();
 }
 
-/// What is analysed for a file.
+/// The source that is analysed for a file.
 struct Unit {
   std::string name;          // of the program
   std::string file;          // for messages
