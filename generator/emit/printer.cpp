@@ -30,15 +30,12 @@ void Printer::line(std::string_view text) {
   text_ += '\n';
 }
 
-void Printer::label(std::string_view text) {
-  text_.append(indent_ - step + 1, ' ').append(text);
-  text_ += '\n';
-}
-
 void Printer::open(std::string_view text) {
   line(text);
-  indent_ += step;
+  open();
 }
+
+void Printer::open() { indent_ += step; }
 
 void Printer::close(std::string_view text) {
   indent_ -= step;

@@ -13,10 +13,10 @@ class Printer {
 
   /// One line; an empty one has no indentation.
   void line(std::string_view text = {});
-  /// A line that does not follow the indentation of its block, such as "public:".
-  void label(std::string_view text);
   /// A line that begins a block, the lines of which are indented until close().
   void open(std::string_view text);
+  /// The same behind a line that was printed otherwise.
+  void open();
   void close(std::string_view text);
 
   /// A line, broken where it is too long: a return statement behind its first "(", anything else behind a " +"

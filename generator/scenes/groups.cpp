@@ -33,10 +33,10 @@ class Joiner {
     for (std::size_t k = 0; k < list.steps.size(); ++k) {
       Reasons why = k + 1 < list.steps.size() ? apart(list, first, k + 1) : Reasons{};
       if (k + 1 < list.steps.size() && why.empty()) continue;
-      const std::size_t last_piece = pieces(number, first, k);
-      if (k + 1 < list.steps.size() && last_piece > first) {
+      const std::size_t begin = first;
+      first = pieces(number, first, k);
+      if (k + 1 < list.steps.size() && first > begin) {
         // What hindered the whole may not hinder its end.
-        first = last_piece;
         if (why = apart(list, first, k + 1); why.empty()) continue;
       }
       group(number, first, k);
@@ -85,6 +85,8 @@ class Joiner {
     const ProgramStep &before = list.steps[next - 1], &step = list.steps[next];
     if (!list.between[next - 1].empty()) why.push_back(list.between[next - 1] + " stands between them");
     for (std::size_t k = first; k < next; ++k) hazards(list.steps[k], step, why);
+    if (head(step) != head(before))
+      why.push_back("they are run in different words, '" + head(before) + "' and '" + head(step) + "'");
     if (step.runs.empty() || before.runs.empty())
       why.push_back(short_name(step.runs.empty() ? step.step : before.step) +
                     " runs over a number of objects that is no array's size()");
@@ -94,6 +96,11 @@ class Joiner {
     if (why.empty() && step.scalar_bytes != before.scalar_bytes)
       why.push_back("packs of " + short_name(step.step) + " have another width");
     return why;
+  }
+
+  /// "on.run("
+  [[nodiscard]] std::string head(const ProgramStep& step) const {
+    return program_.text.substr(step.statement.begin, step.count.begin - step.statement.begin);
   }
 
   void alone(const ProgramStep& step, Reasons& why) const {
@@ -114,16 +121,22 @@ class Joiner {
       for (const auto& other : b->fields) {
         if (name_of(one) != name_of(other) || (!writes(one) && !writes(other))) continue;
         if (uses_.of_others(other, second.runs))
-          why.push_back(of_others(second, other));
+          of_others(second, other, why);
         else if (uses_.of_others(one, first.runs))
-          why.push_back(of_others(first, one));
+          of_others(first, one, why);
       }
   }
-  static std::string of_others(const ProgramStep& step, const usage::FieldUse& use) {
-    std::string text = short_name(step.step) + (reads(use) ? " reads " : " writes ") + text_of(name_of(use)) +
-                       " of other objects than its own";
+  static void of_others(const ProgramStep& step, const usage::FieldUse& use, Reasons& why) {
+    std::string text = short_name(step.step);
+    if (use.address_taken)
+      text += " takes the address of " + text_of(name_of(use));
+    else
+      text += (use.added    ? " adds to "
+               : reads(use) ? " reads "
+                            : " writes ") +
+              text_of(name_of(use)) + " of other objects than its own";
     if (!use.places.empty()) text += ", " + usage::text_of(use.places.front());
-    return text;
+    if (std::find(why.begin(), why.end(), text) == why.end()) why.push_back(std::move(text));
   }
 
   // ---- Steps that the program's own text does not run --------------------------------------------------------------

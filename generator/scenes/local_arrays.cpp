@@ -39,7 +39,7 @@ const usage::StepUse* StepUses::of(const std::string& step) const {
 }
 
 bool StepUses::of_others(const usage::FieldUse& use, const std::string& runs) const {
-  if (use.address_taken) return true;
+  if (!use.own || use.gathered || use.added || use.address_taken) return true;
   for (const Group& group : scene_.groups)
     for (const Array& array : group.arrays)
       if (group.full_name(array) == use.array && counted(group, array) != runs) return true;

@@ -13,15 +13,16 @@ namespace {
 
 using usage::Names;
 
-/// What a kernel must not do to be called with the index of a fused kernel: ask what its index is, or make one.
-class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
+/// What a kernel must not do to be a step of a fused kernel: ask what its index is, make one, or do what locals, which
+/// are not arrays, do not allow.
+class Unfit : public clang::RecursiveASTVisitor<Unfit> {
  public:
-  explicit IndexUse(const Names& names) : names_(names) {}
+  explicit Unfit(const Names& names) : names_(names) {}
   [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
 
   /// @return where it does so, and what; empty: nowhere
   std::string find(const clang::FunctionDecl& function) {
-    follow(&function);
+    follow(&function, true);
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();
       queue_.pop_back();
@@ -31,7 +32,18 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
   }
 
   bool VisitCallExpr(clang::CallExpr* call) {
-    follow(call->getDirectCallee());
+    const auto* callee = call->getDirectCallee();
+    if (callee != nullptr && callee->getIdentifier() != nullptr && callee->getName() == "store_where" &&
+        names_.is_library(callee->getLocation()))
+      say(call->getBeginLoc(), "stores under a mask");
+    follow(callee);
+    return found_.empty();
+  }
+  bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* call) {
+    const auto* method = call->getMethodDecl();
+    if (method == nullptr || !Names::is_physgen(method->getParent(), "View")) return true;
+    const std::string name = method->getNameAsString();
+    if (name != "get" && name != "put") say(call->getBeginLoc(), "asks a view for " + name + "()");
     return found_.empty();
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* made) {
@@ -81,13 +93,14 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     if (argument.getKind() == clang::TemplateArgument::Type && is_pack(argument.getAsType()))
       say(place, "asks what its index is");
   }
-  void say(clang::SourceLocation place, const char* what) {
-    if (found_.empty()) found_ = std::string(what) + " at " + usage::text_of(names_.place(place));
+  void say(clang::SourceLocation place, const std::string& what) {
+    if (found_.empty()) found_ = what + " at " + usage::text_of(names_.place(place));
   }
-  /// Functions of the program that are given packs.
-  void follow(const clang::FunctionDecl* function) {
+  /// Functions of the program, and the kernel's, which may be one of the runtime's that holds a lambda.
+  void follow(const clang::FunctionDecl* function, bool is_kernels = false) {
     const clang::FunctionDecl* definition = nullptr;
-    if (function == nullptr || !function->isDefined(definition) || names_.is_library(definition->getLocation())) return;
+    if (function == nullptr || !function->isDefined(definition)) return;
+    if (!is_kernels && names_.is_library(definition->getLocation())) return;
     if (!seen_.insert(definition->getCanonicalDecl()).second) return;
     const auto* pattern = definition->getTemplateInstantiationPattern();
     for (unsigned i = 0; i < definition->getNumParams(); ++i) {
@@ -148,12 +161,12 @@ KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel
     for (const auto* function : call->specializations())
       if (function->getNumParams() == 1 &&
           Names::is_physgen(function->getParamDecl(0)->getType().getNonReferenceType()->getAsCXXRecordDecl(), "Pack"))
-        packs = function;
+        packs = function->getDefinition();
   if (packs == nullptr) {
     facts.obstacle = "it has more call operators than one template over the index";
     return facts;
   }
-  if (const std::string use = IndexUse(names).find(*packs); !use.empty()) facts.obstacle = "it " + use;
+  if (const std::string use = Unfit(names).find(*packs); !use.empty()) facts.obstacle = "it " + use;
   facts.stores = Stores(names, scene, context).of(*packs);
   return facts;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "model/text.h"
 
 namespace physgen::scenes {
 
@@ -96,11 +97,6 @@ struct Scene {
 /// The scene as indented JSON, the same bytes for the same scene.
 [[nodiscard]] std::string to_json(const Scene& scene);
 
-/// The name among `names` that `word` is most like; empty: it is like none.
-[[nodiscard]] std::string nearest(const std::string& word, const std::vector<std::string>& names);
-
-/// "there is no KIND 'word'; did you mean 'x'?", or, where it is like none, what there is.
-[[nodiscard]] std::string unknown(const std::string& kind, const std::string& word,
-                                  const std::vector<std::string>& names);
+using model::unknown;
 
 }  // namespace physgen::scenes

@@ -200,24 +200,26 @@ class Attribution {
         for (const Fact& fact : at(f).facts) found[fact.place].insert(fact.what);
       return found;
     };
-    const auto text = [](const std::map<Place, std::set<std::string>>& facts, const Place& place) {
-      const auto found = facts.find(place);
-      if (found == facts.end()) return std::string("nothing");
+    const auto text = [](auto& of, auto& without, const Place& place) {
       std::string result;
-      for (const std::string& what : found->second) result += (result.empty() ? "" : " and ") + what;
-      return result;
+      for (const std::string& what : of[place])
+        if (without[place].count(what) == 0) result += (result.empty() ? "" : " and ") + what;
+      return result.empty() ? std::string("nothing") : result;
     };
     const std::set<int> over_probes = all_from(graph_.variants.front());
-    const auto expected = facts(over_probes);
+    auto expected = facts(over_probes);
     for (const int variant : graph_.variants) {
       const std::set<int> functions = all_from(variant);
       std::ranges::set_difference(functions, over_probes, std::inserter(others, others.end()));
       auto found = facts(functions);
       auto places = found;
       places.insert(expected.begin(), expected.end());
+      const Place* before = nullptr;  // one for each line is enough
       for (const auto& [place, ignored] : places) {
-        const std::string here = text(found, place), there = text(expected, place);
-        if (here != there) result.dependences.push_back({place, here + " or " + there});
+        if (found[place] == expected[place]) continue;
+        if (before == nullptr || before->file != place.file || before->line != place.line)
+          result.dependences.push_back({place, text(found, expected, place) + " or " + text(expected, found, place)});
+        before = &place;
       }
     }
     return others;

@@ -20,11 +20,12 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
       return std::move(facts_);
     }
     const auto& function = llvm::cast<clang::FunctionDecl>(code);
-    add(function.getLocation(), "is instantiated");
     if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(&function))
       for (const auto* member : constructor->inits())
-        if (member->isWritten()) TraverseStmt(member->getInit());
-    if (function.doesThisDeclarationHaveABody() && !function.isDefaulted()) TraverseStmt(function.getBody());
+        if (member->isWritten() || member->isInClassMemberInitializer()) TraverseStmt(member->getInit());
+    if (function.isDefaulted()) return std::move(facts_);  // whether there is one depends on members
+    add(function.getLocation(), "a call");
+    if (function.doesThisDeclarationHaveABody()) TraverseStmt(function.getBody());
     return std::move(facts_);
   }
 
@@ -32,7 +33,7 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
   // Bodies of lambdas and of local classes are functions of their own.
   static bool TraverseCXXRecordDecl(clang::CXXRecordDecl* /*record*/) { return true; }
   bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
-    add(lambda->getBeginLoc(), "lambda");
+    add(lambda->getBeginLoc(), "a lambda");
     for (clang::Expr* captured : lambda->capture_inits()) TraverseStmt(captured);
     return true;
   }
@@ -44,17 +45,20 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
   bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* expression) { return value(expression); }
 
   bool VisitStmt(clang::Stmt* statement) {
-    if (!llvm::isa<clang::Expr>(statement)) add(statement->getBeginLoc(), statement->getStmtClassName());
+    if (!llvm::isa<clang::Expr>(statement)) add(statement->getBeginLoc(), "a statement");
     return true;
   }
   bool VisitIfStmt(clang::IfStmt* statement) {
     if (statement->isConstexpr()) value(statement->getCond(), statement->getIfLoc());
     return true;
   }
+  bool VisitCXXDefaultInitExpr(clang::CXXDefaultInitExpr* expression) { return TraverseStmt(expression->getExpr()); }
+  bool VisitCXXDefaultArgExpr(clang::CXXDefaultArgExpr* expression) { return TraverseStmt(expression->getExpr()); }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(reference->getDecl());
     name(*reference->getDecl(), reference->getLocation());
     if (variable != nullptr) constant(*variable, reference->getLocation());
+    if (llvm::isa<clang::EnumConstantDecl>(reference->getDecl())) value(reference);
     return true;
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {

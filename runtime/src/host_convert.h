@@ -1,6 +1,7 @@
 // Conversions between arrays that host code can reach.
 #pragma once
 
+#include <physgen/losses.h>
 #include <physgen/untyped_array.h>
 
 namespace physgen::detail {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "backend.h"
+#include "backend/memory.h"
 #include "element_codec.h"
 
 namespace physgen::detail {

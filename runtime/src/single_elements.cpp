@@ -1,6 +1,9 @@
 // Single elements of arrays without their types, by number, as doubles.
+#include <physgen/array_losses.h>
+#include <physgen/detail/count_losses.h>
+#include <physgen/device.h>
 #include <physgen/error.h>
-#include <physgen/untyped_array.h>
+#include <physgen/single_elements.h>
 
 #include <algorithm>
 #include <array>
@@ -8,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "backend.h"
+#include "backend/memory.h"
 #include "convert.h"
 #include "describe.h"
 

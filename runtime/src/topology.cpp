@@ -1,12 +1,13 @@
 // Changes of topology over arrays without their types: objects picked by number as plain bytes, and indices renumbered.
+#include "backend/topology.h"
+
 #include <physgen/error.h>
 #include <physgen/topology.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "backend.h"
-#include "backend_topology.h"
+#include "backend/memory.h"
 #include "describe.h"
 #include "index_field.h"
 

@@ -1,4 +1,4 @@
-// What a stream that is captured in a graph refuses, and what it captures (untyped_array.h).
+// What a stream that is captured in a graph refuses, and what it captures (device.h).
 #include <cuda_runtime_api.h>
 #include <physgen/gather.h>
 #include <physgen/mirror.h>

@@ -1,4 +1,4 @@
-// The rule of streams (untyped_array.h), with a slow kernel in the stream before each operation of the library.
+// The rule of streams (device.h), with a slow kernel in the stream before each operation of the library.
 #include <cuda_runtime_api.h>
 #include <physgen/gather.h>
 #include <physgen/mirror.h>

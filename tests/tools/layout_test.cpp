@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-#include "layout_map.h"
+#include "plan/layout_map.h"
 #include "layout_picture.h"
 #include "models.h"
 

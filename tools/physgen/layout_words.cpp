@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdio>
 
+#include "model/text.h"
 #include "model/validate.h"
 
 namespace physgen::command {

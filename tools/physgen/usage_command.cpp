@@ -4,10 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iomanip>
 #include <optional>
 #include <ostream>
-#include <sstream>
 
 #include "files.h"
 #include "scenes/probe_unit.h"
@@ -24,12 +22,6 @@ namespace fs = std::filesystem;
 using ::physgen::usage::Side;
 
 constexpr int done = 0, errors = 1;
-
-std::string seconds(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << value << " s";
-  return text.str();
-}
 
 /// The source that is analysed for a file.
 struct Unit {
@@ -110,16 +102,11 @@ class UsageCommand {
   }
 
   std::optional<usage::Usage> analyse(const Unit& unit, Side side) {
-    const char* word = side == Side::host ? "host" : "device";
     usage::Diagnostics diagnostics;
     auto found =
         usage::analyse(unit.name + ".cpp", side == Side::host ? unit.host : unit.device, unit.flags, side, diagnostics);
     err_ << diagnostics.text;
-    std::ostringstream ratio;
-    ratio << std::setprecision(3) << diagnostics.seconds / diagnostics.headers_seconds;
-    times_ += unit.name + ", " + word + ": analysed in " + seconds(diagnostics.seconds) +
-              ", of which its headers took " + seconds(diagnostics.headers_seconds) + " to parse (" + ratio.str() +
-              " times as long)\n";
+    times_ += usage::text_of_time(unit.name, side, diagnostics);
     return found;
   }
 

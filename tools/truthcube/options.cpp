@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "arrays.h"
 #include "command_line.h"
 #include "scene_choice.h"
 #include "sizes.h"
@@ -138,6 +139,7 @@ std::string built_layout() { return PHYSGEN_TRUTHCUBE_LAYOUT; }
 std::string Options::settings_json() const {
   nlohmann::json json;
   json["scene"] = name_of(scene_kinds, scene);
+  json["arrays"] = arrays_of(scene, solver);
   if (moves()) {
     json["time_step"] = motion.time_step;
     json["duration"] = motion.duration;
@@ -188,9 +190,10 @@ Options parse(const std::vector<std::string>& arguments) {
       ->type_name("N");
   add_choice(
       app, "--scene", options.scene, scene_kinds, "scene",
-      "what is solved: equilibria by Newton's method (quasistatic), also without blocks of edges (matrix-free) or "
-      "of that material (fixed-corotated); motion in time by backward Euler (implicit-dynamics) or symplectic "
-      "Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
+      "what is solved: equilibria by Newton's method with any of the choices below (everything); the same over arrays "
+      "of the one scene alone, in float, of stable Neo-Hookean bodies (quasistatic), also without blocks of edges "
+      "(matrix-free), or of fixed corotated ones (fixed-corotated); motion in time by backward Euler "
+      "(implicit-dynamics) or symplectic Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
   add_choice(app, "--material", options.solver.material, materials(), "material", "law of elasticity");
   app.add_option("--young", options.solver.youngs_modulus, "Young's modulus [Pa]")->type_name("E");
   app.add_option("--poisson", options.solver.poissons_ratio, "Poisson's ratio, above -1 and below 0.5")

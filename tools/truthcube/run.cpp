@@ -1,5 +1,6 @@
 #include "run.h"
 
+#include <fem/solver/scene_solvers.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "arrays.h"
 #include "memory.h"
 #include "motion.h"
 #include "output/folder_lock.h"
@@ -131,6 +133,8 @@ Outcome run(Options options, const std::string& command) {
   std::unique_ptr<fem::DynamicSolver> dynamic;
   if (options.moves()) {
     dynamic = make_dynamic_solver(options, scene);
+  } else if (const std::string arrays = arrays_of(options.scene, options.solver); arrays != "everything") {
+    solver = fem::make_scene_solver(arrays, scene.levels, scene.loading, options.solver);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
   } else {

@@ -1,12 +1,12 @@
 // Changes of topology in CUDA memory: objects picked by number as plain bytes, and indices renumbered.
 #include <physgen/cuda/check.h>
 #include <physgen/cuda/parallel_for.h>
+#include <physgen/device.h>
 
 #include <algorithm>
 
-#include "../backend.h"
-#include "../backend_topology.h"
-#include "stream_memory.h"
+#include "../backend/topology.h"
+#include "parts/stream_memory.h"
 
 namespace physgen::backend {
 

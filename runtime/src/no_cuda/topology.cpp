@@ -1,8 +1,9 @@
 // Changes of topology in a build without CUDA: there is no array that could ask for them.
+#include "../backend/topology.h"
+
 #include <physgen/error.h>
 
-#include "../backend_topology.h"
-#include "reason.h"
+#include "parts/reason.h"
 
 namespace physgen::backend {
 

@@ -58,14 +58,15 @@ template <class On, class Real>
 class ExplicitSolverOf final : public DynamicSolver {
  public:
   using Space = typename On::Space;
-  using Body = ExplicitBody<Real, Space>;
+  using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
 
   ExplicitSolverOf(const MeshLevel& level, const Loading& loading, const DynamicSettings& settings)
       : settings_(settings),
         rest_(level.rest),
         on_(make_executor<On>(index_t(level.mesh.tets.size()))),
         steps_(make_explicit_steps<On, Body>(settings.solver)) {
-    fill_explicit_body(body_, level, loading, lumped_masses(level.mesh, level.rest, settings.density));
+    fill_explicit_body(body_, level, loading, lumped_masses(level.mesh, level.rest, settings.density),
+                       settings.fixed_order);
   }
 
   NewtonResult step(double length, double load) override {
