@@ -4,65 +4,107 @@
 
 #include <physgen/scene_arrays.h>
 
-#include "scenes/linear_elastic.h"
+#include <elasticity.physgen.h>
+#include <quasistatic.physgen.h>
+
+namespace scenes {
+struct linear_elastic;
+}
 
 /// Linear elasticity: an equilibrium by conjugate gradients without blocks of edges, preconditioned by the inverses of
 /// nodes' blocks.
 namespace scenes::linear_elastic_scene {
 
-namespace pruned::body {
-struct state {
-  struct volumetric;
-  struct work;
-  struct smallest_ratio;
+namespace tags::linear {
+struct tets { static constexpr const char* name = "linear.tets"; };
+struct rest { static constexpr const char* name = "linear.rest"; };
+struct node_tet_ranges { static constexpr const char* name = "linear.node_tet_ranges"; };
+struct node_tets { static constexpr const char* name = "linear.node_tets"; };
+struct edge_tet_ranges {
+  static constexpr const char* name = "linear.edge_tet_ranges";
+  struct begin;
+  struct end;
 };
-}  // namespace pruned::body
+struct edge_tets {
+  static constexpr const char* name = "linear.edge_tets";
+  struct code;
+};
+struct displacements { static constexpr const char* name = "linear.displacements"; };
+struct motion { static constexpr const char* name = "linear.motion"; };
+struct loads { static constexpr const char* name = "linear.loads"; };
+struct forces { static constexpr const char* name = "linear.forces"; };
+struct state { static constexpr const char* name = "linear.state"; };
+}  // namespace tags::linear
 
-/// How quasistatic::Equilibrium is stored in body.state. Not stored:
-/// - volumetric, work, smallest_ratio: nothing uses it
-template <class Space>
-struct BodyStateFormats : physgen::FormatsOf<::quasistatic::EquilibriumObject, Space> {
-  using volumetric = physgen::format::Pruned<linear_elastic, pruned::body::state, pruned::body::state::volumetric>;
-  using work = physgen::format::Pruned<linear_elastic, pruned::body::state, pruned::body::state::work>;
-  using smallest_ratio = physgen::format::Pruned<linear_elastic, pruned::body::state,
-      pruned::body::state::smallest_ratio>;
+/// How elasticity::IncidenceRange is stored in linear.edge_tet_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Stored>
+struct LinearEdge_tet_rangesFormats : Stored {
+  using begin = physgen::format::Pruned<linear_elastic, tags::linear::edge_tet_ranges,
+      tags::linear::edge_tet_ranges::begin>;
+  using end = physgen::format::Pruned<linear_elastic, tags::linear::edge_tet_ranges,
+      tags::linear::edge_tet_ranges::end>;
 };
 
-template <class Space_ = physgen::Host>
-struct Body {
+/// How quasistatic::PackedIncidence is stored in linear.edge_tets. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Stored>
+struct LinearEdge_tetsFormats : Stored {
+  using code = physgen::format::Pruned<linear_elastic, tags::linear::edge_tets, tags::linear::edge_tets::code>;
+};
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
+struct Linear {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
     physgen::index_t tet = 0;
     physgen::index_t node = 0;
     physgen::index_t corner = 0;
+    physgen::index_t edge = 0;
+    physgen::index_t tet_edge = 0;
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::tets, ::elasticity::TetArray<Real, Space>>> tets;
   /// elasticity::RestShape, per tet: dm_inverse, volume
-  physgen::ReadOnlyArray<::elasticity::RestShapeArray<double, Space>> rest;
-  /// The tets of each node: rows of a tet and a corner in one number.
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::rest, ::elasticity::RestShapeArray<double,
+      Space>>> rest;
+  /// The tets of each node: rows of NodeTetEntry.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::node_tet_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> node_tet_ranges;
   /// quasistatic::PackedIncidence, per corner: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_tets;
-  /// External forces, and the motion of prescribed components, at a load of 1.
-  /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::node_tets,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> node_tets;
+  /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
+  /// elasticity::IncidenceRange, per edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::linear::edge_tet_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>, LinearEdge_tet_rangesFormats>> edge_tet_ranges;
+  /// quasistatic::PackedIncidence, per tet_edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::linear::edge_tets,
+      ::quasistatic::PackedIncidenceArray<float, Space>>, LinearEdge_tetsFormats>> edge_tets;
+  /// u, from rest.
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
-  /// From rest.
+  physgen::StoredArray<Stored, tags::linear::displacements, ::elasticity::NodeDisplacementArray<double,
+      Space>> displacements;
+  /// Of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<double, Space> displacements;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::motion, ::elasticity::NodeDisplacementArray<double,
+      Space>>> motion;
+  /// External, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  ::elasticity::NodeForceArray<double, Space> forces;
-  /// Before the solve.
-  /// quasistatic::Equilibrium, 1 object: elastic, loads, free_square, fixed_square; without volumetric, work,
-  /// smallest_ratio
-  physgen::WithFormats<::quasistatic::EquilibriumArray<double, Space>, BodyStateFormats<Space>> state;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::loads, ::elasticity::NodeForceArray<double,
+      Space>>> loads;
+  /// Elastic and external; in prescribed components minus the reaction.
+  /// elasticity::NodeForce, per node: f
+  physgen::StoredArray<Stored, tags::linear::forces, ::elasticity::NodeForceArray<double, Space>> forces;
+  /// Its volumetric energy and its work stay 0.
+  /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
+  physgen::StoredArray<Stored, tags::linear::state, ::quasistatic::EquilibriumArray<double, Space>> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -72,98 +114,458 @@ struct Body {
     physgen::allocate(rest, counts.tet);
     physgen::allocate(node_tet_ranges, counts.node);
     physgen::allocate(node_tets, counts.corner);
-    physgen::allocate(loads, counts.node);
-    physgen::allocate(motion, counts.node);
+    physgen::allocate(edge_tet_ranges, counts.edge);
+    physgen::allocate(edge_tets, counts.tet_edge);
     physgen::allocate(displacements, counts.node, {"dx"});
+    physgen::allocate(motion, counts.node);
+    physgen::allocate(loads, counts.node);
     physgen::allocate(forces, counts.node, {"f"});
-    physgen::allocate(state, 1, {"elastic", "loads", "free_square", "fixed_square"});
+    physgen::allocate(state, 1, {"elastic", "loads", "free_square", "fixed_square", "smallest_ratio"});
   }
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return tets.bytes(
-        ) + rest.bytes() + node_tet_ranges.bytes() + node_tets.bytes() + loads.bytes() + motion.bytes() +
-            displacements.bytes() + forces.bytes() + state.bytes();
+    return tets.bytes() + rest.bytes() + node_tet_ranges.bytes() + node_tets.bytes() + edge_tet_ranges.bytes() +
+           edge_tets.bytes() + displacements.bytes() + motion.bytes() + loads.bytes() + forces.bytes() + state.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(tets)>(counts.tet) + physgen::bytes_of_array<decltype(rest)>(counts.tet) +
+           physgen::bytes_of_array<decltype(node_tet_ranges)>(counts.node) +
+           physgen::bytes_of_array<decltype(node_tets)>(counts.corner) +
+           physgen::bytes_of_array<decltype(edge_tet_ranges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(edge_tets)>(counts.tet_edge) +
+           physgen::bytes_of_array<decltype(displacements)>(counts.node) +
+           physgen::bytes_of_array<decltype(motion)>(counts.node) +
+           physgen::bytes_of_array<decltype(loads)>(counts.node) +
+           physgen::bytes_of_array<decltype(forces)>(counts.node) + physgen::bytes_of_array<decltype(state)>(1);
   }
 };
 
-namespace pruned::level {
+namespace tags::level {
+struct constraints { static constexpr const char* name = "level.constraints"; };
+struct edges {
+  static constexpr const char* name = "level.edges";
+  struct nodes;
+};
+struct node_edge_ranges {
+  static constexpr const char* name = "level.node_edge_ranges";
+  struct begin;
+  struct end;
+};
+struct node_edge_entries {
+  static constexpr const char* name = "level.node_edge_entries";
+  struct code;
+};
+struct node_stiffness { static constexpr const char* name = "level.node_stiffness"; };
+struct edge_stiffness {
+  static constexpr const char* name = "level.edge_stiffness";
+  struct E;
+};
 struct scales {
+  static constexpr const char* name = "level.scales";
   struct inverse;
 };
-}  // namespace pruned::level
+struct scaled_nodes {
+  static constexpr const char* name = "level.scaled_nodes";
+  struct K;
+};
+struct scaled_edges {
+  static constexpr const char* name = "level.scaled_edges";
+  struct E;
+};
+struct inverse { static constexpr const char* name = "level.inverse"; };
+struct smoother {
+  static constexpr const char* name = "level.smoother";
+  struct largest;
+  struct length;
+};
+struct residual { static constexpr const char* name = "level.residual"; };
+struct correction { static constexpr const char* name = "level.correction"; };
+struct direction {
+  static constexpr const char* name = "level.direction";
+  struct dx;
+};
+struct power {
+  static constexpr const char* name = "level.power";
+  struct dx;
+};
+struct parents {
+  static constexpr const char* name = "level.parents";
+  struct nodes;
+};
+struct grid_parents {
+  static constexpr const char* name = "level.grid_parents";
+  struct nodes;
+  struct weights;
+};
+struct child_ranges {
+  static constexpr const char* name = "level.child_ranges";
+  struct begin;
+  struct end;
+};
+struct child_entries {
+  static constexpr const char* name = "level.child_entries";
+  struct code;
+};
+struct edge_term_ranges {
+  static constexpr const char* name = "level.edge_term_ranges";
+  struct begin;
+  struct end;
+};
+struct edge_term_entries {
+  static constexpr const char* name = "level.edge_term_entries";
+  struct code;
+};
+struct translations {
+  static constexpr const char* name = "level.translations";
+  struct T;
+};
+struct coarse_inverse {
+  static constexpr const char* name = "level.coarse_inverse";
+  struct G;
+};
+}  // namespace tags::level
 
-/// How quasistatic::NodeScale is stored in level.scales. Not stored:
-/// - inverse: written by physgen::fem::ComputeNodeScale(level.node_stiffness, level.scales); nothing reads it
-template <class Space>
-struct LevelScalesFormats : physgen::FormatsOf<::quasistatic::NodeScaleObject, Space> {
-  using inverse = physgen::format::Pruned<linear_elastic, pruned::level::scales, pruned::level::scales::inverse>;
+/// How elasticity::Edge is stored in level.edges. Not stored:
+/// - nodes: it is an input; nothing reads it
+template <class Stored>
+struct LevelEdgesFormats : Stored {
+  using nodes = physgen::format::Pruned<linear_elastic, tags::level::edges, tags::level::edges::nodes>;
 };
 
-/// The preconditioner, in unknowns scaled to a unit diagonal.
-template <class Space_ = physgen::Host>
+/// How elasticity::IncidenceRange is stored in level.node_edge_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Stored>
+struct LevelNode_edge_rangesFormats : Stored {
+  using begin = physgen::format::Pruned<linear_elastic, tags::level::node_edge_ranges,
+      tags::level::node_edge_ranges::begin>;
+  using end = physgen::format::Pruned<linear_elastic, tags::level::node_edge_ranges,
+      tags::level::node_edge_ranges::end>;
+};
+
+/// How quasistatic::PackedIncidence is stored in level.node_edge_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Stored>
+struct LevelNode_edge_entriesFormats : Stored {
+  using code = physgen::format::Pruned<linear_elastic, tags::level::node_edge_entries,
+      tags::level::node_edge_entries::code>;
+};
+
+/// How elasticity::EdgeStiffness is stored in level.edge_stiffness. Not stored:
+/// - E: nothing uses it
+template <class Stored>
+struct LevelEdge_stiffnessFormats : Stored {
+  using E = physgen::format::Pruned<linear_elastic, tags::level::edge_stiffness, tags::level::edge_stiffness::E>;
+};
+
+/// How quasistatic::NodeScale is stored in level.scales. Not stored:
+/// - inverse: it is an input; written by physgen::fem::ComputeNodeScale(level.node_stiffness, level.scales); nothing
+/// reads it
+template <class Stored>
+struct LevelScalesFormats : Stored {
+  using inverse = physgen::format::Pruned<linear_elastic, tags::level::scales, tags::level::scales::inverse>;
+};
+
+/// How elasticity::NodeStiffness is stored in level.scaled_nodes. Not stored:
+/// - K: nothing uses it
+template <class Stored>
+struct LevelScaled_nodesFormats : Stored {
+  using K = physgen::format::Pruned<linear_elastic, tags::level::scaled_nodes, tags::level::scaled_nodes::K>;
+};
+
+/// How elasticity::EdgeStiffness is stored in level.scaled_edges. Not stored:
+/// - E: nothing uses it
+template <class Stored>
+struct LevelScaled_edgesFormats : Stored {
+  using E = physgen::format::Pruned<linear_elastic, tags::level::scaled_edges, tags::level::scaled_edges::E>;
+};
+
+/// How quasistatic::Smoother is stored in level.smoother. Not stored:
+/// - largest, length: nothing uses it
+template <class Stored>
+struct LevelSmootherFormats : Stored {
+  using largest = physgen::format::Pruned<linear_elastic, tags::level::smoother, tags::level::smoother::largest>;
+  using length = physgen::format::Pruned<linear_elastic, tags::level::smoother, tags::level::smoother::length>;
+};
+
+/// How elasticity::NodeDisplacement is stored in level.direction. Not stored:
+/// - dx: nothing uses it
+template <class Stored>
+struct LevelDirectionFormats : Stored {
+  using dx = physgen::format::Pruned<linear_elastic, tags::level::direction, tags::level::direction::dx>;
+};
+
+/// How elasticity::NodeDisplacement is stored in level.power. Not stored:
+/// - dx: nothing uses it
+template <class Stored>
+struct LevelPowerFormats : Stored {
+  using dx = physgen::format::Pruned<linear_elastic, tags::level::power, tags::level::power::dx>;
+};
+
+/// How quasistatic::NodeParents is stored in level.parents. Not stored:
+/// - nodes: it is an input; nothing reads it
+template <class Stored>
+struct LevelParentsFormats : Stored {
+  using nodes = physgen::format::Pruned<linear_elastic, tags::level::parents, tags::level::parents::nodes>;
+};
+
+/// How quasistatic::GridParents is stored in level.grid_parents. Not stored:
+/// - nodes, weights: it is an input; nothing reads it
+template <class Stored>
+struct LevelGrid_parentsFormats : Stored {
+  using nodes = physgen::format::Pruned<linear_elastic, tags::level::grid_parents, tags::level::grid_parents::nodes>;
+  using weights = physgen::format::Pruned<linear_elastic, tags::level::grid_parents,
+      tags::level::grid_parents::weights>;
+};
+
+/// How elasticity::IncidenceRange is stored in level.child_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Stored>
+struct LevelChild_rangesFormats : Stored {
+  using begin = physgen::format::Pruned<linear_elastic, tags::level::child_ranges, tags::level::child_ranges::begin>;
+  using end = physgen::format::Pruned<linear_elastic, tags::level::child_ranges, tags::level::child_ranges::end>;
+};
+
+/// How quasistatic::PackedIncidence is stored in level.child_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Stored>
+struct LevelChild_entriesFormats : Stored {
+  using code = physgen::format::Pruned<linear_elastic, tags::level::child_entries, tags::level::child_entries::code>;
+};
+
+/// How elasticity::IncidenceRange is stored in level.edge_term_ranges. Not stored:
+/// - begin, end: it is an input; nothing reads it
+template <class Stored>
+struct LevelEdge_term_rangesFormats : Stored {
+  using begin = physgen::format::Pruned<linear_elastic, tags::level::edge_term_ranges,
+      tags::level::edge_term_ranges::begin>;
+  using end = physgen::format::Pruned<linear_elastic, tags::level::edge_term_ranges,
+      tags::level::edge_term_ranges::end>;
+};
+
+/// How quasistatic::PackedIncidence is stored in level.edge_term_entries. Not stored:
+/// - code: it is an input; nothing reads it
+template <class Stored>
+struct LevelEdge_term_entriesFormats : Stored {
+  using code = physgen::format::Pruned<linear_elastic, tags::level::edge_term_entries,
+      tags::level::edge_term_entries::code>;
+};
+
+/// How quasistatic::TranslationStiffness is stored in level.translations. Not stored:
+/// - T: nothing uses it
+template <class Stored>
+struct LevelTranslationsFormats : Stored {
+  using T = physgen::format::Pruned<linear_elastic, tags::level::translations, tags::level::translations::T>;
+};
+
+/// How quasistatic::CoarseInverse is stored in level.coarse_inverse. Not stored:
+/// - G: nothing uses it
+template <class Stored>
+struct LevelCoarse_inverseFormats : Stored {
+  using G = physgen::format::Pruned<linear_elastic, tags::level::coarse_inverse, tags::level::coarse_inverse::G>;
+};
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Level {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
     physgen::index_t node = 0;
+    physgen::index_t edge = 0;
+    physgen::index_t edge_node = 0;
+    physgen::index_t edge_end = 0;
+    physgen::index_t block_node = 0;
+    physgen::index_t smoother = 0;
+    physgen::index_t child = 0;
+    physgen::index_t grid_child = 0;
+    physgen::index_t parent = 0;
+    physgen::index_t child_entry = 0;
+    physgen::index_t coarse_edge = 0;
+    physgen::index_t edge_term = 0;
+    physgen::index_t grid_node = 0;
+    physgen::index_t coarse_pair = 0;
   };
 
   /// quasistatic::NodeConstraint, per node: fixed
-  physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::constraints, ::quasistatic::NodeConstraintArray<Real,
+      Space>>> constraints;
+  /// elasticity::Edge, per edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::edges,
+      ::elasticity::EdgeArray<Real, Space>>, LevelEdgesFormats>> edges;
+  /// Rows of NodeEdgeEntry.
+  /// elasticity::IncidenceRange, per edge_node: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::node_edge_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>, LevelNode_edge_rangesFormats>> node_edge_ranges;
+  /// quasistatic::PackedIncidence, per edge_end: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::node_edge_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>, LevelNode_edge_entriesFormats>> node_edge_entries;
+  /// elasticity::NodeStiffness, per block_node: K
+  physgen::StoredArray<Stored, tags::level::node_stiffness, ::elasticity::NodeStiffnessArray<Real,
+      Space>> node_stiffness;
+  /// elasticity::EdgeStiffness, per edge: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::edge_stiffness, ::elasticity::EdgeStiffnessArray<Real,
+      Space>>, LevelEdge_stiffnessFormats> edge_stiffness;
   /// quasistatic::NodeScale, per node: scale; without inverse
-  physgen::WithFormats<::quasistatic::NodeScaleArray<float, Space>, LevelScalesFormats<Space>> scales;
-  /// elasticity::NodeStiffness, per node: K
-  ::elasticity::NodeStiffnessArray<float, Space> node_stiffness;
-  /// quasistatic::NodeInverse, per node: D
-  ::quasistatic::NodeInverseArray<float, Space> inverse;
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::scales, ::quasistatic::NodeScaleArray<Real, Space>>,
+      LevelScalesFormats> scales;
+  /// elasticity::NodeStiffness, per edge_node: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::scaled_nodes, ::elasticity::NodeStiffnessArray<Real,
+      Space>>, LevelScaled_nodesFormats> scaled_nodes;
+  /// elasticity::EdgeStiffness, per edge: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::scaled_edges, ::elasticity::EdgeStiffnessArray<Real,
+      Space>>, LevelScaled_edgesFormats> scaled_edges;
+  /// quasistatic::NodeInverse, per block_node: D
+  physgen::StoredArray<Stored, tags::level::inverse, ::quasistatic::NodeInverseArray<Real, Space>> inverse;
+  /// quasistatic::Smoother, per smoother: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::smoother, ::quasistatic::SmootherArray<double, Space>>,
+      LevelSmootherFormats> smoother;
+  /// r
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
+  physgen::StoredArray<Stored, tags::level::residual, ::elasticity::NodeForceDifferentialArray<Real, Space>> residual;
+  /// z
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> correction;
+  physgen::StoredArray<Stored, tags::level::correction, ::elasticity::NodeDisplacementArray<Real, Space>> correction;
+  /// d
+  /// elasticity::NodeDisplacement, per edge_node: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::direction, ::elasticity::NodeDisplacementArray<Real,
+      Space>>, LevelDirectionFormats> direction;
+  /// The eigenvector that power iterations approach.
+  /// elasticity::NodeDisplacement, per edge_node: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::power, ::elasticity::NodeDisplacementArray<Real,
+      Space>>, LevelPowerFormats> power;
+  /// quasistatic::NodeParents, per child: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::parents,
+      ::quasistatic::NodeParentsArray<Real, Space>>, LevelParentsFormats>> parents;
+  /// In place of `parents`, to a background grid.
+  /// quasistatic::GridParents, per grid_child: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::grid_parents,
+      ::quasistatic::GridParentsArray<Real, Space>>, LevelGrid_parentsFormats>> grid_parents;
+  /// Of each node of the coarser level: rows of ChildEntry.
+  /// elasticity::IncidenceRange, per parent: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::child_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>, LevelChild_rangesFormats>> child_ranges;
+  /// quasistatic::PackedIncidence, per child_entry: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::child_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>, LevelChild_entriesFormats>> child_entries;
+  /// Of each edge of the coarser level: rows of EdgeTermEntry.
+  /// elasticity::IncidenceRange, per coarse_edge: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::edge_term_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>, LevelEdge_term_rangesFormats>> edge_term_ranges;
+  /// quasistatic::PackedIncidence, per edge_term: left out, takes stores
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::edge_term_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>, LevelEdge_term_entriesFormats>> edge_term_entries;
+  /// Of levels of a background grid, and of the mesh on it.
+  /// quasistatic::TranslationStiffness, per grid_node: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::translations,
+      ::quasistatic::TranslationStiffnessArray<Real, Space>>, LevelTranslationsFormats> translations;
+  /// Of the coarsest level alone.
+  /// quasistatic::CoarseInverse, per coarse_pair: left out, takes stores
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::coarse_inverse, ::quasistatic::CoarseInverseArray<Real,
+      Space>>, LevelCoarse_inverseFormats> coarse_inverse;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
   /// @throw physgen::Error when a count is negative or the memory cannot be had
   void allocate(const Counts& counts) {
     physgen::allocate(constraints, counts.node);
-    physgen::allocate(scales, counts.node, {"scale"});
-    physgen::allocate(node_stiffness, counts.node, {"K"});
-    physgen::allocate(inverse, counts.node, {"D"});
+    physgen::allocate(edges, counts.edge);
+    physgen::allocate(node_edge_ranges, counts.edge_node);
+    physgen::allocate(node_edge_entries, counts.edge_end);
+    physgen::allocate(node_stiffness, counts.block_node, {"K"});
+    physgen::allocate(edge_stiffness, counts.edge);
+    physgen::allocate(scales, counts.node);
+    physgen::allocate(scaled_nodes, counts.edge_node);
+    physgen::allocate(scaled_edges, counts.edge);
+    physgen::allocate(inverse, counts.block_node, {"D"});
+    physgen::allocate(smoother, counts.smoother);
     physgen::allocate(residual, counts.node, {"df"});
     physgen::allocate(correction, counts.node, {"dx"});
+    physgen::allocate(direction, counts.edge_node);
+    physgen::allocate(power, counts.edge_node);
+    physgen::allocate(parents, counts.child);
+    physgen::allocate(grid_parents, counts.grid_child);
+    physgen::allocate(child_ranges, counts.parent);
+    physgen::allocate(child_entries, counts.child_entry);
+    physgen::allocate(edge_term_ranges, counts.coarse_edge);
+    physgen::allocate(edge_term_entries, counts.edge_term);
+    physgen::allocate(translations, counts.grid_node);
+    physgen::allocate(coarse_inverse, counts.coarse_pair);
   }
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return constraints.bytes(
-        ) + scales.bytes() + node_stiffness.bytes() + inverse.bytes() + residual.bytes() + correction.bytes();
+    return constraints.bytes() + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() +
+           node_stiffness.bytes() + edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() +
+           scaled_edges.bytes() + inverse.bytes() + smoother.bytes() + residual.bytes() + correction.bytes() +
+           direction.bytes() + power.bytes() + parents.bytes() + grid_parents.bytes() + child_ranges.bytes() +
+           child_entries.bytes() + edge_term_ranges.bytes() + edge_term_entries.bytes() + translations.bytes() +
+           coarse_inverse.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(constraints)>(counts.node) +
+           physgen::bytes_of_array<decltype(edges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(node_edge_ranges)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(node_edge_entries)>(counts.edge_end) +
+           physgen::bytes_of_array<decltype(node_stiffness)>(counts.block_node) +
+           physgen::bytes_of_array<decltype(edge_stiffness)>(counts.edge) +
+           physgen::bytes_of_array<decltype(scales)>(counts.node) +
+           physgen::bytes_of_array<decltype(scaled_nodes)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(scaled_edges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(inverse)>(counts.block_node) +
+           physgen::bytes_of_array<decltype(smoother)>(counts.smoother) +
+           physgen::bytes_of_array<decltype(residual)>(counts.node) +
+           physgen::bytes_of_array<decltype(correction)>(counts.node) +
+           physgen::bytes_of_array<decltype(direction)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(power)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(parents)>(counts.child) +
+           physgen::bytes_of_array<decltype(grid_parents)>(counts.grid_child) +
+           physgen::bytes_of_array<decltype(child_ranges)>(counts.parent) +
+           physgen::bytes_of_array<decltype(child_entries)>(counts.child_entry) +
+           physgen::bytes_of_array<decltype(edge_term_ranges)>(counts.coarse_edge) +
+           physgen::bytes_of_array<decltype(edge_term_entries)>(counts.edge_term) +
+           physgen::bytes_of_array<decltype(translations)>(counts.grid_node) +
+           physgen::bytes_of_array<decltype(coarse_inverse)>(counts.coarse_pair);
   }
 };
 
-/// Conjugate gradients.
-template <class Space_ = physgen::Host>
-struct Vectors {
+namespace tags::krylov {
+struct step { static constexpr const char* name = "krylov.step"; };
+struct residual { static constexpr const char* name = "krylov.residual"; };
+struct direction { static constexpr const char* name = "krylov.direction"; };
+struct product { static constexpr const char* name = "krylov.product"; };
+struct state { static constexpr const char* name = "krylov.state"; };
+}  // namespace tags::krylov
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
+struct Krylov {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
     physgen::index_t node = 0;
   };
 
+  /// dx
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> step;
+  physgen::StoredArray<Stored, tags::krylov::step, ::elasticity::NodeDisplacementArray<Real, Space>> step;
+  /// r = f + K dx
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
+  physgen::StoredArray<Stored, tags::krylov::residual, ::elasticity::NodeForceDifferentialArray<Real, Space>> residual;
+  /// p
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> direction;
+  physgen::StoredArray<Stored, tags::krylov::direction, ::elasticity::NodeDisplacementArray<Real, Space>> direction;
+  /// K p
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> product;
+  physgen::StoredArray<Stored, tags::krylov::product, ::elasticity::NodeForceDifferentialArray<Real, Space>> product;
   /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
-  ::quasistatic::LinearSolveArray<double, Space> state;
+  physgen::StoredArray<Stored, tags::krylov::state, ::quasistatic::LinearSolveArray<double, Space>> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -179,6 +581,48 @@ struct Vectors {
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return step.bytes() + residual.bytes() + direction.bytes() + product.bytes() + state.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(step)>(counts.node) +
+           physgen::bytes_of_array<decltype(residual)>(counts.node) +
+           physgen::bytes_of_array<decltype(direction)>(counts.node) +
+           physgen::bytes_of_array<decltype(product)>(counts.node) + physgen::bytes_of_array<decltype(state)>(1);
+  }
+};
+
+namespace tags::stresses {
+struct of_tets { static constexpr const char* name = "stresses.of_tets"; };
+}  // namespace tags::stresses
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
+struct Stresses {
+  using Space = Space_;
+  using Real = Real_;
+  using Stored = Stored_;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t tet = 0;
+  };
+
+  /// elasticity::Stress, per tet: P
+  physgen::StoredArray<Stored, tags::stresses::of_tets, ::elasticity::StressArray<double, Space>> of_tets;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(of_tets, counts.tet, {"P"});
+  }
+
+  /// Of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const {
+    return of_tets.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(of_tets)>(counts.tet);
   }
 };
 

@@ -4,16 +4,41 @@
 
 #include <physgen/scene_arrays.h>
 
-#include "scenes/quasistatic.h"
+#include <elasticity.physgen.h>
+#include <quasistatic.physgen.h>
+
+namespace scenes {
+struct quasistatic;
+}
 
 /// Equilibrium of a stable Neo-Hookean body: Newton's method, conjugate gradients with an assembled stiffness, and
 /// multigrid on meshes that halve each other's cells. Volumes are averaged over patches of tets.
 namespace scenes::quasistatic_scene {
 
-template <class Space_ = physgen::Host>
+namespace tags::body {
+struct tets { static constexpr const char* name = "body.tets"; };
+struct node_tet_ranges { static constexpr const char* name = "body.node_tet_ranges"; };
+struct node_tet_entries { static constexpr const char* name = "body.node_tet_entries"; };
+struct edge_tet_ranges { static constexpr const char* name = "body.edge_tet_ranges"; };
+struct edge_tet_entries { static constexpr const char* name = "body.edge_tet_entries"; };
+struct volumes { static constexpr const char* name = "body.volumes"; };
+struct rest { static constexpr const char* name = "body.rest"; };
+struct positions { static constexpr const char* name = "body.positions"; };
+struct trial { static constexpr const char* name = "body.trial"; };
+struct kept { static constexpr const char* name = "body.kept"; };
+struct loads { static constexpr const char* name = "body.loads"; };
+struct motion { static constexpr const char* name = "body.motion"; };
+struct forces { static constexpr const char* name = "body.forces"; };
+struct trial_forces { static constexpr const char* name = "body.trial_forces"; };
+struct increment { static constexpr const char* name = "body.increment"; };
+struct state { static constexpr const char* name = "body.state"; };
+}  // namespace tags::body
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Body {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -26,48 +51,55 @@ struct Body {
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::tets, ::elasticity::TetArray<Real, Space>>> tets;
   /// The tets of each node: rows of NodeTetEntry.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::node_tet_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> node_tet_ranges;
   /// quasistatic::PackedIncidence, per corner: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::node_tet_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> node_tet_entries;
   /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
   /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_tet_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::edge_tet_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> edge_tet_ranges;
   /// quasistatic::PackedIncidence, per tet_edge: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_tet_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::edge_tet_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> edge_tet_entries;
   /// Of each patch or node where volumes are averaged.
   /// quasistatic::MeanVolume, per volume: volume, ratio, pressure, linearised, tangent_pressure, before, full
-  ::quasistatic::MeanVolumeArray<double, Space> volumes;
+  physgen::StoredArray<Stored, tags::body::volumes, ::quasistatic::MeanVolumeArray<double, Space>> volumes;
   /// elasticity::NodePosition, per node: x
-  physgen::ReadOnlyArray<::elasticity::NodePositionArray<double, Space>> rest;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::rest, ::elasticity::NodePositionArray<double,
+      Space>>> rest;
   /// Of the last equilibrium, or of the step under way.
   /// elasticity::NodePosition, per node: x
-  ::elasticity::NodePositionArray<double, Space> positions;
+  physgen::StoredArray<Stored, tags::body::positions, ::elasticity::NodePositionArray<double, Space>> positions;
   /// Where a step leads.
   /// elasticity::NodePosition, per node: x
-  ::elasticity::NodePositionArray<double, Space> trial;
+  physgen::StoredArray<Stored, tags::body::trial, ::elasticity::NodePositionArray<double, Space>> trial;
   /// Where the load increment began.
   /// elasticity::NodePosition, per node: x
-  ::elasticity::NodePositionArray<double, Space> kept;
+  physgen::StoredArray<Stored, tags::body::kept, ::elasticity::NodePositionArray<double, Space>> kept;
   /// External, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::loads, ::elasticity::NodeForceArray<double,
+      Space>>> loads;
   /// Of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::motion, ::elasticity::NodeDisplacementArray<double,
+      Space>>> motion;
   /// Elastic and external; in prescribed components minus the reaction.
   /// elasticity::NodeForce, per node: f
-  ::elasticity::NodeForceArray<double, Space> forces;
+  physgen::StoredArray<Stored, tags::body::forces, ::elasticity::NodeForceArray<double, Space>> forces;
   /// elasticity::NodeForce, per node: f
-  ::elasticity::NodeForceArray<double, Space> trial_forces;
+  physgen::StoredArray<Stored, tags::body::trial_forces, ::elasticity::NodeForceArray<double, Space>> trial_forces;
   /// Of prescribed components.
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<double, Space> increment;
+  physgen::StoredArray<Stored, tags::body::increment, ::elasticity::NodeDisplacementArray<double, Space>> increment;
   /// Its volumetric energy is 0 where no volumes are averaged.
   /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
-  ::quasistatic::EquilibriumArray<double, Space> state;
+  physgen::StoredArray<Stored, tags::body::state, ::quasistatic::EquilibriumArray<double, Space>> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -94,61 +126,85 @@ struct Body {
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return tets.bytes(
-        ) + node_tet_ranges.bytes() + node_tet_entries.bytes() + edge_tet_ranges.bytes() + edge_tet_entries.bytes() +
-            volumes.bytes() + rest.bytes() + positions.bytes() + trial.bytes() + kept.bytes() + loads.bytes() +
-                motion.bytes() + forces.bytes() + trial_forces.bytes() + increment.bytes() + state.bytes();
+    return tets.bytes() + node_tet_ranges.bytes() + node_tet_entries.bytes() + edge_tet_ranges.bytes() +
+           edge_tet_entries.bytes() + volumes.bytes() + rest.bytes() + positions.bytes() + trial.bytes() +
+           kept.bytes() + loads.bytes() + motion.bytes() + forces.bytes() + trial_forces.bytes() + increment.bytes() +
+           state.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(tets)>(counts.tet) +
+           physgen::bytes_of_array<decltype(node_tet_ranges)>(counts.node) +
+           physgen::bytes_of_array<decltype(node_tet_entries)>(counts.corner) +
+           physgen::bytes_of_array<decltype(edge_tet_ranges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(edge_tet_entries)>(counts.tet_edge) +
+           physgen::bytes_of_array<decltype(volumes)>(counts.volume) +
+           physgen::bytes_of_array<decltype(rest)>(counts.node) +
+           physgen::bytes_of_array<decltype(positions)>(counts.node) +
+           physgen::bytes_of_array<decltype(trial)>(counts.node) +
+           physgen::bytes_of_array<decltype(kept)>(counts.node) +
+           physgen::bytes_of_array<decltype(loads)>(counts.node) +
+           physgen::bytes_of_array<decltype(motion)>(counts.node) +
+           physgen::bytes_of_array<decltype(forces)>(counts.node) +
+           physgen::bytes_of_array<decltype(trial_forces)>(counts.node) +
+           physgen::bytes_of_array<decltype(increment)>(counts.node) + physgen::bytes_of_array<decltype(state)>(1);
   }
 };
 
-namespace pruned::patches {
+namespace tags::patches {
+struct tet_patches { static constexpr const char* name = "patches.tet_patches"; };
+struct nodes { static constexpr const char* name = "patches.nodes"; };
+struct parents { static constexpr const char* name = "patches.parents"; };
+struct patch_tet_ranges { static constexpr const char* name = "patches.patch_tet_ranges"; };
+struct patch_tet_entries { static constexpr const char* name = "patches.patch_tet_entries"; };
+struct edge_patch_ranges { static constexpr const char* name = "patches.edge_patch_ranges"; };
+struct edge_patch_entries { static constexpr const char* name = "patches.edge_patch_entries"; };
 struct node_patch_ranges {
+  static constexpr const char* name = "patches.node_patch_ranges";
   struct begin;
   struct end;
 };
-}  // namespace pruned::patches
+struct node_patch_entries {
+  static constexpr const char* name = "patches.node_patch_entries";
+  struct code;
+};
+struct tangent { static constexpr const char* name = "patches.tangent"; };
+struct changes {
+  static constexpr const char* name = "patches.changes";
+  struct change;
+};
+}  // namespace tags::patches
 
 /// How elasticity::IncidenceRange is stored in patches.node_patch_ranges. Not stored:
 /// - begin, end: it is an input; nothing reads it
-template <class Space>
-struct PatchesNode_patch_rangesFormats : physgen::FormatsOf<::elasticity::IncidenceRangeObject, Space> {
-  using begin = physgen::format::Pruned<quasistatic, pruned::patches::node_patch_ranges,
-      pruned::patches::node_patch_ranges::begin>;
-  using end = physgen::format::Pruned<quasistatic, pruned::patches::node_patch_ranges,
-      pruned::patches::node_patch_ranges::end>;
+template <class Stored>
+struct PatchesNode_patch_rangesFormats : Stored {
+  using begin = physgen::format::Pruned<quasistatic, tags::patches::node_patch_ranges,
+      tags::patches::node_patch_ranges::begin>;
+  using end = physgen::format::Pruned<quasistatic, tags::patches::node_patch_ranges,
+      tags::patches::node_patch_ranges::end>;
 };
-
-namespace pruned::patches {
-struct node_patch_entries {
-  struct code;
-};
-}  // namespace pruned::patches
 
 /// How quasistatic::PackedIncidence is stored in patches.node_patch_entries. Not stored:
 /// - code: it is an input; nothing reads it
-template <class Space>
-struct PatchesNode_patch_entriesFormats : physgen::FormatsOf<::quasistatic::PackedIncidenceObject, Space> {
-  using code = physgen::format::Pruned<quasistatic, pruned::patches::node_patch_entries,
-      pruned::patches::node_patch_entries::code>;
+template <class Stored>
+struct PatchesNode_patch_entriesFormats : Stored {
+  using code = physgen::format::Pruned<quasistatic, tags::patches::node_patch_entries,
+      tags::patches::node_patch_entries::code>;
 };
-
-namespace pruned::patches {
-struct changes {
-  struct change;
-};
-}  // namespace pruned::patches
 
 /// How quasistatic::PatchChange is stored in patches.changes. Not stored:
 /// - change: nothing uses it
-template <class Space>
-struct PatchesChangesFormats : physgen::FormatsOf<::quasistatic::PatchChangeObject, Space> {
-  using change = physgen::format::Pruned<quasistatic, pruned::patches::changes, pruned::patches::changes::change>;
+template <class Stored>
+struct PatchesChangesFormats : Stored {
+  using change = physgen::format::Pruned<quasistatic, tags::patches::changes, tags::patches::changes::change>;
 };
 
-template <class Space_ = physgen::Host>
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Patches {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -163,33 +219,41 @@ struct Patches {
   };
 
   /// quasistatic::TetPatch, per tet: patch
-  physgen::ReadOnlyArray<::quasistatic::TetPatchArray<float, Space>> tet_patches;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::patches::tet_patches, ::quasistatic::TetPatchArray<Real,
+      Space>>> tet_patches;
   /// quasistatic::PatchNodes, per patch: nodes
-  physgen::ReadOnlyArray<::quasistatic::PatchNodesArray<float, Space>> nodes;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::patches::nodes, ::quasistatic::PatchNodesArray<Real,
+      Space>>> nodes;
   /// Where there is a coarser level.
   /// quasistatic::PatchParent, per child: patch
-  physgen::ReadOnlyArray<::quasistatic::PatchParentArray<float, Space>> parents;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::patches::parents, ::quasistatic::PatchParentArray<Real,
+      Space>>> parents;
   /// elasticity::IncidenceRange, per patch: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> patch_tet_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::patches::patch_tet_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> patch_tet_ranges;
   /// quasistatic::PatchTet, per tet: tet, slots
-  physgen::ReadOnlyArray<::quasistatic::PatchTetArray<float, Space>> patch_tet_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::patches::patch_tet_entries,
+      ::quasistatic::PatchTetArray<float, Space>>> patch_tet_entries;
   /// Rows of EdgePatchEntry, where the stiffness is assembled.
   /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_patch_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::patches::edge_patch_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> edge_patch_ranges;
   /// quasistatic::PackedIncidence, per edge_patch: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_patch_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::patches::edge_patch_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> edge_patch_entries;
   /// Rows of NodePatchEntry, where it is not.
   /// elasticity::IncidenceRange, per node: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<::elasticity::IncidenceRangeArray<float, Space>,
-      PatchesNode_patch_rangesFormats<Space>>> node_patch_ranges;
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::patches::node_patch_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>, PatchesNode_patch_rangesFormats>> node_patch_ranges;
   /// quasistatic::PackedIncidence, per node_patch: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::PackedIncidenceArray<float, Space>,
-      PatchesNode_patch_entriesFormats<Space>>> node_patch_entries;
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::patches::node_patch_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>, PatchesNode_patch_entriesFormats>> node_patch_entries;
   /// quasistatic::PatchTangent, per patch: g, k
-  ::quasistatic::PatchTangentArray<float, Space> tangent;
+  physgen::StoredArray<Stored, tags::patches::tangent, ::quasistatic::PatchTangentArray<Real, Space>> tangent;
   /// Of products without blocks of edges, on the CPU.
   /// quasistatic::PatchChange, per change: left out, takes stores
-  physgen::WithFormats<::quasistatic::PatchChangeArray<float, Space>, PatchesChangesFormats<Space>> changes;
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::patches::changes, ::quasistatic::PatchChangeArray<Real,
+      Space>>, PatchesChangesFormats> changes;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -210,17 +274,36 @@ struct Patches {
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return tet_patches.bytes(
-        ) + nodes.bytes() + parents.bytes() + patch_tet_ranges.bytes() + patch_tet_entries.bytes() +
-            edge_patch_ranges.bytes() + edge_patch_entries.bytes() + node_patch_ranges.bytes() +
-                node_patch_entries.bytes() + tangent.bytes() + changes.bytes();
+    return tet_patches.bytes() + nodes.bytes() + parents.bytes() + patch_tet_ranges.bytes() +
+           patch_tet_entries.bytes() + edge_patch_ranges.bytes() + edge_patch_entries.bytes() +
+           node_patch_ranges.bytes() + node_patch_entries.bytes() + tangent.bytes() + changes.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(tet_patches)>(counts.tet) +
+           physgen::bytes_of_array<decltype(nodes)>(counts.patch) +
+           physgen::bytes_of_array<decltype(parents)>(counts.child) +
+           physgen::bytes_of_array<decltype(patch_tet_ranges)>(counts.patch) +
+           physgen::bytes_of_array<decltype(patch_tet_entries)>(counts.tet) +
+           physgen::bytes_of_array<decltype(edge_patch_ranges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(edge_patch_entries)>(counts.edge_patch) +
+           physgen::bytes_of_array<decltype(node_patch_ranges)>(counts.node) +
+           physgen::bytes_of_array<decltype(node_patch_entries)>(counts.node_patch) +
+           physgen::bytes_of_array<decltype(tangent)>(counts.patch) +
+           physgen::bytes_of_array<decltype(changes)>(counts.change);
   }
 };
 
-template <class Space_ = physgen::Host>
+namespace tags::chunk {
+struct corners { static constexpr const char* name = "chunk.corners"; };
+struct tangent { static constexpr const char* name = "chunk.tangent"; };
+}  // namespace tags::chunk
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Chunk {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -229,11 +312,11 @@ struct Chunk {
   };
 
   /// elasticity::CornerForces, per chunk_tet: G
-  ::elasticity::CornerForcesArray<double, Space> corners;
+  physgen::StoredArray<Stored, tags::chunk::corners, ::elasticity::CornerForcesArray<double, Space>> corners;
   /// Of a chunk, or of all tets.
   /// quasistatic::TetTangent, per kept_tet: U, g, x1111, x2211, x3311, x2222, x3322, x3333, x2121, x2112, x3131, x3113,
   /// x3232, x3223
-  ::quasistatic::TetTangentArray<float, Space> tangent;
+  physgen::StoredArray<Stored, tags::chunk::tangent, ::quasistatic::TetTangentArray<Real, Space>> tangent;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -245,42 +328,69 @@ struct Chunk {
   }
 
   /// Of memory held by all arrays, padding included.
-  [[nodiscard]] physgen::index_t bytes() const { return corners.bytes() + tangent.bytes(); }
+  [[nodiscard]] physgen::index_t bytes() const {
+    return corners.bytes() + tangent.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(corners)>(counts.chunk_tet) +
+           physgen::bytes_of_array<decltype(tangent)>(counts.kept_tet);
+  }
 };
 
-namespace pruned::level {
+namespace tags::level {
+struct constraints { static constexpr const char* name = "level.constraints"; };
+struct edges { static constexpr const char* name = "level.edges"; };
+struct node_edge_ranges { static constexpr const char* name = "level.node_edge_ranges"; };
+struct node_edge_entries { static constexpr const char* name = "level.node_edge_entries"; };
+struct node_stiffness { static constexpr const char* name = "level.node_stiffness"; };
+struct edge_stiffness { static constexpr const char* name = "level.edge_stiffness"; };
+struct scales { static constexpr const char* name = "level.scales"; };
+struct scaled_nodes { static constexpr const char* name = "level.scaled_nodes"; };
+struct scaled_edges { static constexpr const char* name = "level.scaled_edges"; };
+struct inverse { static constexpr const char* name = "level.inverse"; };
+struct smoother { static constexpr const char* name = "level.smoother"; };
+struct residual { static constexpr const char* name = "level.residual"; };
+struct correction { static constexpr const char* name = "level.correction"; };
+struct direction { static constexpr const char* name = "level.direction"; };
+struct power { static constexpr const char* name = "level.power"; };
+struct parents { static constexpr const char* name = "level.parents"; };
 struct grid_parents {
+  static constexpr const char* name = "level.grid_parents";
   struct nodes;
   struct weights;
 };
-}  // namespace pruned::level
+struct child_ranges { static constexpr const char* name = "level.child_ranges"; };
+struct child_entries { static constexpr const char* name = "level.child_entries"; };
+struct edge_term_ranges { static constexpr const char* name = "level.edge_term_ranges"; };
+struct edge_term_entries { static constexpr const char* name = "level.edge_term_entries"; };
+struct translations {
+  static constexpr const char* name = "level.translations";
+  struct T;
+};
+struct coarse_inverse { static constexpr const char* name = "level.coarse_inverse"; };
+}  // namespace tags::level
 
 /// How quasistatic::GridParents is stored in level.grid_parents. Not stored:
 /// - nodes, weights: it is an input; nothing reads it
-template <class Space>
-struct LevelGrid_parentsFormats : physgen::FormatsOf<::quasistatic::GridParentsObject, Space> {
-  using nodes = physgen::format::Pruned<quasistatic, pruned::level::grid_parents, pruned::level::grid_parents::nodes>;
-  using weights = physgen::format::Pruned<quasistatic, pruned::level::grid_parents,
-      pruned::level::grid_parents::weights>;
+template <class Stored>
+struct LevelGrid_parentsFormats : Stored {
+  using nodes = physgen::format::Pruned<quasistatic, tags::level::grid_parents, tags::level::grid_parents::nodes>;
+  using weights = physgen::format::Pruned<quasistatic, tags::level::grid_parents, tags::level::grid_parents::weights>;
 };
-
-namespace pruned::level {
-struct translations {
-  struct T;
-};
-}  // namespace pruned::level
 
 /// How quasistatic::TranslationStiffness is stored in level.translations. Not stored:
 /// - T: nothing uses it
-template <class Space>
-struct LevelTranslationsFormats : physgen::FormatsOf<::quasistatic::TranslationStiffnessObject, Space> {
-  using T = physgen::format::Pruned<quasistatic, pruned::level::translations, pruned::level::translations::T>;
+template <class Stored>
+struct LevelTranslationsFormats : Stored {
+  using T = physgen::format::Pruned<quasistatic, tags::level::translations, tags::level::translations::T>;
 };
 
-template <class Space_ = physgen::Host>
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Level {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -301,63 +411,74 @@ struct Level {
   };
 
   /// quasistatic::NodeConstraint, per node: fixed
-  physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::constraints, ::quasistatic::NodeConstraintArray<Real,
+      Space>>> constraints;
   /// elasticity::Edge, per edge: nodes
-  physgen::ReadOnlyArray<::elasticity::EdgeArray<float, Space>> edges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edges, ::elasticity::EdgeArray<Real, Space>>> edges;
   /// Rows of NodeEdgeEntry.
   /// elasticity::IncidenceRange, per edge_node: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_edge_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::node_edge_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> node_edge_ranges;
   /// quasistatic::PackedIncidence, per edge_end: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_edge_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::node_edge_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> node_edge_entries;
   /// elasticity::NodeStiffness, per block_node: K
-  ::elasticity::NodeStiffnessArray<float, Space> node_stiffness;
+  physgen::StoredArray<Stored, tags::level::node_stiffness, ::elasticity::NodeStiffnessArray<Real,
+      Space>> node_stiffness;
   /// elasticity::EdgeStiffness, per edge: E
-  ::elasticity::EdgeStiffnessArray<float, Space> edge_stiffness;
+  physgen::StoredArray<Stored, tags::level::edge_stiffness, ::elasticity::EdgeStiffnessArray<Real,
+      Space>> edge_stiffness;
   /// quasistatic::NodeScale, per node: scale, inverse
-  ::quasistatic::NodeScaleArray<float, Space> scales;
+  physgen::StoredArray<Stored, tags::level::scales, ::quasistatic::NodeScaleArray<Real, Space>> scales;
   /// elasticity::NodeStiffness, per edge_node: K
-  ::elasticity::NodeStiffnessArray<float, Space> scaled_nodes;
+  physgen::StoredArray<Stored, tags::level::scaled_nodes, ::elasticity::NodeStiffnessArray<Real, Space>> scaled_nodes;
   /// elasticity::EdgeStiffness, per edge: E
-  ::elasticity::EdgeStiffnessArray<float, Space> scaled_edges;
+  physgen::StoredArray<Stored, tags::level::scaled_edges, ::elasticity::EdgeStiffnessArray<Real, Space>> scaled_edges;
   /// quasistatic::NodeInverse, per block_node: D
-  ::quasistatic::NodeInverseArray<float, Space> inverse;
+  physgen::StoredArray<Stored, tags::level::inverse, ::quasistatic::NodeInverseArray<Real, Space>> inverse;
   /// quasistatic::Smoother, per smoother: largest, length
-  ::quasistatic::SmootherArray<double, Space> smoother;
+  physgen::StoredArray<Stored, tags::level::smoother, ::quasistatic::SmootherArray<double, Space>> smoother;
   /// r
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
+  physgen::StoredArray<Stored, tags::level::residual, ::elasticity::NodeForceDifferentialArray<Real, Space>> residual;
   /// z
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> correction;
+  physgen::StoredArray<Stored, tags::level::correction, ::elasticity::NodeDisplacementArray<Real, Space>> correction;
   /// d
   /// elasticity::NodeDisplacement, per edge_node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> direction;
+  physgen::StoredArray<Stored, tags::level::direction, ::elasticity::NodeDisplacementArray<Real, Space>> direction;
   /// The eigenvector that power iterations approach.
   /// elasticity::NodeDisplacement, per edge_node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> power;
+  physgen::StoredArray<Stored, tags::level::power, ::elasticity::NodeDisplacementArray<Real, Space>> power;
   /// quasistatic::NodeParents, per child: nodes
-  physgen::ReadOnlyArray<::quasistatic::NodeParentsArray<float, Space>> parents;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::parents, ::quasistatic::NodeParentsArray<Real,
+      Space>>> parents;
   /// In place of `parents`, to a background grid.
   /// quasistatic::GridParents, per grid_child: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::GridParentsArray<float, Space>,
-      LevelGrid_parentsFormats<Space>>> grid_parents;
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::grid_parents,
+      ::quasistatic::GridParentsArray<Real, Space>>, LevelGrid_parentsFormats>> grid_parents;
   /// Of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> child_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> child_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> child_entries;
   /// Of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_term_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_term_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> edge_term_entries;
   /// Of levels of a background grid, and of the mesh on it.
   /// quasistatic::TranslationStiffness, per grid_node: left out, takes stores
-  physgen::WithFormats<::quasistatic::TranslationStiffnessArray<float, Space>,
-      LevelTranslationsFormats<Space>> translations;
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::translations,
+      ::quasistatic::TranslationStiffnessArray<Real, Space>>, LevelTranslationsFormats> translations;
   /// Of the coarsest level alone.
   /// quasistatic::CoarseInverse, per coarse_pair: G
-  ::quasistatic::CoarseInverseArray<float, Space> coarse_inverse;
+  physgen::StoredArray<Stored, tags::level::coarse_inverse, ::quasistatic::CoarseInverseArray<Real,
+      Space>> coarse_inverse;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -390,20 +511,54 @@ struct Level {
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return constraints.bytes(
-        ) + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() + node_stiffness.bytes() +
-            edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() + scaled_edges.bytes() + inverse.bytes() +
-                smoother.bytes() + residual.bytes() + correction.bytes() + direction.bytes() + power.bytes() +
-                    parents.bytes() + grid_parents.bytes() + child_ranges.bytes() + child_entries.bytes() +
-                        edge_term_ranges.bytes() + edge_term_entries.bytes() + translations.bytes() +
-                            coarse_inverse.bytes();
+    return constraints.bytes() + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() +
+           node_stiffness.bytes() + edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() +
+           scaled_edges.bytes() + inverse.bytes() + smoother.bytes() + residual.bytes() + correction.bytes() +
+           direction.bytes() + power.bytes() + parents.bytes() + grid_parents.bytes() + child_ranges.bytes() +
+           child_entries.bytes() + edge_term_ranges.bytes() + edge_term_entries.bytes() + translations.bytes() +
+           coarse_inverse.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(constraints)>(counts.node) +
+           physgen::bytes_of_array<decltype(edges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(node_edge_ranges)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(node_edge_entries)>(counts.edge_end) +
+           physgen::bytes_of_array<decltype(node_stiffness)>(counts.block_node) +
+           physgen::bytes_of_array<decltype(edge_stiffness)>(counts.edge) +
+           physgen::bytes_of_array<decltype(scales)>(counts.node) +
+           physgen::bytes_of_array<decltype(scaled_nodes)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(scaled_edges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(inverse)>(counts.block_node) +
+           physgen::bytes_of_array<decltype(smoother)>(counts.smoother) +
+           physgen::bytes_of_array<decltype(residual)>(counts.node) +
+           physgen::bytes_of_array<decltype(correction)>(counts.node) +
+           physgen::bytes_of_array<decltype(direction)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(power)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(parents)>(counts.child) +
+           physgen::bytes_of_array<decltype(grid_parents)>(counts.grid_child) +
+           physgen::bytes_of_array<decltype(child_ranges)>(counts.parent) +
+           physgen::bytes_of_array<decltype(child_entries)>(counts.child_entry) +
+           physgen::bytes_of_array<decltype(edge_term_ranges)>(counts.coarse_edge) +
+           physgen::bytes_of_array<decltype(edge_term_entries)>(counts.edge_term) +
+           physgen::bytes_of_array<decltype(translations)>(counts.grid_node) +
+           physgen::bytes_of_array<decltype(coarse_inverse)>(counts.coarse_pair);
   }
 };
 
-template <class Space_ = physgen::Host>
+namespace tags::krylov {
+struct step { static constexpr const char* name = "krylov.step"; };
+struct residual { static constexpr const char* name = "krylov.residual"; };
+struct direction { static constexpr const char* name = "krylov.direction"; };
+struct product { static constexpr const char* name = "krylov.product"; };
+struct state { static constexpr const char* name = "krylov.state"; };
+}  // namespace tags::krylov
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Krylov {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -412,18 +567,18 @@ struct Krylov {
 
   /// dx
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> step;
+  physgen::StoredArray<Stored, tags::krylov::step, ::elasticity::NodeDisplacementArray<Real, Space>> step;
   /// r = f + K dx
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
+  physgen::StoredArray<Stored, tags::krylov::residual, ::elasticity::NodeForceDifferentialArray<Real, Space>> residual;
   /// p
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> direction;
+  physgen::StoredArray<Stored, tags::krylov::direction, ::elasticity::NodeDisplacementArray<Real, Space>> direction;
   /// K p
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> product;
+  physgen::StoredArray<Stored, tags::krylov::product, ::elasticity::NodeForceDifferentialArray<Real, Space>> product;
   /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
-  ::quasistatic::LinearSolveArray<double, Space> state;
+  physgen::StoredArray<Stored, tags::krylov::state, ::quasistatic::LinearSolveArray<double, Space>> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -440,12 +595,24 @@ struct Krylov {
   [[nodiscard]] physgen::index_t bytes() const {
     return step.bytes() + residual.bytes() + direction.bytes() + product.bytes() + state.bytes();
   }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(step)>(counts.node) +
+           physgen::bytes_of_array<decltype(residual)>(counts.node) +
+           physgen::bytes_of_array<decltype(direction)>(counts.node) +
+           physgen::bytes_of_array<decltype(product)>(counts.node) + physgen::bytes_of_array<decltype(state)>(1);
+  }
 };
 
-template <class Space_ = physgen::Host>
+namespace tags::stresses {
+struct of_tets { static constexpr const char* name = "stresses.of_tets"; };
+}  // namespace tags::stresses
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Stresses {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -453,7 +620,7 @@ struct Stresses {
   };
 
   /// elasticity::Stress, per tet: P
-  ::elasticity::StressArray<double, Space> of_tets;
+  physgen::StoredArray<Stored, tags::stresses::of_tets, ::elasticity::StressArray<double, Space>> of_tets;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -463,7 +630,13 @@ struct Stresses {
   }
 
   /// Of memory held by all arrays, padding included.
-  [[nodiscard]] physgen::index_t bytes() const { return of_tets.bytes(); }
+  [[nodiscard]] physgen::index_t bytes() const {
+    return of_tets.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(of_tets)>(counts.tet);
+  }
 };
 
 }  // namespace scenes::quasistatic_scene

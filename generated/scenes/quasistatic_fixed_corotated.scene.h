@@ -4,14 +4,25 @@
 
 #include <physgen/scene_arrays.h>
 
-#include "scenes/quasistatic_fixed_corotated.h"
+#include <elasticity.physgen.h>
+#include <quasistatic.physgen.h>
+
+namespace scenes {
+struct quasistatic_fixed_corotated;
+}
 
 /// Equilibrium of a fixed corotated body, tet by tet: Newton's method, conjugate gradients with an assembled stiffness,
 /// and multigrid on meshes that halve each other's cells.
 namespace scenes::quasistatic_fixed_corotated_scene {
 
-namespace pruned::body {
+namespace tags::body {
+struct tets { static constexpr const char* name = "body.tets"; };
+struct node_tet_ranges { static constexpr const char* name = "body.node_tet_ranges"; };
+struct node_tet_entries { static constexpr const char* name = "body.node_tet_entries"; };
+struct edge_tet_ranges { static constexpr const char* name = "body.edge_tet_ranges"; };
+struct edge_tet_entries { static constexpr const char* name = "body.edge_tet_entries"; };
 struct volumes {
+  static constexpr const char* name = "body.volumes";
   struct volume;
   struct ratio;
   struct pressure;
@@ -20,31 +31,39 @@ struct volumes {
   struct before;
   struct full;
 };
-}  // namespace pruned::body
+struct rest { static constexpr const char* name = "body.rest"; };
+struct positions { static constexpr const char* name = "body.positions"; };
+struct trial { static constexpr const char* name = "body.trial"; };
+struct kept { static constexpr const char* name = "body.kept"; };
+struct loads { static constexpr const char* name = "body.loads"; };
+struct motion { static constexpr const char* name = "body.motion"; };
+struct forces { static constexpr const char* name = "body.forces"; };
+struct trial_forces { static constexpr const char* name = "body.trial_forces"; };
+struct increment { static constexpr const char* name = "body.increment"; };
+struct state { static constexpr const char* name = "body.state"; };
+}  // namespace tags::body
 
 /// How quasistatic::MeanVolume is stored in body.volumes. Not stored:
 /// - volume, ratio, pressure, linearised, tangent_pressure, before, full: nothing uses it
-template <class Space>
-struct BodyVolumesFormats : physgen::FormatsOf<::quasistatic::MeanVolumeObject, Space> {
-  using volume = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::body::volumes,
-      pruned::body::volumes::volume>;
-  using ratio = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::body::volumes,
-      pruned::body::volumes::ratio>;
-  using pressure = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::body::volumes,
-      pruned::body::volumes::pressure>;
-  using linearised = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::body::volumes,
-      pruned::body::volumes::linearised>;
-  using tangent_pressure = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::body::volumes,
-      pruned::body::volumes::tangent_pressure>;
-  using before = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::body::volumes,
-      pruned::body::volumes::before>;
-  using full = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::body::volumes, pruned::body::volumes::full>;
+template <class Stored>
+struct BodyVolumesFormats : Stored {
+  using volume = physgen::format::Pruned<quasistatic_fixed_corotated, tags::body::volumes, tags::body::volumes::volume>;
+  using ratio = physgen::format::Pruned<quasistatic_fixed_corotated, tags::body::volumes, tags::body::volumes::ratio>;
+  using pressure = physgen::format::Pruned<quasistatic_fixed_corotated, tags::body::volumes,
+      tags::body::volumes::pressure>;
+  using linearised = physgen::format::Pruned<quasistatic_fixed_corotated, tags::body::volumes,
+      tags::body::volumes::linearised>;
+  using tangent_pressure = physgen::format::Pruned<quasistatic_fixed_corotated, tags::body::volumes,
+      tags::body::volumes::tangent_pressure>;
+  using before = physgen::format::Pruned<quasistatic_fixed_corotated, tags::body::volumes, tags::body::volumes::before>;
+  using full = physgen::format::Pruned<quasistatic_fixed_corotated, tags::body::volumes, tags::body::volumes::full>;
 };
 
-template <class Space_ = physgen::Host>
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Body {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -57,48 +76,56 @@ struct Body {
   };
 
   /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<::elasticity::TetArray<float, Space>> tets;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::tets, ::elasticity::TetArray<Real, Space>>> tets;
   /// The tets of each node: rows of NodeTetEntry.
   /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_tet_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::node_tet_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> node_tet_ranges;
   /// quasistatic::PackedIncidence, per corner: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_tet_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::node_tet_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> node_tet_entries;
   /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
   /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_tet_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::edge_tet_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> edge_tet_ranges;
   /// quasistatic::PackedIncidence, per tet_edge: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_tet_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::edge_tet_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> edge_tet_entries;
   /// Of each patch or node where volumes are averaged.
   /// quasistatic::MeanVolume, per volume: left out, takes stores
-  physgen::WithFormats<::quasistatic::MeanVolumeArray<double, Space>, BodyVolumesFormats<Space>> volumes;
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::body::volumes, ::quasistatic::MeanVolumeArray<double, Space>>,
+      BodyVolumesFormats> volumes;
   /// elasticity::NodePosition, per node: x
-  physgen::ReadOnlyArray<::elasticity::NodePositionArray<double, Space>> rest;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::rest, ::elasticity::NodePositionArray<double,
+      Space>>> rest;
   /// Of the last equilibrium, or of the step under way.
   /// elasticity::NodePosition, per node: x
-  ::elasticity::NodePositionArray<double, Space> positions;
+  physgen::StoredArray<Stored, tags::body::positions, ::elasticity::NodePositionArray<double, Space>> positions;
   /// Where a step leads.
   /// elasticity::NodePosition, per node: x
-  ::elasticity::NodePositionArray<double, Space> trial;
+  physgen::StoredArray<Stored, tags::body::trial, ::elasticity::NodePositionArray<double, Space>> trial;
   /// Where the load increment began.
   /// elasticity::NodePosition, per node: x
-  ::elasticity::NodePositionArray<double, Space> kept;
+  physgen::StoredArray<Stored, tags::body::kept, ::elasticity::NodePositionArray<double, Space>> kept;
   /// External, at a load of 1.
   /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<::elasticity::NodeForceArray<double, Space>> loads;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::loads, ::elasticity::NodeForceArray<double,
+      Space>>> loads;
   /// Of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<::elasticity::NodeDisplacementArray<double, Space>> motion;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::motion, ::elasticity::NodeDisplacementArray<double,
+      Space>>> motion;
   /// Elastic and external; in prescribed components minus the reaction.
   /// elasticity::NodeForce, per node: f
-  ::elasticity::NodeForceArray<double, Space> forces;
+  physgen::StoredArray<Stored, tags::body::forces, ::elasticity::NodeForceArray<double, Space>> forces;
   /// elasticity::NodeForce, per node: f
-  ::elasticity::NodeForceArray<double, Space> trial_forces;
+  physgen::StoredArray<Stored, tags::body::trial_forces, ::elasticity::NodeForceArray<double, Space>> trial_forces;
   /// Of prescribed components.
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<double, Space> increment;
+  physgen::StoredArray<Stored, tags::body::increment, ::elasticity::NodeDisplacementArray<double, Space>> increment;
   /// Its volumetric energy is 0 where no volumes are averaged.
   /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
-  ::quasistatic::EquilibriumArray<double, Space> state;
+  physgen::StoredArray<Stored, tags::body::state, ::quasistatic::EquilibriumArray<double, Space>> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -124,17 +151,41 @@ struct Body {
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return tets.bytes(
-        ) + node_tet_ranges.bytes() + node_tet_entries.bytes() + edge_tet_ranges.bytes() + edge_tet_entries.bytes() +
-            volumes.bytes() + rest.bytes() + positions.bytes() + trial.bytes() + kept.bytes() + loads.bytes() +
-                motion.bytes() + forces.bytes() + trial_forces.bytes() + increment.bytes() + state.bytes();
+    return tets.bytes() + node_tet_ranges.bytes() + node_tet_entries.bytes() + edge_tet_ranges.bytes() +
+           edge_tet_entries.bytes() + volumes.bytes() + rest.bytes() + positions.bytes() + trial.bytes() +
+           kept.bytes() + loads.bytes() + motion.bytes() + forces.bytes() + trial_forces.bytes() + increment.bytes() +
+           state.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(tets)>(counts.tet) +
+           physgen::bytes_of_array<decltype(node_tet_ranges)>(counts.node) +
+           physgen::bytes_of_array<decltype(node_tet_entries)>(counts.corner) +
+           physgen::bytes_of_array<decltype(edge_tet_ranges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(edge_tet_entries)>(counts.tet_edge) +
+           physgen::bytes_of_array<decltype(volumes)>(counts.volume) +
+           physgen::bytes_of_array<decltype(rest)>(counts.node) +
+           physgen::bytes_of_array<decltype(positions)>(counts.node) +
+           physgen::bytes_of_array<decltype(trial)>(counts.node) +
+           physgen::bytes_of_array<decltype(kept)>(counts.node) +
+           physgen::bytes_of_array<decltype(loads)>(counts.node) +
+           physgen::bytes_of_array<decltype(motion)>(counts.node) +
+           physgen::bytes_of_array<decltype(forces)>(counts.node) +
+           physgen::bytes_of_array<decltype(trial_forces)>(counts.node) +
+           physgen::bytes_of_array<decltype(increment)>(counts.node) + physgen::bytes_of_array<decltype(state)>(1);
   }
 };
 
-template <class Space_ = physgen::Host>
+namespace tags::chunk {
+struct corners { static constexpr const char* name = "chunk.corners"; };
+struct tangent { static constexpr const char* name = "chunk.tangent"; };
+}  // namespace tags::chunk
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Chunk {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -143,11 +194,11 @@ struct Chunk {
   };
 
   /// elasticity::CornerForces, per chunk_tet: G
-  ::elasticity::CornerForcesArray<double, Space> corners;
+  physgen::StoredArray<Stored, tags::chunk::corners, ::elasticity::CornerForcesArray<double, Space>> corners;
   /// Of a chunk, or of all tets.
   /// quasistatic::TetTangent, per kept_tet: U, g, x1111, x2211, x3311, x2222, x3322, x3333, x2121, x2112, x3131, x3113,
   /// x3232, x3223
-  ::quasistatic::TetTangentArray<float, Space> tangent;
+  physgen::StoredArray<Stored, tags::chunk::tangent, ::quasistatic::TetTangentArray<Real, Space>> tangent;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -159,44 +210,72 @@ struct Chunk {
   }
 
   /// Of memory held by all arrays, padding included.
-  [[nodiscard]] physgen::index_t bytes() const { return corners.bytes() + tangent.bytes(); }
+  [[nodiscard]] physgen::index_t bytes() const {
+    return corners.bytes() + tangent.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(corners)>(counts.chunk_tet) +
+           physgen::bytes_of_array<decltype(tangent)>(counts.kept_tet);
+  }
 };
 
-namespace pruned::level {
+namespace tags::level {
+struct constraints { static constexpr const char* name = "level.constraints"; };
+struct edges { static constexpr const char* name = "level.edges"; };
+struct node_edge_ranges { static constexpr const char* name = "level.node_edge_ranges"; };
+struct node_edge_entries { static constexpr const char* name = "level.node_edge_entries"; };
+struct node_stiffness { static constexpr const char* name = "level.node_stiffness"; };
+struct edge_stiffness { static constexpr const char* name = "level.edge_stiffness"; };
+struct scales { static constexpr const char* name = "level.scales"; };
+struct scaled_nodes { static constexpr const char* name = "level.scaled_nodes"; };
+struct scaled_edges { static constexpr const char* name = "level.scaled_edges"; };
+struct inverse { static constexpr const char* name = "level.inverse"; };
+struct smoother { static constexpr const char* name = "level.smoother"; };
+struct residual { static constexpr const char* name = "level.residual"; };
+struct correction { static constexpr const char* name = "level.correction"; };
+struct direction { static constexpr const char* name = "level.direction"; };
+struct power { static constexpr const char* name = "level.power"; };
+struct parents { static constexpr const char* name = "level.parents"; };
 struct grid_parents {
+  static constexpr const char* name = "level.grid_parents";
   struct nodes;
   struct weights;
 };
-}  // namespace pruned::level
+struct child_ranges { static constexpr const char* name = "level.child_ranges"; };
+struct child_entries { static constexpr const char* name = "level.child_entries"; };
+struct edge_term_ranges { static constexpr const char* name = "level.edge_term_ranges"; };
+struct edge_term_entries { static constexpr const char* name = "level.edge_term_entries"; };
+struct translations {
+  static constexpr const char* name = "level.translations";
+  struct T;
+};
+struct coarse_inverse { static constexpr const char* name = "level.coarse_inverse"; };
+}  // namespace tags::level
 
 /// How quasistatic::GridParents is stored in level.grid_parents. Not stored:
 /// - nodes, weights: it is an input; nothing reads it
-template <class Space>
-struct LevelGrid_parentsFormats : physgen::FormatsOf<::quasistatic::GridParentsObject, Space> {
-  using nodes = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::level::grid_parents,
-      pruned::level::grid_parents::nodes>;
-  using weights = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::level::grid_parents,
-      pruned::level::grid_parents::weights>;
+template <class Stored>
+struct LevelGrid_parentsFormats : Stored {
+  using nodes = physgen::format::Pruned<quasistatic_fixed_corotated, tags::level::grid_parents,
+      tags::level::grid_parents::nodes>;
+  using weights = physgen::format::Pruned<quasistatic_fixed_corotated, tags::level::grid_parents,
+      tags::level::grid_parents::weights>;
 };
-
-namespace pruned::level {
-struct translations {
-  struct T;
-};
-}  // namespace pruned::level
 
 /// How quasistatic::TranslationStiffness is stored in level.translations. Not stored:
 /// - T: nothing uses it
-template <class Space>
-struct LevelTranslationsFormats : physgen::FormatsOf<::quasistatic::TranslationStiffnessObject, Space> {
-  using T = physgen::format::Pruned<quasistatic_fixed_corotated, pruned::level::translations,
-      pruned::level::translations::T>;
+template <class Stored>
+struct LevelTranslationsFormats : Stored {
+  using T = physgen::format::Pruned<quasistatic_fixed_corotated, tags::level::translations,
+      tags::level::translations::T>;
 };
 
-template <class Space_ = physgen::Host>
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Level {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -217,63 +296,74 @@ struct Level {
   };
 
   /// quasistatic::NodeConstraint, per node: fixed
-  physgen::ReadOnlyArray<::quasistatic::NodeConstraintArray<float, Space>> constraints;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::constraints, ::quasistatic::NodeConstraintArray<Real,
+      Space>>> constraints;
   /// elasticity::Edge, per edge: nodes
-  physgen::ReadOnlyArray<::elasticity::EdgeArray<float, Space>> edges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edges, ::elasticity::EdgeArray<Real, Space>>> edges;
   /// Rows of NodeEdgeEntry.
   /// elasticity::IncidenceRange, per edge_node: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> node_edge_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::node_edge_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> node_edge_ranges;
   /// quasistatic::PackedIncidence, per edge_end: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> node_edge_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::node_edge_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> node_edge_entries;
   /// elasticity::NodeStiffness, per block_node: K
-  ::elasticity::NodeStiffnessArray<float, Space> node_stiffness;
+  physgen::StoredArray<Stored, tags::level::node_stiffness, ::elasticity::NodeStiffnessArray<Real,
+      Space>> node_stiffness;
   /// elasticity::EdgeStiffness, per edge: E
-  ::elasticity::EdgeStiffnessArray<float, Space> edge_stiffness;
+  physgen::StoredArray<Stored, tags::level::edge_stiffness, ::elasticity::EdgeStiffnessArray<Real,
+      Space>> edge_stiffness;
   /// quasistatic::NodeScale, per node: scale, inverse
-  ::quasistatic::NodeScaleArray<float, Space> scales;
+  physgen::StoredArray<Stored, tags::level::scales, ::quasistatic::NodeScaleArray<Real, Space>> scales;
   /// elasticity::NodeStiffness, per edge_node: K
-  ::elasticity::NodeStiffnessArray<float, Space> scaled_nodes;
+  physgen::StoredArray<Stored, tags::level::scaled_nodes, ::elasticity::NodeStiffnessArray<Real, Space>> scaled_nodes;
   /// elasticity::EdgeStiffness, per edge: E
-  ::elasticity::EdgeStiffnessArray<float, Space> scaled_edges;
+  physgen::StoredArray<Stored, tags::level::scaled_edges, ::elasticity::EdgeStiffnessArray<Real, Space>> scaled_edges;
   /// quasistatic::NodeInverse, per block_node: D
-  ::quasistatic::NodeInverseArray<float, Space> inverse;
+  physgen::StoredArray<Stored, tags::level::inverse, ::quasistatic::NodeInverseArray<Real, Space>> inverse;
   /// quasistatic::Smoother, per smoother: largest, length
-  ::quasistatic::SmootherArray<double, Space> smoother;
+  physgen::StoredArray<Stored, tags::level::smoother, ::quasistatic::SmootherArray<double, Space>> smoother;
   /// r
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
+  physgen::StoredArray<Stored, tags::level::residual, ::elasticity::NodeForceDifferentialArray<Real, Space>> residual;
   /// z
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> correction;
+  physgen::StoredArray<Stored, tags::level::correction, ::elasticity::NodeDisplacementArray<Real, Space>> correction;
   /// d
   /// elasticity::NodeDisplacement, per edge_node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> direction;
+  physgen::StoredArray<Stored, tags::level::direction, ::elasticity::NodeDisplacementArray<Real, Space>> direction;
   /// The eigenvector that power iterations approach.
   /// elasticity::NodeDisplacement, per edge_node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> power;
+  physgen::StoredArray<Stored, tags::level::power, ::elasticity::NodeDisplacementArray<Real, Space>> power;
   /// quasistatic::NodeParents, per child: nodes
-  physgen::ReadOnlyArray<::quasistatic::NodeParentsArray<float, Space>> parents;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::parents, ::quasistatic::NodeParentsArray<Real,
+      Space>>> parents;
   /// In place of `parents`, to a background grid.
   /// quasistatic::GridParents, per grid_child: left out, takes stores
-  physgen::ReadOnlyArray<physgen::WithFormats<::quasistatic::GridParentsArray<float, Space>,
-      LevelGrid_parentsFormats<Space>>> grid_parents;
+  physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::grid_parents,
+      ::quasistatic::GridParentsArray<Real, Space>>, LevelGrid_parentsFormats>> grid_parents;
   /// Of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> child_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> child_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> child_entries;
   /// Of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: begin, end
-  physgen::ReadOnlyArray<::elasticity::IncidenceRangeArray<float, Space>> edge_term_ranges;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: code
-  physgen::ReadOnlyArray<::quasistatic::PackedIncidenceArray<float, Space>> edge_term_entries;
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> edge_term_entries;
   /// Of levels of a background grid, and of the mesh on it.
   /// quasistatic::TranslationStiffness, per grid_node: left out, takes stores
-  physgen::WithFormats<::quasistatic::TranslationStiffnessArray<float, Space>,
-      LevelTranslationsFormats<Space>> translations;
+  physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::translations,
+      ::quasistatic::TranslationStiffnessArray<Real, Space>>, LevelTranslationsFormats> translations;
   /// Of the coarsest level alone.
   /// quasistatic::CoarseInverse, per coarse_pair: G
-  ::quasistatic::CoarseInverseArray<float, Space> coarse_inverse;
+  physgen::StoredArray<Stored, tags::level::coarse_inverse, ::quasistatic::CoarseInverseArray<Real,
+      Space>> coarse_inverse;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -306,20 +396,54 @@ struct Level {
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return constraints.bytes(
-        ) + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() + node_stiffness.bytes() +
-            edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() + scaled_edges.bytes() + inverse.bytes() +
-                smoother.bytes() + residual.bytes() + correction.bytes() + direction.bytes() + power.bytes() +
-                    parents.bytes() + grid_parents.bytes() + child_ranges.bytes() + child_entries.bytes() +
-                        edge_term_ranges.bytes() + edge_term_entries.bytes() + translations.bytes() +
-                            coarse_inverse.bytes();
+    return constraints.bytes() + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() +
+           node_stiffness.bytes() + edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() +
+           scaled_edges.bytes() + inverse.bytes() + smoother.bytes() + residual.bytes() + correction.bytes() +
+           direction.bytes() + power.bytes() + parents.bytes() + grid_parents.bytes() + child_ranges.bytes() +
+           child_entries.bytes() + edge_term_ranges.bytes() + edge_term_entries.bytes() + translations.bytes() +
+           coarse_inverse.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(constraints)>(counts.node) +
+           physgen::bytes_of_array<decltype(edges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(node_edge_ranges)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(node_edge_entries)>(counts.edge_end) +
+           physgen::bytes_of_array<decltype(node_stiffness)>(counts.block_node) +
+           physgen::bytes_of_array<decltype(edge_stiffness)>(counts.edge) +
+           physgen::bytes_of_array<decltype(scales)>(counts.node) +
+           physgen::bytes_of_array<decltype(scaled_nodes)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(scaled_edges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(inverse)>(counts.block_node) +
+           physgen::bytes_of_array<decltype(smoother)>(counts.smoother) +
+           physgen::bytes_of_array<decltype(residual)>(counts.node) +
+           physgen::bytes_of_array<decltype(correction)>(counts.node) +
+           physgen::bytes_of_array<decltype(direction)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(power)>(counts.edge_node) +
+           physgen::bytes_of_array<decltype(parents)>(counts.child) +
+           physgen::bytes_of_array<decltype(grid_parents)>(counts.grid_child) +
+           physgen::bytes_of_array<decltype(child_ranges)>(counts.parent) +
+           physgen::bytes_of_array<decltype(child_entries)>(counts.child_entry) +
+           physgen::bytes_of_array<decltype(edge_term_ranges)>(counts.coarse_edge) +
+           physgen::bytes_of_array<decltype(edge_term_entries)>(counts.edge_term) +
+           physgen::bytes_of_array<decltype(translations)>(counts.grid_node) +
+           physgen::bytes_of_array<decltype(coarse_inverse)>(counts.coarse_pair);
   }
 };
 
-template <class Space_ = physgen::Host>
+namespace tags::krylov {
+struct step { static constexpr const char* name = "krylov.step"; };
+struct residual { static constexpr const char* name = "krylov.residual"; };
+struct direction { static constexpr const char* name = "krylov.direction"; };
+struct product { static constexpr const char* name = "krylov.product"; };
+struct state { static constexpr const char* name = "krylov.state"; };
+}  // namespace tags::krylov
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Krylov {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -328,18 +452,18 @@ struct Krylov {
 
   /// dx
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> step;
+  physgen::StoredArray<Stored, tags::krylov::step, ::elasticity::NodeDisplacementArray<Real, Space>> step;
   /// r = f + K dx
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> residual;
+  physgen::StoredArray<Stored, tags::krylov::residual, ::elasticity::NodeForceDifferentialArray<Real, Space>> residual;
   /// p
   /// elasticity::NodeDisplacement, per node: dx
-  ::elasticity::NodeDisplacementArray<float, Space> direction;
+  physgen::StoredArray<Stored, tags::krylov::direction, ::elasticity::NodeDisplacementArray<Real, Space>> direction;
   /// K p
   /// elasticity::NodeForceDifferential, per node: df
-  ::elasticity::NodeForceDifferentialArray<float, Space> product;
+  physgen::StoredArray<Stored, tags::krylov::product, ::elasticity::NodeForceDifferentialArray<Real, Space>> product;
   /// quasistatic::LinearSolve, 1 object: rz, rz_first, tolerance, alpha, beta, iterations, status
-  ::quasistatic::LinearSolveArray<double, Space> state;
+  physgen::StoredArray<Stored, tags::krylov::state, ::quasistatic::LinearSolveArray<double, Space>> state;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -356,12 +480,24 @@ struct Krylov {
   [[nodiscard]] physgen::index_t bytes() const {
     return step.bytes() + residual.bytes() + direction.bytes() + product.bytes() + state.bytes();
   }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(step)>(counts.node) +
+           physgen::bytes_of_array<decltype(residual)>(counts.node) +
+           physgen::bytes_of_array<decltype(direction)>(counts.node) +
+           physgen::bytes_of_array<decltype(product)>(counts.node) + physgen::bytes_of_array<decltype(state)>(1);
+  }
 };
 
-template <class Space_ = physgen::Host>
+namespace tags::stresses {
+struct of_tets { static constexpr const char* name = "stresses.of_tets"; };
+}  // namespace tags::stresses
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
 struct Stresses {
   using Space = Space_;
-  using Real = float;
+  using Real = Real_;
+  using Stored = Stored_;
 
   /// How many objects there are of each kind.
   struct Counts {
@@ -369,7 +505,7 @@ struct Stresses {
   };
 
   /// elasticity::Stress, per tet: P
-  ::elasticity::StressArray<double, Space> of_tets;
+  physgen::StoredArray<Stored, tags::stresses::of_tets, ::elasticity::StressArray<double, Space>> of_tets;
 
   /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
   /// writes before it reads them begin as signalling NaN instead.
@@ -379,7 +515,13 @@ struct Stresses {
   }
 
   /// Of memory held by all arrays, padding included.
-  [[nodiscard]] physgen::index_t bytes() const { return of_tets.bytes(); }
+  [[nodiscard]] physgen::index_t bytes() const {
+    return of_tets.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(of_tets)>(counts.tet);
+  }
 };
 
 }  // namespace scenes::quasistatic_fixed_corotated_scene

@@ -1,21 +1,43 @@
-// Accessor classes as C++ text, from a model. One piece of the text per file: value.cpp, record.cpp, ref.cpp,
-// object.cpp.
+// Emitters: what turns a model into the text of a file. Each is a folder here and a line in emitter.cpp.
 #pragma once
 
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "model/issue.h"
 #include "model/model.h"
 
 namespace physgen::emit {
 
-/// The runtime that generated code is written for: PHYSGEN_RUNTIME_VERSION of its <physgen/config.h>.
-inline constexpr int runtime_version = 4;
+struct Emitter {
+  std::string_view name;    ///< of --emitter: "cpp"
+  std::string_view what;    ///< for help: "accessor classes in C++"
+  std::string_view ending;  ///< of its files: ".physgen.h"
+  /// What it cannot write of a schema, beyond the rules of the model: names that its language keeps, types that would
+  /// clash, sizes.
+  std::vector<model::Issue> (*objections)(const model::Schema&);
+  /// The text of the file; the same text for the same schema, whatever the machine and the time.
+  /// @pre neither model::validate() nor objections() has an objection
+  /// @throws std::logic_error when a planned record does not pass its proof (a defect of physgen)
+  std::string (*emit)(const model::Schema&);
+};
 
-/// The text of the header with the accessor classes of all objects of `schema`; the same text for the same schema,
-/// whatever the machine and the time, so that several targets may generate one schema. It depends on the runtime and on
-/// the headers of imported objects.
-/// @pre validate(schema) has no objection
-/// @throws std::logic_error when a planned record does not pass its proof (a defect of physgen)
-[[nodiscard]] std::string accessor_header(const model::Schema& schema);
+/// All of them; the first is the one that is taken where none is named.
+[[nodiscard]] std::span<const Emitter> emitters();
+
+/// There is no emitter of a name; what() says which is nearest, or which there are.
+struct UnknownEmitter : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// @throws UnknownEmitter
+[[nodiscard]] const Emitter& emitter(const std::string& name);
+
+/// Name of the file that an emitter writes of a schema: "elasticity.h" gives "elasticity.physgen.h"; folders are
+/// dropped.
+[[nodiscard]] std::string file_of(const Emitter& emitter, const std::string& schema_file);
 
 }  // namespace physgen::emit

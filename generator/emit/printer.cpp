@@ -30,15 +30,12 @@ void Printer::line(std::string_view text) {
   text_ += '\n';
 }
 
-void Printer::label(std::string_view text) {
-  text_.append(indent_ - step + 1, ' ').append(text);
-  text_ += '\n';
-}
-
 void Printer::open(std::string_view text) {
   line(text);
-  indent_ += step;
+  open();
 }
+
+void Printer::open() { indent_ += step; }
 
 void Printer::close(std::string_view text) {
   indent_ -= step;
@@ -53,6 +50,24 @@ void Printer::function(std::string_view signature, const std::vector<std::string
   }
   open(head);
   for (const std::string& statement : statements) wrapped(statement);
+  close("}");
+}
+
+void Printer::function_of_sum(std::string_view signature, const std::vector<std::string>& terms) {
+  open(std::string(signature) + " {");
+  const std::string begin = "return ";
+  std::string current = begin;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const std::string term = terms[i] + (i + 1 == terms.size() ? ";" : " +");
+    if (i > 0 && !fits(current.size() + 1 + term.size())) {
+      line(current);
+      current.assign(begin.size(), ' ');
+    } else if (i > 0) {
+      current += ' ';
+    }
+    current += term;
+  }
+  line(current);
   close("}");
 }
 

@@ -13,10 +13,10 @@ class Printer {
 
   /// One line; an empty one has no indentation.
   void line(std::string_view text = {});
-  /// A line that does not follow the indentation of its block, such as "public:".
-  void label(std::string_view text);
   /// A line that begins a block, the lines of which are indented until close().
   void open(std::string_view text);
+  /// The same behind a line that was printed otherwise.
+  void open();
   void close(std::string_view text);
 
   /// A line, broken where it is too long: a return statement behind its first "(", anything else behind a " +"
@@ -24,6 +24,8 @@ class Printer {
   void wrapped(const std::string& text);
   /// A function, on one line if it is one statement that fits: "signature { statement }".
   void function(std::string_view signature, const std::vector<std::string>& statements);
+  /// A function that returns the sum of some terms, as many of which stand on a line as fit.
+  void function_of_sum(std::string_view signature, const std::vector<std::string>& terms);
   /// "head(first, second);" on one line if it fits, else broken before items, which are then aligned behind `head`.
   void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
   /// The same, broken behind `head`, with as many items on each further line as fit.

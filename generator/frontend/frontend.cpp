@@ -31,11 +31,12 @@ constexpr const char* target = "riscv64-unknown-linux-gnu";
 
 class Consumer : public clang::ASTConsumer {
  public:
-  Consumer(clang::Preprocessor& preprocessor, model::Schema& schema) : preprocessor_(preprocessor), schema_(schema) {}
+  Consumer(clang::Preprocessor& preprocessor, const ParseOptions& options, model::Schema& schema)
+      : preprocessor_(preprocessor), options_(options), schema_(schema) {}
 
   void HandleTranslationUnit(clang::ASTContext& context) override {
     const bool has_vocabulary = preprocessor_.isMacroDefined("PHYSGEN_SCHEMA_H");
-    schema_ = read_schema(context, context.getDiagnostics().hasErrorOccurred(), has_vocabulary);
+    schema_ = read_schema(context, context.getDiagnostics().hasErrorOccurred(), has_vocabulary, options_.objections);
   }
 
   /// Clang evaluates a variable field by field, those of nested structs included: twenty-five structs of two of the one
@@ -59,18 +60,20 @@ class Consumer : public clang::ASTConsumer {
  private:
   std::map<const clang::CXXRecordDecl*, double> fields_;  // with those of nested structs
   clang::Preprocessor& preprocessor_;
+  const ParseOptions& options_;
   model::Schema& schema_;
 };
 
 class Action : public clang::ASTFrontendAction {
  public:
-  explicit Action(model::Schema& schema) : schema_(schema) {}
+  Action(const ParseOptions& options, model::Schema& schema) : options_(options), schema_(schema) {}
 
   std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
-    return std::make_unique<Consumer>(compiler.getPreprocessor(), schema_);
+    return std::make_unique<Consumer>(compiler.getPreprocessor(), options_, schema_);
   }
 
  private:
+  const ParseOptions& options_;
   model::Schema& schema_;
 };
 
@@ -164,7 +167,7 @@ Result parse(const std::string& path, const ParseOptions& options) {
   compiler.setVerboseOutputStream(diagnostics);      // "2 errors generated."
   const auto dependencies = std::make_shared<clang::DependencyCollector>();
   compiler.addDependencyCollector(dependencies);
-  Action action(schema);
+  Action action(options, schema);
   // On a thread for its stack: Clang skips brackets that nothing closes by recursion, and a hundred thousand of them
   // are soon there where a file is damaged.
   bool completed = false;

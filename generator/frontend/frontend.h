@@ -5,12 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "model/issue.h"
 #include "model/model.h"
 
 namespace physgen::frontend {
 
 struct ParseOptions {
   std::vector<std::string> include_dirs;  ///< where #include looks, beside the including file's own folder
+  /// What an emitter objects to, beyond the rules of the model; null: nothing is to be written
+  std::vector<model::Issue> (*objections)(const model::Schema&) = nullptr;
 };
 
 struct Result {

@@ -1,6 +1,6 @@
 // See objects.h. The walk goes through everything that can hold a marker; objects stand at namespace scope, and within
 // one every declaration that is not a plain public field is an error. Rules about values come last, from
-// model::validate, and get the carets remembered here.
+// model::validate and from the emitter, and get the carets remembered here.
 #include "frontend/objects.h"
 
 #include <clang/AST/DeclFriend.h>
@@ -38,10 +38,11 @@ class SchemaReader {
   SchemaReader(clang::ASTContext& context, bool clang_errors)
       : context_(context), sources_(context.getSourceManager()), report_(context, clang_errors) {}
 
-  model::Schema read(bool has_vocabulary) {
+  model::Schema read(bool has_vocabulary, decltype(ParseOptions::objections) objections) {
     schema_.file = file_name(sources_.getLocForStartOfFile(sources_.getMainFileID()));
     declarations(*context_.getTranslationUnitDecl());
-    rules(has_vocabulary);
+    rules(model::validate(schema_), has_vocabulary);
+    if (objections != nullptr) rules(objections(schema_), has_vocabulary);
     report_.flush();
     return std::move(schema_);
   }
@@ -77,7 +78,7 @@ class SchemaReader {
     if (!range) return;
     if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(declaration.getDeclContext()))
       report_.error(*range, "PHYSGEN stands in " + quoted(record->getName()) +
-                                ", which is no object; write 'struct PHYSGEN_OBJECT() " + record->getName().str() +
+                                ", which is not an object; write 'struct PHYSGEN_OBJECT() " + record->getName().str() +
                                 "'");
     else
       report_.error(*range, "PHYSGEN belongs before the type of a field of an object; remove it here");
@@ -135,7 +136,7 @@ class SchemaReader {
     }
     share_comments(record, object);
     const bool imported = !sources_.isInMainFile(sources_.getExpansionLoc(record.getLocation()));
-    if (imported) object.header = model::generated_header(object.location.file);
+    if (imported) object.schema = object.location.file;
     (imported ? schema_.imported : schema_.objects).push_back(std::move(object));
     (imported ? imported_ : own_).push_back(std::move(places));
   }
@@ -207,8 +208,8 @@ class SchemaReader {
 
   // ---- Rules that need the whole schema -----------------------------------------------------------------------------
 
-  void rules(bool has_vocabulary) {
-    for (const auto& issue : model::validate(schema_)) {
+  void rules(const std::vector<model::Issue>& broken, bool has_vocabulary) {
+    for (const auto& issue : broken) {
       if (issue.place.object < 0) {
         if (!report_.has_errors() && !report_.clang_errors()) empty_schema(has_vocabulary);
         continue;
@@ -254,8 +255,9 @@ class SchemaReader {
 
 }  // namespace
 
-model::Schema read_schema(clang::ASTContext& context, bool clang_errors, bool has_vocabulary) {
-  return SchemaReader(context, clang_errors).read(has_vocabulary);
+model::Schema read_schema(clang::ASTContext& context, bool clang_errors, bool has_vocabulary,
+                          decltype(ParseOptions::objections) objections) {
+  return SchemaReader(context, clang_errors).read(has_vocabulary, objections);
 }
 
 }  // namespace physgen::frontend

@@ -9,16 +9,14 @@
 namespace physgen::frontend {
 
 void Report::error(clang::SourceRange range, std::string message, std::optional<Note> note) {
-  entries_.push_back({range, std::move(message), std::move(note), 0});
+  entries_.push_back({range, std::move(message), std::move(note)});
 }
 
 void Report::flush() {
   const auto& sources = context_.getSourceManager();
   const auto place = [&](const Entry& entry) { return sources.getFileLoc(entry.range.getBegin()); };
-  for (std::size_t i = 0; i < entries_.size(); ++i) entries_[i].order = i;
-  std::sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) {
-    if (place(a) == place(b)) return a.order < b.order;
-    return sources.isBeforeInTranslationUnit(place(a), place(b));
+  std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& a, const Entry& b) {
+    return place(a) != place(b) && sources.isBeforeInTranslationUnit(place(a), place(b));
   });
   auto& engine = context_.getDiagnostics();
   const unsigned error_id = engine.getCustomDiagID(clang::DiagnosticsEngine::Error, "%0");

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "model/text.h"
+
 namespace physgen::frontend {
 
 struct Note {
@@ -36,7 +38,6 @@ class Report {
     clang::SourceRange range;
     std::string message;
     std::optional<Note> note;
-    std::size_t order = 0;  // of reports about one place
   };
   void emit(unsigned id, clang::SourceRange range, const std::string& message);
 
@@ -45,8 +46,7 @@ class Report {
   std::vector<Entry> entries_;
 };
 
-/// `name` in the quotes of a message.
-[[nodiscard]] inline std::string quoted(llvm::StringRef name) { return "'" + name.str() + "'"; }
+using model::quoted;
 
 /// If the type is declared in physgen::schema, its name there; else empty.
 [[nodiscard]] llvm::StringRef vocabulary_name(const clang::CXXRecordDecl* record);

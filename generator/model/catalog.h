@@ -6,10 +6,7 @@
 
 #include <cfloat>
 #include <limits>
-#include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace physgen::model {
 
@@ -24,12 +21,13 @@ struct Layout {
   bool operator==(const Layout&) const = default;
 };
 
-namespace detail {
-
+/// Smallest multiple of `step` that is not below `value`.
 template <class Number>
 [[nodiscard]] constexpr Number align_up(Number value, Number step) {
   return (value + step - 1) / step * step;
 }
+
+namespace detail {
 
 // The functions of the runtime's layouts; tests compare the two.
 constexpr long long pitch_of_records(long long /*objects*/, int /*tile*/) { return 1; }
@@ -295,49 +293,5 @@ inline constexpr ElementFacts element_rows[] = {
     {Element::float64, "float64", "double", "double", "double", 8, 8, false},
     {Element::int32, "int32", "int", "std::int32_t", "int", 4, 4, true},
 };
-
-// ---- Reading the catalogue ----
-
-/// All rows, in the order of the enumerators.
-[[nodiscard]] std::span<const SpaceFacts> spaces();
-[[nodiscard]] std::span<const LayoutFacts> layouts();
-[[nodiscard]] std::span<const EncodingFacts> encodings();
-[[nodiscard]] std::span<const ShapeFacts> shapes();
-[[nodiscard]] std::span<const ElementFacts> elements();
-
-/// The row of one. @throws std::invalid_argument if the value is none of the enumerators
-[[nodiscard]] const SpaceFacts& facts(Space space);
-[[nodiscard]] const LayoutFacts& facts(LayoutKind kind);
-[[nodiscard]] const EncodingFacts& facts(Encoding encoding);
-[[nodiscard]] const ShapeFacts& facts(Shape shape);
-[[nodiscard]] const ElementFacts& facts(Element element);
-
-/// The row whose `word` this is; null: there is none.
-template <class Facts>
-[[nodiscard]] const Facts* find_word(std::span<const Facts> rows, std::string_view word) {
-  for (const Facts& row : rows)
-    if (row.word == word) return &row;
-  return nullptr;
-}
-
-// ---- Lists for messages and help ----
-
-/// "a, b or c" where `last` is " or ".
-[[nodiscard]] std::string joined(const std::vector<std::string>& words, std::string_view last = ", ");
-
-/// "aosoa(32)", "soa".
-[[nodiscard]] std::string layout_word(Layout layout);
-
-/// The words of all layouts, with this in the brackets of tiled ones: "aos", ..., "aosoa(W)".
-[[nodiscard]] std::vector<std::string> layout_words(std::string_view tile);
-
-/// What format(...) takes besides quaternion(...): "float32", "float64", "half", ...
-[[nodiscard]] std::vector<std::string> encoding_words();
-
-/// Element types, as a schema names them; those of integers, or those of real numbers: "Index", "int".
-[[nodiscard]] std::vector<std::string> element_types(bool integers);
-
-/// Types of fields, as a schema names them: "Scalar", "Vector<N>", "Matrix<R, C>", ..., "Index", "float", ...
-[[nodiscard]] std::vector<std::string> field_types();
 
 }  // namespace physgen::model

@@ -3,37 +3,14 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
+
+#include "model/format_rules.h"
+#include "model/text.h"
+#include "model/validate.h"
 
 namespace physgen::model {
 namespace {
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-// At most the number, or at least it, with three digits.
-std::string rounded(double value, double (*to)(double)) {
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", to(value / digit) * digit);
-  return text;
-}
-
-std::string sized(const Field& field) {  // the field's type as a schema says it: Symmetric<3>
-  const ShapeFacts& shape = facts(field.shape);
-  if (field.shape == Shape::object) return field.object;
-  std::string type(shape.type);
-  if (shape.sides == Sides::fixed) return type;
-  type += "<" + std::to_string(field.rows);
-  if (shape.sides == Sides::any) type += ", " + std::to_string(field.cols);
-  return type + ">";
-}
 
 class FieldChecker {
  public:
@@ -41,7 +18,7 @@ class FieldChecker {
 
   bool sizes(const Field& field) {
     const auto wrong = [&](const std::string& instead) {
-      report_(Aspect::type, "field " + quoted(field.name) + " has the type " + sized(field) + ", " + instead);
+      report_(Aspect::type, "field " + quoted(field.name) + " has the type " + schema_type(field) + ", " + instead);
       return false;
     };
     const std::string limits = "whose sizes must be from 1 to " + std::to_string(max_side);
@@ -66,17 +43,6 @@ class FieldChecker {
     return true;
   }
 
-  // Symmetric and skew-symmetric matrices are full ones as values.
-  void value_size(const Field& field) {
-    const int element = facts(field.element).bytes_with_double;
-    const int bytes = field.rows * (facts(field.shape).column ? 1 : field.cols) * element;
-    if (bytes > max_value_bytes)
-      report_(Aspect::type, "field " + quoted(field.name) + " has the type " + sized(field) + ", whose value takes " +
-                                std::to_string(bytes) + (element == 8 ? " bytes in double" : " bytes") +
-                                ", and Eigen keeps no more than " + std::to_string(max_value_bytes) +
-                                " on the stack; write blocks, such as 'Matrix<64, 64> " + field.name + "[...]'");
-  }
-
   void options(const Field& field) {
     if (field.shape == Shape::object) {
       const std::string advice = " has no meaning for nested object " + quoted(field.name) +
@@ -91,52 +57,8 @@ class FieldChecker {
     unit(field.unit);
     if (field.range) range(*field.range);
     if (field.initial) initial(field);
-    format(Aspect::host_format, field, field.host_format);
-    format(Aspect::cuda_format, field, field.cuda_format);
-  }
-
-  void format(Aspect aspect, const Field& field, const Format& format) {
-    if (format == Format{}) return;
-    const EncodingFacts& encoding = facts(format.encoding);
-    const std::string word(encoding.word);
-    const bool in_steps = encoding.scaling == Scaling::interval && field.shape != Shape::rotation;
-    if (facts(field.element).integer)
-      report_(aspect,
-              "the elements of " + quoted(field.name) + " are integers, which have no other format; leave it out");
-    else if (format.quaternion && field.shape != Shape::rotation)
-      report_(aspect, "only a Rotation can be stored as a quaternion; " + quoted(field.name) + " is a " + sized(field));
-    else if (in_steps && !field.range)
-      report_(aspect, word + " has equal steps over a range, and " + quoted(field.name) +
-                          " states none; add one, such as range(-1, 1)");
-    else if (in_steps && !(field.range->low < field.range->high))
-      report_(aspect,
-              word + " has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
-    else if (encoding.scaling == Scaling::exponent && field.initial && std::abs(*field.initial) > encoding.largest &&
-             !field.range)
-      report_(aspect, "initial(" + number(*field.initial) + ") is no " + word + ", which ends at " +
-                          number(encoding.largest) + "; state the range of " + quoted(field.name) +
-                          ", and it is scaled");
-    else
-      magnitudes(aspect, field, encoding);
-  }
-
-  // Stated values that the format would lose, be it scaled.
-  void magnitudes(Aspect aspect, const Field& field, const EncodingFacts& encoding) {
-    if (field.shape == Shape::rotation) return;
-    if (encoding.scaling == Scaling::interval && facts(field.element).bytes_with_float == 8) return;  // in double
-    const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
-    const double largest = std::max(end, std::abs(field.initial.value_or(0)));
-    const bool scales = encoding.scaling == Scaling::exponent;
-    const int top = scales ? std::ilogb(encoding.largest) : 0;  // of the largest power of two
-    const double limit = scales ? std::ldexp(1, max_exponent + top) : encoding.largest;
-    const double least = scales ? std::ldexp(1, top - 1 - max_exponent) : 0;
-    const bool too_small = end > 0 && end < least;
-    if (largest <= limit && !too_small) return;
-    report_(aspect, std::string(end > limit || too_small ? "the range" : "the initial value") + " of " +
-                        quoted(field.name) + " is beyond what this format holds, " +
-                        (too_small ? "ranges that end above " + rounded(least, std::ceil)
-                                   : "sizes up to " + rounded(limit, std::floor)) +
-                        "; choose float64");
+    check_format(Aspect::host_format, field, field.host_format, report_);
+    check_format(Aspect::cuda_format, field, field.cuda_format, report_);
   }
 
   void unit(const std::string& unit) {
@@ -170,7 +92,7 @@ class FieldChecker {
       report_(Aspect::initial, "initial(" + number(value) + ") is not a " + std::to_string(bits) +
                                    "-bit integer, as the elements of " + quoted(field.name) + " are; write one");
     else if (is_float && std::abs(value) > FLT_MAX)
-      report_(Aspect::initial, "initial(" + number(value) + ") is no float, as the elements of " + quoted(field.name) +
+      report_(Aspect::initial, "initial(" + number(value) + ") is not a float, as the elements of " + quoted(field.name) +
                                    " are or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
                                    ", or declare it double");
     else if (is_float && value != 0 && static_cast<float>(value) == 0)
@@ -192,9 +114,7 @@ class FieldChecker {
 bool check_field(const Field& field, const FieldReport& report) {
   FieldChecker checker(report);
   checker.options(field);
-  if (field.shape == Shape::object || !checker.sizes(field)) return false;
-  checker.value_size(field);
-  return true;
+  return field.shape != Shape::object && checker.sizes(field);
 }
 
 }  // namespace physgen::model

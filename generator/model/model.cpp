@@ -1,4 +1,4 @@
-// What the model knows by itself: the element counts of shapes and the names of generated headers.
+// See model.h.
 #include "model/model.h"
 
 #include <stdexcept>
@@ -12,10 +12,14 @@ int element_count(const Field& field) {
   return shape.count(field.rows, field.cols);
 }
 
-std::string generated_header(const std::string& schema_file) {
-  const std::string name = schema_file.substr(schema_file.find_last_of('/') + 1);
-  const auto dot = name.find_last_of('.');
-  return (dot == std::string::npos || dot == 0 ? name : name.substr(0, dot)) + ".physgen.h";
+std::string schema_type(const Field& field) {
+  const ShapeFacts& shape = facts(field.shape);
+  if (field.shape == Shape::object) return field.object;
+  std::string type(shape.type);
+  if (shape.sides == Sides::fixed) return type;
+  type += "<" + std::to_string(field.rows);
+  if (shape.sides == Sides::any) type += ", " + std::to_string(field.cols);
+  return type + ">";
 }
 
 }  // namespace physgen::model

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/catalog.h"
+#include "model/facts.h"
 
 namespace physgen::model {
 
@@ -59,7 +59,7 @@ struct Object {
   std::string name;   ///< unqualified
   std::string scope;  ///< enclosing namespaces, "a::b"; empty: global
   std::string doc;
-  std::string header;  ///< for an imported object: the generated header that defines it; empty: this schema's own
+  std::string schema;  ///< of an imported object: file name of the schema that declares it; empty: this one
   std::vector<Field> fields;
   std::optional<Layout> host_layout;  ///< none: the standard one of the space
   std::optional<Layout> cuda_layout;
@@ -86,7 +86,7 @@ struct Schema {
 /// Diagonal<3> 3, Skew<3> 3, Rotation 9 as a matrix. Not defined for Shape::object.
 [[nodiscard]] int element_count(const Field& field);
 
-/// File name of the header generated from a schema: "elasticity.h" gives "elasticity.physgen.h"; folders are dropped.
-[[nodiscard]] std::string generated_header(const std::string& schema_file);
+/// The type of `field` as a schema says it: "Symmetric<3>", "Scalar", "m::Svd".
+[[nodiscard]] std::string schema_type(const Field& field);
 
 }  // namespace physgen::model

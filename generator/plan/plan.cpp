@@ -7,10 +7,8 @@
 namespace physgen::plan {
 namespace {
 
-int align_up(int value, int step) { return (value + step - 1) / step * step; }
-
 Bytes align_up(Bytes value, Bytes step) {
-  return {align_up(value.with_float, step.with_float), align_up(value.with_double, step.with_double)};
+  return {model::align_up(value.with_float, step.with_float), model::align_up(value.with_double, step.with_double)};
 }
 
 Bytes max(Bytes a, Bytes b) { return {std::max(a.with_float, b.with_float), std::max(a.with_double, b.with_double)}; }
@@ -35,13 +33,13 @@ void append_runs(const Record& record, Bytes base, std::vector<Step>& path, std:
 }
 
 // Gives every field its offset, and the record its bytes, in one precision.
-void place(Record& record, const std::vector<Bytes>& alignments, int Bytes::* precision) {
+void place(Record& record, const std::vector<Bytes>& alignments, Precision real) {
   for (int alignment = 8; alignment > 0; alignment /= 2) {
     for (std::size_t f = 0; f < record.slots.size(); ++f) {
-      if (alignments[f].*precision != alignment) continue;
+      if (alignments[f].of(real) != alignment) continue;
       Slot& slot = record.slots[f];
-      slot.offset.*precision = record.bytes.*precision;
-      record.bytes.*precision += entries(record.object->fields[f]) * (slot.stride.*precision);
+      slot.offset.of(real) = record.bytes.of(real);
+      record.bytes.of(real) += entries(record.object->fields[f]) * slot.stride.of(real);
     }
   }
 }
@@ -78,8 +76,7 @@ Record plan_record(const model::Object& object, model::Space space, const Lookup
     record.natural_alignment = max(record.natural_alignment, alignments.back());
     record.slots.push_back(slot);
   }
-  place(record, alignments, &Bytes::with_float);
-  place(record, alignments, &Bytes::with_double);
+  for (const Precision real : precisions) place(record, alignments, real);
   record.alignment = max(record.natural_alignment, {object.alignment, object.alignment});
   return record;
 }

@@ -12,10 +12,18 @@
 
 namespace physgen::plan {
 
+/// The type that Real stands for.
+enum class Precision { with_float, with_double };
+inline constexpr Precision precisions[] = {Precision::with_float, Precision::with_double};
+
 /// A number of bytes where Real is float, and where it is double.
 struct Bytes {
   int with_float = 0;
   int with_double = 0;
+  [[nodiscard]] constexpr int of(Precision real) const {
+    return real == Precision::with_float ? with_float : with_double;
+  }
+  [[nodiscard]] constexpr int& of(Precision real) { return real == Precision::with_float ? with_float : with_double; }
   bool operator==(const Bytes&) const = default;
 };
 [[nodiscard]] constexpr Bytes operator+(Bytes a, Bytes b) {

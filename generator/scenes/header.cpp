@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 #include "emit/printer.h"
 
@@ -38,14 +39,20 @@ class Header {
                            " and the kernels that it runs: change these, not this file.");
     out_.line("#pragma once");
     out_.line();
+    if (has_locals()) out_.line("#include <physgen/local_array.h>");
     out_.line("#include <physgen/scene_arrays.h>");
     out_.line();
-    out_.line("#include \"" + scene_.include + "\"");
+    std::set<std::string> headers;
+    for (const Group& group : scene_.groups)
+      for (const Array& array : group.arrays) headers.insert(array.header);
+    for (const std::string& name : headers) out_.line("#include <" + name + ">");
     out_.line();
+    scene_by_name();
     if (!scene_.doc.empty()) out_.comment("///", scene_.doc);
     out_.line("namespace " + namespace_ + " {");
     out_.line();
     for (const Group& group : scene_.groups) {
+      tags(group);
       for (const Array& array : group.arrays) formats(group, array);
       this->group(group);
     }
@@ -54,11 +61,45 @@ class Header {
   }
 
  private:
+  /// The scene, whose program may be one over these arrays: its declaration is not included.
+  void scene_by_name() {
+    if (!scene_.scope.empty()) out_.line("namespace " + scene_.scope + " {");
+    out_.line("struct " + scene_.name + ";");
+    if (!scene_.scope.empty()) out_.line("}");
+    out_.line();
+  }
+
   // ---- How fields are stored ---------------------------------------------------------------------------------------
 
-  static std::string tags(const Group& group, const Array& array) {
-    return "pruned::" + group.variable + "::" + array.name;
+  static std::string tag(const Group& group, const Array& array) {
+    return "tags::" + group.variable + "::" + array.name;
   }
+  /// "svd.U" as one name, which is none that its array's tag has by itself.
+  static std::string tag(const Array& array, const Field& field) {
+    std::string tag = joined_name(field.name);
+    if (tag == array.name || tag == "name") tag += '_';
+    return tag;
+  }
+
+  /// A type for each array of a group, in which there is one for each field that is not stored.
+  void tags(const Group& group) {
+    out_.line("namespace tags::" + group.variable + " {");
+    for (const Array& array : group.arrays) {
+      const auto fields = pruned(group, array);
+      const std::string name = "static constexpr const char* name = \"" + group.full_name(array) + "\";";
+      if (fields.empty()) {
+        out_.line("struct " + array.name + " { " + name + " };");
+        continue;
+      }
+      out_.open("struct " + array.name + " {");
+      out_.line(name);
+      for (const FieldNeed* need : fields) out_.line("struct " + tag(array, need->field) + ";");
+      out_.close("};");
+    }
+    out_.line("}  // namespace tags::" + group.variable);
+    out_.line();
+  }
+
   /// The name of what is generated for an object: from the outermost namespace on, since a scene, of this header or of
   /// another, may have the name of the object's namespace.
   [[nodiscard]] static std::string outer_name(const Array& array, const std::string& ending) {
@@ -79,23 +120,15 @@ class Header {
     const auto fields = pruned(group, array);
     if (fields.empty()) return;
     std::vector<Leaf> leaves;
-    out_.line("namespace pruned::" + group.variable + " {");
-    out_.open("struct " + array.name + " {");
-    for (const FieldNeed* need : fields) {
-      std::string tag = joined_name(need->field.name);
-      if (tag == array.name) tag += '_';  // a class has no member of its own name
-      out_.line("struct " + tag + ";");
-      leaves.push_back({need->field.name, "physgen::format::Pruned<" + scene_.name + ", " + tags(group, array) + ", " +
-                                              tags(group, array) + "::" + tag + ">"});
-    }
-    out_.close("};");
-    out_.line("}  // namespace pruned::" + group.variable);
-    out_.line();
+    const std::string of_array = tag(group, array);
+    for (const FieldNeed* need : fields)
+      leaves.push_back({need->field.name, "physgen::format::Pruned<" + scene_.name + ", " + of_array + ", " + of_array +
+                                              "::" + tag(array, need->field) + ">"});
     std::string comment = "How " + array.object + " is stored in " + group.full_name(array) + ". Not stored:";
     for (const auto& [names, why] : by_reason(fields)) comment.append("\n- " + names + ": " + why);
     out_.comment("///", comment);
-    out_.line("template <class Space>");
-    struct_of(formats_name(group, array), "physgen::FormatsOf<" + outer_name(array, "Object") + ", Space>", leaves);
+    out_.line("template <class Stored>");
+    struct_of(formats_name(group, array), "Stored", leaves);
     out_.line();
   }
 
@@ -139,12 +172,19 @@ class Header {
     out_.close("};");
   }
 
+  [[nodiscard]] bool has_locals() const {
+    return std::any_of(needs_.arrays.begin(), needs_.arrays.end(), [](const ArrayNeed& need) { return need.local(); });
+  }
+
   // ---- The arrays of a group ---------------------------------------------------------------------------------------
 
   [[nodiscard]] std::string type(const Group& group, const Array& array) const {
-    std::string type = outer_name(array, "Array") + "<" + array.real + ", Space>";
-    if (!pruned(group, array).empty())
-      type = "physgen::WithFormats<" + type + ", " + formats_name(group, array) + "<Space>>";
+    std::string type =
+        outer_name(array, "Array") + "<" + (scene_.has_own_real(array) ? "Real" : array.real) + ", Space>";
+    type = "physgen::StoredArray<Stored, " + tag(group, array) + ", " + type + ">";
+    if (!pruned(group, array).empty()) type = "physgen::PrunedArray<" + type + ", " + formats_name(group, array) + ">";
+    if (needs_.of(group.full_name(array)).local())
+      return "physgen::LocalArray<" + type + ", " + tag(group, array) + ">";
     if (array.uniform) return "physgen::UniformArray<" + type + ">";
     return is_read_only(group, array) ? "physgen::ReadOnlyArray<" + type + ">" : type;
   }
@@ -155,10 +195,13 @@ class Header {
 
   void group(const Group& group) {
     if (!group.doc.empty()) out_.comment("///", group.doc);
-    out_.line("template <class Space_ = physgen::Host>");
+    const bool has_real = !scene_.real.empty();
+    out_.line("template <class Space_ = physgen::Host, " + (has_real ? "class Real_ = " + scene_.real + ", " : "") +
+              "class Stored_ = physgen::StoredAsDeclared>");
     out_.open("struct " + group.name + " {");
     out_.line("using Space = Space_;");
-    if (!scene_.real.empty()) out_.line("using Real = " + scene_.real + ";");
+    if (has_real) out_.line("using Real = Real_;");
+    out_.line("using Stored = Stored_;");
     out_.line();
     const auto sets = group.sets();
     if (!sets.empty()) {
@@ -174,18 +217,7 @@ class Header {
     }
     out_.line();
     allocate(group);
-    std::vector<std::string> names;
-    for (const Array& array : group.arrays) names.push_back(array.name);
-    const std::string bytes = "[[nodiscard]] physgen::index_t bytes() const", sum = "return physgen::bytes_of(";
-    out_.line("/// Of memory held by all arrays, padding included.");
-    const std::string statement = sum + model::joined(names) + ");";
-    if (bytes.size() + statement.size() < emit::Printer::columns - 10) {
-      out_.function(bytes, {statement});
-    } else {
-      out_.open(bytes + " {");
-      out_.filled(sum, names, ");");
-      out_.close("}");
-    }
+    bytes(group);
     out_.close("};");
     out_.line();
   }
@@ -197,6 +229,7 @@ class Header {
     for (const FieldNeed& field : need.fields)
       (field.kept ? kept : left) += ((field.kept ? kept : left).empty() ? "" : ", ") + field.field.name;
     std::string text = array.object + ", " + per + ": " + (kept.empty() ? "left out, takes stores" : kept);
+    if (need.local()) text += "; local to steps that are one, so it holds no memory";
     if (!left.empty() && !kept.empty()) text += "; without " + left;
     return array.doc.empty() ? text : array.doc + "\n" + text;
   }
@@ -208,18 +241,35 @@ class Header {
                  "count is negative or the memory cannot be had");
     std::vector<std::string> statements;
     for (const Array& array : group.arrays) {
-      const std::string count = array.set.empty() ? std::to_string(array.count) : "counts." + array.set;
+      const ArrayNeed& need = needs_.of(group.full_name(array));
       std::string unset;
-      for (const FieldNeed& field : needs_.of(group.full_name(array)).fields)
-        if (field.kept && !array.is_input(field.field.name) && !field.field.initial)
+      for (const FieldNeed& field : need.fields)
+        if (field.kept && !need.local() && !array.is_input(field.field.name) && !field.field.initial)
           unset += (unset.empty() ? "\"" : ", \"") + field.field.name + "\"";
-      statements.push_back("physgen::allocate(" + array.name + ", " + count +
+      statements.push_back("physgen::allocate(" + array.name + ", " + count(array) +
                            (unset.empty() ? "" : ", {" + unset + "}") + ");");
     }
     out_.open(std::string("void allocate(") + (group.sets().empty() ? "" : "const Counts& counts") + ") {");
     for (const std::string& statement : statements) out_.wrapped(statement);
     out_.close("}");
     out_.line();
+  }
+
+  static std::string count(const Array& array) {
+    return array.set.empty() ? std::to_string(array.count) : "counts." + array.set;
+  }
+
+  void bytes(const Group& group) {
+    std::vector<std::string> held, counted;
+    for (const Array& array : group.arrays) {
+      held.push_back(array.name + ".bytes()");
+      counted.push_back("physgen::bytes_of_array<decltype(" + array.name + ")>(" + count(array) + ")");
+    }
+    out_.line("/// Of memory held by all arrays, padding included.");
+    out_.function_of_sum("[[nodiscard]] physgen::index_t bytes() const", held);
+    if (group.sets().empty()) return;
+    out_.line("/// The same of arrays of so many objects, without making them. @pre no count is negative");
+    out_.function_of_sum("[[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts)", counted);
   }
 
   const Scene& scene_;

@@ -190,8 +190,13 @@ const ArrayNeed& Needs::of(const std::string& array) const {
 Needs find_needs(const Scene& scene, const usage::Usage& usage) { return NeedsFinder(scene, usage).find(); }
 
 Needs everything(Needs needs) {
-  for (ArrayNeed& array : needs.arrays)
+  for (ArrayNeed& array : needs.arrays) {
+    array.group = -1;
     for (FieldNeed& field : array.fields) field.kept = true;
+  }
+  needs.groups.clear();
+  needs.apart.clear();
+  needs.not_joined.clear();
   return needs;
 }
 

@@ -8,6 +8,7 @@
 //   - a step that is not live is an error: its kernel would read what is not there
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,10 @@ struct ArrayNeed {
   std::string array;  ///< "body.svds"
   std::vector<FieldNeed> fields;
   bool read_only = false;  ///< no step writes it
+  int group = -1;          ///< of steps that it is local to, as index of Needs::groups; -1: it is stored
   bool operator==(const ArrayNeed&) const = default;
+
+  [[nodiscard]] bool local() const { return group >= 0; }
 
   /// Whether nothing of it is kept.
   [[nodiscard]] bool left_out() const;
@@ -48,9 +52,30 @@ struct Issue {
   bool operator==(const Issue&) const = default;
 };
 
+/// Neighbouring steps that become one: those from `first` to `last` of ProgramText::lists[list].
+struct StepGroup {
+  std::size_t list = 0, first = 0, last = 0;
+  std::vector<std::string> steps;
+  std::vector<usage::Place> places;  ///< where each of them is run
+  std::vector<std::string> locals;   ///< arrays that only they use
+  bool operator==(const StepGroup&) const = default;
+};
+
+/// Neighbouring steps that are not joined.
+struct StepsApart {
+  std::string first, second;
+  usage::Place place;            ///< where the second is run
+  std::vector<std::string> why;  ///< one at least
+  bool operator==(const StepsApart&) const = default;
+};
+
 struct Needs {
   std::vector<ArrayNeed> arrays;  ///< in order of declaration, as are the fields of each
   std::vector<Issue> issues;      ///< errors first
+  // What join_steps() finds.
+  std::vector<StepGroup> groups;
+  std::vector<StepsApart> apart;
+  std::vector<std::string> not_joined;  ///< why other steps are not looked at: "step() runs them, not the program"
   bool operator==(const Needs&) const = default;
 
   [[nodiscard]] bool sound() const;

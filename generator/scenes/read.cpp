@@ -275,6 +275,9 @@ Declaration read(const std::string& path, const std::vector<std::string>& flags)
   if (outcome.parsed && scene) {
     scene->file = path;
     scene->include = include_name(absolute, flags);
+    for (Group& group : scene->groups)
+      for (Array& array : group.arrays)
+        array.header = include_name(fs::absolute(array.header).lexically_normal(), flags);
     result.scene = std::move(scene);
   }
   return result;

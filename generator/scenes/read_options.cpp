@@ -173,6 +173,14 @@ bool is_array(clang::QualType type) {
   return record != nullptr && record->getQualifiedNameAsString() == "physgen::scene::Array";
 }
 
+/// Whether the second argument of Array<Object, Real> is an alias of that name.
+static bool has_own_real(clang::QualType type) {
+  const auto* spelt = type->getAs<clang::TemplateSpecializationType>();
+  if (spelt == nullptr || spelt->template_arguments().size() != 2) return false;
+  const auto* alias = spelt->template_arguments()[1].getAsType()->getAs<clang::TypedefType>();
+  return alias != nullptr && alias->getDecl()->getName() == "Real";
+}
+
 bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Report& report) {
   const auto wrong = [&](const std::string& message) {
     report.error(declaration.getTypeSpecStartLoc(), "array " + quoted(array.name) + " " + message);
@@ -180,7 +188,7 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
   };
   if (declaration.isInvalidDecl()) return false;  // Clang has reported it
   if (!is_array(declaration.getType()))
-    return wrong("is no array of objects; write 'Array<elasticity::TetObject, Real> " + array.name + ";'");
+    return wrong("is not an array of objects; write 'Array<elasticity::TetObject, Real> " + array.name + ";'");
   const auto* type = llvm::cast<clang::ClassTemplateSpecializationDecl>(declaration.getType()->getAsCXXRecordDecl());
   if (type->isInvalidDecl()) return false;
   const auto* object = type->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();
@@ -192,6 +200,9 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
   array.object = name.substr(0, name.size() - ending.size());
   const clang::QualType real = type->getTemplateArgs()[1].getAsType().getCanonicalType();
   array.real = real.getUnqualifiedType().getAsString();
+  array.own_real = has_own_real(declaration.getType());
+  const auto& sources = declaration.getASTContext().getSourceManager();
+  array.header = sources.getFilename(sources.getFileLoc(object->getLocation())).str();
   if (array.real != "float" && array.real != "double")
     return wrong("has the precision " + quoted(array.real) + "; it is float or double");
   for (const clang::Decl* member : type->decls()) {

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "scenes/report_groups.h"
+
 namespace physgen::scenes {
 namespace {
 
@@ -21,6 +23,7 @@ struct Sum {
 std::string fate(const Array& array, const ArrayNeed& need, const FieldNeed& field) {
   if (need.left_out()) return "left out";
   if (!field.kept) return "pruned";
+  if (need.local()) return "local";
   return array.uniform ? "uniform" : "kept";
 }
 
@@ -39,7 +42,7 @@ std::vector<Sum> sums(const Scene& scene, const Needs& needs) {
     for (const FieldNeed& field : need.fields) {
       sum->all_bytes += field.field.bytes;
       sum->all_elements += field.field.elements;
-      if (!field.kept) continue;
+      if (!field.kept || need.local()) continue;
       sum->kept_bytes += field.field.bytes;
       sum->kept_elements += field.field.elements;
     }
@@ -112,6 +115,13 @@ std::string lines(const char* what, const std::vector<StepOfField>& uses) {
   return text;
 }
 
+/// "is kept: written by ..."
+std::string fate_and_why(const Needs& needs, const ArrayNeed& need, const FieldNeed& field) {
+  if (!field.kept || !need.local()) return (field.kept ? "is kept: " : "is not kept: ") + field.why;
+  const StepGroup& group = needs.groups[static_cast<std::size_t>(need.group)];
+  return "is local: " + model::joined(group.steps, " and ") + " are one step, and nothing else uses it; " + field.why;
+}
+
 /// What a field or an array may be called.
 std::vector<std::string> names_of(const Group& group, const Array& array) {
   const std::size_t scope = array.object.rfind("::");
@@ -140,11 +150,10 @@ std::string report_text(const Scene& scene, const Needs& needs) {
   for (const Sum& sum : sums(scene, needs))
     text += sum.set + ": " + std::to_string(sum.kept_bytes) + " of " + std::to_string(sum.all_bytes) + " bytes, " +
             std::to_string(sum.kept_elements) + " of " + std::to_string(sum.all_elements) + " numbers\n";
-  text += "\nWhy:\n";
+  text += groups_text(scene, needs) + "\nWhy:\n";
   for_each_array(scene, needs, [&](const Group& group, const Array& array, const ArrayNeed& need) {
     for (const FieldNeed& field : need.fields)
-      text += "  " + group.full_name(array) + "." + field.field.name + " " +
-              (field.kept ? "is kept: " : "is not kept: ") + field.why + "\n";
+      text += "  " + group.full_name(array) + "." + field.field.name + " " + fate_and_why(needs, need, field) + "\n";
   });
   return text;
 }
@@ -179,6 +188,7 @@ std::string report_json(const Scene& scene, const Needs& needs) {
                             {"all_bytes", sum.all_bytes},
                             {"kept_elements", sum.kept_elements},
                             {"all_elements", sum.all_elements}});
+  add_groups(scene, needs, json);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -192,8 +202,8 @@ std::string report_why(const Scene& scene, const Needs& needs, const std::string
       for (const std::string& word : called) {
         names.push_back(word + "." + field.field.name);
         if (name != word && name != names.back()) continue;
-        text += group.full_name(array) + "." + field.field.name + " of " + array.object + " is " +
-                (field.kept ? "kept" : "not kept") + ": " + field.why + "\n" + lines("written", field.writers) +
+        text += group.full_name(array) + "." + field.field.name + " of " + array.object + " " +
+                fate_and_why(needs, need, field) + "\n" + lines("written", field.writers) +
                 lines("read", field.readers);
         break;
       }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "model/text.h"
 
 namespace physgen::scenes {
 
@@ -35,9 +36,11 @@ struct Selection {
 struct Array {
   std::string name;
   std::string doc;
-  std::string object;  ///< "elasticity::Tet"
-  std::string real;    ///< float or double
-  std::string set;     ///< "tet"; empty: `count` objects
+  std::string object;     ///< "elasticity::Tet"
+  std::string header;     ///< what follows #include to have the object's arrays: "elasticity.physgen.h"
+  std::string real;       ///< float or double
+  bool own_real = false;  ///< it is spelt Real, as the scene calls its precision
+  std::string set;        ///< "tet"; empty: `count` objects
   int count = 0;
   std::optional<Selection> input;
   std::optional<Selection> output;
@@ -70,13 +73,15 @@ struct Scene {
   std::string scope;  ///< enclosing namespaces, "scenes"; empty: global
   std::string doc;
   std::string file;     ///< as it was given
-  std::string include;  ///< what follows #include in the generated header: "scenes/force_chain.h"
+  std::string include;  ///< what follows #include in a program: "scenes/force_chain.h"
   std::string real;     ///< the precision, where the scene declares one as Real: float or double
   std::vector<Group> groups;
   std::vector<std::string> parameters;  ///< types of what the program takes behind its groups
   Location location;
   bool operator==(const Scene&) const = default;
 
+  /// Whether the precision of these arrays is the scene's, which programs may choose otherwise.
+  [[nodiscard]] bool has_own_real(const Array& array) const { return array.own_real && !real.empty(); }
   [[nodiscard]] std::string qualified_name() const { return scope.empty() ? name : scope + "::" + name; }
 };
 
@@ -92,11 +97,6 @@ struct Scene {
 /// The scene as indented JSON, the same bytes for the same scene.
 [[nodiscard]] std::string to_json(const Scene& scene);
 
-/// The name among `names` that `word` is most like; empty: it is like none.
-[[nodiscard]] std::string nearest(const std::string& word, const std::vector<std::string>& names);
-
-/// "there is no KIND 'word'; did you mean 'x'?", or, where it is like none, what there is.
-[[nodiscard]] std::string unknown(const std::string& kind, const std::string& word,
-                                  const std::vector<std::string>& names);
+using model::unknown;
 
 }  // namespace physgen::scenes

@@ -12,6 +12,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 #include "frontend/program.h"
 #include "usage/walk.h"
@@ -42,7 +44,8 @@ class HeaderEnd : public clang::PPCallbacks {
 /// Collects the functions that the parser and the instantiation of templates hand over.
 class Consumer : public clang::ASTConsumer {
  public:
-  Consumer(clang::CompilerInstance& compiler, Reading& reading) : compiler_(compiler), reading_(reading) {}
+  Consumer(clang::CompilerInstance& compiler, Reading& reading, const Reader& reader)
+      : compiler_(compiler), reading_(reading), reader_(reader) {}
 
   bool HandleTopLevelDecl(clang::DeclGroupRef group) override {
     for (const clang::Decl* declaration : group) collect(declaration);
@@ -60,6 +63,7 @@ class Consumer : public clang::ASTConsumer {
     }
     folders.emplace_back("/physgen.program");  // of the source itself
     reading_.usage = attribute(read_graph(context, functions_, folders));
+    if (reader_) reader_(context, folders);
   }
 
  private:
@@ -73,20 +77,22 @@ class Consumer : public clang::ASTConsumer {
 
   clang::CompilerInstance& compiler_;
   Reading& reading_;
+  const Reader& reader_;
   std::vector<const clang::FunctionDecl*> functions_;
 };
 
 class Action : public clang::ASTFrontendAction {
  public:
-  explicit Action(Reading& reading) : reading_(reading) {}
+  Action(Reading& reading, const Reader& reader) : reading_(reading), reader_(reader) {}
 
   std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
     compiler.getPreprocessor().addPPCallbacks(std::make_unique<HeaderEnd>(reading_));
-    return std::make_unique<Consumer>(compiler, reading_);
+    return std::make_unique<Consumer>(compiler, reading_, reader_);
   }
 
  private:
   Reading& reading_;
+  const Reader& reader_;
 };
 
 /// The folder of the CUDA toolkit; empty: there is none.
@@ -134,13 +140,21 @@ double seconds(Clock::duration duration) { return std::chrono::duration<double>(
 
 }  // namespace
 
+std::string text_of_time(const std::string& program, Side side, const Diagnostics& diagnostics) {
+  std::ostringstream text;
+  text << program << (side == Side::host ? ", host" : ", device") << std::fixed << std::setprecision(2)
+       << ": analysed in " << diagnostics.seconds << " s, of which its headers took " << diagnostics.headers_seconds
+       << " s to parse (" << diagnostics.seconds / diagnostics.headers_seconds << " times as long)\n";
+  return std::move(text).str();
+}
+
 bool has_device_side() { return !cuda_folder().empty(); }
 
 std::optional<Usage> analyse(const std::string& name, const std::string& source, const std::vector<std::string>& flags,
-                             Side side, Diagnostics& diagnostics) {
+                             Side side, Diagnostics& diagnostics, const Reader& reader) {
   const auto begin = Clock::now();
   Reading reading;
-  Action action(reading);
+  Action action(reading, reader);
   const auto outcome = frontend::run({name, source, flags_of(side, flags), false}, action);
   diagnostics.text = without_toolkit_warning(outcome.diagnostics) + notes(outcome.diagnostics);
   diagnostics.dependencies = outcome.dependencies;

@@ -1,15 +1,23 @@
 // Finds what a program's steps read and write, with Clang: a translation unit that gives steps to a ProbeExecutor is
 // parsed as a compiler parses it, and the instantiated functions are followed from each step to the decode, encode and
-// address of probes. No Clang type is in this interface.
+// address of probes. Only readers get to see Clang's tree.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "usage/usage.h"
 
+namespace clang {
+class ASTContext;
+}
+
 namespace physgen::usage {
+
+/// Looks at a parsed unit for itself. @param folders in which #include looks
+using Reader = std::function<void(clang::ASTContext& context, const std::vector<std::string>& folders)>;
 
 /// Which functions a compiler sees: those of the CPU, or of a CUDA device.
 enum class Side { host, device };
@@ -24,10 +32,16 @@ struct Diagnostics {
 /// @param name of the source, for messages; its folder is where its #include "..." look first
 /// @param source the text, which need not be a file
 /// @param flags as of a compiler
+/// @param reader is called when the unit has been read without errors
 /// @return none: the source has errors. All accesses that any instantiated code can make are in the result, those
 ///         that no step leads to as unattributed
 [[nodiscard]] std::optional<Usage> analyse(const std::string& name, const std::string& source,
-                                           const std::vector<std::string>& flags, Side side, Diagnostics& diagnostics);
+                                           const std::vector<std::string>& flags, Side side, Diagnostics& diagnostics,
+                                           const Reader& reader = {});
+
+/// "stresses, host: analysed in 3.10 s, of which its headers took 2.40 s to parse (1.29 times as long)", with a line's
+/// end.
+[[nodiscard]] std::string text_of_time(const std::string& program, Side side, const Diagnostics& diagnostics);
 
 /// Whether there is a CUDA toolkit for the device's side.
 [[nodiscard]] bool has_device_side();

@@ -22,17 +22,20 @@ const clang::StringLiteral* first_text(const clang::Stmt* statement) {
   return nullptr;
 }
 
-/// Of every call within an initializer, the first text: that of field_info("name", ...).
-void first_texts_of_calls(const clang::Stmt* statement, std::vector<std::string>& texts) {
+/// The names in the texts of an object's fields, {{{"U", "1"}, {"V"}}}: of each innermost pair of braces, the first
+/// text.
+void first_texts(const clang::Stmt* statement, std::vector<std::string>& texts) {
   if (statement == nullptr) return;
-  if (llvm::isa<clang::CallExpr>(statement)) {
-    const auto* text = first_text(statement);
-    std::string name = text == nullptr ? std::string() : text->getString().str();
+  const auto* braces = llvm::dyn_cast<clang::InitListExpr>(statement);
+  const bool innermost =
+      braces != nullptr && braces->getNumInits() > 0 && !llvm::isa<clang::InitListExpr>(braces->getInit(0));
+  if (const auto* text = innermost ? first_text(braces->getInit(0)) : nullptr) {
+    std::string name = text->getString().str();
     for (std::size_t at; (at = name.find("[0]")) != std::string::npos;) name.erase(at, 3);  // one for all entries
     texts.push_back(std::move(name));
     return;
   }
-  for (const clang::Stmt* child : statement->children()) first_texts_of_calls(child, texts);
+  for (const clang::Stmt* child : statement->children()) first_texts(child, texts);
 }
 
 const clang::Expr* initializer(const clang::VarDecl* variable) {
@@ -64,7 +67,8 @@ Place Names::place(clang::SourceLocation location) const {
 bool Names::is_library(clang::SourceLocation location) const {
   if (location.isInvalid() || sources_.isInSystemHeader(sources_.getFileLoc(location))) return true;
   const std::string file = place(location).file;
-  return file.starts_with("physgen/") || file.ends_with(".physgen.h");
+  // Fields' values are Eigen's, whether or not its folder is one of the system's.
+  return file.starts_with("physgen/") || file.starts_with("Eigen/") || file.ends_with(".physgen.h");
 }
 
 const clang::DeclContext* Names::space(std::initializer_list<llvm::StringRef> path) const {
@@ -111,9 +115,8 @@ FieldUse Names::field(const clang::ClassTemplateSpecializationDecl& probe) {
   const auto number = static_cast<std::size_t>(arguments[2].getAsIntegral().getExtValue());
   const auto [fields, is_new] = fields_.try_emplace(object->getCanonicalDecl());
   if (is_new && object->hasDefinition())
-    for (const clang::NamedDecl* found : object->getDefinition()->lookup(&context_.Idents.get("fields")))
-      if (const auto* pattern = llvm::dyn_cast<clang::VarTemplateDecl>(found))
-        first_texts_of_calls(initializer(pattern->getTemplatedDecl()), fields->second);
+    for (const clang::NamedDecl* found : object->getDefinition()->lookup(&context_.Idents.get("texts")))
+      first_texts(initializer(llvm::dyn_cast<clang::VarDecl>(found)), fields->second);
   FieldUse use;
   use.own = own;
   use.array = tags_.at(tag->getCanonicalDecl());

@@ -41,7 +41,9 @@ class Finder : public clang::RecursiveASTVisitor<Finder> {
         Names::is_physgen(method->getParent(), "ElementRef") && harmless_.count(call) == 0)
       unknown(object_of(*call)->getType(), "the address of an element, behind which lie others,", call->getBeginLoc());
     if (callee->getIdentifier() == nullptr) return true;
-    if (callee->getName().starts_with("atomic") && names_.is_library(callee->getLocation()))
+    const auto begins_with = [&](const char* text) { return callee->getName().starts_with(text); };
+    if ((begins_with("atomic") || begins_with("__ld") || begins_with("__st")) &&  // CUDA's, of one element
+        names_.is_library(callee->getLocation()))
       for (const clang::Expr* argument : call->arguments()) harmless_.insert(written(argument));
     if (callee->getName() == "bit_cast" && call->getNumArgs() > 0)
       unknown(call->getArg(0)->getType(), "bit_cast", call->getBeginLoc());
@@ -91,7 +93,7 @@ class Finder : public clang::RecursiveASTVisitor<Finder> {
   clang::ASTContext& context_;
   Names& names_;
   std::vector<UnknownUse>& uses_;
-  std::set<const clang::Expr*> harmless_;  // addresses for atomicAdd() and the like, and in *&x
+  std::set<const clang::Expr*> harmless_;  // addresses for atomicAdd(), __ldcg() and the like, and in *&x
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Allocation of buffers; CUDA and pinned memory come from the backend.
 #include <physgen/buffer.h>
+#include <physgen/device.h>
 #include <physgen/error.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -9,7 +10,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "backend.h"
+#include "backend/memory.h"
 
 namespace physgen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <physgen/layout/pitch.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <algorithm>
 
@@ -10,13 +10,13 @@ namespace physgen::detail {
 
 /// Objects of one tile of the array, or of one that an array of the same layout may have: what begins at a multiple of
 /// it begins with a tile.
-[[nodiscard]] inline index_t tile_objects(const Storage& array) {
+[[nodiscard]] inline index_t tile_objects(const UntypedArray& array) {
   const bool many_tiles = array.pitch < array.padded;
   return many_tiles ? std::max(array.pitch, padding_objects) : padding_objects;
 }
 
 /// Objects that pass through a part at a time: about 8 MiB, whole tiles.
-[[nodiscard]] inline index_t chunk_objects(const Storage& array) {
+[[nodiscard]] inline index_t chunk_objects(const UntypedArray& array) {
   constexpr index_t bytes = 8 << 20;
   return align_up(bytes / std::max(array.record_bytes, 1) + 1, tile_objects(array));
 }
@@ -29,7 +29,7 @@ struct Chunks {
   index_t objects;  ///< of a whole chunk; no chunk has more
 
   /// @param times larger than usual
-  Chunks(const Storage& array, index_t begin_, index_t end_, index_t times = 1)
+  Chunks(const UntypedArray& array, index_t begin_, index_t end_, index_t times = 1)
       : begin(begin_),
         end(end_),
         tile(tile_objects(array)),

@@ -1,39 +1,16 @@
 // A conversion of objects between two arrays as data: which elements move where, on host and device.
 #pragma once
 
-#include <physgen/storage.h>
+#include <physgen/detail/count_losses.h>
 
 #include <bit>
 #include <cmath>
 #include <vector>
 
+#include "addressing.h"
 #include "element_codec.h"
 
 namespace physgen::detail {
-
-/// Addresses of a Storage with the pitch prepared for a shift and a mask; a whole-array pitch never leaves tile 0.
-struct Addressing {
-  std::byte* base;
-  index_t pitch;
-  int shift;
-  int record_bytes;
-  index_t first;  // the number of the object that lies at its beginning
-
-  explicit Addressing(const Storage& storage, index_t first_object = 0)
-      : base(storage.base), pitch(storage.pitch), shift(63), record_bytes(storage.record_bytes), first(first_object) {
-    if (storage.pitch < storage.padded || storage.pitch == 1) {
-      for (shift = 0; (index_t{1} << shift) < storage.pitch;) ++shift;
-    }
-  }
-  [[nodiscard]] PHYSGEN_FUNCTION std::byte* address(index_t i, int offset, int size) const {
-    const index_t here = i - first;
-    const index_t tile = here >> shift;
-    const index_t lane = here - (tile << shift);
-    return base + tile * pitch * record_bytes + offset * pitch + lane * size;
-  }
-  /// Whether whole records follow each other.
-  [[nodiscard]] PHYSGEN_FUNCTION bool records() const { return pitch == 1; }
-};
 
 /// One element of every object.
 struct ElementMove {
@@ -55,7 +32,7 @@ struct RotationMove {
                               [&](int k) { return from.address(i, first.from_offset + k * size, size); });
   }
   /// Computed in double if one of the sides is.
-  PHYSGEN_FUNCTION void run(const Addressing& to, const Addressing& from, index_t i) const {
+  PHYSGEN_FUNCTION void apply(const Addressing& to, const Addressing& from, index_t i) const {
     const int size = element_bytes(first.to.type);
     const auto at = [&](int k) { return to.address(i, first.to_offset + k * size, size); };
     if (size == 8 || element_bytes(first.from.type) == 8) {
@@ -72,7 +49,7 @@ struct Conversion {
   std::vector<RotationMove> rotations;
   std::vector<RotationMove> kept_quaternions;  ///< on both sides; their elements are among the others
 
-  Conversion(const Storage& to, const Storage& from) {
+  Conversion(const UntypedArray& to, const UntypedArray& from) {
     for (std::size_t f = 0; f < to.fields.size(); ++f) {
       const FieldInfo &a = to.fields[f], &b = from.fields[f];
       if (!a.is_stored() || !b.is_stored()) continue;
@@ -122,7 +99,7 @@ struct Fill {
   }
   /// Whether cleared memory is what it would write.
   [[nodiscard]] bool is_zero() const { return value == 0 && one == 0; }
-  PHYSGEN_FUNCTION void run(const Addressing& array, index_t i) const {
+  PHYSGEN_FUNCTION void apply(const Addressing& array, index_t i) const {
     for (int k = 0; k < count; ++k) {
       const bool is_one = rotation && (quaternion ? k % 4 == 0 : k % 9 % 4 == 0);  // w, or the diagonal
       const std::uint64_t bits = is_one ? one : value;
@@ -140,7 +117,7 @@ struct Fill {
 
 /// The first field that changes between the two arrays by functions of a format of a program's own, which only the host
 /// has; else null.
-[[nodiscard]] inline const FieldInfo* changed_by_own_functions(const Storage& to, const Storage& from) {
+[[nodiscard]] inline const FieldInfo* changed_by_own_functions(const UntypedArray& to, const UntypedArray& from) {
   for (std::size_t f = 0; f < to.fields.size(); ++f) {
     const FieldInfo &a = to.fields[f], &b = from.fields[f];
     if ((a.own == nullptr && b.own == nullptr) || !a.is_stored() || !b.is_stored()) continue;

@@ -2,20 +2,20 @@
 #pragma once
 
 #include <physgen/error.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <string>
 
 namespace physgen::detail {
 
 /// "elasticity::Tet[12] in cuda memory"
-[[nodiscard]] inline std::string describe(const Storage& storage) {
-  return std::string(storage.object) + "[" + std::to_string(storage.size) + "] in " + name(storage.space) + " memory";
+[[nodiscard]] inline std::string describe(const UntypedArray& array) {
+  return std::string(array.object) + "[" + std::to_string(array.size) + "] in " + name(array.space) + " memory";
 }
 
 /// @param what cannot be had
-[[noreturn]] inline void refuse_unstored(const Storage& storage, const FieldInfo& field, const std::string& what) {
-  throw Error(describe(storage) + ": " + what + ", but nothing is stored of " + std::string(field.name) +
+[[noreturn]] inline void refuse_unstored(const UntypedArray& array, const FieldInfo& field, const std::string& what) {
+  throw Error(describe(array) + ": " + what + ", but nothing is stored of " + std::string(field.name) +
               ": this array prunes it (format::Nothing or Pruned); take an array that stores it");
 }
 

@@ -1,19 +1,20 @@
 // Conversions between arrays that host code can reach.
 #pragma once
 
-#include <physgen/storage.h>
+#include <physgen/losses.h>
+#include <physgen/untyped_array.h>
 
 namespace physgen::detail {
 
 /// Object i of `to` becomes object i of `from` for i = begin .. end-1, on all threads.
 /// @param to_first, from_first number of the object at the beginning of the array: 0, or more for a part of one
-void convert_on_host(const Storage& to, index_t to_first, const Storage& from, index_t from_first, index_t begin,
-                     index_t end);
+void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArray& from, index_t from_first,
+                     index_t begin, index_t end);
 
 /// Sets memory to zero, on all threads.
 void clear_on_host(std::byte* memory, index_t bytes);
 
 /// What the formats of `to` could not hold of objects begin .. end-1. @pre host code can reach `from`
-[[nodiscard]] Losses count_on_host(const Storage& to, const Storage& from, index_t begin, index_t end);
+[[nodiscard]] Losses count_on_host(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end);
 
 }  // namespace physgen::detail

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <physgen/layout/pitch.h>
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 namespace physgen::detail {
 
 /// The form of an array of `objects` objects that stores the records of `like`, with no memory yet.
-[[nodiscard]] inline Storage part_of(const Storage& like, index_t objects, SpaceKind space) {
-  Storage part = like;
+[[nodiscard]] inline UntypedArray part_of(const UntypedArray& like, index_t objects, SpaceKind space) {
+  UntypedArray part = like;
   part.base = nullptr;
   part.size = objects;
   const bool many_tiles = like.pitch < like.padded;
@@ -24,7 +24,7 @@ namespace physgen::detail {
 }
 
 /// Bytes of a record that its fields fill.
-[[nodiscard]] inline int stored_bytes(const Storage& array) {
+[[nodiscard]] inline int stored_bytes(const UntypedArray& array) {
   int bytes = 0;
   for (const FieldInfo& field : array.fields) bytes += field.count * element_bytes(field.type);
   return bytes;

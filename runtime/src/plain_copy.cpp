@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "backend.h"
+#include "backend/memory.h"
 #include "element_codec.h"
 
 namespace physgen::detail {
@@ -33,7 +33,7 @@ void copy_rows(const Rows& rows, bool on_host, Stream stream) {
 
 }  // namespace
 
-bool same_records(const Storage& a, const Storage& b) {
+bool same_records(const UntypedArray& a, const UntypedArray& b) {
   if (a.record_bytes != b.record_bytes) return false;
   return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
                     [](const FieldInfo& x, const FieldInfo& y) {
@@ -41,25 +41,23 @@ bool same_records(const Storage& a, const Storage& b) {
                     });
 }
 
-bool same_runs(const Storage& a, const Storage& b) {
+bool same_runs(const UntypedArray& a, const UntypedArray& b) {
   return a.pitch == b.pitch || (a.pitch >= a.padded && b.pitch >= b.padded);
 }
 
-index_t copy_plain(const Storage& to, index_t to_begin, const Storage& from, index_t from_begin, index_t count,
-                   Stream stream) {
+index_t copy_plain(const UntypedArray& to, index_t to_begin, const UntypedArray& from, index_t from_begin,
+                   index_t count, Stream stream) {
   const bool on_host = host_accessible(to.space) && host_accessible(from.space);
   if (to.record_bytes == 0) return 0;
   index_t moved = 0;
   for (index_t done = 0, piece = 0; done < count; done += piece) {
     const index_t rest = count - done;
-    const index_t to_lane = (to_begin + done) % to.pitch;
-    const index_t from_lane = (from_begin + done) % from.pitch;
-    std::byte* to_tile = to.base + (to_begin + done - to_lane) * to.record_bytes;
-    const std::byte* from_tile = from.base + (from_begin + done - from_lane) * from.record_bytes;
+    const index_t to_i = to_begin + done, from_i = from_begin + done;
+    const index_t to_lane = AnyPitch{to.pitch}.lane(to_i), from_lane = AnyPitch{from.pitch}.lane(from_i);
     if (to.pitch == from.pitch && to_lane == 0 && from_lane == 0 && rest >= to.pitch) {
       piece = rest / to.pitch * to.pitch;
       const index_t bytes = piece * to.record_bytes;
-      copy_rows({to_tile, bytes, from_tile, bytes, bytes, 1}, on_host, stream);
+      copy_rows({to.address(to_i, 0, 0), bytes, from.address(from_i, 0, 0), bytes, bytes, 1}, on_host, stream);
       moved += bytes;
       continue;
     }
@@ -68,8 +66,8 @@ index_t copy_plain(const Storage& to, index_t to_begin, const Storage& from, ind
       const int size = element_bytes(field.type);
       if (size == 0) continue;
       copy_rows(
-          {to_tile + field.offset * to.pitch + to_lane * size, to.pitch * size,
-           from_tile + field.offset * from.pitch + from_lane * size, from.pitch * size, piece * size, field.count},
+          {to.address(to_i, field.offset, size), law::channel_begin(size, to.pitch),
+           from.address(from_i, field.offset, size), law::channel_begin(size, from.pitch), piece * size, field.count},
           on_host, stream);
       moved += piece * size * field.count;
     }

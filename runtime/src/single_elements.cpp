@@ -1,6 +1,9 @@
 // Single elements of arrays without their types, by number, as doubles.
+#include <physgen/array_losses.h>
+#include <physgen/detail/count_losses.h>
+#include <physgen/device.h>
 #include <physgen/error.h>
-#include <physgen/storage.h>
+#include <physgen/single_elements.h>
 
 #include <algorithm>
 #include <array>
@@ -8,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "backend.h"
+#include "backend/memory.h"
 #include "convert.h"
 #include "describe.h"
 
@@ -24,19 +27,19 @@ struct Found {
   int element;
 };
 
-Found find_element(const Storage& storage, index_t i, int k) {
-  if (i < 0 || i >= storage.size) {
-    throw Error(describe(storage) + ": there is no object " + std::to_string(i) + "; numbers go from 0 to " +
-                std::to_string(storage.size - 1));
+Found find_element(const UntypedArray& array, index_t i, int k) {
+  if (i < 0 || i >= array.size) {
+    throw Error(describe(array) + ": there is no object " + std::to_string(i) + "; numbers go from 0 to " +
+                std::to_string(array.size - 1));
   }
   int rest = k;
-  for (const FieldInfo& field : storage.fields) {
+  for (const FieldInfo& field : array.fields) {
     if (rest >= 0 && rest < field.visible_count()) return {field, rest};
     rest -= field.visible_count();
   }
   int count = 0;
-  for (const FieldInfo& field : storage.fields) count += field.visible_count();
-  throw Error(describe(storage) + ": there is no element " + std::to_string(k) + "; numbers go from 0 to " +
+  for (const FieldInfo& field : array.fields) count += field.visible_count();
+  throw Error(describe(array) + ": there is no element " + std::to_string(k) + "; numbers go from 0 to " +
               std::to_string(count - 1));
 }
 
@@ -55,24 +58,23 @@ double limited(double value) {
 
 }  // namespace
 
-double getdata(const Storage& storage, index_t i, int k) {
-  const auto [field, element] = find_element(storage, i, k);
-  if (!field.is_stored()) detail::refuse_unstored(storage, field, "element " + std::to_string(k) + " cannot be read");
-  refuse_or_wait(storage.space, "getdata()");
+double getdata(const UntypedArray& array, index_t i, int k) {
+  const auto [field, element] = find_element(array, i, k);
+  if (!field.is_stored()) detail::refuse_unstored(array, field, "element " + std::to_string(k) + " cannot be read");
+  refuse_or_wait(array.space, "getdata()");
   const int size = element_bytes(field.type);
   // A single element, or all those of a quaternion.
   alignas(8) std::array<std::byte, 32> bytes{};
   const int first = field.quaternion ? element / 9 * 4 : element, count = field.quaternion ? 4 : 1;
-  const detail::Addressing array(storage);
   for (int e = 0; e < count; ++e) {
     const std::byte* from = array.address(i, field.offset + (first + e) * size, size);
-    if (host_accessible(storage.space)) {
+    if (host_accessible(array.space)) {
       std::memcpy(bytes.data() + e * size, from, static_cast<std::size_t>(size));
     } else {
       backend::copy_bytes(bytes.data() + e * size, from, size, nullptr);
     }
   }
-  if (!host_accessible(storage.space)) synchronize();
+  if (!host_accessible(array.space)) synchronize();
   const detail::Encoding encoding = detail::encoding_of(field);
   if (!field.quaternion) return detail::decode<double>(bytes.data(), encoding);
   const auto R =
@@ -80,21 +82,21 @@ double getdata(const Storage& storage, index_t i, int k) {
   return R(element % 9 % 3, element % 9 / 3);
 }
 
-void putdata(const Storage& storage, index_t i, int k, double value) {
-  const auto [field, element] = find_element(storage, i, k);
-  if (!field.is_stored()) detail::refuse_unstored(storage, field, "element " + std::to_string(k) + " cannot be set");
+void putdata(const UntypedArray& array, index_t i, int k, double value) {
+  const auto [field, element] = find_element(array, i, k);
+  if (!field.is_stored()) detail::refuse_unstored(array, field, "element " + std::to_string(k) + " cannot be set");
   if (field.quaternion) {
-    throw Error(describe(storage) + ": " + std::string(field.name) +
+    throw Error(describe(array) + ": " + std::string(field.name) +
                 " is stored as a quaternion, which has no single matrix elements; assign the rotation through a view");
   }
   if (field.type == ElementType::int32 && static_cast<double>(static_cast<std::int32_t>(limited(value))) != value) {
     std::ostringstream message;
-    message << describe(storage) << ": " << value << " is no index; " << field.name
+    message << describe(array) << ": " << value << " is not an index; " << field.name
             << " holds whole numbers from -2147483648 to 2147483647";
     throw Error(message.str());
   }
   const int size = element_bytes(field.type);
-  std::byte* to = detail::Addressing(storage).address(i, field.offset + element * size, size);
+  std::byte* to = array.address(i, field.offset + element * size, size);
   alignas(8) std::array<std::byte, 8> bytes{};
   const detail::Encoding encoding = detail::encoding_of(field);
   detail::encode(bytes.data(), encoding, value);
@@ -102,10 +104,10 @@ void putdata(const Storage& storage, index_t i, int k, double value) {
     Losses losses;
     detail::count_loss(losses, encoding.type, encoding.scale, value, detail::decode<double>(bytes.data(), encoding), i,
                        field.offset + element * size);
-    throw_if_falsified(losses, storage);
+    throw_if_falsified(losses, array);
   }
-  refuse_or_wait(storage.space, "putdata()");
-  if (host_accessible(storage.space)) {
+  refuse_or_wait(array.space, "putdata()");
+  if (host_accessible(array.space)) {
     std::memcpy(to, bytes.data(), static_cast<std::size_t>(size));
   } else {
     backend::copy_bytes(to, bytes.data(), size, nullptr);

@@ -1,12 +1,13 @@
 // Changes of topology over arrays without their types: objects picked by number as plain bytes, and indices renumbered.
+#include "backend/topology.h"
+
 #include <physgen/error.h>
 #include <physgen/topology.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "backend.h"
-#include "backend_topology.h"
+#include "backend/memory.h"
 #include "describe.h"
 #include "index_field.h"
 
@@ -18,10 +19,11 @@ using detail::Addressing;
 using detail::describe;
 using detail::Picked;
 
-void pick_on_host(const Storage& to, index_t begin, const Storage& from, const Picked& picked, index_t count) {
+void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& from, const Picked& picked,
+                  index_t count) {
   const Addressing to_address(to);
   const Addressing from_address(from);
-  const bool whole_records = to.pitch == 1 && from.pitch == 1;
+  const bool whole_records = to_address.records() && from_address.records();
   // Blocks of objects keep what is written in the cache while field after field is moved.
   constexpr index_t block = 1024;
   const index_t blocks = (count + block - 1) / block;
@@ -32,7 +34,7 @@ void pick_on_host(const Storage& to, index_t begin, const Storage& from, const P
     if (whole_records) {
       const auto bytes = static_cast<std::size_t>(to.record_bytes);
       for (index_t i = first; i < last; ++i) {
-        std::memcpy(to.base + (begin + i) * to.record_bytes, from.base + picked[i] * to.record_bytes, bytes);
+        std::memcpy(to_address.record(begin + i), from_address.record(picked[i]), bytes);
       }
       continue;
     }
@@ -49,36 +51,36 @@ void pick_on_host(const Storage& to, index_t begin, const Storage& from, const P
   }
 }
 
-index_t first_not_renumbered_on_host(const Storage& storage, const FieldInfo& field,
+index_t first_not_renumbered_on_host(const UntypedArray& array, const FieldInfo& field,
                                      const detail::NewNumbers& numbers) {
-  const Addressing address(storage);
-  index_t first = storage.size;
-#pragma omp parallel for reduction(min : first) if (storage.size > 8192)
-  for (index_t i = 0; i < storage.size; ++i) {
+  const Addressing address(array);
+  index_t first = array.size;
+#pragma omp parallel for reduction(min : first) if (array.size > 8192)
+  for (index_t i = 0; i < array.size; ++i) {
     if (i < first && !detail::can_renumber(address, field.offset, field.count, numbers, i)) first = i;
   }
   return first;
 }
 
-void renumber_on_host(const Storage& storage, const FieldInfo& field, const detail::NewNumbers& numbers) {
-  const Addressing address(storage);
-#pragma omp parallel for if (storage.size > 8192)
-  for (index_t i = 0; i < storage.size; ++i) {
+void renumber_on_host(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers) {
+  const Addressing address(array);
+#pragma omp parallel for if (array.size > 8192)
+  for (index_t i = 0; i < array.size; ++i) {
     detail::renumber_object(address, field.offset, field.count, numbers, i);
   }
 }
 
 // Says which index of object i it is that has no new number.
-[[noreturn]] void refuse_index(const Storage& storage, const FieldInfo& field, index_t i,
+[[noreturn]] void refuse_index(const UntypedArray& array, const FieldInfo& field, index_t i,
                                std::span<const index_t> new_number) {
   int element = 0;  // the field's first
-  for (const FieldInfo& before : storage.fields) {
+  for (const FieldInfo& before : array.fields) {
     if (&before == &field) break;
     element += before.visible_count();
   }
   const detail::NewNumbers numbers{new_number.data(), static_cast<index_t>(new_number.size())};
   int k = 0;
-  const auto index_of = [&] { return static_cast<std::int32_t>(getdata(storage, i, element + k)); };
+  const auto index_of = [&] { return static_cast<std::int32_t>(getdata(array, i, element + k)); };
   while (k + 1 < field.count && numbers.has(index_of())) ++k;
   const std::int32_t index = index_of();
   std::string why = "there are new numbers for " + std::to_string(numbers.count) + " objects only";
@@ -87,7 +89,7 @@ void renumber_on_host(const Storage& storage, const FieldInfo& field, const deta
     why = number < 0 ? "that object is gone; erase or change what refers to it first"
                      : "its new number " + std::to_string(number) + " is more than an index can hold";
   }
-  throw Error(describe(storage) + ": cannot renumber " + std::string(field.name) + ": object " + std::to_string(i) +
+  throw Error(describe(array) + ": cannot renumber " + std::string(field.name) + ": object " + std::to_string(i) +
               " has the index " + std::to_string(index) + " as element " + std::to_string(k) + " of " +
               std::to_string(field.count) + ": " + why);
 }
@@ -96,14 +98,14 @@ void renumber_on_host(const Storage& storage, const FieldInfo& field, const deta
 
 namespace detail {
 
-std::string names(std::span<const Storage> arrays) {
+std::string names(std::span<const UntypedArray> arrays) {
   std::string all;
-  for (const Storage& array : arrays) all += (all.empty() ? "" : ", ") + describe(array);
+  for (const UntypedArray& array : arrays) all += (all.empty() ? "" : ", ") + describe(array);
   return all;
 }
 
-index_t common_size(std::span<const Storage> arrays) {
-  for (const Storage& array : arrays) {
+index_t common_size(std::span<const UntypedArray> arrays) {
+  for (const UntypedArray& array : arrays) {
     if (array.size != arrays.front().size) {
       throw Error(names(arrays) + ": arrays of one element set have the same size");
     }
@@ -111,7 +113,7 @@ index_t common_size(std::span<const Storage> arrays) {
   return arrays.front().size;
 }
 
-index_t grown_size(std::span<const Storage> arrays, index_t count) {
+index_t grown_size(std::span<const UntypedArray> arrays, index_t count) {
   const index_t size = arrays.front().size;
   if (count < 0 || count > std::numeric_limits<index_t>::max() - size) {
     throw Error(names(arrays) + ": cannot append " + std::to_string(count) + " objects");
@@ -119,20 +121,22 @@ index_t grown_size(std::span<const Storage> arrays, index_t count) {
   return size + count;
 }
 
-void wait_for(std::span<const Storage> arrays) {
-  const auto may_be_worked_on = [](const Storage& array) { return device_accessible(array.space) && array.size > 0; };
+void wait_for(std::span<const UntypedArray> arrays) {
+  const auto may_be_worked_on = [](const UntypedArray& array) {
+    return device_accessible(array.space) && array.size > 0;
+  };
   if (std::any_of(arrays.begin(), arrays.end(), may_be_worked_on)) synchronize();
 }
 
-Numbers::Numbers(std::span<const index_t> numbers, std::span<const Storage> arrays) : on_host(numbers) {
-  const auto on_cuda = [](const Storage& array) { return array.space == SpaceKind::cuda; };
+Numbers::Numbers(std::span<const index_t> numbers, std::span<const UntypedArray> arrays) : on_host(numbers) {
+  const auto on_cuda = [](const UntypedArray& array) { return array.space == SpaceKind::cuda; };
   if (numbers.empty() || std::none_of(arrays.begin(), arrays.end(), on_cuda)) return;
   const auto bytes = static_cast<index_t>(numbers.size_bytes());
   on_device = Buffer(SpaceKind::cuda, bytes, "a list of " + std::to_string(numbers.size()) + " object numbers");
   backend::copy_bytes(on_device.data(), reinterpret_cast<const std::byte*>(numbers.data()), bytes, nullptr);
 }
 
-void pick(const Storage& to, const Storage& from, const Numbers& order) {
+void pick(const UntypedArray& to, const UntypedArray& from, const Numbers& order) {
   if (to.size == 0 || to.record_bytes == 0) return;
   if (to.space == SpaceKind::cuda) {
     const auto* numbers = reinterpret_cast<const index_t*>(order.on_device.data());
@@ -142,7 +146,7 @@ void pick(const Storage& to, const Storage& from, const Numbers& order) {
   }
 }
 
-void insert(const Storage& to, index_t begin, const Storage& from) {
+void insert(const UntypedArray& to, index_t begin, const UntypedArray& from) {
   if (from.size == 0 || to.record_bytes == 0) return;
   if (to.space == SpaceKind::cuda) {
     backend::pick(to, begin, from, Picked{nullptr, 0}, from.size, nullptr);
@@ -153,22 +157,22 @@ void insert(const Storage& to, index_t begin, const Storage& from) {
 
 }  // namespace detail
 
-void renumber(const Storage& storage, std::string_view field_name, std::span<const index_t> new_number) {
-  const FieldInfo& field = detail::find_index_field(storage, field_name);
-  if (storage.size == 0) return;
-  detail::wait_for(std::span(&storage, 1));
-  const bool on_host = host_accessible(storage.space);
-  const detail::Numbers uploaded(new_number, std::span(&storage, 1));
+void renumber(const UntypedArray& array, std::string_view field_name, std::span<const index_t> new_number) {
+  const FieldInfo& field = detail::find_index_field(array, field_name);
+  if (array.size == 0) return;
+  detail::wait_for(std::span(&array, 1));
+  const bool on_host = host_accessible(array.space);
+  const detail::Numbers uploaded(new_number, std::span(&array, 1));
   const detail::NewNumbers numbers{
       on_host ? new_number.data() : reinterpret_cast<const index_t*>(uploaded.on_device.data()),
       static_cast<index_t>(new_number.size())};
-  const index_t first = on_host ? first_not_renumbered_on_host(storage, field, numbers)
-                                : backend::first_not_renumbered(storage, field, numbers);
-  if (first < storage.size) refuse_index(storage, field, first, new_number);
+  const index_t first = on_host ? first_not_renumbered_on_host(array, field, numbers)
+                                : backend::first_not_renumbered(array, field, numbers);
+  if (first < array.size) refuse_index(array, field, first, new_number);
   if (on_host) {
-    renumber_on_host(storage, field, numbers);
+    renumber_on_host(array, field, numbers);
   } else {
-    backend::renumber(storage, field, numbers);
+    backend::renumber(array, field, numbers);
   }
 }
 

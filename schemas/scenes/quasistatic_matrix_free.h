@@ -2,8 +2,7 @@
 #pragma once
 
 #include <fem/materials/stable_neo_hookean.h>
-#include <fem/solver/product_host.h>
-#include <fem/solver/schwarz_host.h>
+#include <fem/solver/performed_steps.h>
 #include <fem/solver/solver_groups.h>
 #include <fem/solver/solver_program.h>
 #include <physgen/scene.h>
@@ -21,16 +20,13 @@ struct PHYSGEN_SCENE() quasistatic_matrix_free : fem::groups::OfBody,
                                                  fem::groups::OfKrylov,
                                                  fem::groups::OfStresses {
   using Real = fem::groups::Real;
-  struct Choices {
-    static constexpr bool assembled = false, matrix_free = true, grids = false;
-  };
 
   template <class On, class Body, class Patches, class Chunk, class Level, class Krylov, class Stresses>
   static void program(On& on, Body& body, Patches& patches, Chunk& chunk, Level& level, Krylov& krylov,
                       Stresses& stresses, const fem::StableNeoHookean<double>& material,
                       const fem::SolverSettings& settings, fem::MeshFacts& facts) {
     fem::NoArrays none;
-    auto solver = fem::solver_program<Real, fem::StoredAsComputed, Choices>(
+    auto solver = fem::solver_program<Real, fem::StoredAsComputed, fem::ByTets>(
         on, settings, material, facts, fem::SolverGroups{body, patches, none, chunk, level, none, none, none, krylov});
     (void)solver.solve_to(1, {});
     solver.evaluate_stresses(1, stresses.of_tets);

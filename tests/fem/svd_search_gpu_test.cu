@@ -4,7 +4,7 @@
 #include <fem/reference/svd_errors.h>
 #include <gtest/gtest.h>
 #include <physgen/cuda/check.h>
-#include <physgen/storage.h>
+#include <physgen/device.h>
 
 #include "reference.h"
 

@@ -132,7 +132,7 @@ void check_products(SumOrder order, unsigned stream) {
     multiply(Space{}, scene.product(), sums, order);
     const auto second = scene.result();
     EXPECT_EQ(
-        std::memcmp(first.storage().base, second.storage().base, static_cast<std::size_t>(first.storage().bytes())), 0)
+        std::memcmp(first.untyped().base, second.untyped().base, static_cast<std::size_t>(first.untyped().bytes())), 0)
         << "the same bits on every run";
   }
 }

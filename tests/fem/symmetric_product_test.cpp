@@ -26,7 +26,7 @@ TEST(SymmetricProductOnHost, gives_the_same_bits_with_any_number_of_threads) {
   multiply(Host{}, scene.product(), sums, SumOrder::fixed);
   omp_set_num_threads(threads);
   const auto five = scene.result();
-  EXPECT_EQ(std::memcmp(alone.storage().base, five.storage().base, static_cast<std::size_t>(alone.storage().bytes())),
+  EXPECT_EQ(std::memcmp(alone.untyped().base, five.untyped().base, static_cast<std::size_t>(alone.untyped().bytes())),
             0);
 }
 

@@ -1,10 +1,11 @@
 // The catalogue by itself: what its readers rely on. What its rows say is compared with the runtime, by a program that
 // uses all of them, in catalog/.
-#include "model/catalog.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
+
+#include "model/facts.h"
+#include "model/text.h"
 
 namespace physgen::model {
 namespace {

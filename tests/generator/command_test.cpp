@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <functional>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "command_case.h"
-#include "model/json.h"
 
 namespace physgen::test {
 namespace {
@@ -170,10 +170,9 @@ TEST_F(Command, prints_the_model_as_json) {
   folder.write("a.h", sound);
   const auto outcome = run("model a.h");
   EXPECT_EQ(outcome.status, 0);
-  const auto schema = model::from_json(outcome.out);
-  EXPECT_EQ(schema.file, "a.h");
-  EXPECT_EQ(schema.objects.at(0).fields.at(0).name, "x");
-  EXPECT_EQ(model::to_json(schema), outcome.out);
+  const auto schema = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(schema.at("file"), "a.h");
+  EXPECT_EQ(schema.at("objects").at(0).at("fields").at(0).at("name"), "x");
   folder.write("b.h", broken);
   EXPECT_EQ(run("model b.h").status, 1);
   EXPECT_EQ(run("model b.h").out, "");

@@ -23,7 +23,9 @@ namespace {
 std::filesystem::path write_source(const std::filesystem::path& folder, int objects, int scalars) {
   model::Schema schema = test::schema({});
   schema.file = "of" + std::to_string(scalars) + ".h";
-  std::string kernels = "#include <physgen/runtime.h>\n#include \"" + model::generated_header(schema.file) + "\"\n";
+  const emit::Emitter& emitter = emit::emitter("cpp");
+  const std::string header = emit::file_of(emitter, schema.file);
+  std::string kernels = "#include <physgen/runtime.h>\n#include \"" + header + "\"\n";
   for (int o = 0; o < objects; ++o) {
     const std::string name = "Object" + std::to_string(o);
     schema.objects.push_back(test::object(name, {}));
@@ -33,7 +35,7 @@ std::filesystem::path write_source(const std::filesystem::path& folder, int obje
                "  for (physgen::index_t i = 0; i < from.size(); ++i) {\n" +
                "    auto value = from.get(i);\n    value.x0 += value.x1;\n    to.put(i, value);\n  }\n}\n";
   }
-  std::ofstream(folder / model::generated_header(schema.file)) << emit::accessor_header(schema);
+  std::ofstream(folder / header) << emitter.emit(schema);
   const std::filesystem::path source = folder / ("of" + std::to_string(scalars) + ".cpp");
   std::ofstream(source) << kernels;
   return source;

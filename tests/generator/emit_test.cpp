@@ -7,14 +7,16 @@
 #include <iostream>
 #include <sstream>
 
+#include "emit/cpp/header.h"
+#include "emit/cpp/header_size.h"
+#include "emit/cpp/text.h"
 #include "emit/emitter.h"
 #include "emit/printer.h"
-#include "emit/text.h"
-#include "model/header_size.h"
+#include "model/text.h"
 #include "models.h"
 #include "text_checks.h"
 
-namespace physgen::emit {
+namespace physgen::emit::cpp {
 namespace {
 
 using model::Element;
@@ -29,9 +31,31 @@ using test::schema;
 
 TEST(Emitter, is_written_for_this_runtime) { EXPECT_EQ(runtime_version, PHYSGEN_RUNTIME_VERSION); }
 
+TEST(Emitter, names_generated_headers_after_their_schemas) {
+  const Emitter& emitter = emit::emitter("cpp");
+  EXPECT_EQ(file_of(emitter, "elasticity.h"), "elasticity.physgen.h");
+  EXPECT_EQ(file_of(emitter, "some.folder/tissue.model.hpp"), "tissue.model.physgen.h");
+  EXPECT_EQ(file_of(emitter, "folder.d/plain"), "plain.physgen.h");
+  EXPECT_EQ(file_of(emitter, ".hidden"), ".hidden.physgen.h");
+}
+
+TEST(Emitters, are_found_by_their_names_and_the_nearest_is_named) {
+  for (const Emitter& one : emitters()) EXPECT_EQ(&emitter(std::string(one.name)), &one);
+  const auto error_of = [](const char* name) {
+    try {
+      (void)emitter(name);
+    } catch (const UnknownEmitter& error) {
+      return std::string(error.what());
+    }
+    return std::string("found");
+  };
+  EXPECT_EQ(error_of("cppp"), "there is no emitter 'cppp'; did you mean 'cpp'?");
+  EXPECT_EQ(error_of("fortran"), "there is no emitter 'fortran'; there are cpp");
+}
+
 TEST(Emitter, refuses_another_runtime_by_an_error) {
   const std::string text = accessor_header(schema({object("A", {scalar("x")})}));
-  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 4\n#error \"test.physgen.h is for version 4 of the physgen");
+  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 5\n#error \"test.physgen.h is for version 5 of the physgen");
 }
 
 TEST(Emitter, writes_the_same_text_for_the_same_model) {
@@ -47,23 +71,24 @@ TEST(Emitter, does_not_depend_on_where_the_schema_lies) {
   EXPECT_EQ(accessor_header(all), text);
 }
 
-TEST(Emitter, gives_one_line_of_address_arithmetic_per_field) {
+TEST(Emitter, says_shape_format_and_type_of_a_field_once) {
   const std::string text = accessor_header(schema({object("A", {scalar("x"), field("F", Shape::matrix, 3, 3)})}));
   expect_contains(text,
-                  "  static constexpr auto plan_ = physgen::plan_record<2>({{\n"
-                  "    physgen::slot<physgen::shape::Scalar, typename Formats::x, Real>(),\n"
-                  "    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),\n  }});\n"
-                  "  static constexpr int x = plan_.offset[0];\n  static constexpr int F = plan_.offset[1];\n"
-                  "  static constexpr int bytes = plan_.bytes;\n");
-  expect_contains(
-      text,
-      "  PHYSGEN_FUNCTION decltype(auto) x() const {\n"
-      "    return at_.template field<physgen::shape::Scalar, typename Formats::x, Real>(Record::x);\n  }\n");
-  expect_contains(
-      text, "    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);\n");
-  expect_contains(text, "    value.x = x();\n    value.F = F().get();\n");
-  expect_contains(
-      text, "static_assert(physgen::is_sound_record<AObject, double, AFormats<physgen::Host>>(80, 8, {0, 8}));\n");
+                  "template <class Real, class Formats>\nstruct ARecord {\n"
+                  "  using x = physgen::StoredField<ARecord, 0, physgen::shape::Scalar, typename Formats::x, Real>;\n"
+                  "  using F = physgen::StoredField<ARecord, 1, physgen::shape::Matrix<3, 3>, typename Formats::F, "
+                  "Real>;\n"
+                  "  using fields_ = physgen::RecordFields<x, F>;\n};\n");
+  for (const char* word : {"shape::Scalar", "shape::Matrix"}) EXPECT_EQ(text.find(word), text.rfind(word)) << word;
+  expect_contains(text,
+                  "  PHYSGEN_FUNCTION decltype(auto) x() const { return this->field_(typename Record::x(), "
+                  "Record::x::offset); }\n"
+                  "  PHYSGEN_FUNCTION decltype(auto) F() const { return this->field_(typename Record::F(), "
+                  "Record::F::offset); }\n");
+  expect_contains(text, "  PHYSGEN_FUNCTION const Value get() const { return {x(), F().get()}; }\n");
+  expect_contains(text,
+                  "static_assert(physgen::are_sound_records<AObject, physgen::Host>({40, 4, {0, 4}}, "
+                  "{80, 8, {0, 8}}));\n");
 }
 
 TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
@@ -85,9 +110,8 @@ TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
   expect_contains(text, "  /// [N/m]. Symmetric, 6 stored.\n  Eigen::Matrix<Real, 3, 3> K;\n");
   expect_contains(text, "  /// Initially 0.25 in a new array.\n  Real w[4];\n");
   expect_contains(text,
-                  "    physgen::field_info<physgen::shape::Scalar, typename Formats::density, Real>(\n"
-                  "        \"density\", \"kg/m^3\", ARecord<Real, Formats>::density, 1, 0.1),\n");
-  expect_contains(text, "\"w\", \"\", ARecord<Real, Formats>::w, 4, 0.25),\n");
+                  "  static constexpr std::array<physgen::FieldText, 3> texts = {{\n"
+                  "      {\"density\", \"kg/m^3\", 0.1}, {\"K\", \"N/m\"}, {\"w\", \"\", 0.25}}};\n");
 }
 
 TEST(Emitter, uses_the_declared_layouts_or_the_runtimes_default) {
@@ -105,7 +129,7 @@ TEST(Emitter, uses_the_declared_layouts_or_the_runtimes_default) {
 
 TEST(Emitter, includes_the_headers_of_imported_objects_once) {
   auto first = object("P", {scalar("x")}, "other"), second = object("Q", {scalar("x")}, "other");
-  first.header = second.header = "other.physgen.h";
+  first.schema = second.schema = "other.h";
   auto all = schema({object("A", {nested("p", "other::P"), nested("q", "other::Q")})});
   all.imported = {first, second};
   const std::string text = accessor_header(all);
@@ -164,7 +188,7 @@ TEST(Emitter, prints_initial_values_as_literals_of_their_type) {
   auto with_value = scalar("x");
   with_value.initial = 0x1p64;
   expect_contains(accessor_header(schema({object("A", {with_value})})),
-                  "ARecord<Real, Formats>::x, 1, 18446744073709551616.0),\n");
+                  "texts = {{{\"x\", \"\", 18446744073709551616.0}}};\n");
 }
 
 TEST(Emitter, guards_a_header_by_the_name_of_its_schema_and_its_text) {
@@ -189,7 +213,7 @@ TEST(Emitter, guards_a_header_by_the_name_of_its_schema_and_its_text) {
 // The estimate decides what is refused before anything is written.
 TEST(Emitter, writes_about_as_much_as_was_estimated) {
   const auto compare = [](const char* what, const model::Schema& made) {
-    model::HeaderSizes sizes;
+    HeaderSizes sizes;
     double estimate = 0;
     for (const auto& one : made.objects) estimate += sizes.of(one).bytes;
     const auto bytes = static_cast<double>(accessor_header(made).size());
@@ -243,9 +267,9 @@ TEST(Emitter, prints_the_times_of_few_and_of_many_objects) {
 }
 
 TEST(Text, writes_the_shortest_number_that_reads_back) {
-  EXPECT_EQ(number(0.1), "0.1");
-  EXPECT_EQ(number(1060), "1060");
-  EXPECT_EQ(number(1e-12), "1e-12");
+  EXPECT_EQ(model::number(0.1), "0.1");
+  EXPECT_EQ(model::number(1060), "1060");
+  EXPECT_EQ(model::number(1e-12), "1e-12");
 }
 
 TEST(Printer, wraps_comments_and_keeps_their_lines) {
@@ -280,4 +304,4 @@ TEST(Printer, fills_with_an_item_that_is_too_long_for_any_line) {
 }
 
 }  // namespace
-}  // namespace physgen::emit
+}  // namespace physgen::emit::cpp

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "emit/emitter.h"
 #include "frontend/frontend.h"
 
 namespace physgen::test {
@@ -60,10 +61,15 @@ class Folder {
   std::filesystem::path path_;
 };
 
+/// Parses a schema of which C++ is to be written.
+inline frontend::Result parse_file(const std::string& path, const std::vector<std::string>& include_dirs = {}) {
+  return frontend::parse(path, {include_dirs, emit::emitters().front().objections});
+}
+
 /// Parses `text` as the schema schema.h.
 inline frontend::Result parse_text(const std::string& text) {
   const Folder folder;
-  return frontend::parse(folder.write("schema.h", text));
+  return parse_file(folder.write("schema.h", text));
 }
 
 /// The diagnostics' first lines without file names: "4:3: error: ...".

@@ -296,7 +296,8 @@ TEST(GoldenFormatsOfAProgram, are_what_its_records_are_computed_from) {
   using Own = StoredObject::Record<float, Compact>;
   // F 9 x 2 instead of 9 x 4, R 4 x 2 instead of 9 x 4, stress 6 x 4 instead of 6 x 2, frame 16 instead of 32.
   static_assert(Own::bytes == Schemas::bytes - 18 - 28 + 12 - 16);
-  static_assert(Own::twice == Schemas::twice && Own::R64 == Schemas::R64);  // eight bytes still come first
+  static_assert(Own::twice::offset == Schemas::twice::offset &&
+                Own::R64::offset == Schemas::R64::offset);  // eight bytes still come first
   static_assert(Own::alignment == 8);
   const auto fields = StoredObject::fields<float, Compact>;
   const auto found =

@@ -1,4 +1,4 @@
-// Whole headers against those in golden/: each .json is a model, the .physgen.h beside it the header expected from it.
+// Whole headers against those in golden/: each .h is a schema, the .physgen.h beside it the header expected from it.
 // After an intended change, PHYSGEN_UPDATE_GOLDEN=1 writes the headers; golden_run_test.cpp compiles and runs them.
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "emit/emitter.h"
-#include "model/json.h"
+#include "frontend/frontend.h"
 
 namespace physgen {
 namespace {
@@ -52,9 +52,13 @@ class Golden : public testing::TestWithParam<const char*> {};
 TEST_P(Golden, header_is_what_the_emitter_writes) {
   const std::filesystem::path folder = PHYSGEN_GOLDEN_DIR;
   const std::string name = GetParam();
-  const model::Schema schema = model::from_json(read(folder / (name + ".json")));
-  const std::string found = emit::accessor_header(schema);
-  const std::filesystem::path golden = folder / model::generated_header(schema.file);
+  const emit::Emitter& emitter = emit::emitters().front();
+  frontend::ParseOptions options;
+  options.objections = emitter.objections;
+  const auto parsed = frontend::parse(folder / (name + ".h"), options);
+  ASSERT_TRUE(parsed.schema) << parsed.diagnostics;
+  const std::string found = emitter.emit(*parsed.schema);
+  const std::filesystem::path golden = folder / emit::file_of(emitter, parsed.schema->file);
   if (std::getenv("PHYSGEN_UPDATE_GOLDEN") != nullptr) {
     std::ofstream(golden, std::ios::binary) << found;
     GTEST_SKIP() << golden << " written";

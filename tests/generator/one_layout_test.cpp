@@ -2,7 +2,7 @@
 // program names another, and what is stored is read back. Compiled once for each layout.
 #include <gtest/gtest.h>
 #include <particles.physgen.h>
-#include <physgen/storage.h>
+#include <physgen/device.h>
 
 #include <type_traits>
 

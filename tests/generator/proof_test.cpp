@@ -27,36 +27,6 @@ using test::scalar;
 using test::schema;
 using test::stored;
 
-constexpr int Bytes::* precisions[] = {&Bytes::with_float, &Bytes::with_double};
-
-TEST(Affine, is_never_negative_exactly_when_it_is_for_no_pitch) {
-  for (int slope = -9; slope <= 9; ++slope) {
-    for (int constant = -63; constant <= 63; ++constant) {  // what falls is below 0 at P = 64
-      bool for_all = true;
-      for (int pitch = 1; pitch <= 64; ++pitch) for_all = for_all && slope * pitch + constant >= 0;
-      ASSERT_EQ(never_negative({slope, constant}), for_all) << slope << " P + " << constant;
-    }
-  }
-}
-
-TEST(Affine, is_always_a_multiple_exactly_when_it_is_for_every_pitch) {
-  for (const int size : {1, 2, 4, 8}) {
-    for (int slope = -24; slope <= 24; ++slope) {
-      for (int constant = -24; constant <= 24; ++constant) {
-        bool for_all = true;
-        for (int pitch = 1; pitch <= 64; ++pitch) for_all = for_all && (slope * pitch + constant) % size == 0;
-        ASSERT_EQ(always_multiple({slope, constant}, size), for_all)
-            << slope << " P + " << constant << ", multiples of " << size;
-      }
-    }
-  }
-}
-
-TEST(Affine, is_subtracted_part_by_part) {
-  constexpr Affine difference = Affine{5, 2} - Affine{3, 7};
-  static_assert(difference.times_pitch == 2 && difference.constant == -5);
-}
-
 class Fault : public testing::Test {
  protected:
   // The first complaint about the record as it has been changed; the emitter would have stopped with it.
@@ -132,7 +102,7 @@ TEST_F(Fault, any_offset_that_is_moved_by_a_byte_is_refused) {
     for (std::size_t f = 0; f < sound.slots.size(); ++f) {
       for (const int by : {-1, 1}) {
         record = sound;
-        record.slots[f].offset.*precision += by;
+        record.slots[f].offset.of(precision) += by;
         EXPECT_NE(first(), "none") << declared.fields[f].name << " moved by " << by;
       }
     }
@@ -146,7 +116,7 @@ TEST_F(Fault, any_two_fields_at_one_offset_are_refused) {
       for (std::size_t other = 0; other < sound.slots.size(); ++other) {
         if (f == other) continue;
         record = sound;
-        record.slots[f].offset.*precision = sound.slots[other].offset.*precision;
+        record.slots[f].offset.of(precision) = sound.slots[other].offset.of(precision);
         EXPECT_NE(first(), "none") << declared.fields[f].name << " at " << declared.fields[other].name;
       }
     }
@@ -155,9 +125,9 @@ TEST_F(Fault, any_two_fields_at_one_offset_are_refused) {
 
 TEST_F(Fault, a_record_without_its_last_byte_is_refused) {
   for (const auto precision : precisions) {
-    record.bytes.*precision -= 1;
+    record.bytes.of(precision) -= 1;
     EXPECT_NE(first(), "none");
-    record.bytes.*precision += 1;
+    record.bytes.of(precision) += 1;
   }
   EXPECT_EQ(first(), "none");
 }
@@ -209,14 +179,14 @@ TEST(Proof, finds_random_objects_sound) {
 
 // Whether every element of `objects` objects lies in the memory held for them, aligned to its size, on bytes of its
 // own; what is wrong with the first that does not.
-std::string addresses(const Record& record, int Bytes::* precision, index_t objects, index_t padded, index_t pitch,
+std::string addresses(const Record& record, Precision precision, index_t objects, index_t padded, index_t pitch,
                       index_t record_bytes) {
   std::vector<bool> taken(static_cast<std::size_t>(padded * record_bytes));
   for (const Run& run : runs(record)) {
-    const index_t size = element_bytes(run.field(), record.space).*precision;
+    const index_t size = element_bytes(run.field(), record.space).of(precision);
     for (index_t i = 0; i < objects; ++i) {
       for (index_t k = 0; k < run.count; ++k) {
-        const index_t offset = run.offset.*precision + k * size;
+        const index_t offset = run.offset.of(precision) + k * size;
         const index_t address = i / pitch * pitch * record_bytes + offset * pitch + i % pitch * size;
         const std::string at = run.name() + " of object " + std::to_string(i) + " at " + std::to_string(address);
         if (address % size != 0) return at + " is misaligned";
@@ -240,7 +210,7 @@ void addresses_are_sound(const model::Schema& all) {
       const Record& record = records.of(o.qualified_name());
       if (record.bytes.with_double > 4000) continue;  // nested many times; others have all that it has
       for (const auto precision : precisions) {
-        const int bytes = Layout::record_bytes(record.bytes.*precision, record.alignment.*precision);
+        const int bytes = Layout::record_bytes(record.bytes.of(precision), record.alignment.of(precision));
         for (const index_t objects : {1, 2, 9, 33, 96}) {
           ASSERT_EQ(addresses(record, precision, objects, Layout::padded(objects), Layout::pitch(objects), bytes),
                     "sound")

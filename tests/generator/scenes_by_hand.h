@@ -12,7 +12,9 @@ inline scenes::Array array(const std::string& name, const std::string& object, c
   scenes::Array array;
   array.name = name;
   array.object = object;
+  array.header = "m.physgen.h";
   array.real = "float";
+  array.own_real = true;
   array.set = set;
   array.fields = std::move(fields);
   array.location = {"chain.h", 10, 3};
@@ -33,6 +35,7 @@ inline scenes::Scene chain() {
   body.arrays.push_back(
       array("svd", "m::Svd", "tet", {{"U", "float32", 9, 36, false}, {"s", "float32", 3, 12, false}}));
   body.arrays.push_back(array("f", "m::Force", "node", {{"f", "float32", 3, 12, false}}));
+  body.arrays.back().own_real = false;
   body.arrays.back().output = scenes::Selection{false, {"f"}, {"chain.h", 8, 5}};
   body.arrays.push_back(
       array("extra", "m::Extra", "tet", {{"a", "float32", 1, 4, false}, {"b", "int32", 1, 4, false}}));

@@ -74,12 +74,15 @@ class SceneCommand : public Command {
 };
 
 TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
-  const std::string arguments = "-o out --stamp stamp --depfile depfile";
+  const std::string arguments = "-o out --no-fuse --stamp stamp --depfile depfile";
   const auto first = scene(arguments);
   ASSERT_EQ(first.status, 0) << first.err;
   const std::string header = written("particles.scene.h");
   EXPECT_NE(header.find("/// - b, c: nothing uses it\n"), std::string::npos) << header;
-  EXPECT_NE(header.find("#include \"scenes/particles.h\"\n"), std::string::npos);
+  EXPECT_NE(header.find("#include <particles.physgen.h>\n"), std::string::npos) << header;
+  EXPECT_EQ(header.find("#include \"scenes/particles.h\""), std::string::npos) << "which may include this header";
+  EXPECT_EQ(header.find("LocalArray"), std::string::npos) << "steps stay apart, so that what is between them is stored";
+  EXPECT_NE(written("particles.program.h").find("using fused = ::particles;\n"), std::string::npos);
   EXPECT_NE(written("particles.need.txt").find("per particle: 12 of 36 bytes, 3 of 9 numbers\n"), std::string::npos);
   EXPECT_NE(written("particles.usage.json").find("\"kernel.h:11:11\""), std::string::npos)
       << written("particles.usage.json");
@@ -131,9 +134,11 @@ TEST_F(SceneCommand, writes_nothing_where_a_step_is_missing_or_in_vain) {
 TEST_F(SceneCommand, explains_fields_and_refuses_names_and_files_that_there_are_not) {
   const auto why = scene("--why between.a");
   EXPECT_EQ(why.status, 0) << why.err;
-  EXPECT_EQ(why.out.substr(0, why.out.find('\n')),
-            "body.between.a of m::Particle is kept: written by CopyFields(body.first, body.between); read by "
-            "CopyFields(body.between, body.last)");
+  EXPECT_EQ(
+      why.out.substr(0, why.out.find('\n')),
+      "body.between.a of m::Particle is local: CopyFields(body.first, body.between) and CopyFields(body.between, "
+      "body.last) are one step, and nothing else uses it; written by CopyFields(body.first, body.between); read by "
+      "CopyFields(body.between, body.last)");
   const auto unknown = scene("--why betwen.a");
   EXPECT_EQ(unknown.status, 2);
   EXPECT_EQ(unknown.err,

@@ -46,7 +46,7 @@ std::string program_unit(const scenes::Scene& scene) {
     parameters += ", " + scene.parameters[i] + "& parameter" + std::to_string(i);
     arguments += ", parameter" + std::to_string(i);
   }
-  return "#include <physgen/executor.h>\n#include \"" + scenes::file_of(scene) +
+  return "#include <physgen/executor.h>\n#include \"" + scenes::file_of(scene) + "\"\n#include \"" + scene.include +
          "\"\nvoid run(physgen::HostExecutor& on" + parameters + ") {\n  " + scene.qualified_name() + "::program(on" +
          arguments + ");\n}\n";
 }
@@ -81,7 +81,7 @@ std::string name_of(const std::string& array, const std::string& field) {
 /// The fields that a compiler's messages say to be pruned.
 std::set<std::string> refused_fields(const std::string& said) {
   std::set<std::string> named;
-  const std::regex tag("Field_ = [A-Za-z0-9_:]*_scene::pruned::([A-Za-z0-9_:]*[A-Za-z0-9])");
+  const std::regex tag("Field_ = [A-Za-z0-9_:]*_scene::tags::([A-Za-z0-9_:]*[A-Za-z0-9])");
   for (auto match = std::sregex_iterator(said.begin(), said.end(), tag); match != std::sregex_iterator(); ++match)
     named.insert(std::regex_replace((*match)[1].str(), std::regex("::"), "_"));
   return named;

@@ -1,7 +1,9 @@
-// The scene force_chain, run over its generated arrays, against the same kernels over arrays with every field.
-#include <force_chain.scene.h>
+// The scene force_chain, run over its generated arrays with its tets' kernels as one step, against the same kernels one
+// by one over arrays with every field.
+#include <force_chain.program.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
+#include <scenes/force_chain.h>
 
 #include <random>
 
@@ -79,13 +81,22 @@ struct Contents {
   elasticity::IncidenceArray<float>& node_tets;
 };
 
-TEST(ForceChain, gives_the_forces_that_its_kernels_give_over_ordinary_arrays) {
+/// One object at a time.
+struct Singles : HostExecutor {
+  template <class Kernel>
+  void run(index_t n, const Kernel& kernel) {
+    parallel_for<1>(Host{}, n, kernel);
+  }
+};
+
+template <class On>
+void expect_the_same_forces() {
   scenes::force_chain_scene::Body<> body;
   body.allocate({.node = nodes, .tet = tets, .corner = 4 * tets});
   Contents contents(body);
   fill(contents);
-  HostExecutor on;
-  scenes::force_chain::program(on, body, material);
+  On on;
+  scenes::force_chain_scene::fused::program(on, body, material);
   Plain plain;
   fill(plain);
   scenes::force_chain::program(on, plain, material);
@@ -98,6 +109,21 @@ TEST(ForceChain, gives_the_forces_that_its_kernels_give_over_ordinary_arrays) {
   }
   EXPECT_GT(most.minCoeff(), 1.0) << "forces that are all small would show nothing";
   EXPECT_LT((sum.cwiseAbs() - 1e-5 * nodes * most).maxCoeff(), 0.0) << "forces of a free body cancel: " << sum;
+}
+
+TEST(ForceChain, gives_as_one_step_the_forces_that_its_kernels_give_one_by_one_over_ordinary_arrays) {
+  expect_the_same_forces<HostExecutor>();
+  expect_the_same_forces<Singles>();
+}
+
+TEST(ForceChain, keeps_nothing_of_what_its_tets_kernels_hand_to_each_other) {
+  scenes::force_chain_scene::Body<> body;
+  body.allocate({.node = nodes, .tet = tets, .corner = 4 * tets});
+  EXPECT_EQ(body.gradients.bytes() + body.svds.bytes() + body.stresses.bytes(), 0);
+  EXPECT_EQ(body.svds.size(), tets);
+  EXPECT_EQ(body.bytes(), body.positions.bytes() + body.tets.bytes() + body.rest.bytes() + body.node_ranges.bytes() +
+                              body.node_tets.bytes() + body.corner_forces.bytes() + body.forces.bytes());
+  EXPECT_THROW(body.svds.resize(-1), Error);
 }
 
 }  // namespace

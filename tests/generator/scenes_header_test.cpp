@@ -38,13 +38,13 @@ TEST(SceneHeader, prunes_fields_of_nested_objects_and_counts_single_ones) {
   usage.steps[1].fields.push_back(writes("body.state", "n"));
   const auto text = scenes::header(scene, scenes::find_needs(scene, usage));
   for (const char* lines :
-       {"struct BodyStateFormats : physgen::FormatsOf<::m::StateObject, Space> {\n"
-        "  struct SvdFormats : physgen::FormatsOf<::m::StateObject, Space>::svd {\n"
-        "    using U = physgen::format::Pruned<chain, pruned::body::state, pruned::body::state::svd_U>;\n"
+       {"struct BodyStateFormats : Stored {\n"
+        "  struct SvdFormats : Stored::svd {\n"
+        "    using U = physgen::format::Pruned<chain, tags::body::state, tags::body::state::svd_U>;\n"
         "  };\n"
         "  using svd = SvdFormats;\n"
         "};\n",
-        "    physgen::allocate(state, 1, {\"n\"});\n"})
+        "    physgen::allocate(state, 1, {\"n\"});\n", "physgen::bytes_of_array<decltype(state)>(1)"})
     EXPECT_NE(text.find(lines), std::string::npos) << lines << "in\n" << text;
 }
 
@@ -52,15 +52,34 @@ TEST(SceneHeader, tells_a_field_from_an_array_of_its_name) {
   auto scene = chain();
   scene.groups[0].arrays.push_back(array("n", "m::Number", "", {{"n", "int32", 1, 4, false}}));
   const auto text = scenes::header(scene, scenes::find_needs(scene, chain_usage()));
-  EXPECT_NE(text.find("Pruned<chain, pruned::body::n, pruned::body::n::n_>"), std::string::npos) << text;
+  EXPECT_NE(text.find("Pruned<chain, tags::body::n, tags::body::n::n_>"), std::string::npos) << text;
+}
+
+TEST(SceneHeader, has_no_precision_to_choose_where_the_scene_declares_none) {
+  auto scene = chain();
+  scene.real.clear();
+  const auto text = scenes::header(scene, scenes::find_needs(scene, chain_usage()));
+  EXPECT_NE(text.find("template <class Space_ = physgen::Host, class Stored_ = physgen::StoredAsDeclared>\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("::m::SvdArray<float, Space>"), std::string::npos) << text;
+  EXPECT_EQ(text.find("Real"), std::string::npos) << text;
+}
+
+TEST(SceneHeader, tells_the_field_name_from_the_arrays_name) {
+  auto scene = chain();
+  scene.groups[0].arrays.push_back(array("label", "m::Label", "", {{"name", "int32", 1, 4, false}}));
+  const auto text = scenes::header(scene, scenes::find_needs(scene, chain_usage()));
+  EXPECT_NE(text.find("using name = physgen::format::Pruned<chain, tags::body::label, tags::body::label::name_>"),
+            std::string::npos)
+      << text;
 }
 
 TEST(SceneHeader, means_the_objects_of_a_namespace_that_has_the_scenes_own_name) {
   auto scene = chain();
   scene.name = "m";
   const auto text = scenes::header(scene, scenes::find_needs(scene, chain_usage()));
-  EXPECT_NE(text.find("physgen::FormatsOf<::m::SvdObject, Space>"), std::string::npos) << text;
-  EXPECT_NE(text.find("<::m::SvdArray<float, Space>"), std::string::npos) << text;
+  EXPECT_NE(text.find(" ::m::SvdArray<Real, Space>"), std::string::npos) << text;
   EXPECT_EQ(text.find(" m::SvdArray"), std::string::npos) << text;
 }
 

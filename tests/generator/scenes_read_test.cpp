@@ -72,6 +72,8 @@ struct PHYSGEN_SCENE() scene {
   EXPECT_EQ(svds.object, "Svd");
   EXPECT_EQ(svds.doc, "of each tet");
   EXPECT_EQ(svds.real, "double");
+  EXPECT_TRUE(svds.own_real && !one.own_real);
+  EXPECT_EQ(svds.header, "objects.h");
   EXPECT_EQ(svds.set, "tet");
   EXPECT_TRUE(svds.is_input("U") && svds.is_input("n") && svds.is_output("n") && !svds.is_output("U"));
   EXPECT_EQ(svds.location.line, 7);
@@ -195,7 +197,7 @@ const std::vector<Wrong> cases = {
      {"3:68: error: array 'svds' is uniform(), which programs only read, and an output; remove one of them"}},
     {"no_array",
      scene_of("PHYSGEN_ARRAY(per(1)) float svds;"),
-     {"3:23: error: array 'svds' is no array of objects; write 'Array<elasticity::TetObject, Real> svds;'"}},
+     {"3:23: error: array 'svds' is not an array of objects; write 'Array<elasticity::TetObject, Real> svds;'"}},
     {"another_precision",
      scene_of("PHYSGEN_ARRAY(per(1)) Array<SvdObject, long double> svds;"),
      {"3:23: error: array 'svds' has the precision 'long double'; it is float or double"}},

@@ -4,6 +4,7 @@
 #include <derivative_chain.scene.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
+#include <scenes/derivative_chain.h>
 
 #include <fstream>
 #include <functional>
@@ -155,14 +156,14 @@ TEST(GeneratedScene, no_output_depends_on_a_field_that_is_said_to_be_unread_and_
     everything::State<> state;
     set_up(body);
     state.allocate({.tet = tets});
-    const std::map<std::string, Storage> storages = {
-        {"body.positions", body.positions.storage()},      {"body.rest", body.rest.contents().storage()},
-        {"state.gradients", state.gradients.storage()},    {"state.svds", state.svds.storage()},
-        {"state.rotations", state.rotations.storage()},    {"state.stretches", state.stretches.storage()},
-        {"state.derivatives", state.derivatives.storage()}};
-    ASSERT_TRUE(storages.contains(array)) << array;
+    const std::map<std::string, UntypedArray> arrays = {
+        {"body.positions", body.positions.untyped()},      {"body.rest", body.rest.contents().untyped()},
+        {"state.gradients", state.gradients.untyped()},    {"state.svds", state.svds.untyped()},
+        {"state.rotations", state.rotations.untyped()},    {"state.stretches", state.stretches.untyped()},
+        {"state.derivatives", state.derivatives.untyped()}};
+    ASSERT_TRUE(arrays.contains(array)) << array;
     Interrupted on;
-    on.after = [&, field_name = std::string_view(field)] { start_without_values(storages.at(array), {field_name}); };
+    on.after = [&, field_name = std::string_view(field)] { start_without_values(arrays.at(array), {field_name}); };
     on.after();
     scenes::derivative_chain::program(on, body, state, material);
     const bool changed = outputs(state) != expected;
@@ -217,7 +218,7 @@ void expect_values_gone() {
   Array<elasticity::DeformationSvdObject, double, Host, Layout> svds(37);
   const auto view = svds.view();
   for (index_t i = 0; i < 37; ++i) view[i].s() = Eigen::Vector3d(1, 2, static_cast<double>(i));
-  start_without_values(svds.storage(), {"U", "V"});
+  start_without_values(svds.untyped(), {"U", "V"});
   for (index_t i = 0; i < 37; ++i) {
     const Eigen::Matrix3d U = view[i].U().get(), V = view[i].V().get();
     EXPECT_TRUE(U.array().isNaN().all() && V.array().isNaN().all()) << Layout::name << " " << i;
@@ -246,7 +247,7 @@ TEST(StartWithoutValues, is_what_allocate_does_in_checked_builds_with_fields_tha
 TEST(StartWithoutValues, names_a_field_that_there_is_not) {
   elasticity::StressArray<float> stresses(3);
   try {
-    start_without_values(stresses.storage(), {"Q"});
+    start_without_values(stresses.untyped(), {"Q"});
     FAIL();
   } catch (const Error& error) {
     EXPECT_STREQ(error.what(), "physgen: elasticity::Stress: there is no field Q that could start without a value");

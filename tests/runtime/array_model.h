@@ -13,12 +13,12 @@ namespace physgen::test {
 using Model = std::vector<std::vector<double>>;
 
 /// The elements of each object of an array on the host, as code sees them.
-inline Model elements_of(const Storage& storage) {
+inline Model elements_of(const UntypedArray& untyped) {
   int elements = 0;
-  for (const FieldInfo& field : storage.fields) elements += field.visible_count();
-  Model model(static_cast<std::size_t>(storage.size));
-  for (index_t i = 0; i < storage.size; ++i) {
-    for (int k = 0; k < elements; ++k) model[static_cast<std::size_t>(i)].push_back(getdata(storage, i, k));
+  for (const FieldInfo& field : untyped.fields) elements += field.visible_count();
+  Model model(static_cast<std::size_t>(untyped.size));
+  for (index_t i = 0; i < untyped.size; ++i) {
+    for (int k = 0; k < elements; ++k) model[static_cast<std::size_t>(i)].push_back(getdata(untyped, i, k));
   }
   return model;
 }
@@ -26,10 +26,10 @@ inline Model elements_of(const Storage& storage) {
 template <class Object, class Real, class Space, class Layout, class Formats>
 Model objects_of(const Array<Object, Real, Space, Layout, Formats>& array) {
   Array<Object, Real, Host, Aos> objects(array.size());
-  poison(objects.storage());
+  poison(objects.untyped());
   copy(objects, array);
   synchronize();
-  return elements_of(objects.storage());
+  return elements_of(objects.untyped());
 }
 
 /// Gives the array random objects.
@@ -74,13 +74,13 @@ inline std::vector<index_t> random_part(index_t n, std::mt19937& random) {
 }
 
 /// Whether the array stores what objects_of() reads without loss.
-inline bool is_exact(const Storage& array) {
+inline bool is_exact(const UntypedArray& array) {
   return std::all_of(array.fields.begin(), array.fields.end(),
                      [](const FieldInfo& field) { return !field.quaternion && element_bytes(field.type) > 2; });
 }
 
 /// Whether the objects stand where getdata() in the array's own space finds them.
-inline void expect_elements(const Storage& array, const Model& model) {
+inline void expect_elements(const UntypedArray& array, const Model& model) {
   const index_t n = array.size;
   if (n == 0) return;
   // Where it decodes a quaternion, it does so in double.
@@ -94,10 +94,10 @@ inline void expect_elements(const Storage& array, const Model& model) {
 }
 
 /// Whether the memory behind the last object is as in a new array. @param fresh of one object, of the same type
-inline void expect_new_padding(const Storage& array, const Storage& fresh) {
-  const auto element = [](const Storage& storage, const FieldInfo& field, int k, index_t i) {
+inline void expect_new_padding(const UntypedArray& array, const UntypedArray& fresh) {
+  const auto element = [](const UntypedArray& untyped, const FieldInfo& field, int k, index_t i) {
     const int size = element_bytes(field.type);
-    return storage.base + address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+    return untyped.base + address_by_law(field.offset + k * size, i, untyped.pitch, untyped.record_bytes, size);
   };
   for (index_t i = array.size; i < array.padded; ++i) {
     for (const FieldInfo& field : array.fields) {
@@ -111,7 +111,8 @@ inline void expect_new_padding(const Storage& array, const Storage& fresh) {
 }
 
 /// Whether these are the objects of the array, read back from it.
-inline void expect_objects(const Storage& array, const Model& objects, const Model& model, std::string_view layout) {
+inline void expect_objects(const UntypedArray& array, const Model& objects, const Model& model,
+                           std::string_view layout) {
   ASSERT_EQ(array.size, static_cast<index_t>(model.size()));
   ASSERT_EQ(objects, model) << array.object << " n = " << array.size << " layout " << layout;
   expect_elements(array, model);
@@ -120,10 +121,10 @@ inline void expect_objects(const Storage& array, const Model& objects, const Mod
 /// Expects the objects, and padding as in a new array.
 template <class Object, class Real, class Space, class Layout, class Formats>
 void expect_sound(const Array<Object, Real, Space, Layout, Formats>& array, const Model& model) {
-  expect_objects(array.storage(), objects_of(array), model, Layout::name);
+  expect_objects(array.untyped(), objects_of(array), model, Layout::name);
   if constexpr (host_accessible(Space::kind)) {
     const Array<Object, Real, Space, Layout, Formats> fresh(1);
-    expect_new_padding(array.storage(), fresh.storage());
+    expect_new_padding(array.untyped(), fresh.untyped());
   }
 }
 

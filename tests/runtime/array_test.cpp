@@ -19,11 +19,11 @@ TYPED_TEST(ArrayIn, puts_every_element_where_the_law_of_addresses_says) {
   for (const index_t n : {1, 32, 33, 1000}) {
     DeformationSvdArray<float, Host, TypeParam> array(n);
     const auto view = array.view();
-    const Storage storage = array.storage();
+    const UntypedArray untyped = array.untyped();
     for (index_t i = 0; i < n; ++i) {
       for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) {
-          const index_t expected = address_by_law((9 + c * 3 + r) * 4, i, storage.pitch, storage.record_bytes, 4);
+          const index_t expected = address_by_law((9 + c * 3 + r) * 4, i, untyped.pitch, untyped.record_bytes, 4);
           ASSERT_EQ(reinterpret_cast<std::byte*>(&view[i].V()(r, c)) - view.data(), expected);
         }
       }
@@ -73,8 +73,8 @@ TYPED_TEST(ArrayIn, reads_by_name_by_value_and_by_number_what_was_put) {
 
 TYPED_TEST(ArrayIn, holds_zeroed_memory_for_whole_packs_behind_the_last_object) {
   NodePositionArray<float, Host, TypeParam> array(33);
-  EXPECT_EQ(array.storage().padded % padding_objects, 0);
-  EXPECT_GE(array.storage().padded, 64);
+  EXPECT_EQ(array.untyped().padded % padding_objects, 0);
+  EXPECT_GE(array.untyped().padded, 64);
   const auto view = array.view();
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(
@@ -133,15 +133,15 @@ TEST(Array, refuses_a_copy_between_sizes_and_names_both) {
 TEST(Array, refuses_copies_of_null_storages_and_of_other_types) {
   NodePositionArray<float> array(3);
   array.putdata(2, 1, 5);
-  Storage null = array.storage();
+  UntypedArray null = array.untyped();
   null.base = nullptr;
-  EXPECT_NE(message_of([&] { copy(null, array.storage()); }).find("no memory (null)"), std::string::npos);
-  EXPECT_NE(message_of([&] { copy(array.storage(), null); }).find("no memory (null)"), std::string::npos);
-  EXPECT_NE(message_of([&] { copy_range(array.storage(), null, 1, 2); }).find("no memory (null)"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy(null, array.untyped()); }).find("no memory (null)"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy(array.untyped(), null); }).find("no memory (null)"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy_range(array.untyped(), null, 1, 2); }).find("no memory (null)"), std::string::npos);
   const elasticity::NodeForceArray<float> forces(3);
-  EXPECT_NE(message_of([&] { copy_range(array.storage(), forces.storage(), 1, 2); }).find("the object types differ"),
+  EXPECT_NE(message_of([&] { copy_range(array.untyped(), forces.untyped(), 1, 2); }).find("the object types differ"),
             std::string::npos);
-  EXPECT_NE(message_of([&] { copy_range(array.storage(), array.storage(), 1, 2); }).find("they share memory"),
+  EXPECT_NE(message_of([&] { copy_range(array.untyped(), array.untyped(), 1, 2); }).find("they share memory"),
             std::string::npos);
   EXPECT_EQ(array.getdata(2, 1), 5);
 }
@@ -150,7 +150,7 @@ TEST(Array, refuses_what_is_no_index) {
   elasticity::TetArray<float> tets(2);
   tets.putdata(1, 2, 7);
   for (const double wrong : {3e9, -3e9, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_NE(message_of([&] { tets.putdata(1, 2, wrong); }).find("is no index; nodes holds whole numbers"),
+    EXPECT_NE(message_of([&] { tets.putdata(1, 2, wrong); }).find("is not an index; nodes holds whole numbers"),
               std::string::npos)
         << wrong;
   }

@@ -60,7 +60,7 @@ int run() {
   expect_refused("getdata", [&] { (void)device.getdata(0, 0); });
   expect_refused("putdata", [&] { device.putdata(0, 0, 1); });
   expect_refused("getdata of pinned memory", [&] { (void)pinned.getdata(0, 0); });
-  expect_refused("losses", [&] { (void)losses_of_copy(host.storage(), device.storage()); });
+  expect_refused("losses", [&] { (void)losses_of_copy(host.untyped(), device.untyped()); });
   const auto object = [](index_t) noexcept { return elasticity::NodePosition<float>{}; };
   expect_refused("gather", [&] { gather_by(n, device, object); });
   expect_refused("scatter", [&] { scatter_by(device, [](index_t, const auto&) {}); });

@@ -1,4 +1,4 @@
-// What a stream that is captured in a graph refuses, and what it captures (storage.h).
+// What a stream that is captured in a graph refuses, and what it captures (device.h).
 #include <cuda_runtime_api.h>
 #include <physgen/gather.h>
 #include <physgen/mirror.h>
@@ -39,7 +39,7 @@ TEST_F(InACapturedStream, what_must_wait_or_allocate_is_refused_and_the_rest_is_
   refused([&] { copy(pinned, host, stream); }, "from host to pinned memory");
   refused([&] { copy(pinned, tiles, stream); }, "in another layout to pinned memory");
   refused([&] { copy(halves, pinned, stream); }, "in another format from pinned memory");
-  refused([&] { (void)losses_of_copy(halves.storage(), device.storage(), stream); }, "losses");
+  refused([&] { (void)losses_of_copy(halves.untyped(), device.untyped(), stream); }, "losses");
   refused([&] { (void)mirror.read_host(stream); }, "a mirror");
   const auto object = [](index_t) noexcept { return elasticity::NodePosition<float>{}; };
   refused([&] { gather_by(n, pinned, object, stream); }, "gathering to pinned memory");

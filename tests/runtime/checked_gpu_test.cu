@@ -60,7 +60,7 @@ TEST_F(CheckedOnDevice, kernels_name_the_first_object_that_is_wrong_whichever_th
   elasticity::StressDerivativeArray<float, Cuda> wrong(300000);
   const Derivatives target(wrong.size());
   for (const index_t i : {299999, 77, 5000}) wrong.putdata(i, 0, 1e6 + static_cast<double>(i));
-  const Losses copied = losses_of_copy(target.storage(), wrong.storage());
+  const Losses copied = losses_of_copy(target.untyped(), wrong.untyped());
   EXPECT_EQ(copied.out_of_range, 3U);
   EXPECT_EQ(copied.first.object, 77);
   EXPECT_EQ(copied.first.value, 1000077);

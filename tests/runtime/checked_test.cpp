@@ -54,8 +54,8 @@ TEST(CheckedView, reports_a_gathered_index_out_of_range) {
 TEST(CheckedView, sees_no_indices_in_padding) {
   elasticity::TetArray<float> tets(1);
   NodePositionArray<float> array(2);
-  const Storage storage = tets.storage();
-  std::fill(storage.base, storage.base + storage.bytes(), std::byte{0xff});  // -1 everywhere
+  const UntypedArray untyped = tets.untyped();
+  std::fill(untyped.base, untyped.base + untyped.bytes(), std::byte{0xff});  // -1 everywhere
   for (int k = 0; k < 4; ++k) tets.view()[0].nodes()[k] = k % 2;
   array.view()[1].x() = Eigen::Vector3f(1, 2, 3);
   const auto view = array.view();
@@ -126,7 +126,7 @@ TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) 
   EXPECT_EQ(losses.first_imprecise.value, double{1e-7F});
   EXPECT_EQ(losses.worst_relative_error(), 1.0) << "half of the smallest half became 0";
   EXPECT_EQ(losses.first.object, 33);
-  const std::string message = message_of([&] { throw_if_falsified(losses, array.storage()); });
+  const std::string message = message_of([&] { throw_if_falsified(losses, array.untyped()); });
   EXPECT_NE(message.find("the first is 70000 in x1111 of object 33"), std::string::npos) << message;
   EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
 }
@@ -142,10 +142,10 @@ TEST(CheckedFormats, name_the_first_object_that_is_wrong_whichever_thread_comes_
     wrong.putdata(i, 0, 1e6 + static_cast<double>(i));
   }
   for (int run = 0; run < 8; ++run) {
-    const Losses copied = losses_of_copy(array.storage(), wrong.storage());
+    const Losses copied = losses_of_copy(array.untyped(), wrong.untyped());
     EXPECT_EQ(copied.out_of_range, 12U);
     EXPECT_EQ(copied.first.object, 10);
-    const auto fields = array.storage().fields;
+    const auto fields = array.untyped().fields;
     const bool is_x1111 = fields[0].offset < fields[1].offset;
     EXPECT_EQ(copied.first.offset, fields[is_x1111 ? 0 : 1].offset);
     EXPECT_EQ(copied.first.value, is_x1111 ? 1000010 : 2);
@@ -266,9 +266,9 @@ TEST(CheckedFormats, refuse_values_that_they_cannot_hold_and_change_nothing) {
 /// Stored quaternions that are no unit quaternions: copies to matrices and to other quaternions refuse them.
 TEST(CheckedFormats, refuse_quaternions_of_another_length) {
   Array<elasticity::DeformationSvdObject, float, Host, Aos, QuaternionRotations> array(5);
-  const Storage storage = array.storage();
+  const UntypedArray untyped = array.untyped();
   float w = 0;  // of U of object 3, whose x, y, z are 0
-  std::memcpy(storage.base + 3 * storage.record_bytes + storage.fields[0].offset, &w, sizeof w);
+  std::memcpy(untyped.base + 3 * untyped.record_bytes + untyped.fields[0].offset, &w, sizeof w);
   elasticity::DeformationSvdArray<float> matrices(5);
   Array<elasticity::DeformationSvdObject, float, Host, Soa, HalfQuaternions> halves(5);
   for (const std::string& message :

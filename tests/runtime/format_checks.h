@@ -125,12 +125,12 @@ void check_losses() {
   elasticity::StressDerivativeArray<float, Space, Soa> from(values.size());
   copy(from, values);
   const Array<elasticity::StressDerivativeObject, float, Space, Aosoa<32>, MixedDerivative> to(values.size());
-  const Losses losses = losses_of_copy(to.storage(), from.storage());
+  const Losses losses = losses_of_copy(to.untyped(), from.untyped());
   EXPECT_EQ(losses.out_of_range, 2U);
   EXPECT_EQ(losses.not_a_number, 1U);
   EXPECT_EQ(losses.imprecise, 1U);
   EXPECT_EQ(losses.falsified(), 3U);
-  const std::string message = message_of([&] { throw_if_falsified(losses, to.storage()); });
+  const std::string message = message_of([&] { throw_if_falsified(losses, to.untyped()); });
   EXPECT_NE(message.find("3 values (2 out of range, 1 NaN or infinite, 0 not rotations)"), std::string::npos)
       << message;
 
@@ -141,7 +141,7 @@ void check_losses() {
   elasticity::DeformationSvdArray<float, Space, Soa> svds_there(3);
   copy(svds_there, svds);
   const Array<elasticity::DeformationSvdObject, float, Space, Soa, CompactSvd<format::Native>> compact(3);
-  const Losses not_rotations = losses_of_copy(compact.storage(), svds_there.storage());
+  const Losses not_rotations = losses_of_copy(compact.untyped(), svds_there.untyped());
   EXPECT_EQ(not_rotations.not_a_rotation, 1U);
   EXPECT_EQ(not_rotations.first.object, 1);
 }

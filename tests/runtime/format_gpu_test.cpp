@@ -70,7 +70,7 @@ TYPED_TEST(CudaFormatsOver, ranges_of_objects_convert_alone) {
     elasticity::StressDerivativeArray<float, Host, Aos> from(n), back(n);
     randomise(from, random);
     Array<Object, double, Cuda, TypeParam> there(n);
-    copy_range(there.storage(), from.storage(), begin, end);
+    copy_range(there.untyped(), from.untyped(), begin, end);
     copy(back, there);
     synchronize();
     for (index_t i = 0; i < n; ++i) {
@@ -145,10 +145,10 @@ TEST_F(CudaFormats, objects_are_gathered_again_and_again_into_one_array) {
 TEST_F(CudaFormats, copies_that_share_device_memory_or_have_none_are_refused) {
   elasticity::NodePositionArray<float, Cuda> array(100);
   array.putdata(3, 1, 5);
-  Storage null = array.storage();
+  UntypedArray null = array.untyped();
   null.base = nullptr;
-  EXPECT_NE(message_of([&] { copy(array.storage(), array.storage()); }).find("they share memory"), std::string::npos);
-  EXPECT_NE(message_of([&] { copy(array.storage(), null); }).find("no memory (null)"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy(array.untyped(), array.untyped()); }).find("they share memory"), std::string::npos);
+  EXPECT_NE(message_of([&] { copy(array.untyped(), null); }).find("no memory (null)"), std::string::npos);
   EXPECT_EQ(array.getdata(3, 1), 5);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <physgen/storage.h>
+#include <physgen/device.h>
 
 namespace physgen::test {
 

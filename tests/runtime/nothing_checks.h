@@ -12,16 +12,16 @@ namespace physgen::test {
 
 /// Calls check(k, field) for element numbers 0, 1, ... as code counts them.
 template <class Check>
-void for_each_element(const Storage& storage, const Check& check) {
+void for_each_element(const UntypedArray& untyped, const Check& check) {
   int k = 0;
-  for (const FieldInfo& field : storage.fields) {
+  for (const FieldInfo& field : untyped.fields) {
     for (int e = 0; e < field.visible_count(); ++e) check(k++, field);
   }
 }
 
 /// Expects that `part` holds what it stores of the objects of `full`, under the same numbers, and refuses the rest by
 /// name. Both on the host.
-inline void expect_part(const Storage& part, const Storage& full) {
+inline void expect_part(const UntypedArray& part, const UntypedArray& full) {
   ASSERT_EQ(part.size, full.size);
   ASSERT_EQ(part.fields.size(), full.fields.size());
   for (index_t i = 0; i < part.size; ++i) {
@@ -38,21 +38,21 @@ inline void expect_part(const Storage& part, const Storage& full) {
 }
 
 /// Expects that of a poisoned array nothing but the stored elements of some objects has been written.
-inline void expect_only_stored_elements_written(const Storage& storage, const std::vector<bool>& objects) {
-  std::vector<bool> stored(static_cast<std::size_t>(storage.bytes()), false);
-  for (index_t i = 0; i < storage.size; ++i) {
+inline void expect_only_stored_elements_written(const UntypedArray& untyped, const std::vector<bool>& objects) {
+  std::vector<bool> stored(static_cast<std::size_t>(untyped.bytes()), false);
+  for (index_t i = 0; i < untyped.size; ++i) {
     if (!objects[static_cast<std::size_t>(i)]) continue;
-    for (const FieldInfo& field : storage.fields) {
+    for (const FieldInfo& field : untyped.fields) {
       const int size = element_bytes(field.type);
       for (int k = 0; k < field.count; ++k) {
-        const index_t at = address_by_law(field.offset + k * size, i, storage.pitch, storage.record_bytes, size);
+        const index_t at = address_by_law(field.offset + k * size, i, untyped.pitch, untyped.record_bytes, size);
         for (int b = 0; b < size; ++b) stored[static_cast<std::size_t>(at + b)] = true;
       }
     }
   }
-  for (index_t b = 0; b < storage.bytes(); ++b) {
+  for (index_t b = 0; b < untyped.bytes(); ++b) {
     if (!stored[static_cast<std::size_t>(b)]) {
-      ASSERT_EQ(storage.base[b], std::byte{0xA5}) << "byte " << b;
+      ASSERT_EQ(untyped.base[b], std::byte{0xA5}) << "byte " << b;
     }
   }
 }
@@ -67,7 +67,7 @@ Array<Object, Real, Host, Aos, Formats> on_host(const Array<Object, Real, Space,
 }
 template <class Part, class Full>
 void expect_part_of(const Part& part, const Full& full) {
-  expect_part(on_host(part).storage(), full.storage());
+  expect_part(on_host(part).untyped(), full.untyped());
 }
 
 /// Random objects as `Formats` keep them, every field of them stored: `Formats` with what it prunes as in `Full`.
@@ -102,7 +102,7 @@ void check_copies(index_t n, std::mt19937& random) {
   Array<Object, Real, Space, Aosoa<16>, Formats> other_layout(n);
   copy(other_layout, from_full);
   expect_part_of(other_layout, full);
-  EXPECT_EQ(losses_of_copy(from_part.storage(), full_there.storage()).falsified(), 0U);
+  EXPECT_EQ(losses_of_copy(from_part.untyped(), full_there.untyped()).falsified(), 0U);
 }
 
 /// Changes of topology do with what is stored as they do with all.
@@ -141,12 +141,12 @@ void check_only_pruned_fields() {
   Empty empty(70);
   EXPECT_EQ(empty.size(), 70);
   EXPECT_EQ(empty.bytes(), of_counters);
-  EXPECT_EQ(empty.storage().bytes(), 0);
+  EXPECT_EQ(empty.untyped().bytes(), 0);
   copy(empty, svds);
   Empty duplicate(empty);
   EXPECT_EQ(duplicate.size(), 70);
   copy(duplicate, empty);
-  EXPECT_EQ(losses_of_copy(empty.storage(), svds.storage()).falsified(), 0U);
+  EXPECT_EQ(losses_of_copy(empty.untyped(), svds.untyped()).falsified(), 0U);
   EXPECT_EQ(empty.take_losses().falsified(), 0U);
   empty.resize(1000);
   EXPECT_EQ(empty.size(), 1000);
@@ -220,25 +220,25 @@ void check_refusals() {
     const std::string message = message_of(action);
     EXPECT_NE(message.find(words), std::string::npos) << message;
   };
-  for (const Storage& whole : {full.storage(), full_there.storage()}) {
+  for (const UntypedArray& whole : {full.untyped(), full_there.untyped()}) {
     if (host_accessible(whole.space)) poison(whole);
     const std::string from_part = "cannot copy elasticity::DeformationSvd[40] in " + std::string(name(Space::kind)) +
                                   " memory to elasticity::DeformationSvd[40] in " + std::string(name(whole.space)) +
                                   " memory: U is stored in the array that is copied to";
-    refuses([&] { copy(whole, part.storage()); }, from_part);
-    refuses([&] { copy_range(whole, part.storage(), 3, 4); }, from_part);
-    refuses([&] { copy_range(whole, part.storage(), 3, 3); }, from_part);
-    refuses([&] { copy_first(whole, part.storage(), 3); }, from_part);
-    refuses([&] { (void)losses_of_copy(whole, part.storage()); }, from_part);
+    refuses([&] { copy(whole, part.untyped()); }, from_part);
+    refuses([&] { copy_range(whole, part.untyped(), 3, 4); }, from_part);
+    refuses([&] { copy_range(whole, part.untyped(), 3, 3); }, from_part);
+    refuses([&] { copy_first(whole, part.untyped(), 3); }, from_part);
+    refuses([&] { (void)losses_of_copy(whole, part.untyped()); }, from_part);
     const std::string would_be_lost = "s would be lost: the array that is copied to stores nothing of it";
-    refuses([&] { copy(lost.storage(), whole); }, would_be_lost);
-    refuses([&] { copy_range(lost.storage(), whole, 3, 4); }, would_be_lost);
-    refuses([&] { (void)losses_of_copy(lost.storage(), whole); }, would_be_lost);
+    refuses([&] { copy(lost.untyped(), whole); }, would_be_lost);
+    refuses([&] { copy_range(lost.untyped(), whole, 3, 4); }, would_be_lost);
+    refuses([&] { (void)losses_of_copy(lost.untyped(), whole); }, would_be_lost);
     if (host_accessible(whole.space)) {
       for (index_t b = 0; b < whole.bytes(); ++b) ASSERT_EQ(whole.base[b], std::byte{0xA5});
     }
   }
-  EXPECT_NO_THROW(copy(part.storage(), full.storage()));
+  EXPECT_NO_THROW(copy(part.untyped(), full.untyped()));
   const auto another = lost;  // of an array of its own kind nothing is lost
   EXPECT_EQ(another.size(), 40);
   refuses([&] { renumber(part, "U", remaining(40, {})); }, "nothing is stored of U");

@@ -21,16 +21,16 @@ TEST_F(NothingInKernels, of_rotations_leaves_every_bit_of_stress_derivatives) {
 }
 
 /// The memory of an array on the device, filled with what no test value has, and read back.
-void poison_there(const Storage& storage) {
-  const std::vector<std::byte> bytes(static_cast<std::size_t>(storage.bytes()), std::byte{0xA5});
-  copy_memory(storage.base, storage.space, bytes.data(), SpaceKind::host, storage.bytes());
+void poison_there(const UntypedArray& array) {
+  const std::vector<std::byte> bytes(static_cast<std::size_t>(array.bytes()), std::byte{0xA5});
+  copy_memory(array.base, array.space, bytes.data(), SpaceKind::host, array.bytes());
 }
-void expect_only_stored_elements_written_there(Storage storage, const std::vector<bool>& objects) {
+void expect_only_stored_elements_written_there(UntypedArray array, const std::vector<bool>& objects) {
   synchronize();
-  std::vector<std::byte> bytes(static_cast<std::size_t>(storage.bytes()));
-  copy_memory(bytes.data(), SpaceKind::host, storage.base, storage.space, storage.bytes());
-  storage.base = bytes.data();
-  expect_only_stored_elements_written(storage, objects);
+  std::vector<std::byte> bytes(static_cast<std::size_t>(array.bytes()));
+  copy_memory(bytes.data(), SpaceKind::host, array.base, array.space, array.bytes());
+  array.base = bytes.data();
+  expect_only_stored_elements_written(array, objects);
 }
 
 template <class Layout>
@@ -38,17 +38,17 @@ void check_stores_on_the_device() {
   Array<elasticity::DeformationSvdObject, float, Cuda, Layout, StretchesOnly> svds(77);
   Array<elasticity::StressDerivativeObject, float, Cuda, Layout, PartOfDerivative> derivatives(77);
   Array<tissue::model::EntriesObject, float, Cuda, Layout, PartOfEntries> entries(77);
-  poison_there(svds.storage());
-  poison_there(derivatives.storage());
-  poison_there(entries.storage());
+  poison_there(svds.untyped());
+  poison_there(derivatives.untyped());
+  poison_there(entries.untyped());
   parallel_for(Cuda{}, 70,
                StoreSomeFields<decltype(svds.view()), decltype(derivatives.view()), decltype(entries.view())>{
                    svds.view(), derivatives.view(), entries.view()});
   std::vector<bool> written(77, true);
   std::fill(written.begin() + 70, written.end(), false);
-  expect_only_stored_elements_written_there(svds.storage(), written);
-  expect_only_stored_elements_written_there(derivatives.storage(), std::vector<bool>(77, false));
-  expect_only_stored_elements_written_there(entries.storage(), std::vector<bool>(77, false));
+  expect_only_stored_elements_written_there(svds.untyped(), written);
+  expect_only_stored_elements_written_there(derivatives.untyped(), std::vector<bool>(77, false));
+  expect_only_stored_elements_written_there(entries.untyped(), std::vector<bool>(77, false));
   for (int k = 18; k < 21; ++k) EXPECT_EQ(svds.getdata(69, k), 6);
   EXPECT_EQ(derivatives.take_losses().falsified(), 0U) << "1e30 would be no half, but is not stored as one";
 }

@@ -140,11 +140,11 @@ std::vector<std::vector<std::byte>> stored_elements(const Array& array) {
   Same records(array.size());
   copy(records, array);
   synchronize();
-  const Storage storage = records.storage();
+  const UntypedArray untyped = records.untyped();
   std::vector<std::vector<std::byte>> result;
-  for (index_t i = 0; i < storage.size; ++i) {
-    const std::byte* record = storage.base + i * storage.record_bytes;
-    result.emplace_back(record, record + storage.record_bytes);
+  for (index_t i = 0; i < untyped.size; ++i) {
+    const std::byte* record = untyped.base + i * untyped.record_bytes;
+    result.emplace_back(record, record + untyped.record_bytes);
   }
   return result;
 }

@@ -79,7 +79,7 @@ TEST_F(CudaOwnFormats, change_on_the_device_where_they_are_the_librarys_and_are_
   copy(wanted, expected);
   synchronize();
   EXPECT_EQ(count_different(back, wanted), 0);
-  EXPECT_EQ(losses_of_copy(scaled.storage(), native.storage()).falsified(), 0U);
+  EXPECT_EQ(losses_of_copy(scaled.untyped(), native.untyped()).falsified(), 0U);
 
   Array<OwnObject, float, Cuda, Soa, OwnDerivative> own(n);
   Array<OwnObject, float, Cuda, Aosoa<32>, OwnDerivative> same(n);
@@ -88,7 +88,7 @@ TEST_F(CudaOwnFormats, change_on_the_device_where_they_are_the_librarys_and_are_
   EXPECT_EQ(stored_elements(same), stored_elements(own));
   const std::string message = message_of([&] { copy(own, native); });
   EXPECT_NE(message.find("x1111 is stored in a format of the program's own"), std::string::npos) << message;
-  EXPECT_EQ(losses_of_copy(own.storage(), native.storage()).falsified(), 0U);
+  EXPECT_EQ(losses_of_copy(own.untyped(), native.untyped()).falsified(), 0U);
 }
 
 }  // namespace

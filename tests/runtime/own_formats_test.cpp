@@ -113,7 +113,7 @@ TEST(OwnFormats, keep_what_their_functions_make_even_of_the_type_computed_with) 
   Array<OwnObject, float, Host, Soa, OwnDerivative> array(3);
   array.view()[1].x3311() = 16.0F;
   float stored = 0;
-  std::memcpy(&stored, array.storage().base + array.storage().fields[2].offset * array.pitch() + 4, sizeof stored);
+  std::memcpy(&stored, array.untyped().base + array.untyped().fields[2].offset * array.pitch() + 4, sizeof stored);
   EXPECT_EQ(stored, 4.0F);
   EXPECT_EQ(array.getdata(1, 2), 16.0);
   EXPECT_EQ(array.const_view().get(index_t{1}).x3311, 16.0F);

@@ -73,9 +73,9 @@ TEST(Add, sums_what_several_threads_add) { check_sums<float, AosPadded>(200'000,
 /// A link to "no neighbour" in every object that is none: the initial value of an index field.
 TEST(PartialPacks, never_gather_by_indices_that_lie_in_padding) {
   EdgeArray<float> edges(5);
-  const Storage storage = edges.storage();
+  const UntypedArray array = edges.untyped();
   const std::int32_t beyond = std::numeric_limits<std::int32_t>::max();
-  for (index_t at = 0; at < storage.bytes(); at += 4) std::memcpy(storage.base + at, &beyond, 4);
+  for (index_t at = 0; at < array.bytes(); at += 4) std::memcpy(array.base + at, &beyond, 4);
   for (index_t e = 0; e < 5; ++e) {
     for (int k = 0; k < 2; ++k) edges.view()[e].nodes()[k] = static_cast<std::int32_t>(e) + k;
   }
@@ -120,7 +120,7 @@ TYPED_TEST(PartialPacksOver, change_objects_of_the_range_only_and_give_the_bits_
     const index_t begin = static_cast<index_t>(random()) % n;
     const index_t end = begin + 1 + static_cast<index_t>(random()) % (n - begin);
     std::vector<std::byte> before(static_cast<std::size_t>(part.bytes()));
-    std::memcpy(before.data(), part.storage().base, before.size());
+    std::memcpy(before.data(), part.untyped().base, before.size());
     parallel_for(Host{}, begin, end, kernel(from.const_view(), part.view()));
     for (index_t i = begin; i < end; ++i) {
       const float expected = larger_out.view()[i].x2211();
@@ -132,12 +132,12 @@ TYPED_TEST(PartialPacksOver, change_objects_of_the_range_only_and_give_the_bits_
     // With the elements of the range put back, every byte is as it was.
     const auto restored = part.view();
     Array old(n);
-    std::memcpy(old.storage().base, before.data(), before.size());
+    std::memcpy(old.untyped().base, before.data(), before.size());
     for (index_t i = begin; i < end; ++i) {
       restored[i].x2211() = old.const_view()[i].x2211();
       restored[i].x3311() = old.const_view()[i].x3311();
     }
-    ASSERT_EQ(std::memcmp(part.storage().base, before.data(), before.size()), 0)
+    ASSERT_EQ(std::memcmp(part.untyped().base, before.data(), before.size()), 0)
         << begin << " to " << end << " of " << n;
   }
 }

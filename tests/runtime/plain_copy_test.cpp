@@ -17,14 +17,14 @@ TYPED_TEST(PlainCopy, moves_objects_between_any_places) {
   std::mt19937 random(seed());
   Random<Array<Object, float, Host, TypeParam>> to(333, random);
   const Random<Array<Object, float, Host, TypeParam>> from(250, random);
-  ASSERT_TRUE(detail::same_records(to.array.storage(), from.array.storage()));
-  ASSERT_TRUE(detail::same_runs(to.array.storage(), from.array.storage()));
+  ASSERT_TRUE(detail::same_records(to.array.untyped(), from.array.untyped()));
+  ASSERT_TRUE(detail::same_runs(to.array.untyped(), from.array.untyped()));
   const auto any = [&](index_t end) { return std::uniform_int_distribution<index_t>(0, end)(random); };
   for (int repeat = 0; repeat < 20; ++repeat) {
     const index_t from_begin = any(250);
     const index_t count = any(250 - from_begin);
     const index_t to_begin = repeat % 2 == 0 ? from_begin : any(333 - count);  // in step, and out of step
-    (void)detail::copy_plain(to.array.storage(), to_begin, from.array.storage(), from_begin, count, nullptr);
+    (void)detail::copy_plain(to.array.untyped(), to_begin, from.array.untyped(), from_begin, count, nullptr);
     std::copy_n(from.model.begin() + from_begin, count, to.model.begin() + to_begin);
     expect_sound(to.array, to.model);
   }
@@ -35,9 +35,9 @@ TYPED_TEST(PlainCopy, moves_objects_between_any_places) {
 TYPED_TEST(PlainCopy, chunks_cover_their_range_and_begin_with_whole_tiles) {
   using Object = tissue::model::ShapesObject;
   std::mt19937 random(seed());
-  const Storage form = Array<Object, float, Host, TypeParam>(1).storage();
+  const UntypedArray form = Array<Object, float, Host, TypeParam>(1).untyped();
   for (int repeat = 0; repeat < 200; ++repeat) {
-    Storage array = form;
+    UntypedArray array = form;
     array.size = 1 + static_cast<index_t>(random() % 1000000);
     array.padded = TypeParam::padded(array.size);
     array.pitch = TypeParam::pitch(array.size);
@@ -45,7 +45,7 @@ TYPED_TEST(PlainCopy, chunks_cover_their_range_and_begin_with_whole_tiles) {
     const auto begin = static_cast<index_t>(random() % static_cast<unsigned>(array.size));
     const index_t end = begin + static_cast<index_t>(random() % static_cast<unsigned>(array.size - begin + 1));
     const detail::Chunks chunks(array, begin, end, repeat % 2 == 0 ? 1 : 4);
-    const Storage part = detail::part_of(array, chunks.objects, SpaceKind::pinned);
+    const UntypedArray part = detail::part_of(array, chunks.objects, SpaceKind::pinned);
     index_t reached = begin;
     for (index_t k = 0; k < chunks.count(); ++k) {
       ASSERT_EQ(chunks.first(k), reached) << "chunk " << k << " of " << begin << " to " << end;

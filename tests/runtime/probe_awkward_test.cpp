@@ -1,5 +1,5 @@
 // Kernels whose reads and writes are hard to find for whoever reads their text: probes find them all. What must not
-// compile stands in probe_must_not_compile.cpp.
+// compile stands in refused_probes.cpp.
 #include <physgen/executor.h>
 
 #include <algorithm>

@@ -91,7 +91,7 @@ TEST(Probes, keep_the_formats_that_they_stand_for) {
   ProbeExecutor<Host>().run(1, Turns{svds.view()});
   EXPECT_EQ(fields_of("compact"), (Fields{"U W", "V R", "s RW"}));
   static_assert(Probes::View::record_bytes == Compact::View::record_bytes);
-  static_assert(Probes::View::Record::U == Compact::View::Record::U);
+  static_assert(Probes::View::Record::U::offset == Compact::View::Record::U::offset);
   static_assert(format::is_quaternion<Probes::Formats::U>);
   static_assert(Probes::Formats::s::scale == 8 && Probes::Formats::s::type<float> == ElementType::half);
   constexpr auto probed = elasticity::DeformationSvdObject::fields<float, Probes::Formats>;

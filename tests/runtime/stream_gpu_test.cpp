@@ -1,4 +1,4 @@
-// The rule of streams (storage.h), with a slow kernel in the stream before each operation of the library.
+// The rule of streams (device.h), with a slow kernel in the stream before each operation of the library.
 #include <cuda_runtime_api.h>
 #include <physgen/gather.h>
 #include <physgen/mirror.h>
@@ -63,7 +63,7 @@ TEST_P(InAStream, copies_from_pinned_to_host_memory_see_what_was_ordered_before)
   EXPECT_EQ(wrong(other, 3), 0) << "in another form";
   number(device, 5);
   download_later();
-  copy_range(host.storage(), pinned.storage(), 0, n, stream);
+  copy_range(host.untyped(), pinned.untyped(), 0, n, stream);
   EXPECT_EQ(wrong(host, 5), 0) << "of a range";
 }
 
@@ -161,17 +161,17 @@ TEST_P(InAStream, losses_are_those_of_the_objects_that_arrive) {
   const Halves<PinnedHost> halves(n);
   number(device, 1e6);
   download_later();
-  EXPECT_EQ(losses_of_copy(halves.storage(), pinned.storage(), stream).out_of_range, 3U * n);
+  EXPECT_EQ(losses_of_copy(halves.untyped(), pinned.untyped(), stream).out_of_range, 3U * n);
 }
 
 TEST_P(InAStream, mirrors_read_what_kernels_of_the_stream_have_written) {
   Mirror<Positions<PinnedHost>, Positions<Cuda>> mirror(n);
   Mirror<Positions<Host, Soa, double>, Positions<Cuda>> pageable(n);
   const auto write = [&](auto& tested) {
-    Storage there = device.storage();
+    UntypedArray there = device.untyped();
     there.base = tested.write_device().data();
     spin(stream);
-    copy(there, device.storage(), stream);
+    copy(there, device.untyped(), stream);
   };
   write(mirror);
   EXPECT_EQ(mirror.read_host(stream)[n - 1].x().get()[0], static_cast<float>(1 + (n - 1) % 1000));
@@ -280,7 +280,7 @@ TEST_P(InTheDefaultStream, single_elements_and_bytes_are_those_of_the_stream) {
   EXPECT_EQ(pinned.getdata(n - 1, 2), 12345);
   number(device, 3);
   download_later();
-  copy_memory(host.storage().base, SpaceKind::host, pinned.storage().base, SpaceKind::pinned, pinned.storage().bytes());
+  copy_memory(host.untyped().base, SpaceKind::host, pinned.untyped().base, SpaceKind::pinned, pinned.untyped().bytes());
   EXPECT_EQ(wrong(host, 3), 0);
 }
 

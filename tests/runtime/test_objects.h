@@ -41,12 +41,12 @@ inline index_t address_by_law(index_t base_offset, index_t i, index_t pitch, ind
 // What follows works on arrays without their types: compiled once, not for each of the many types of arrays.
 
 /// Random, nowhere zero bytes that are finite as float, double and int, for the elements of AoS records on the host.
-inline void randomise(const Storage& storage, std::mt19937& random) {
+inline void randomise(const UntypedArray& untyped, std::mt19937& random) {
   std::uniform_real_distribution<float> value(0.5F, 2.0F);
-  for (index_t i = 0; i < storage.size; ++i) {
-    for (const FieldInfo& field : storage.fields) {
+  for (index_t i = 0; i < untyped.size; ++i) {
+    for (const FieldInfo& field : untyped.fields) {
       for (int k = 0; k < field.count; ++k) {
-        std::byte* element = storage.base + i * storage.record_bytes + field.offset + k * element_bytes(field.type);
+        std::byte* element = untyped.base + i * untyped.record_bytes + field.offset + k * element_bytes(field.type);
         const float drawn = value(random);
         if (field.type == ElementType::float64) {
           const double wide = drawn;
@@ -63,20 +63,20 @@ inline void randomise(const Storage& storage, std::mt19937& random) {
 }
 template <class AosArray>
 void randomise(AosArray& array, std::mt19937& random) {
-  randomise(array.storage(), random);
+  randomise(array.untyped(), random);
 }
 
 /// Fills the memory of a host array with bytes that no test value has.
-inline void poison(const Storage& storage) {
-  if (storage.bytes() > 0) std::memset(storage.base, 0xA5, static_cast<std::size_t>(storage.bytes()));
+inline void poison(const UntypedArray& untyped) {
+  if (untyped.bytes() > 0) std::memset(untyped.base, 0xA5, static_cast<std::size_t>(untyped.bytes()));
 }
 template <class HostArray>
 void poison(HostArray& array) {
-  poison(array.storage());
+  poison(array.untyped());
 }
 
 /// Number of differing elements of two AoS arrays.
-inline index_t count_different(const Storage& x, const Storage& y) {
+inline index_t count_different(const UntypedArray& x, const UntypedArray& y) {
   index_t different = 0;
   for (index_t i = 0; i < x.size; ++i) {
     for (const FieldInfo& field : x.fields) {
@@ -89,7 +89,7 @@ inline index_t count_different(const Storage& x, const Storage& y) {
 }
 template <class A, class B>
 index_t count_different(const A& a, const B& b) {
-  return count_different(a.storage(), b.storage());
+  return count_different(a.untyped(), b.untyped());
 }
 
 using AllLayouts = ::testing::Types<Aos, AosPadded, Soa, Aosoa<8>, Aosoa<32>, Aosoa<64>>;

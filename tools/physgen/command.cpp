@@ -17,6 +17,7 @@
 #include "layout_words.h"
 #include "model/json.h"
 #include "model/model.h"
+#include "model/text.h"
 #include "scene_command.h"
 #include "scenes/report.h"
 #include "usage_command.h"
@@ -31,6 +32,7 @@ struct Arguments {
   std::string output_dir;
   std::string depfile;
   std::string stamp;
+  std::string emitter{emit::emitters().front().name};
   frontend::ParseOptions options;
   std::optional<std::string> layout_of_all;  // of every object, in place of the schema's
   LayoutRequest layout;
@@ -60,8 +62,10 @@ std::optional<Parsed> parse_all(const Arguments& arguments, std::ostream& err) {
   for (const std::string& path : arguments.schemas) require_readable(path);
   Parsed parsed;
   bool good = true;
+  frontend::ParseOptions options = arguments.options;
+  options.objections = emit::emitter(arguments.emitter).objections;
   for (const std::string& path : arguments.schemas) {
-    auto result = frontend::parse(path, arguments.options);
+    auto result = frontend::parse(path, options);
     err << result.diagnostics;
     if (result.schema) parsed.schemas.push_back(std::move(*result.schema));
     good = good && result.schema;
@@ -74,10 +78,10 @@ std::optional<Parsed> parse_all(const Arguments& arguments, std::ostream& err) {
 }
 
 /// @throws UsageError if two schemas would write one header
-void require_different_headers(const std::vector<std::string>& schemas) {
+void require_different_headers(const Arguments& arguments) {
   std::map<std::string, std::string> written;
-  for (const std::string& path : schemas) {
-    const std::string header = model::generated_header(path);
+  for (const std::string& path : arguments.schemas) {
+    const std::string header = emit::file_of(emit::emitter(arguments.emitter), path);
     const auto [first, is_new] = written.emplace(header, path);
     if (!is_new && first->second == path) throw UsageError("'" + path + "' is given twice");
     if (!is_new)
@@ -96,7 +100,8 @@ void set_layouts(model::Schema& schema, const std::string& word) {
 
 int generate(const Arguments& arguments, const Streams& streams) {
   if (arguments.output_dir.empty()) throw UsageError("the folder given with -o is empty; write -o . for this folder");
-  require_different_headers(arguments.schemas);
+  const emit::Emitter& emitter = emit::emitter(arguments.emitter);
+  require_different_headers(arguments);
   if (arguments.layout_of_all) (void)read_layout(*arguments.layout_of_all, model::Space::host);
   auto parsed = parse_all(arguments, streams.err);
   if (!parsed) return schema_errors;
@@ -104,7 +109,7 @@ int generate(const Arguments& arguments, const Streams& streams) {
     for (model::Schema& schema : parsed->schemas) set_layouts(schema, *arguments.layout_of_all);
   std::vector<File> files;
   for (const model::Schema& schema : parsed->schemas)
-    files.push_back({arguments.output_dir + "/" + model::generated_header(schema.file), emit::accessor_header(schema)});
+    files.push_back({arguments.output_dir + "/" + emit::file_of(emitter, schema.file), emitter.emit(schema)});
   if (!arguments.depfile.empty()) files.push_back({arguments.depfile, depfile(arguments.stamp, parsed->dependencies)});
   const auto changed = write_changed(files);
   if (!arguments.stamp.empty()) touch(arguments.stamp);
@@ -161,6 +166,15 @@ std::string standard_layouts() {
   return model::joined(words, " and ");
 }
 
+/// "What is written: cpp (accessor classes in C++ and CUDA; the default)"
+std::string emitter_choices() {
+  std::vector<std::string> choices;
+  for (const emit::Emitter& one : emit::emitters())
+    choices.push_back(std::string(one.name) + " (" + std::string(one.what) +
+                      (choices.empty() ? "; the default)" : ")"));
+  return "What is written: " + model::joined(choices, " or ");
+}
+
 void describe_layout(CLI::App& app, Arguments& arguments) {
   auto* layout =
       add_command(app, "layout", "Draw where arrays place every element, and what a warp touches", arguments);
@@ -201,9 +215,10 @@ void describe(CLI::App& app, Arguments& arguments) {
                        ": of the arrays of every object in both spaces, in place of what the "
                        "schema says; an array whose program names a layout keeps it")
       ->type_name("LAYOUT");
-  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that gets the present time when all is written")
+  generate->add_option("--emitter", arguments.emitter, emitter_choices())->type_name("NAME");
+  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that is touched after all outputs are written")
                     ->type_name("FILE");
-  generate->add_option("--depfile", arguments.depfile, "File for what the stamp depends on, in the syntax of Make")
+  generate->add_option("--depfile", arguments.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)
       ->type_name("FILE");
   generate->add_flag("--verbose", arguments.verbose, "Say which files were written and which were unchanged");
@@ -273,6 +288,8 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   } catch (const scenes::UnknownName& error) {
     err << "physgen: error: " << error.what() << '\n';
   } catch (const LayoutError& error) {
+    err << "physgen: error: " << error.what() << '\n';
+  } catch (const emit::UnknownEmitter& error) {
     err << "physgen: error: " << error.what() << '\n';
   }
   return wrong_use;

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "layout_map.h"
 #include "layout_words.h"
 
 namespace physgen::command {

@@ -4,9 +4,19 @@
 #include <stdexcept>
 #include <string>
 
-#include "layout_map.h"
+#include "plan/layout_map.h"
 
 namespace physgen::command {
+
+using plan::Accessor;
+using plan::assumed_objects;
+using plan::Cell;
+using plan::LayoutMap;
+using plan::Precision;
+using plan::sector_bytes;
+using plan::Sectors;
+using plan::Segment;
+using plan::warp_objects;
 
 /// A wrong word; what() says what to write instead.
 struct LayoutError : std::runtime_error {

@@ -8,10 +8,13 @@
 #include <ostream>
 
 #include "files.h"
+#include "scenes/groups.h"
 #include "scenes/header.h"
 #include "scenes/needs.h"
 #include "scenes/probe_unit.h"
+#include "scenes/program_text.h"
 #include "scenes/read.h"
+#include "scenes/read_program.h"
 #include "scenes/report.h"
 #include "usage/analyse.h"
 #include "usage/json.h"
@@ -43,18 +46,26 @@ class SceneCommand {
       return done;
     }
     auto usage = analyse(scene, path, usage::Side::host);
+    if (request_.device && !usage::has_device_side()) {
+      err_ << request_.file
+           << ": error: --device needs the headers of a CUDA toolkit, which is looked for by CUDA_HOME, "
+           << "CUDA_PATH and in /usr/local/cuda; without --device, only what the CPU does is looked at\n";
+      return errors;
+    }
     if (usage && request_.device) {
       const auto device = analyse(scene, path, usage::Side::device);
       usage = device ? std::optional(usage::unite(*usage, *device)) : std::nullopt;
     }
     if (!usage) return errors;
-    const scenes::Needs needs = scenes::find_needs(scene, *usage);
+    scenes::Needs needs = scenes::find_needs(scene, *usage);
     for (const scenes::Issue& issue : needs.issues)  // notes are of needs that hold
       if (needs.sound() || issue.kind == scenes::Issue::Kind::error) err_ << scenes::text_of(issue);
     if (!needs.sound()) return errors;
+    if (!request_.no_fuse) scenes::join_steps(scene, *usage, program_, needs);
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
     if (!request_.output_dir.empty()) write(scene, needs, *usage);
+    out_ << times_;
     return done;
   }
 
@@ -62,10 +73,14 @@ class SceneCommand {
   std::optional<usage::Usage> analyse(const scenes::Scene& scene, const std::string& path, usage::Side side) {
     const char* space = side == usage::Side::host ? "Host" : "Cuda";
     usage::Diagnostics diagnostics;
-    auto usage = usage::analyse("probes_of_" + scene.name + ".cpp", scenes::probe_unit(scene, space, path),
-                                request_.flags, side, diagnostics);
+    auto usage =
+        usage::analyse("probes_of_" + scene.name + ".cpp", scenes::probe_unit(scene, space, path), request_.flags, side,
+                       diagnostics, [&](clang::ASTContext& context, const std::vector<std::string>& folders) {
+                         if (side == usage::Side::host) program_ = scenes::read_program(context, scene, folders);
+                       });
     err_ << diagnostics.text;
     depends_on(diagnostics.dependencies);
+    times_ += usage::text_of_time(scene.name, side, diagnostics);
     return usage;
   }
 
@@ -78,6 +93,7 @@ class SceneCommand {
   void write(const scenes::Scene& scene, const scenes::Needs& needs, const usage::Usage& usage) const {
     const auto path = [&](const char* ending) { return request_.output_dir + "/" + scenes::file_of(scene, ending); };
     std::vector<File> files = {{path(".scene.h"), scenes::header(scene, needs)},
+                               {path(".program.h"), scenes::program_header(scene, needs, program_)},
                                {path(".need.txt"), scenes::report_text(scene, needs)},
                                {path(".need.json"), scenes::report_json(scene, needs)},
                                {path(".usage.json"), usage::to_json({{scene.name, usage}})}};
@@ -92,6 +108,8 @@ class SceneCommand {
   std::ostream& out_;
   std::ostream& err_;
   std::vector<std::string> dependencies_;
+  std::string times_;
+  scenes::ProgramText program_;
 };
 
 }  // namespace
@@ -102,25 +120,31 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
   scene->add_option("FILE", request.file, "The scene's declaration, a header that includes <physgen/scene.h>")
       ->required();
   scene
-      ->add_option(
-          "-o,--output", request.output_dir,
-          "Folder of x.scene.h and of the reports x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
-          "without: the report is printed")
+      ->add_option("-o,--output", request.output_dir,
+                   "Folder of x.scene.h, of x.program.h, which calls the program over these arrays, and of the reports "
+                   "x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
+                   "without: the report is printed")
       ->type_name("DIR");
   scene
       ->add_option("--why", request.why,
                    "Explain what becomes of an array or a field, by which lines of which kernels: body.svds, "
                    "body.svds.U, DeformationSvd.U")
       ->type_name("NAME");
-  scene->add_flag("--device", request.device, "Look at what the program does on a CUDA device, too; needs a toolkit");
+  scene->add_flag(
+      "--device", request.device,
+      "Look at what the program does on a CUDA device, too; needs a toolkit (found by CUDA_HOME, CUDA_PATH or "
+      "in /usr/local/cuda)");
+  scene->add_flag("--no-fuse", request.no_fuse,
+                  "Join no steps: by default, neighbouring steps over the same objects become one where arrays between "
+                  "them then need no memory");
   scene->add_flag("--everything", request.everything,
                   "Write DIR/x.everything.h, too: the same arrays with every field, to compare with");
   scene->add_flag("--print-model", request.print_model, "Print what physgen reads from the declaration, as JSON");
   scene->add_flag("--print-unit", request.print_unit,
-                  "Print the unit that is looked at, the program over probes, which any compiler takes");
-  auto* stamp = scene->add_option("--stamp", request.stamp, "File that gets the present time when all is written")
+                  "Print the source that is analysed: the program over probes, which any compiler takes");
+  auto* stamp = scene->add_option("--stamp", request.stamp, "File that is touched after all outputs are written")
                     ->type_name("FILE");
-  scene->add_option("--depfile", request.depfile, "File for what the stamp depends on, in the syntax of Make")
+  scene->add_option("--depfile", request.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)
       ->type_name("FILE");
   scene->footer(

@@ -18,6 +18,7 @@ struct SceneRequest {
   std::vector<std::string> flags;  ///< as of a compiler
   bool device = false;             ///< also what the program does on a CUDA device
   bool everything = false;         ///< also x.everything.h, with every field
+  bool no_fuse = false;            ///< join no steps
   bool print_model = false;        ///< what the declaration says, as JSON, and nothing else
   bool print_unit = false;         ///< the unit that is analysed, and nothing else
   std::string depfile, stamp;      ///< as of `physgen generate`; empty: none

@@ -12,13 +12,17 @@ from dataclasses import dataclass
 
 sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
 import readme_figures  # noqa: E402
+import readme_sentences  # noqa: E402
+import readme_tables  # noqa: E402
 import rows  # noqa: E402
 from truthcube import records  # noqa: E402
 
-HELP = """Compares the figures of READMEs with the checked-in results (--check), or writes them anew (--write): tables
+HELP = """Compares the figures of READMEs with the checked-in results (--check), or replaces them (--write): tables
 between <!-- figures: NAME, from FILE.json --> and <!-- end of figures -->, figures in sentences, and pictures; and the
-table of packages with tools/packages.txt. What stands where is listed in tools/report/readme_figures.py."""
+table of packages with tools/packages.txt. tools/report/readme_figures.py lists the READMEs and says where figures are described."""
 LIST = "tools/report/readme_figures.py"
+SENTENCES = "tools/report/readme_sentences.py"
+TABLES = "tools/report/readme_tables.py"
 RESULTS = "tools/report/results"
 BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w./]+) -->\n")
 END = "<!-- end of figures -->\n"
@@ -44,7 +48,7 @@ class File:
         found = [row for row in self.rows if any(_fits(row.name, pattern) for pattern in patterns)]
         if not found:
             raise FiguresError(
-                f"{RESULTS}/{self.name} has no row {' or '.join(patterns)}; measure it, or mend the name in {LIST}"
+                f"{RESULTS}/{self.name} has no row {' or '.join(patterns)}; measure it, or mend the name in {SENTENCES} or {TABLES}"
             )
         return found
 
@@ -52,7 +56,7 @@ class File:
         """The only row of that name. @throws FiguresError where there is none, or more than one"""
         found = self.all(pattern)
         if len(found) > 1:
-            raise FiguresError(f"{RESULTS}/{self.name} has {len(found)} rows {pattern}; say more in {LIST}")
+            raise FiguresError(f"{RESULTS}/{self.name} has {len(found)} rows {pattern}; say more in {SENTENCES} or {TABLES}")
         return found[0]
 
 
@@ -89,17 +93,17 @@ class Checkout:
         found = []
         for begin, end, table, file in tables(readme, text):
             found += self._table(begin, end, table, file, f"{readme}:{line(text, begin) - 1}", text)
-        for sentence in readme_figures.SENTENCES:
+        for sentence in readme_sentences.SENTENCES:
             if sentence.readme == readme:
                 found += self._sentence(sentence, text)
         return sorted(found, key=lambda edit: edit.begin)
 
     def _table(self, begin, end, table, file, place, text):
-        if table not in readme_figures.TABLES:
-            there = ", ".join(readme_figures.TABLES)
-            raise FiguresError(f"{place}: there is no table '{table}' in {LIST}; it has {there}")
+        if table not in readme_tables.TABLES:
+            there = ", ".join(readme_tables.TABLES)
+            raise FiguresError(f"{place}: there is no table '{table}' in {TABLES}; it has {there}")
         source = self.file(file) if file.endswith(".json") and "/" not in file else self.text(file)
-        wanted = readme_figures.TABLES[table](source).splitlines(keepends=True)
+        wanted = readme_tables.TABLES[table](source).splitlines(keepends=True)
         present = text[begin:end].splitlines(keepends=True)
         if len(wanted) != len(present):
             return [Edit(begin, end, "".join(wanted), file)]
@@ -114,11 +118,11 @@ class Checkout:
         if len(found) != 1:
             raise FiguresError(
                 f"{sentence.readme} has {len(found) or 'no'} sentences \"{sentence.words}\" for {sentence.file}; "
-                f"where the sentence was changed, change it in {LIST}, too"
+                f"where the sentence was changed, change it in {SENTENCES}, too"
             )
         figures = sentence.figures(self.file(sentence.file))
         if len(figures) != found[0].re.groups:
-            raise FiguresError(f"{LIST}: {len(figures)} figures do not fit into \"{sentence.words}\"")
+            raise FiguresError(f"{SENTENCES}: {len(figures)} figures do not fit into \"{sentence.words}\"")
         return [Edit(*found[0].span(k + 1), figure, sentence.file) for k, figure in enumerate(figures)]
 
     def unaccounted(self, readme, text, edits):
@@ -142,22 +146,25 @@ class Checkout:
             if not any(first <= match.start() and match.end() <= last for first, last in known)
         ]
 
+    def differences_in(self, readme):
+        """Lines of text that say where a README disagrees with results. @throws FiguresError, rows.ResultsError"""
+        found, text = [], self.text(readme)
+        edits = self.edits(readme, text)
+        for edit in edits:
+            present = text[edit.begin : edit.end]
+            if present != edit.wanted:
+                difference = _difference(present, edit.wanted)
+                found.append(f"{readme}:{line(text, edit.begin)}: {difference} in {edit.file}")
+        for match in self.unaccounted(readme, text, edits):
+            found.append(
+                f"{readme}:{line(text, match.start())}: '{match[0]}' is held by no results; list its sentence in "
+                f"{SENTENCES} or, with where it is from, in {LIST} under ELSEWHERE"
+            )
+        return found
+
     def differences(self):
-        """What disagrees, as lines of text. @throws FiguresError, rows.ResultsError"""
-        found = []
-        for readme in readme_figures.READMES:
-            text = self.text(readme)
-            edits = self.edits(readme, text)
-            for edit in edits:
-                present = text[edit.begin : edit.end]
-                if present != edit.wanted:
-                    difference = _difference(present, edit.wanted)
-                    found.append(f"{readme}:{line(text, edit.begin)}: {difference} in {edit.file}")
-            for match in self.unaccounted(readme, text, edits):
-                found.append(
-                    f"{readme}:{line(text, match.start())}: '{match[0]}' is held by no results; list its sentence in "
-                    f"{LIST}, under SENTENCES or, with where it is from, under ELSEWHERE"
-                )
+        """Lines of text that say where READMEs and pictures disagree with results. @throws FiguresError, rows.ResultsError"""
+        found = [difference for readme in readme_figures.READMES for difference in self.differences_in(readme)]
         for picture in readme_figures.PICTURES:
             if not self._is_drawn(picture):
                 found.append(f"{picture.path}: not drawn from the present {' and '.join(picture.files)}")

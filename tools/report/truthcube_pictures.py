@@ -11,8 +11,9 @@ HELP = """Draws a run of truthcube from the files in its --out folder (cube.vtkh
 perspective and a cut along y through its middle (surface.png, cut.png), at rest and after each step, coloured by
 displacement and von Mises stress; the last step of both (last_step.png); the beads' displacements as arrows
 (beads.png), with the difference to those of a table or of the checked-in reference (tests/fem/solver/oracle) where it
-has beads of the run; and the residual over Newton steps (convergence.png). With --errors it draws error against time
-from a file of truthcube_runs.py --errors instead. The same files give the same bytes."""
+has beads of the run; and, of equilibria, the residual over Newton steps (convergence.png). Of more than 14 steps as many
+are drawn, evenly spread. With --errors it draws error against time from a file of truthcube_runs.py --errors instead.
+The same files give the same bytes."""
 
 
 def main(arguments=None):
@@ -62,7 +63,8 @@ def _pictures(folder, table):
     outside, middle = body.outside(run), body.middle(run)
     figures["surface"], figures["cut"] = body.steps(run, outside), body.steps(run, middle)
     figures["last_step"] = body.last_step(run, outside, middle)
-    figures["convergence"] = convergence.draw(run)
+    if not run.moves:
+        figures["convergence"] = convergence.draw(run)
     about = f"{run.record['command']}; {run.record['device']}"
     return {f"{name}.png": drawing.png(figure, about, dpi=140) for name, figure in figures.items()}
 

@@ -1,29 +1,11 @@
 #include "fields.h"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 
+#include "deformation.h"
+
 namespace physgen::truthcube {
-
-namespace {
-
-Eigen::Matrix3d edges_of(const std::array<fem::Index, 4>& tet, std::span<const fem::Point> x) {
-  const auto at = [&](std::size_t c) {
-    const fem::Point& p = x[static_cast<std::size_t>(tet[c])];
-    return Eigen::Vector3d(p[0], p[1], p[2]);
-  };
-  Eigen::Matrix3d edges;
-  for (int c = 0; c < 3; ++c) edges.col(c) = at(static_cast<std::size_t>(c) + 1) - at(0);
-  return edges;
-}
-
-Eigen::Matrix3d deformation_gradient(const std::array<fem::Index, 4>& tet, std::span<const fem::Point> rest,
-                                     std::span<const fem::Point> positions) {
-  return edges_of(tet, positions) * edges_of(tet, rest).inverse();
-}
-
-}  // namespace
 
 Fields make_fields(const fem::TetMesh& mesh, std::span<const fem::Point> rest, std::span<const fem::Point> positions,
                    std::span<const std::array<double, 9>> first_piola) {
@@ -55,23 +37,6 @@ Fields make_fields(const fem::TetMesh& mesh, std::span<const fem::Point> rest, s
     if (volume[n] > 0) fields.pressure[n] /= volume[n];
   }
   return fields;
-}
-
-SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
-                        std::span<const fem::Point> positions, std::span<const std::array<double, 9>> first_piola) {
-  SuspectTet suspect;
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const Eigen::Matrix3d F = deformation_gradient(mesh.tets[t], rest, positions);
-    const double J = F.determinant();
-    const bool finite = F.allFinite() && std::ranges::all_of(first_piola[t], [](double p) { return std::isfinite(p); });
-    if (finite && t > 0 && !(J < suspect.J)) continue;
-    suspect.tet = static_cast<fem::Index>(t);
-    suspect.J = J;
-    suspect.is_finite = finite;
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(suspect.F.data()) = F;
-    if (!finite) break;
-  }
-  return suspect;
 }
 
 }  // namespace physgen::truthcube

@@ -22,17 +22,4 @@ struct Fields {
                                  std::span<const fem::Point> positions,
                                  std::span<const std::array<double, 9>> first_piola);
 
-/// A tet to look at where no equilibrium is found.
-struct SuspectTet {
-  fem::Index tet = 0;
-  std::array<double, 9> F{};  ///< deformation gradient, by rows
-  double J = 1;
-  bool is_finite = true;  ///< whether its F and stress are
-};
-
-/// The first tet whose deformation gradient or stress is not finite; where all are, that of the smallest J.
-[[nodiscard]] SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
-                                      std::span<const fem::Point> positions,
-                                      std::span<const std::array<double, 9>> first_piola);
-
 }  // namespace physgen::truthcube

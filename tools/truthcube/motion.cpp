@@ -11,15 +11,16 @@
 #include <limits>
 
 #include "estimates.h"
-#include "fields.h"
 #include "interrupts.h"
+#include "suspect.h"
 
 namespace physgen::truthcube {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int most_halvings = 6;  // of a time step for which there is no equilibrium
+constexpr int most_halvings = 6;         // of a time step for which there is no equilibrium
+constexpr int steps_between_looks = 32;  // whether an explicit motion is finite: a look takes as long as a step
 
 fem::DynamicSettings settings_of(const Options& options) {
   return {options.solver, options.motion.density, options.motion.damping};
@@ -92,11 +93,16 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
   terminal.line("%d states of %lld time steps of %.4g s each", motion.frames, steps, length);
   terminal.text(
       "      time  compression     kinetic     elastic    reaction   steps  Newton     PCG  smallest J   seconds");
+  SuspectTet before;  // of the last state
+  int states_inverted = 0;
   for (int frame = 1; frame <= motion.frames; ++frame) {
     const auto begin = Clock::now();
     Effort effort;
-    for (long long k = 0; k < steps && effort.status == fem::NewtonStatus::converged && interrupted == 0; ++k) {
+    bool finite = true;
+    for (long long k = 1; k <= steps && finite && effort.status == fem::NewtonStatus::converged && interrupted == 0;
+         ++k) {
       advance(options, solver, length, 0, effort);
+      if (is_explicit(options) && k % steps_between_looks == 0) finite = solver.measure().is_finite();
     }
     if (interrupted != 0) {
       terminal.line("interrupted; %zu states are %s", record.steps.size(), files.writes() ? "written" : "done");
@@ -104,33 +110,37 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
     }
     const fem::MotionMeasure measure = solver.measure();
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    if (!measure.is_finite()) {
+    const auto stresses = solver.stresses();
+    const SuspectTet suspect = find_suspect(level.mesh, level.rest, solver.positions(), stresses);
+    if (!measure.is_finite() || !suspect.is_finite) {
+      std::fprintf(stderr, "truthcube: the motion is not finite at %g s, time step %lld of this state: %s.\n",
+                   solver.time(), static_cast<long long>(effort.steps), describe(suspect).c_str());
+      if (frame > 1) std::fprintf(stderr, "In the state before, %s.\n", describe(before).c_str());
       std::fprintf(stderr,
-                   "truthcube: the motion is not finite at %g s: a time step of %.3g s is too long for tets that are "
-                   "compressed. Try --time-step %.2g, or --scene implicit-dynamics.\n",
-                   solver.time(), length, length / 2);
+                   "A time step of %.3g s is too long for tets that are compressed. Try --time-step %.2g, or --scene "
+                   "implicit-dynamics.\n",
+                   length, length / 2);
       return Outcome::not_converged;
     }
     if (effort.status != fem::NewtonStatus::converged) {
       std::fprintf(
           stderr,
           "truthcube: no equilibrium with inertia behind %g s, with time steps down to %.3g s, after %d Newton "
-          "steps, with a residual of %.2e.\nTry a shorter --time-step, --precision double, or more --cells.\n",
-          solver.time(), length / (1 << most_halvings), effort.newton, effort.residual);
+          "steps, with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or more "
+          "--cells.\n",
+          solver.time(), length / (1 << most_halvings), effort.newton, effort.residual, describe(suspect).c_str());
       return Outcome::not_converged;
     }
     const double compression = compression_at(solver.time(), motion.duration, options.compressions.back());
     const auto positions = solver.positions();
-    const auto stresses = solver.stresses();
     const double reaction = plate_reaction(level, solver.forces(), solver.plane_contacts());
-    const double smallest = std::ranges::min(make_fields(level.mesh, level.rest, positions, stresses).volume_ratio);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     record.steps.push_back({compression,
                             effort.newton,
                             effort.iterations,
                             effort.residual,
                             measure.elastic,
-                            smallest,
+                            suspect.J,
                             reaction,
                             none,
                             none,
@@ -140,11 +150,20 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
                             solver.time(),
                             measure.kinetic,
                             {}});
-    terminal.line("  %8.4g     %8.5f  %10.4e  %10.4e  %10.4g  %6d  %6d  %6d    %8.4f  %8.3f", solver.time(),
+    terminal.line("  %8.4g     %8.5f  %10.4e  %10.4e  %10.4g  %6d  %6d  %6d    %8.4f  %8.3f%s", solver.time(),
                   compression, measure.kinetic, measure.elastic, reaction, effort.steps, effort.newton,
-                  effort.iterations, smallest, seconds);
+                  effort.iterations, suspect.J, seconds, suspect.inverted > 0 ? "  inverted" : "");
+    if (suspect.inverted > 0 && states_inverted++ == 0) {
+      terminal.text("  " + describe(suspect));
+      terminal.text(
+          "  No real body is in such a state. Try a shorter --time-step, a longer --duration, more --cells, or a "
+          "smaller "
+          "--compress.");
+    }
+    before = suspect;
     if (files.writes()) files.write_step(record, solver.time(), positions, stresses);
   }
+  if (states_inverted > 0) terminal.line("%d of %d states have inverted tets", states_inverted, motion.frames);
   return Outcome::done;
 }
 

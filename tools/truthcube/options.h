@@ -16,6 +16,7 @@ enum class Plates { held, contact };
 
 /// What is solved; see scene_choice.h.
 enum class SceneKind {
+  everything,
   quasistatic,
   matrix_free,
   fixed_corotated,
@@ -34,7 +35,7 @@ struct MotionOptions {
 };
 
 struct Options {
-  SceneKind scene = SceneKind::quasistatic;
+  SceneKind scene = SceneKind::everything;
   MotionOptions motion;
   int cells = 16;
   std::filesystem::path mesh;  ///< in place of the cube

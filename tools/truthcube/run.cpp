@@ -1,5 +1,6 @@
 #include "run.h"
 
+#include <fem/solver/scene_solvers.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -8,8 +9,10 @@
 #include <optional>
 #include <utility>
 
+#include "arrays.h"
 #include "memory.h"
 #include "motion.h"
+#include "output/folder_lock.h"
 #include "output/hash.h"
 #include "run_files.h"
 #include "scene.h"
@@ -86,7 +89,11 @@ Outcome run(Options options, const std::string& command) {
     return Outcome::done;
   }
   require_memory_for(options, bytes);
-  if (!options.out.empty() && !options.restart) require_writable(options.out);
+  std::optional<FolderLock> lock;
+  if (!options.out.empty()) {
+    if (!options.restart) require_writable(options.out);
+    if (is_writable(options.out)) lock.emplace(options.out);  // else a run that goes on writes nothing
+  }
 
   terminal.set_up(2, parts, "meshes of " + std::to_string(counts.front().tets) + " tets");
   if (options.is_cube()) scene = make_scene(options, make_cube(options));
@@ -126,6 +133,8 @@ Outcome run(Options options, const std::string& command) {
   std::unique_ptr<fem::DynamicSolver> dynamic;
   if (options.moves()) {
     dynamic = make_dynamic_solver(options, scene);
+  } else if (const std::string arrays = arrays_of(options.scene, options.solver); arrays != "everything") {
+    solver = fem::make_scene_solver(arrays, scene.levels, scene.loading, options.solver);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
   } else {

@@ -28,11 +28,13 @@ std::vector<double> flat(const fem::SolverState& state) {
 
 }  // namespace
 
+bool is_writable(const std::filesystem::path& folder) { return ::access(folder.c_str(), W_OK | X_OK) == 0; }
+
 void require_writable(const std::filesystem::path& folder) {
   std::error_code code;
   std::filesystem::create_directories(folder, code);
   if (code) throw Error("cannot make the folder " + folder.string() + ": " + code.message());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+  if (!is_writable(folder)) {
     throw Error("cannot write into the folder " + folder.string() + ": " + std::strerror(errno));
   }
 }

@@ -18,6 +18,7 @@
 
 namespace physgen::truthcube {
 
+[[nodiscard]] bool is_writable(const std::filesystem::path& folder);
 /// Makes the folder where it is missing. @throw Error when it cannot be made, or nothing can be written into it
 void require_writable(const std::filesystem::path& folder);
 

@@ -7,7 +7,8 @@
 
 namespace physgen::truthcube {
 
-const Names<SceneKind> scene_kinds{{"quasistatic", SceneKind::quasistatic},
+const Names<SceneKind> scene_kinds{{"everything", SceneKind::everything},
+                                   {"quasistatic", SceneKind::quasistatic},
                                    {"matrix-free", SceneKind::matrix_free},
                                    {"fixed-corotated", SceneKind::fixed_corotated},
                                    {"implicit-dynamics", SceneKind::implicit_dynamics},
@@ -48,6 +49,20 @@ void choose_tets(Options& options, const Given& given, const std::string& who) {
                           "Poisson's ratio of 0.5");
 }
 
+/// Of scenes whose solver is compiled for them alone.
+void choose_declared(Options& options, const Given& given, const std::string& material, bool assembled) {
+  refuse(options, given, {"--historical"}, "that is a choice of --scene everything");
+  choose(options, given, "--material", material, options.solver.material, material);
+  choose(options, given, "--precision", "float", options.solver.precision, fem::TangentPrecision::float32);
+  choose(options, given, "--plates", "held", options.plates, Plates::held);
+  fem::NewtonSettings& newton = options.solver.newton;
+  choose(options, given, "--product", assembled ? "assembled" : "matrix-free", newton.product,
+         assembled ? fem::Product::assembled : fem::Product::matrix_free);
+  if (newton.preconditioner.kind == fem::Preconditioner::schwarz) {
+    throw Error(scene_name(options) + " has no --preconditioner schwarz: that is a choice of --scene everything");
+  }
+}
+
 void apply_motion(Options& options, const Given& given) {
   refuse(options, given, {"--restart", "--beads", "--repeat"}, "these are for equilibria, and a motion begins at rest");
   refuse(options, given, {"--stepping", "--historical"}, "steps are those in time");
@@ -63,16 +78,20 @@ void apply_motion(Options& options, const Given& given) {
 void apply_scene(Options& options, const Given& given) {
   fem::NewtonSettings& newton = options.solver.newton;
   switch (options.scene) {
+    case SceneKind::everything:
+      break;
     case SceneKind::quasistatic:
+      choose_declared(options, given, "stable-neo-hookean", true);
+      choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
       break;
     case SceneKind::matrix_free:
-      choose(options, given, "--product", "matrix-free", newton.product, fem::Product::matrix_free);
-      if (!given("--preconditioner") && !options.historical) {
-        newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-      }
+      choose_declared(options, given, "stable-neo-hookean", false);
+      choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
+      if (!given("--preconditioner")) newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
       break;
     case SceneKind::fixed_corotated:
-      choose<std::string>(options, given, "--material", "fixed-corotated", options.solver.material, "fixed-corotated");
+      choose_declared(options, given, "fixed-corotated", true);
+      choose_tets(options, given, "fixed corotated bodies take");
       break;
     case SceneKind::implicit_dynamics:
       apply_motion(options, given);

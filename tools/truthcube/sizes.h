@@ -47,7 +47,7 @@ struct RunBytes {
 };
 /// @param planes fem::Loading::planes, their number
 [[nodiscard]] RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
-                                    std::int64_t planes, SceneKind scene = SceneKind::quasistatic);
+                                    std::int64_t planes, SceneKind scene = SceneKind::everything);
 
 /// What a mesh of a level takes in the host's memory.
 [[nodiscard]] std::int64_t bytes_of_mesh(const LevelCounts& level);

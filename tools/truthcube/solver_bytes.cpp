@@ -1,246 +1,232 @@
 #include "solver_bytes.h"
 
 #include <fem/dynamics/explicit_body.h>
-#include <fem/solver/conjugate_gradients.h>
-#include <fem/solver/equilibrium_arrays.h>
-#include <fem/solver/linear_body.h>
-#include <fem/solver/linear_level.h>
+#include <fem/solver/all_arrays.h>
+#include <fem/solver/scene_types.h>
 
 #include <algorithm>
 #include <numeric>
+#include <string>
+
+#include "arrays.h"
 
 namespace physgen::truthcube {
 
 namespace {
 
-template <class Array>
-std::int64_t bytes_of(std::int64_t objects) {
-  return fem::LayoutOf<Array>::padded(objects) * Array::record_bytes;
-}
-template <class Rows>
-std::int64_t bytes_of_rows(std::int64_t rows, std::int64_t entries) {
-  return bytes_of<typename Rows::Ranges>(rows) + bytes_of<typename Rows::Entries>(entries);
+/// count.operator()<Group>() of the group that an Optional is of; 0 where a program never has it.
+template <class Optional, class Count>
+std::int64_t bytes_if_any(const Count& count) {
+  if constexpr (fem::may_have<Optional>) {
+    return count.template operator()<fem::GroupOf<Optional>>();
+  } else {
+    return 0;
+  }
 }
 
-/// As LinearLevel::bytes().
-template <class Real, class Space, class Stored>
-std::int64_t linear_bytes(const LevelCounts& c, const LevelCounts* coarser) {
-  using Level = fem::LinearLevel<Real, Space, Stored>;
+/// As LevelOver::bytes(), of arrays and the lists of products. @tparam Types AllArrays, or those of a scene
+template <class Types>
+std::int64_t level_bytes(const LevelCounts& c, const LevelCounts* coarser) {
+  using Level = typename Types::Level;
   const std::int64_t n = c.nodes;
   // EdgeSums, which on CUDA holds nothing, and EdgeSlices.
   std::int64_t sums = 0;
-  if (Space::kind == SpaceKind::host) {
+  if (Types::Space::kind == SpaceKind::host) {
     sums = (2 * (n + 1) + c.edges) * std::int64_t{sizeof(fem::Index)} +
-           c.edges * std::int64_t{sizeof(fem::Contribution<Real>)};
+           c.edges * std::int64_t{sizeof(fem::Contribution<typename Types::Real>)};
   } else if (n <= fem::EdgeSlices::most_nodes) {
     sums = fem::EdgeSlices::bytes_for(n, c.edges);
   }
-  std::int64_t bytes = bytes_of<decltype(Level::constraints)>(n) + bytes_of<decltype(Level::edges)>(c.edges) +
-                       bytes_of_rows<decltype(Level::node_edges)>(n, 2 * c.edges) +
-                       bytes_of<decltype(Level::node_stiffness)>(n) +
-                       bytes_of<decltype(Level::edge_stiffness)>(c.edges) + bytes_of<decltype(Level::scales)>(n) +
-                       bytes_of<decltype(Level::scaled_nodes)>(n) + bytes_of<decltype(Level::scaled_edges)>(c.edges) +
-                       bytes_of<decltype(Level::inverse)>(n) + bytes_of<decltype(Level::smoother)>(1) +
-                       bytes_of<decltype(Level::residual)>(n) + bytes_of<decltype(Level::correction)>(n) +
-                       bytes_of<decltype(Level::direction)>(n) + bytes_of<decltype(Level::power)>(n) +
-                       bytes_of<decltype(Level::translations)>(c.tets == 0 ? n : c.grid_parents) + sums;
-  if (coarser == nullptr) {
-    return bytes + (n <= fem::most_coarse_nodes ? bytes_of<decltype(Level::coarse_inverse)>(n * n) : 0);
-  }
-  bytes += bytes_of<decltype(Level::parents)>(n - c.grid_parents);
-  bytes += bytes_of<decltype(Level::grid_parents)>(c.grid_parents);
-  bytes += bytes_of_rows<decltype(Level::children)>(coarser->nodes, c.children);
-  return bytes + bytes_of_rows<decltype(Level::edge_terms)>(coarser->edges, c.edge_terms);
+  const bool last = coarser == nullptr;
+  return sums + Level::Own::bytes({.node = n,
+                                   .edge = c.edges,
+                                   .edge_node = n,
+                                   .edge_end = 2 * c.edges,
+                                   .block_node = n,
+                                   .smoother = 1,
+                                   .child = last ? 0 : n - c.grid_parents,
+                                   .grid_child = last ? 0 : c.grid_parents,
+                                   .parent = last ? 0 : coarser->nodes,
+                                   .child_entry = last ? 0 : c.children,
+                                   .coarse_edge = last ? 0 : coarser->edges,
+                                   .edge_term = last ? 0 : c.edge_terms,
+                                   .grid_node = c.tets == 0 ? n : c.grid_parents,
+                                   .coarse_pair = last && n <= fem::most_coarse_nodes ? n * n : 0});
 }
 
-/// As LinearLevel::bytes() of one whose stiffness is not assembled.
-template <class Real, class Space, class Stored>
+/// The same of one whose stiffness is not assembled.
+template <class Types>
 std::int64_t matrix_free_bytes(const LevelCounts& c, fem::MatrixFree needs) {
-  using Level = fem::LinearLevel<Real, Space, Stored>;
-  const std::int64_t n = c.nodes;
-  return bytes_of<decltype(Level::constraints)>(n) + bytes_of<decltype(Level::scales)>(n) +
-         bytes_of<decltype(Level::residual)>(n) + bytes_of<decltype(Level::correction)>(n) +
-         (needs.blocks ? bytes_of<decltype(Level::node_stiffness)>(n) + bytes_of<decltype(Level::inverse)>(n) : 0) +
-         (needs.coarser ? bytes_of<decltype(Level::parents)>(n) : 0);
+  return Types::Level::Own::bytes(
+      {.node = c.nodes, .block_node = needs.blocks ? c.nodes : 0, .child = needs.coarser ? c.nodes : 0});
 }
 
-/// As SchwarzArrays::bytes(), from above: blocks follow a curve through the nodes, so their number is not known before;
-/// what stands here of supernodes and edges is what cubes have.
-template <class Real, class Space, class Stored>
+/// From above: blocks follow a curve through the nodes, so their number is not known before; what stands here of
+/// supernodes and edges is what cubes have.
+template <class Types>
 std::int64_t schwarz_bytes(const LevelCounts& c) {
-  using Arrays = typename decltype(fem::LinearLevel<Real, Space, Stored>::schwarz)::element_type;
   const std::int64_t blocks = (c.nodes + fem::schwarz_slots - 1) / fem::schwarz_slots;  // if none were prescribed
   const std::int64_t coarse = blocks > 1 ? 1 + blocks / 18 : 0, all = blocks + coarse;
   const std::int64_t supernodes = fem::schwarz_slots * coarse, pairs = supernodes * c.edges / c.nodes;
   const std::int64_t inside = c.edges * 9 / 20, between = c.edges - inside;
-  return bytes_of<decltype(Arrays::nodes)>(c.nodes) + bytes_of<decltype(Arrays::slots)>(fem::schwarz_slots * all) +
-         bytes_of<decltype(Arrays::blocks)>(all) +
-         bytes_of_rows<decltype(Arrays::supernode_terms)>(supernodes, c.nodes + inside) +
-         bytes_of_rows<decltype(Arrays::pair_terms)>(pairs, between) +
-         bytes_of_rows<decltype(Arrays::block_edges)>(all, inside) +
-         bytes_of<decltype(Arrays::supernodes)>(supernodes) + bytes_of<decltype(Arrays::pair_stiffness)>(pairs) +
-         bytes_of<decltype(Arrays::residual)>(supernodes) + bytes_of<decltype(Arrays::correction)>(supernodes) +
-         bytes_of<decltype(Arrays::factors)>(fem::schwarz_factors * all);
+  return bytes_if_any<decltype(Types::Level::schwarz)>([&]<class Schwarz> {
+    return Schwarz::bytes({.node = c.nodes,
+                           .slot = fem::schwarz_slots * all,
+                           .block = all,
+                           .supernode = supernodes,
+                           .supernode_term = c.nodes + inside,
+                           .pair = pairs,
+                           .pair_term = between,
+                           .block_edge = inside,
+                           .factor = fem::schwarz_factors * all});
+  });
 }
 
-/// As EquilibriumArrays::bytes() and KrylovVectors::bytes().
-template <class Real, class Space>
+/// As EquilibriumOver::bytes().
+template <class Types>
 std::int64_t equilibrium_bytes(const LevelCounts& c, bool injects, fem::TangentLists lists) {
-  using Arrays = fem::EquilibriumArrays<Real, Space>;
-  using Patches = fem::PatchArrays<Real, Space>;
-  using Vectors = fem::KrylovVectors<Real, Space>;
+  using Arrays = typename Types::Arrays;
   const std::int64_t n = c.nodes;
-  std::int64_t bytes = bytes_of<decltype(Arrays::tets)>(c.tets) +
-                       bytes_of_rows<decltype(Arrays::node_tets)>(n, 4 * c.tets) + bytes_of<decltype(Arrays::rest)>(n) +
-                       bytes_of<decltype(Arrays::positions)>(n) + bytes_of<decltype(Arrays::trial)>(n) +
-                       bytes_of<decltype(Arrays::kept)>(n) + bytes_of<decltype(Arrays::loads)>(n) +
-                       bytes_of<decltype(Arrays::motion)>(n) + bytes_of<decltype(Arrays::forces)>(n) +
-                       bytes_of<decltype(Arrays::trial_forces)>(n) + bytes_of<decltype(Arrays::increment)>(n) +
-                       bytes_of<decltype(Arrays::state)>(1);
-  bytes += bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
-           bytes_of<decltype(Vectors::direction)>(n) + bytes_of<decltype(Vectors::product)>(n) +
-           bytes_of<decltype(Vectors::state)>(1);
-  const bool edges = lists == fem::TangentLists::of_edges;
-  if (edges) bytes += bytes_of_rows<decltype(Arrays::edge_tets)>(c.edges, 6 * c.tets);
-  if (c.ring_nodes > 0) {
-    using Rings = fem::RingArrays<Real, Space>;
-    return bytes + bytes_of_rows<typename Rings::Rows>(n, c.ring_nodes) + bytes_of<decltype(Rings::tangent)>(n) +
-           bytes_of<decltype(Arrays::volumes)>(n);
+  const bool edges = lists == fem::TangentLists::of_edges, nodes = lists == fem::TangentLists::of_nodes;
+  const bool rings = c.ring_nodes > 0, patches = !rings && c.patches > 0;
+  std::int64_t bytes = Arrays::Own::bytes({.tet = c.tets,
+                                           .node = n,
+                                           .corner = 4 * c.tets,
+                                           .edge = edges ? c.edges : 0,
+                                           .tet_edge = edges ? 6 * c.tets : 0,
+                                           .volume = rings ? n : c.patches});
+  if (rings) {
+    bytes += bytes_if_any<decltype(Arrays::rings)>(
+        [&]<class Rings> { return Rings::bytes({.node = n, .neighbour = c.ring_nodes}); });
   }
-  if (c.patches == 0) return bytes;
-  if (edges) bytes += bytes_of_rows<decltype(Patches::edge_patches)>(c.edges, c.edge_patches);
-  if (lists == fem::TangentLists::of_nodes) {
-    bytes += bytes_of_rows<decltype(Patches::node_patches)>(n, c.node_patches);
-    if (Space::kind == SpaceKind::host) bytes += bytes_of<decltype(Patches::changes)>(c.patches);
-  }
-  bytes += bytes_of<decltype(Patches::tet_patches)>(c.tets) + bytes_of<decltype(Patches::nodes)>(c.patches) +
-           bytes_of_rows<decltype(Patches::patch_tets)>(c.patches, c.tets) +
-           bytes_of<decltype(Arrays::volumes)>(c.patches) + bytes_of<decltype(Patches::tangent)>(c.patches);
-  return bytes + (injects ? bytes_of<decltype(Patches::parents)>(c.patches) : 0);
+  if (!patches) return bytes;
+  return bytes + bytes_if_any<decltype(Arrays::patches)>([&]<class Patches> {
+           return Patches::bytes({.tet = c.tets,
+                                  .patch = c.patches,
+                                  .child = injects ? c.patches : 0,
+                                  .edge = edges ? c.edges : 0,
+                                  .edge_patch = edges ? c.edge_patches : 0,
+                                  .node = nodes ? n : 0,
+                                  .node_patch = nodes ? c.node_patches : 0,
+                                  .change = nodes && Types::Space::kind == SpaceKind::host ? c.patches : 0});
+         });
 }
 
-/// As ChunkArrays::bytes().
-template <class Real, class Space>
+template <class Types>
 std::int64_t chunk_bytes(const LevelCounts& finest, bool assembled) {
-  using Arrays = fem::ChunkArrays<Real, Space>;
-  const std::int64_t chunk = std::min(finest.tets, std::int64_t{fem::most_chunk_tets(Space::kind)});
-  return bytes_of<decltype(Arrays::corners)>(chunk) +
-         bytes_of<decltype(Arrays::tangent)>(assembled ? chunk : finest.tets);
+  const std::int64_t chunk = std::min(finest.tets, std::int64_t{fem::most_chunk_tets(Types::Space::kind)});
+  return fem::GroupOf<decltype(Types::Arrays::chunk_arrays)>::bytes(
+      {.chunk_tet = chunk, .kept_tet = assembled ? chunk : finest.tets});
 }
 
-/// As PlaneArrays::bytes().
-template <class Real, class Space>
+template <class Types>
 std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved) {
-  using Planes = fem::PlaneArrays<Real, Space>;
   if (planes == 0 || c.tets == 0) return 0;  // or of a background grid
-  const std::int64_t bytes = bytes_of<decltype(Planes::stiffness)>(c.nodes);
-  return !solved ? bytes
-                 : bytes + bytes_of<decltype(Planes::areas)>(c.nodes) + bytes_of<decltype(Planes::planes)>(planes) +
-                       bytes_of<decltype(Planes::contact)>(1);
+  return bytes_if_any<decltype(Types::Level::planes)>([&]<class Planes> {
+    return solved ? Planes::bytes({.plane = planes, .surface_node = c.nodes, .node = c.nodes, .contact = 1})
+                  : Planes::bytes({.node = c.nodes});
+  });
 }
 
-/// As InertiaArrays::bytes().
-template <class Space>
+template <class Types>
 std::int64_t inertia_bytes(const LevelCounts& c, bool solved) {
-  using Arrays = fem::InertiaArrays<Space>;
   if (c.tets == 0) return 0;  // of a background grid
-  const std::int64_t bytes = bytes_of<decltype(Arrays::masses)>(c.nodes);
-  return !solved ? bytes
-                 : bytes + bytes_of<decltype(Arrays::centres)>(c.nodes) +
-                       bytes_of<decltype(Arrays::velocities)>(c.nodes) + bytes_of<decltype(Arrays::measured)>(1);
+  return bytes_if_any<decltype(Types::Level::inertia)>([&]<class Inertia> {
+    return Inertia::bytes({.node = c.nodes, .moving_node = solved ? c.nodes : 0, .measure = solved ? 1 : 0});
+  });
 }
 
-/// As LinearBody::bytes() and KrylovVectors::bytes().
-template <class Real, class Space>
+template <class Types>
 std::int64_t linear_body_bytes(const LevelCounts& c, bool assembled) {
-  using Body = fem::LinearBody<Real, Space>;
-  using Vectors = fem::KrylovVectors<Real, Space>;
-  const std::int64_t n = c.nodes;
-  return bytes_of<decltype(Body::tets)>(c.tets) + bytes_of<decltype(Body::rest)>(c.tets) +
-         bytes_of<decltype(Body::node_tet_ranges)>(n) + bytes_of<decltype(Body::node_tets)>(4 * c.tets) +
-         (assembled
-              ? bytes_of<decltype(Body::edge_tet_ranges)>(c.edges) + bytes_of<decltype(Body::edge_tets)>(6 * c.tets)
-              : 0) +
-         bytes_of<decltype(Body::displacements)>(n) + bytes_of<decltype(Body::motion)>(n) +
-         bytes_of<decltype(Body::loads)>(n) + bytes_of<decltype(Body::forces)>(n) + bytes_of<decltype(Body::state)>(1) +
-         bytes_of<decltype(Vectors::step)>(n) + bytes_of<decltype(Vectors::residual)>(n) +
-         bytes_of<decltype(Vectors::direction)>(n) + bytes_of<decltype(Vectors::product)>(n) +
-         bytes_of<decltype(Vectors::state)>(1);
+  return Types::Body::bytes({.tet = c.tets,
+                             .node = c.nodes,
+                             .corner = 4 * c.tets,
+                             .edge = assembled ? c.edges : 0,
+                             .tet_edge = assembled ? 6 * c.tets : 0});
 }
 
-/// As ExplicitBody::bytes().
 template <class Real, class Space>
 RunBytes explicit_bytes(const LevelCounts& c) {
-  using Body = fem::ExplicitBody<Real, Space>;
-  const std::int64_t n = c.nodes;
+  using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
   RunBytes bytes;
-  bytes.solver = bytes_of<decltype(Body::tets)>(c.tets) + bytes_of<decltype(Body::rest)>(c.tets) +
-                 bytes_of<decltype(Body::corners)>(c.tets) + bytes_of<decltype(Body::node_tet_ranges)>(n) +
-                 bytes_of<decltype(Body::node_tets)>(4 * c.tets) + bytes_of<decltype(Body::constraints)>(n) +
-                 bytes_of<decltype(Body::masses)>(n) + bytes_of<decltype(Body::loads)>(n) +
-                 bytes_of<decltype(Body::motion)>(n) + bytes_of<decltype(Body::displacements)>(n) +
-                 bytes_of<decltype(Body::rounded)>(n) + bytes_of<decltype(Body::velocities)>(n) +
-                 bytes_of<decltype(Body::forces)>(n) + bytes_of<decltype(Body::measured)>(1);
+  bytes.solver = Body::bytes(fem::explicit_counts<Body>(c.nodes, c.tets, fem::node_sums<Space>(false)));
   bytes.levels = {bytes.solver};
-  bytes.stresses = bytes_of<elasticity::StressArray<Real, Space>>(c.tets);
+  bytes.stresses = bytes_of_array<elasticity::StressArray<Real, Space>>(c.tets);
   return bytes;
 }
 
-template <class Real, class Space, class Stored>
-RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
-                  SceneKind scene) {
+/// @tparam Types AllArrays, or those of a scene
+template <class Types>
+RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
+                    SceneKind scene) {
   const auto meshes = static_cast<std::size_t>(
       std::ranges::count_if(levels, [](const LevelCounts& level) { return level.tets > 0; }));  // the rest are grids
   const auto [used, solved] = fem::used_levels(settings, levels.size(), meshes);
   const bool assembled = settings.newton.product == fem::Product::assembled;
   const bool linear_elastic = scene == SceneKind::linear_elastic;
-  const fem::TangentLists lists = fem::tangent_lists<Space>(settings.newton);
+  const fem::TangentLists lists = fem::tangent_lists<typename Types::Space>(settings.newton);
   const bool blocks = settings.newton.preconditioner.kind != fem::Preconditioner::none;
   const bool schwarz = settings.newton.preconditioner.kind == fem::Preconditioner::schwarz;
   RunBytes bytes;
   for (std::size_t l = 0; l < used; ++l) {
-    const std::int64_t linear =
-        assembled ? linear_bytes<Real, Space, Stored>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
-                  : matrix_free_bytes<Real, Space, Stored>(levels[l], {blocks, l + 1 < used});
-    const auto body = [&] {
-      return linear_elastic ? linear_body_bytes<Real, Space>(levels[l], assembled)
-                            : equilibrium_bytes<Real, Space>(levels[l], l + 1 < solved, lists);
+    const std::int64_t linear = assembled ? level_bytes<Types>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
+                                          : matrix_free_bytes<Types>(levels[l], {blocks, l + 1 < used});
+    const auto body = [&]() -> std::int64_t {
+      if constexpr (requires { typename Types::Body; }) {
+        if (linear_elastic) return linear_body_bytes<Types>(levels[l], assembled);
+      }
+      if constexpr (requires { typename Types::Arrays; }) {
+        return equilibrium_bytes<Types>(levels[l], l + 1 < solved, lists);
+      }
+      return 0;
     };
-    bytes.levels.push_back(linear + (l < solved ? body() : 0) +
-                           (l < solved && schwarz ? schwarz_bytes<Real, Space, Stored>(levels[l]) : 0) +
-                           plane_bytes<Real, Space>(levels[l], planes, l < solved) +
-                           (scene == SceneKind::implicit_dynamics ? inertia_bytes<Space>(levels[l], l < solved) : 0));
+    const std::int64_t vectors = Types::Vectors::bytes({.node = levels[l].nodes});
+    bytes.levels.push_back(linear + (l < solved ? body() + vectors : 0) +
+                           (l < solved && schwarz ? schwarz_bytes<Types>(levels[l]) : 0) +
+                           plane_bytes<Types>(levels[l], planes, l < solved) +
+                           (scene == SceneKind::implicit_dynamics ? inertia_bytes<Types>(levels[l], l < solved) : 0));
   }
-  if (!linear_elastic) bytes.levels.front() += chunk_bytes<Real, Space>(levels.front(), assembled);
+  if constexpr (requires { typename Types::Arrays; }) {
+    if (!linear_elastic) bytes.levels.front() += chunk_bytes<Types>(levels.front(), assembled);
+  }
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
-  bytes.stresses = bytes_of<elasticity::StressArray<double, Space>>(levels.front().tets);
+  bytes.stresses = bytes_of_array<elasticity::StressArray<double, typename Types::Space>>(levels.front().tets);
   return bytes;
 }
 
 template <class Space>
-RunBytes bytes_in(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
+RunBytes bytes_on(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
                   SceneKind scene) {
   if (scene == SceneKind::explicit_dynamics) {
     return settings.precision == fem::TangentPrecision::float64 ? explicit_bytes<double, Space>(levels.front())
                                                                 : explicit_bytes<float, Space>(levels.front());
   }
+  const std::string arrays = arrays_of(scene, settings);
+  if (arrays == "quasistatic") return bytes_with<fem::QuasistaticArrays<Space>>(levels, settings, planes, scene);
+  if (arrays == "quasistatic_matrix_free") {
+    return bytes_with<fem::MatrixFreeArrays<Space>>(levels, settings, planes, scene);
+  }
+  if (arrays == "quasistatic_fixed_corotated") {
+    return bytes_with<fem::FixedCorotatedArrays<Space>>(levels, settings, planes, scene);
+  }
+  if (arrays == "linear_elastic") return bytes_with<fem::LinearElasticArrays<Space>>(levels, settings, planes, scene);
   switch (settings.precision) {
     case fem::TangentPrecision::half:
-      return bytes_in<float, Space, fem::StoredInHalf>(levels, settings, planes, scene);
+      return bytes_with<fem::AllArrays<float, Space, fem::StoredInHalf>>(levels, settings, planes, scene);
     case fem::TangentPrecision::float32:
-      return bytes_in<float, Space, fem::StoredAsComputed>(levels, settings, planes, scene);
+      return bytes_with<fem::AllArrays<float, Space, fem::StoredAsComputed>>(levels, settings, planes, scene);
     case fem::TangentPrecision::float64:
       break;
   }
-  return bytes_in<double, Space, fem::StoredAsComputed>(levels, settings, planes, scene);
+  return bytes_with<fem::AllArrays<double, Space, fem::StoredAsComputed>>(levels, settings, planes, scene);
 }
 
 }  // namespace
 
 RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
                       SceneKind scene) {
-  return settings.device == fem::Device::cuda ? bytes_in<Cuda>(levels, settings, planes, scene)
-                                              : bytes_in<Host>(levels, settings, planes, scene);
+  return settings.device == fem::Device::cuda ? bytes_on<Cuda>(levels, settings, planes, scene)
+                                              : bytes_on<Host>(levels, settings, planes, scene);
 }
 
 }  // namespace physgen::truthcube

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "estimates.h"
-#include "fields.h"
 #include "interrupts.h"
+#include "suspect.h"
 
 namespace physgen::truthcube {
 
@@ -180,7 +180,13 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
     terminal_.line("  rounding ends the solve at a residual of %.2e, above the tolerance of %.2e", result.residual,
                    tolerance_);
   }
-  if (result.smallest_J <= 0) terminal_.text("  some tets are inverted: this equilibrium is none of a real body");
+  if (result.smallest_J <= 0) {
+    const fem::MeshLevel& level = scene_.levels.front();
+    terminal_.text("  " + describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses())));
+    terminal_.text(
+        "  This equilibrium is none of a real body. Try more and smaller --compress steps, more --cells, or --plates "
+        "contact.");
+  }
   compare(compression, positions);
   if (!files_.writes()) return;
   files_.write_step(record_, compression, positions, solver_.stresses());
@@ -199,11 +205,8 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
       "last equilibrium is at %g.\n",
       compression, reason(result.status), result.steps, result.residual, reached);
   const fem::MeshLevel& level = scene_.levels.front();
-  const SuspectTet suspect = find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses());
-  const auto& F = suspect.F;
-  std::fprintf(stderr, "There, tet %d %s: J %.4g, F = [%.6g %.6g %.6g; %.6g %.6g %.6g; %.6g %.6g %.6g].\n", suspect.tet,
-               suspect.is_finite ? "is deformed most" : "has a stress that is not finite", suspect.J, F[0], F[1], F[2],
-               F[3], F[4], F[5], F[6], F[7], F[8]);
+  std::fprintf(stderr, "There, %s.\n",
+               describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses())).c_str());
   std::fputs("Try more and smaller --compress steps, --stepping loads, --precision double, or more --cells.\n", stderr);
   return Outcome::not_converged;
 }

@@ -1,10 +1,14 @@
 // The object array: objects of one generated type in one layout and one memory space, with an object count and a pitch.
 #pragma once
 
+#include <physgen/array_losses.h>
 #include <physgen/buffer.h>
-#include <physgen/copy_fields.h>
-#include <physgen/object_info.h>
-#include <physgen/storage.h>
+#include <physgen/copy.h>
+#include <physgen/detail/copy_fields.h>
+#include <physgen/device.h>
+#include <physgen/initial_values.h>
+#include <physgen/record.h>
+#include <physgen/single_elements.h>
 #include <physgen/view.h>
 
 #include <algorithm>
@@ -45,7 +49,7 @@ class Array {
   explicit Array(index_t size) { resize(size); }
   /// On CUDA and in pinned memory this works in the default stream. @pre work on `other` in other streams is done (see
   /// synchronize())
-  Array(const Array& other) : Array(other.size_) { copy_first(storage(), other.storage(), size_); }
+  Array(const Array& other) : Array(other.size_) { copy_first(untyped(), other.untyped(), size_); }
   Array& operator=(const Array& other) {
     if (this != &other) {
       Array duplicate(other);
@@ -71,7 +75,7 @@ class Array {
   [[nodiscard]] ConstView const_view() const { return view(); }
 
   /// The array without its types, for copy().
-  [[nodiscard]] Storage storage() const {
+  [[nodiscard]] UntypedArray untyped() const {
     return {buffer_.data(), size_,       Layout::padded(size_), pitch(),
             record_bytes,   Space::kind, Object::name,          Object::template fields<Real, Formats>};
   }
@@ -93,8 +97,8 @@ class Array {
                              std::string(Object::name) + "[" + std::to_string(size) + "]");
     resized.size_ = size;
     const index_t kept = std::min(size, size_);
-    copy_first(resized.storage(), storage(), kept);
-    initialize(resized.storage(), kept, Layout::padded(size));  // packs run over padding, too
+    copy_first(resized.untyped(), untyped(), kept);
+    initialize(resized.untyped(), kept, Layout::padded(size));  // packs run over padding, too
     resized.inherit_losses(*this);
     swap(resized);
   }
@@ -107,8 +111,8 @@ class Array {
   /// Element k (in the order of the fields) of object i, through one interface for all types and spaces: for setting
   /// up, looking and testing; kernels use views. On CUDA each call is a transfer.
   /// @throw Error when i or k is out of range
-  [[nodiscard]] double getdata(index_t i, int k) const { return physgen::getdata(storage(), i, k); }
-  void putdata(index_t i, int k, double value) { physgen::putdata(storage(), i, k, value); }
+  [[nodiscard]] double getdata(index_t i, int k) const { return physgen::getdata(untyped(), i, k); }
+  void putdata(index_t i, int k, double value) { physgen::putdata(untyped(), i, k, value); }
 
   void swap(Array& other) noexcept {
     buffer_.swap(other.buffer_);
@@ -145,13 +149,13 @@ template <class... Arrays>
 /// Copies all objects between any two arrays of one object type: layouts, storage formats, precisions and spaces may
 /// differ. Fields that `to` prunes are left out; where `from` does not store a field that `to` has, or `to` stores
 /// nothing of one without pruning it (format/nothing.h), this does not compile.
-/// See copy(const Storage&, const Storage&, Stream) for order and errors.
+/// See copy(const UntypedArray&, const UntypedArray&, Stream) for order and errors.
 template <class Object, class RealTo, class SpaceTo, class LayoutTo, class FormatsTo, class RealFrom, class SpaceFrom,
           class LayoutFrom, class FormatsFrom>
 void copy(Array<Object, RealTo, SpaceTo, LayoutTo, FormatsTo>& to,
           const Array<Object, RealFrom, SpaceFrom, LayoutFrom, FormatsFrom>& from, Stream stream = nullptr) {
   detail::require_copied_fields<Object, FormatsTo, FormatsFrom>();
-  copy(to.storage(), from.storage(), stream);
+  copy(to.untyped(), from.untyped(), stream);
 }
 
 }  // namespace physgen

@@ -3,55 +3,15 @@
 
 #include <physgen/array.h>
 #include <physgen/chunked_transfer.h>
-#include <physgen/host_loop.h>
+#include <physgen/detail/host_loop.h>
+#include <physgen/detail/object_pointers.h>
 
-#include <algorithm>
-#include <functional>
-#include <numeric>
 #include <ranges>
 #include <span>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 namespace physgen {
-
-namespace detail {
-
-template <class T>
-void check_not_null(std::span<T* const> objects, std::string_view object_type) {
-  const auto count = static_cast<index_t>(objects.size());
-  T* const* pointers = objects.data();
-  bool missing = false;
-#pragma omp parallel for simd reduction(|| : missing) if (count > 8192)
-  for (index_t i = 0; i < count; ++i) missing = missing || pointers[i] == nullptr;
-  if (missing) {
-    const auto first = std::find(objects.begin(), objects.end(), nullptr) - objects.begin();
-    throw Error(std::string(object_type) + ": pointer " + std::to_string(first) + " of " + std::to_string(count) +
-                " is null; every object needs one");
-  }
-}
-
-/// Two threads would write one object. @throw Error naming the first pointer that is there a second time
-template <class T>
-void check_different(std::span<T* const> objects, std::string_view object_type) {
-  std::vector<std::size_t> order(objects.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return objects[a] != objects[b] ? std::less<>()(objects[a], objects[b]) : a < b;
-  });
-  std::size_t first = 0, second = objects.size();
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    if (objects[order[k]] != objects[order[k - 1]] || order[k] >= second) continue;
-    first = order[k - 1];
-    second = order[k];
-  }
-  if (second == objects.size()) return;
-  throw Error(std::string(object_type) + ": pointers " + std::to_string(first) + " and " + std::to_string(second) +
-              " of " + std::to_string(objects.size()) + " are the same; an object is scattered to once");
-}
-
-}  // namespace detail
 
 /// Makes `array` hold object_of(i) for i = 0 .. size-1, resized to fit: for handles of any kind. Done when this
 /// returns; on CUDA and in pinned memory behind what is ordered in `stream`, which this waits for. Fields that the
@@ -71,7 +31,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
     Gathered gathered(size);
     const auto view = gathered.view();
     detail::host_loop(size, [&](index_t i) { view.put(i, object_of(i)); });
-    throw_if_falsified(gathered.take_losses(), gathered.storage());
+    throw_if_falsified(gathered.take_losses(), gathered.untyped());
     array = std::move(gathered);
   } else {
     // Packed in chunks, in the array's own form, while the chunk before is transferred.
@@ -79,7 +39,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
     constexpr bool cannot_fail = std::is_nothrow_invocable_v<const ObjectOf&, index_t> && !checked_build;
     const bool in_place = cannot_fail && array.size() == size;
     Gathered fresh(in_place ? 0 : size);
-    const Storage target = in_place ? array.storage() : fresh.storage();
+    const UntypedArray target = in_place ? array.untyped() : fresh.untyped();
     ChunkedUpload upload(target, 0, size, stream);
     Losses losses;
     while (upload.next()) {
@@ -128,7 +88,7 @@ void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const 
     detail::host_loop(view.size(), [&](index_t i) { set(i, view.get(i)); });
   } else {
     using Pinned = Array<Object, Real, PinnedHost, Layout, Formats>;
-    ChunkedDownload download(array.storage(), 0, array.size(), stream);
+    ChunkedDownload download(array.untyped(), 0, array.size(), stream);
     while (download.next()) {
       const typename Pinned::ConstView chunk(download.chunk().base, download.chunk().size, download.chunk().pitch);
       const index_t begin = download.begin();

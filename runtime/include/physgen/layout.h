@@ -1,8 +1,4 @@
-// All layouts. Every one obeys one law with a single pitch: element of `size` bytes at byte offset B of a record,
-//
-//   address(B, i) = base + (i / pitch) * pitch * record_bytes + B * pitch + (i % pitch) * size
-//
-// pitch = 1 is an array of structs, the padded object count a struct of arrays, W an array of structs of W-wide arrays.
+// All layouts. Each of them obeys the law of addresses (layout/address.h) and is stated by one number, its pitch.
 #pragma once
 
 #include <physgen/layout/aos.h>

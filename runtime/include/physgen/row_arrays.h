@@ -2,6 +2,7 @@
 // they connect. Kernels take their view(), a Rows.
 #pragma once
 
+#include <physgen/detail/row_ranges.h>
 #include <physgen/rows.h>
 #include <physgen/topology.h>
 
@@ -18,49 +19,6 @@ struct RowTargets {
   std::string field;  ///< of the entries, which holds the numbers: "element", or "pair.node" of a nested object
   index_t count;      ///< objects of the set: numbers are 0 .. count-1
 };
-
-namespace detail {
-
-/// A row: the entries begin .. end-1.
-struct RowRange {
-  std::int32_t begin, end;
-};
-
-/// Rows that follow each other. @throw Error when a length is negative or there are more entries than an Index can name
-[[nodiscard]] std::vector<RowRange> rows_of_lengths(std::string_view entries, std::span<const index_t> lengths);
-
-/// How many of the pairs, whose first members these are, each row has. @throw Error when one names no row
-[[nodiscard]] std::vector<index_t> lengths_of_pairs(std::string_view entries, index_t rows,
-                                                    std::span<const index_t> row_of_pair);
-
-/// @throw Error when offsets do not begin with 0, ascend, and end with the number of entries
-[[nodiscard]] std::vector<index_t> lengths_of_offsets(std::string_view entries, std::span<const std::int32_t> offsets,
-                                                      std::size_t count);
-
-/// @pre `entries` are host records in Aos
-/// @throw Error when a row is no range of the entries, or an entry of a row does not name a target
-void check_rows(std::span<const RowRange> rows, const Storage& entries, const RowTargets& targets);
-
-/// @throw Error when new numbers are not given for each target, or one exceeds the new count
-void check_new_targets(const Storage& entries, const RowTargets& targets, std::span<const index_t> new_number,
-                       index_t count);
-
-/// Rows chosen from old ones, and which old entry each of theirs is.
-struct ChosenRows {
-  std::vector<RowRange> rows;
-  std::vector<index_t> entries;
-};
-
-/// Row i becomes the old row order[i] (-1: one without entries), less the entries that name a target without a new
-/// number. @param new_number of the targets; empty optional: they all keep theirs
-[[nodiscard]] ChosenRows choose_rows(std::span<const RowRange> rows, const Storage& entries, const std::string& field,
-                                     std::span<const index_t> order,
-                                     std::optional<std::span<const index_t>> new_number);
-
-/// Record i of `to` becomes record numbers[i] of `from`. @pre both are host records in Aos, of one size
-void pick_records(const Storage& to, const Storage& from, std::span<const index_t> numbers);
-
-}  // namespace detail
 
 /// A row of entries for each object of one set; the entries name objects of another set, or of the same one. Every
 /// number has been checked against the size of the set that it indexes. Rows lie one behind the other, in order.
@@ -155,7 +113,7 @@ class RowArrays {
 
   /// Checks all rows anew, after a kernel has written entries.
   /// @throw Error naming row, entry and number when a row is no range of the entries, or an entry names no target
-  void check() const { detail::check_rows(rows_on_host(), on_host(entries_).storage(), targets_); }
+  void check() const { detail::check_rows(rows_on_host(), on_host(entries_).untyped(), targets_); }
 
   /// Row i becomes the old row order[i]. @throw Error when `order` does not name each row once
   void permute(std::span<const index_t> order) {
@@ -171,7 +129,7 @@ class RowArrays {
   void erase(std::span<const index_t> erased) { choose(remaining(size(), erased, title()), {}, targets_.count); }
   /// Adds rows without entries at the end. @throw Error when count is negative
   void append(index_t count) {
-    std::vector<index_t> order(static_cast<std::size_t>(detail::grown_size(std::array{ranges_.storage()}, count)), -1);
+    std::vector<index_t> order(static_cast<std::size_t>(detail::grown_size(std::array{ranges_.untyped()}, count)), -1);
     for (index_t i = 0; i < size(); ++i) order[static_cast<std::size_t>(i)] = i;
     choose(order, {}, targets_.count);
   }
@@ -180,7 +138,7 @@ class RowArrays {
   /// that is gone (-1) are dropped, the others keep their order. See inverse() and new_numbers().
   /// @throw Error when there is not a number for each target, or one is not below `count`
   void renumber(std::span<const index_t> new_number, index_t count) {
-    detail::check_new_targets(entries_.storage(), targets_, new_number, count);
+    detail::check_new_targets(entries_.untyped(), targets_, new_number, count);
     std::vector<index_t> same;
     for (index_t i = 0; i < size(); ++i) same.push_back(i);
     choose(same, new_number, count);
@@ -236,7 +194,7 @@ class RowArrays {
   [[nodiscard]] static RowArrays made(RowTargets targets, const std::vector<detail::RowRange>& rows, const Fill& fill) {
     HostEntries entries(rows.empty() ? 0 : rows.back().end);
     fill(entries);
-    detail::check_rows(rows, entries.storage(), targets);
+    detail::check_rows(rows, entries.untyped(), targets);
     RowArrays result;
     result.targets_ = std::move(targets);
     result.replace(rows, entries);
@@ -246,10 +204,10 @@ class RowArrays {
   void choose(std::span<const index_t> order, std::optional<std::span<const index_t>> new_number, index_t targets) {
     const HostEntries old = on_host(entries_);
     const detail::ChosenRows chosen =
-        detail::choose_rows(rows_on_host(), old.storage(), targets_.field, order, new_number);
+        detail::choose_rows(rows_on_host(), old.untyped(), targets_.field, order, new_number);
     HostEntries entries(static_cast<index_t>(chosen.entries.size()));
-    detail::pick_records(entries.storage(), old.storage(), chosen.entries);
-    if (new_number) physgen::renumber(entries.storage(), targets_.field, *new_number);
+    detail::pick_records(entries.untyped(), old.untyped(), chosen.entries);
+    if (new_number) physgen::renumber(entries.untyped(), targets_.field, *new_number);
     replace(chosen.rows, entries);
     targets_.count = targets;
   }

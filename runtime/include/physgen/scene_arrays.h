@@ -1,5 +1,5 @@
-// What the generated arrays of scenes are made of: arrays with other formats, arrays that programs only read, one
-// record for all objects, and fields that begin as signalling NaN in checked builds.
+// What the generated arrays of scenes are made of: arrays in other layouts and formats, arrays that programs only read,
+// one record for all objects, and fields that begin as signalling NaN in checked builds.
 #pragma once
 
 #include <physgen/layout/uniform.h>
@@ -21,11 +21,48 @@ template <class Object, class Real, class Space, class Layout, class Old, class 
 struct WithFormats<Array<Object, Real, Space, Layout, Old>, Formats> {
   using type = Array<Object, Real, Space, Layout, Formats>;
 };
+template <class Array, class Layout>
+struct WithLayout;
+template <class Object, class Real, class Space, class Old, class Formats, class Layout>
+struct WithLayout<Array<Object, Real, Space, Old, Formats>, Layout> {
+  using type = Array<Object, Real, Space, Layout, Formats>;
+};
 }  // namespace detail
 
 /// The same array, with its fields stored as Formats says.
 template <class Array, class Formats>
 using WithFormats = typename detail::WithFormats<Array, Formats>::type;
+
+/// The same array, with its objects lying as Layout says.
+template <class Array, class Layout>
+using WithLayout = typename detail::WithLayout<Array, Layout>::type;
+
+/// How a group of a scene stores its arrays: as the schemas of their objects say. A struct of one's own in its place
+/// has another array of the same objects for some:
+///   struct EdgesInHalf {
+///     template <class Tag, class Array>
+///     using Of = std::conditional_t<is_named<Tag>("level.edges"), WithFormats<Array, HalfFormats>, Array>;
+///   };
+struct StoredAsDeclared {
+  /// @tparam Tag of the array: Tag::name is its name in the scene, "level.edges"
+  /// @tparam Array as the schema says
+  template <class Tag, class Array>
+  using Of = Array;
+};
+
+/// Whether a tag is that of the array of this name: "level.edges".
+template <class Tag>
+[[nodiscard]] constexpr bool is_named(std::string_view name) {
+  return Tag::name == name;
+}
+
+/// An array of a scene, as Stored has it.
+template <class Stored, class Tag, class Array>
+using StoredArray = typename Stored::template Of<Tag, Array>;
+
+/// The same without the fields that Pruning<Formats> takes away.
+template <class Array, template <class Formats> class Pruning>
+using PrunedArray = WithFormats<Array, Pruning<typename Array::Formats>>;
 
 /// An array that programs read and do not write: its views are read-only. Who fills it copies to it, or takes
 /// contents().
@@ -59,7 +96,9 @@ class UniformArray<Array<Object_, Real, Space, Layout, Formats_>> {
   [[nodiscard]] index_t size() const { return size_; }
   /// Bytes of memory held, padding included.
   [[nodiscard]] index_t bytes() const { return record_.bytes(); }
-  [[nodiscard]] View view() const { return {record_.storage().base, size_, 1}; }
+  /// Of which so many objects are one.
+  [[nodiscard]] static constexpr index_t records(index_t objects) { return std::min(objects, index_t{1}); }
+  [[nodiscard]] View view() const { return {record_.untyped().base, size_, 1}; }
   [[nodiscard]] View const_view() const { return view(); }
   /// The record, as an array of one object, or of none before there were objects: for whoever fills it.
   [[nodiscard]] Record& contents() { return record_; }
@@ -97,31 +136,43 @@ namespace detail {
 /// lies behind the last object stays.
 /// @param fields by name; that of a fixed array of nested objects, "points.x", means all entries
 /// @throw Error when the array has no field of such a name
-inline void start_without_values(const Storage& storage, std::initializer_list<std::string_view> fields) {
-  std::vector<std::byte> image(static_cast<std::size_t>(storage.bytes()));
-  if (image.empty()) return;
-  copy_memory(image.data(), SpaceKind::host, storage.base, storage.space, storage.bytes());
+inline void start_without_values(const UntypedArray& array, std::initializer_list<std::string_view> fields) {
+  std::vector<std::byte> memory(static_cast<std::size_t>(array.bytes()));
+  if (memory.empty()) return;
+  copy_memory(memory.data(), SpaceKind::host, array.base, array.space, array.bytes());
+  UntypedArray image = array;
+  image.base = memory.data();
   for (const std::string_view name : fields) {
     bool is_there = false;
-    for (const FieldInfo& field : storage.fields) {
+    for (const FieldInfo& field : array.fields) {
       if (!detail::is_named(field.name, name)) continue;
       is_there = true;
       const std::uint64_t bits = bits_of_no_value(field.type);
       const int size = element_bytes(field.type);
-      for (index_t i = 0; i < storage.size; ++i) {
+      for (index_t i = 0; i < array.size; ++i) {
         for (int k = 0; k < field.count; ++k) {
-          const index_t at = i / storage.pitch * storage.pitch * storage.record_bytes +
-                             (field.offset + index_t{k} * size) * storage.pitch + i % storage.pitch * size;
-          std::memcpy(image.data() + at, &bits, static_cast<std::size_t>(size));
+          std::memcpy(image.address(i, field.offset + k * size, size), &bits, static_cast<std::size_t>(size));
         }
       }
     }
     if (!is_there) {
-      throw Error(std::string(storage.object) + ": there is no field " + std::string(name) +
+      throw Error(std::string(array.object) + ": there is no field " + std::string(name) +
                   " that could start without a value");
     }
   }
-  copy_memory(storage.base, storage.space, image.data(), SpaceKind::host, storage.bytes());
+  copy_memory(array.base, array.space, image.base, SpaceKind::host, array.bytes());
+}
+
+/// What an array of so many objects holds: its bytes(), without making it. @pre objects >= 0
+template <class Array>
+[[nodiscard]] constexpr index_t bytes_of_array(index_t objects) {
+  if constexpr (requires { typename Array::Record; }) {
+    return bytes_of_array<typename Array::Record>(Array::records(objects));
+  } else {
+    if (objects == 0) return 0;
+    return Array::View::Layout::padded(objects) * Array::record_bytes +
+           (checked_build ? index_t{sizeof(Losses)} : index_t{0});
+  }
 }
 
 /// Makes `array` one of `size` objects with their initial values. In checked builds the fields named begin without one
@@ -132,10 +183,10 @@ void allocate(Array& array, index_t size, [[maybe_unused]] std::initializer_list
   array = Array(size);
   if constexpr (checked_build) {
     if (written_first.size() == 0) return;
-    if constexpr (requires { array.storage(); }) {
-      start_without_values(array.storage(), written_first);
+    if constexpr (requires { array.untyped(); }) {
+      start_without_values(array.untyped(), written_first);
     } else {
-      start_without_values(array.contents().storage(), written_first);
+      start_without_values(array.contents().untyped(), written_first);
     }
   }
 }

@@ -3,71 +3,15 @@
 #pragma once
 
 #include <physgen/array.h>
+#include <physgen/detail/array_sets.h>
 #include <physgen/object_numbers.h>
 
-#include <array>
-#include <concepts>
 #include <span>
-#include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 namespace physgen {
-
-namespace detail {
-
-/// The one size of all arrays. @throw Error naming all when they differ
-[[nodiscard]] index_t common_size(std::span<const Storage> arrays);
-
-/// size + count. @throw Error when count is negative or the sum no number
-[[nodiscard]] index_t grown_size(std::span<const Storage> arrays, index_t count);
-
-/// The names of all arrays, for messages.
-[[nodiscard]] std::string names(std::span<const Storage> arrays);
-
-/// Waits for the default stream where one of the arrays lies in memory that it may work on.
-void wait_for(std::span<const Storage> arrays);
-
-/// Object numbers where the host and, if an array lies there, the device can read them.
-struct Numbers {
-  std::span<const index_t> on_host;  ///< the caller's
-  Buffer on_device;
-
-  Numbers(std::span<const index_t> numbers, std::span<const Storage> arrays);
-};
-
-/// Object i of `to` becomes object order[i] of `from`, as plain bytes. On CUDA ordered in the default stream.
-/// @pre both store the same records in the same space; to.size is the length of `order`, whose numbers are in range
-void pick(const Storage& to, const Storage& from, const Numbers& order);
-
-/// Object begin + i of `to` becomes object i of `from`, as plain bytes. On CUDA ordered in the default stream.
-/// @pre both store the same records in the same space; begin + from.size <= to.size
-void insert(const Storage& to, index_t begin, const Storage& from);
-
-/// Whether both are arrays of one object type.
-template <class A, class B>
-concept SameObject = std::same_as<typename A::Object, typename B::Object>;
-
-/// `other` in the layout, formats, precision and space of To: itself where it has them, else a converted copy.
-template <class To, class Other>
-std::conditional_t<std::same_as<To, Other>, const Other&, To> in_form_of(const Other& other) {
-  if constexpr (std::same_as<To, Other>) {
-    return other;
-  } else {
-    To converted(other.size());
-    copy(converted, other);
-    return converted;
-  }
-}
-
-/// The storages of a tuple of arrays.
-template <class Tuple>
-[[nodiscard]] auto storages(const Tuple& arrays) {
-  return std::apply([](const auto&... array) { return std::array{array.storage()...}; }, arrays);
-}
-
-}  // namespace detail
 
 /// Arrays of one element set, such as all arrays over the tets of a mesh, that change together: object i of each
 /// describes the same element before and after. Object types, layouts, precisions and spaces may differ.
@@ -75,7 +19,7 @@ template <class Tuple>
 /// All new arrays are built before the first of them replaces an old one. So a change that fails, be it that the last
 /// array's memory cannot be had, leaves every array as it was; and while it runs a change needs the memory of the set
 /// once more. Arrays have no spare capacity: each change moves all objects, so collect them into one call. It ends all
-/// views of the arrays. It is ordered in the default stream (storage.h) and done when the call returns.
+/// views of the arrays. It is ordered in the default stream (device.h) and done when the call returns.
 /// @pre work on the arrays in other streams is done (see synchronize())
 template <class... Arrays>
 class ArraySet {
@@ -95,7 +39,7 @@ class ArraySet {
   void append(index_t count) {
     (void)size();
     replace(detail::grown_size(detail::storages(arrays_), count),
-            [](std::size_t, const Storage& to, const Storage& from) { copy_first(to, from, from.size); });
+            [](std::size_t, const UntypedArray& to, const UntypedArray& from) { copy_first(to, from, from.size); });
   }
 
   /// Adds the objects of one other array for each array at the end, converted to its layout, formats, precision and
@@ -110,7 +54,7 @@ class ArraySet {
     detail::wait_for(given);  // of which those that lie in pinned memory are read at once
     const std::tuple<decltype(detail::in_form_of<Arrays>(others))...> same(detail::in_form_of<Arrays>(others)...);
     const auto added = detail::storages(same);
-    replace(new_size, [&](std::size_t a, const Storage& to, const Storage& from) {
+    replace(new_size, [&](std::size_t a, const UntypedArray& to, const UntypedArray& from) {
       copy_first(to, from, old_size);
       detail::insert(to, old_size, added[a]);
     });
@@ -143,7 +87,7 @@ class ArraySet {
   void pick(std::span<const index_t> order) {
     const detail::Numbers numbers(order, detail::storages(arrays_));
     replace(static_cast<index_t>(order.size()),
-            [&](std::size_t, const Storage& to, const Storage& from) { detail::pick(to, from, numbers); });
+            [&](std::size_t, const UntypedArray& to, const UntypedArray& from) { detail::pick(to, from, numbers); });
   }
 
   // Builds an array of `size` objects for each old one with fill(which, new, old), then swaps all of them in.
@@ -192,12 +136,12 @@ void erase(Array<Object, Real, Space, Layout, Formats>& array, std::span<const i
 /// @param field its name in the schema, such as "nodes"; "svd.rank" for one of a nested object
 /// @throw Error when there is no such field of indices; or when an index is out of range of new_number, or names an
 ///        object that is gone (-1): the message names the first such object and its index. Nothing is changed then.
-void renumber(const Storage& storage, std::string_view field, std::span<const index_t> new_number);
+void renumber(const UntypedArray& untyped, std::string_view field, std::span<const index_t> new_number);
 
 template <class Object, class Real, class Space, class Layout, class Formats>
 void renumber(Array<Object, Real, Space, Layout, Formats>& array, std::string_view field,
               std::span<const index_t> new_number) {
-  renumber(array.storage(), field, new_number);
+  renumber(array.untyped(), field, new_number);
 }
 
 }  // namespace physgen

@@ -1,12 +1,12 @@
 // A view: what a kernel holds of an array. A trivially copyable value of two words and, for Soa, the pitch.
 #pragma once
 
-#include <physgen/cursor.h>
+#include <physgen/detail/cursor.h>
 #include <physgen/error.h>
 #include <physgen/layout.h>
+#include <physgen/object_ref.h>
 #include <physgen/space.h>
 
-#include <concepts>
 #include <cstdio>
 #include <string>
 
@@ -28,37 +28,6 @@ inline constexpr bool stores_all_fields = [] {
 }();
 
 }  // namespace detail
-
-/// References to objects that are read as `Value`: of any layout and format.
-template <class Ref, class Value>
-concept ReadsAs = requires(const Ref& ref) {
-  { ref.get() } -> std::same_as<const Value>;
-};
-
-/// Copies the object(s) that `from` refers to; what generated references are assigned by. @return to
-template <class Ref, class From>
-PHYSGEN_FUNCTION const Ref& assign(const Ref& to, const From& from) {
-  to.put(from.get());
-  return to;
-}
-
-/// Exchanges the objects that two references refer to: `swap(view[i], view[j])`.
-template <class Ref>
-  requires ReadsAs<Ref, typename Ref::Value>
-PHYSGEN_FUNCTION void swap(const Ref& a, const Ref& b) {
-  const auto before = a.get();
-  a.put(b.get());
-  b.put(before);
-}
-
-/// Elements that are stored as they are computed, of single objects: `swap(view[i].m(), view[j].m())`.
-template <class T>
-  requires std::is_arithmetic_v<T>
-PHYSGEN_FUNCTION void swap(T& a, T& b) {
-  const T before = a;
-  a = b;
-  b = before;
-}
 
 /// @tparam Object a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double; const for a read-only view

@@ -1,12 +1,12 @@
 // Changes of topology in CUDA memory: objects picked by number as plain bytes, and indices renumbered.
 #include <physgen/cuda/check.h>
 #include <physgen/cuda/parallel_for.h>
+#include <physgen/device.h>
 
 #include <algorithm>
 
-#include "../backend.h"
-#include "../backend_topology.h"
-#include "stream_memory.h"
+#include "../backend/topology.h"
+#include "parts/stream_memory.h"
 
 namespace physgen::backend {
 
@@ -50,13 +50,13 @@ struct PickWords {
 };
 
 template <int kBytes>
-void pick_words(const Storage& to, index_t begin, const Storage& from, const Picked& picked, index_t count,
+void pick_words(const UntypedArray& to, index_t begin, const UntypedArray& from, const Picked& picked, index_t count,
                 Stream stream) {
   const int words = to.record_bytes / kBytes;
   parallel_for(Cuda{}, count * words, PickWords<kBytes>{to.base, from.base, picked, begin, words}, stream);
 }
 
-void pick_records(const Storage& to, index_t begin, const Storage& from, const Picked& picked, index_t count,
+void pick_records(const UntypedArray& to, index_t begin, const UntypedArray& from, const Picked& picked, index_t count,
                   Stream stream) {
   if (to.record_bytes % 16 == 0) {
     pick_words<16>(to, begin, from, picked, count, stream);
@@ -94,7 +94,8 @@ struct Renumber {
 
 }  // namespace
 
-void pick(const Storage& to, index_t begin, const Storage& from, Picked picked, index_t count, Stream stream) {
+void pick(const UntypedArray& to, index_t begin, const UntypedArray& from, Picked picked, index_t count,
+          Stream stream) {
   if (to.pitch == 1 && from.pitch == 1) {
     pick_records(to, begin, from, picked, count, stream);
     return;
@@ -108,20 +109,19 @@ void pick(const Storage& to, index_t begin, const Storage& from, Picked picked, 
   }
 }
 
-index_t first_not_renumbered(const Storage& storage, const FieldInfo& field, const detail::NewNumbers& numbers) {
-  auto first = static_cast<unsigned long long>(storage.size);
+index_t first_not_renumbered(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers) {
+  auto first = static_cast<unsigned long long>(array.size);
   const cuda::StreamMemory memory(sizeof first, nullptr);
   auto* on_device = reinterpret_cast<unsigned long long*>(memory.data());
   check(cudaMemcpyAsync(on_device, &first, sizeof first, cudaMemcpyHostToDevice, nullptr), "preparing a check");
-  parallel_for(Cuda{}, storage.size,
-               FindNotRenumbered{Addressing(storage), field.offset, field.count, numbers, on_device});
+  parallel_for(Cuda{}, array.size, FindNotRenumbered{Addressing(array), field.offset, field.count, numbers, on_device});
   check(cudaMemcpyAsync(&first, on_device, sizeof first, cudaMemcpyDeviceToHost, nullptr), "checking indices");
   synchronize();
   return static_cast<index_t>(first);
 }
 
-void renumber(const Storage& storage, const FieldInfo& field, const detail::NewNumbers& numbers) {
-  parallel_for(Cuda{}, storage.size, Renumber{Addressing(storage), field.offset, field.count, numbers});
+void renumber(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers) {
+  parallel_for(Cuda{}, array.size, Renumber{Addressing(array), field.offset, field.count, numbers});
   synchronize();
 }
 

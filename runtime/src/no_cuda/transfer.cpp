@@ -1,31 +1,28 @@
-// Transfers in chunks in a build without CUDA: there is nowhere to transfer to.
+// Transfers in a build without CUDA: there is nowhere to transfer to.
+#include "../backend/transfer.h"
+
 #include <physgen/chunked_transfer.h>
 #include <physgen/error.h>
 
-#include "reason.h"
+#include "parts/reason.h"
 
 namespace physgen {
 
-struct ChunkedUpload::State {
-  Storage chunk;
-};
-ChunkedUpload::ChunkedUpload(const Storage& /*to*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+index_t backend::convert(const UntypedArray& /*to*/, const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/,
+                         Stream /*stream*/) {
   throw Error(backend::reason);
 }
-ChunkedUpload::~ChunkedUpload() = default;
-bool ChunkedUpload::next() { return false; }
-const Storage& ChunkedUpload::chunk() const { return state_->chunk; }
-index_t ChunkedUpload::begin() const { return 0; }
 
-struct ChunkedDownload::State {
-  Storage chunk;
+struct ChunkedTransfer::State {
+  UntypedArray chunk;
 };
-ChunkedDownload::ChunkedDownload(const Storage& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+ChunkedTransfer::ChunkedTransfer(const UntypedArray& /*array*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
   throw Error(backend::reason);
 }
-ChunkedDownload::~ChunkedDownload() = default;
+ChunkedTransfer::~ChunkedTransfer() = default;
+const UntypedArray& ChunkedTransfer::chunk() const { return state_->chunk; }
+index_t ChunkedTransfer::begin() const { return 0; }
+bool ChunkedUpload::next() { return false; }
 bool ChunkedDownload::next() { return false; }
-const Storage& ChunkedDownload::chunk() const { return state_->chunk; }
-index_t ChunkedDownload::begin() const { return 0; }
 
 }  // namespace physgen

@@ -1,7 +1,9 @@
 // The highest frequency of a body at rest, by power iterations with the stiffness of linear elasticity and lumped mass.
 #pragma once
 
+#include <fem/solver/all_arrays.h>
 #include <fem/solver/linear_body.h>
+#include <fem/solver/linear_steps.h>
 #include <physgen/executor.h>
 
 #include "moving.h"
@@ -13,17 +15,18 @@ inline double highest_frequency(const MeshLevel& level, const DynamicSettings& s
   const LameParameters lame = lame_parameters(settings.solver.youngs_modulus, settings.solver.poissons_ratio, "a test");
   LevelGraph graph;
   graph.nodes = level.mesh.nodes;
-  LinearBody<double, Host> body(level, graph, false);
+  LinearBody<double, Host> body;
+  fill_linear_body(body, level, graph, {std::vector<Point>(level.rest.size()), {}, {}}, false);
   const auto masses = lumped_masses(level.mesh, level.rest, settings.density);
-  elasticity::NodeForceDifferentialArray<double> product(body.nodes());
+  elasticity::NodeForceDifferentialArray<double> product(level.mesh.nodes);
   const auto u = body.displacements.view();
   const auto begin = random_vectors(masses.size(), 1, 3);
   const auto force = forces_of<double>(body, lame, body.displacements.const_view());
   double square = 0;
   for (int k = 0; k <= iterations; ++k) {
-    if (k > 0) parallel_for(Host{}, body.nodes(), MultiplyLinear{force, product.view()});
+    if (k > 0) parallel_for(Host{}, product.size(), MultiplyLinear{force, product.view()});
     double length = 0, work = 0;
-    for (index_t n = 0; n < body.nodes(); ++n) {
+    for (index_t n = 0; n < product.size(); ++n) {
       for (int c = 0; c < 3; ++c) {
         const auto node = std::size_t(n), component = std::size_t(c);
         double& own = u[n].dx()[c];
@@ -39,7 +42,7 @@ inline double highest_frequency(const MeshLevel& level, const DynamicSettings& s
       }
     }
     if (k > 0) square = work;  // u.K u / u.M u, u.M u being 1
-    for (index_t n = 0; n < body.nodes(); ++n) {
+    for (index_t n = 0; n < product.size(); ++n) {
       for (int c = 0; c < 3; ++c) u[n].dx()[c] /= std::sqrt(length);
     }
   }

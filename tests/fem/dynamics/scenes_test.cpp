@@ -2,12 +2,22 @@
 #include <explicit_dynamics.scene.h>
 #include <fem/dynamics/explicit.h>
 #include <fem/dynamics/explicit_body.h>
+#include <fem/solver/host_points.h>
+#include <fem/solver/inertia_arrays.h>
 #include <fem/solver/linear_body.h>
 #include <fem/solver/node_vectors.h>
 #include <gtest/gtest.h>
+#include <implicit_dynamics.scene.h>
 #include <linear_elastic.scene.h>
 #include <physgen/executor.h>
+#include <scenes/explicit_dynamics.h>
+#include <scenes/implicit_dynamics.h>
+#include <scenes/linear_elastic.h>
 
+#include <algorithm>
+#include <cstring>
+
+#include "../solver/scene_groups.h"
 #include "moving.h"
 
 namespace physgen::fem {
@@ -26,20 +36,11 @@ TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
 
   const auto solver = make_explicit_solver(level, body.loading, settings);
   solver->set_positions(begin);
-  const ExplicitBody<float, Host> given(level, body.loading, lumped_masses(level.mesh, level.rest, density));
   scenes::explicit_dynamics_scene::Body<> scene;
-  scene.allocate({.tet = given.tets.size(), .node = given.nodes(), .corner = given.node_tets.size()});
-  copy(scene.tets, given.tets);
-  copy(scene.rest, given.rest);
-  copy(scene.node_tet_ranges, given.node_tet_ranges);
-  copy(scene.node_tets, given.node_tets);
-  copy(scene.constraints, given.constraints);
-  copy(scene.masses, given.masses);
-  copy(scene.loads, given.loads);
-  copy(scene.motion, given.motion);
+  fill_explicit_body(scene, level, body.loading, lumped_masses(level.mesh, level.rest, density), false);
   store_displacements(sum(begin, level.rest, -1), scene.displacements);
   store_displacements(sum(begin, level.rest, -1), scene.rounded);
-  EXPECT_LE(scene.bytes(), given.bytes());
+  EXPECT_EQ(scene.bytes(), solver->bytes());
 
   HostExecutor on;
   const auto material = NeoHookean<float>::from(young, 0.4);
@@ -48,9 +49,67 @@ TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
     scenes::explicit_dynamics::program(on, scene, material, step);
     (void)solver->step(step.length, step.load);
   }
-  EXPECT_GT(solver->measure().kinetic, 0);
+  const MotionMeasure measured = solver->measure();
+  EXPECT_GT(measured.kinetic, 0);
+  EXPECT_GT(measured.elastic, 0);
+  EXPECT_EQ(on.value(scene.measured).kinetic, measured.kinetic);
+  EXPECT_EQ(on.value(scene.measured).elastic, measured.elastic);
   EXPECT_EQ(plain_velocities(scene.velocities), solver->velocities());
   EXPECT_EQ(sum(plain_displacements(scene.displacements), level.rest), solver->positions());
+}
+
+TEST(Scenes, implicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_solver) {
+  namespace scene = scenes::implicit_dynamics_scene;
+  const Body body = make_truth_cube_body(8, true);
+  DynamicSettings settings = moving_settings("stable-neo-hookean", young, 0.45);
+  settings.solver.precision = TangentPrecision::float32;
+  settings.solver.newton.tolerance = 1e-6;
+  settings.solver.nested = false;
+  settings.damping = 3;
+  const auto start = random_vectors(body.levels[0].rest.size(), 0.05, 4);
+  const auto solver = make_implicit_solver(body.levels, body.loading, settings);
+  solver->set_velocities(start);
+
+  SceneGroups<scene::Body<>, scene::Patches<>, scene::Chunk<>, scene::Level<>, scene::Krylov<>> groups(body,
+                                                                                                       settings.solver);
+  ASSERT_GE(groups.levels.size(), 2U) << "else no coarser level has inertia";
+  std::vector<double> masses = lumped_masses(body.levels[0].mesh, body.levels[0].rest, density);
+  const double largest_mass = std::ranges::max(masses), dt = 2e-3;
+  std::vector<scene::Inertia<>> inertia;
+  for (std::size_t l = 0; l < groups.levels.size(); ++l) {
+    inertia.push_back(InertiaOver<scene::Inertia<>>(masses, l == 0));
+    if (l + 1 < groups.levels.size()) {
+      masses = coarsened_masses(masses, body.levels[l].parents, body.levels[l + 1].mesh.nodes);
+    }
+  }
+  store_velocities(start, inertia[0].velocities);
+  inertia[0].measured.view()[0].elastic() = 0;
+  groups.facts.node_stiffness =
+      node_stiffness(settings.solver, false, groups.spacing) + largest_mass * (1 / dt + settings.damping) / dt;
+
+  HostExecutor on;
+  const auto material = StableNeoHookean<double>::from(young, 0.45);
+  for (int k = 1; k <= 3; ++k) {
+    const TimeStep step{dt, 0.02 * k, settings.damping};
+    const NewtonResult expected = solver->step(step.length, step.load);
+    ASSERT_EQ(expected.status, NewtonStatus::converged);
+    const NewtonResult found =
+        scenes::implicit_dynamics::program(on, groups.body, groups.patches, groups.chunk, groups.levels, inertia,
+                                           groups.krylov, material, settings.solver, groups.facts, step);
+    EXPECT_EQ(found.steps, expected.steps);
+    EXPECT_EQ(found.iterations, expected.iterations);
+    EXPECT_GT(found.iterations, 0);
+    settings.solver.newton.start_load = step.load;
+    settings.solver.newton.last_reaction = found.reaction;
+  }
+  EXPECT_EQ(plain_velocities(inertia[0].velocities), solver->velocities());
+  const auto positions = solver->positions();
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Eigen::Vector3d x = groups.body.positions.view()[index_t(n)].x();
+    ASSERT_EQ(std::memcmp(x.data(), positions[n].data(), sizeof positions[n]), 0) << n;
+  }
+  EXPECT_EQ(double{inertia[0].measured.view()[0].kinetic()}, solver->measure().kinetic);
+  EXPECT_GT(solver->measure().kinetic, 0);
 }
 
 TEST(Scenes, linear_elastic_over_its_generated_arrays_gives_the_bits_of_the_solver) {
@@ -68,31 +127,29 @@ TEST(Scenes, linear_elastic_over_its_generated_arrays_gives_the_bits_of_the_solv
 
   LevelGraph graph;
   graph.nodes = level.mesh.nodes;
-  LinearBody<float, Host> given(level, graph, false);
-  store_loading(given, level, body.loading.motion, {});
   namespace scene = scenes::linear_elastic_scene;
-  scene::Body<> arrays;
+  scene::Linear<> linear;
   scene::Level<> preconditioner;
-  scene::Vectors<> vectors;
-  const index_t nodes = given.nodes();
-  arrays.allocate({.tet = given.tets.size(), .node = nodes, .corner = given.node_tets.size()});
-  preconditioner.allocate({.node = nodes});
+  scene::Krylov<> vectors;
+  scene::Stresses<> stresses;
+  fill_linear_body(linear, level, graph, body.loading, false);
+  const index_t nodes = level.mesh.nodes;
+  preconditioner.allocate({.node = nodes, .block_node = nodes});
   vectors.allocate({.node = nodes});
-  copy(arrays.tets, given.tets);
-  copy(arrays.rest, given.rest);
-  copy(arrays.node_tet_ranges, given.node_tet_ranges);
-  copy(arrays.node_tets, given.node_tets);
-  copy(arrays.motion, given.motion);
-  copy(arrays.loads, given.loads);
+  stresses.allocate({.tet = linear.tets.size()});
   quasistatic::NodeConstraintArray<float> constraints(nodes);
   for (index_t n = 0; n < nodes; ++n) constraints.view()[n].fixed() = level.fixed[std::size_t(n)];
   copy(preconditioner.constraints, constraints);
 
   HostExecutor on;
-  scenes::linear_elastic::program(on, arrays, preconditioner, vectors, lame_parameters(young, 0.4, "a test"), 0.1,
-                                  0.03 * settings.newton.tolerance, settings.newton.most_iterations);
+  scenes::linear_elastic::program(on, linear, preconditioner, vectors, stresses, lame_parameters(young, 0.4, "a test"),
+                                  0.1, 0.03 * settings.newton.tolerance, settings.newton.most_iterations);
   EXPECT_EQ(int{on.value(vectors.state).iterations}, result.iterations);
-  EXPECT_EQ(sum(plain_displacements(arrays.displacements), level.rest), solver->positions());
+  EXPECT_EQ(sum(plain_displacements(linear.displacements), level.rest), solver->positions());
+  EXPECT_EQ(plain_forces(linear.forces), solver->forces());
+  EXPECT_EQ(plain_stresses(stresses.of_tets), solver->stresses());
+  EXPECT_EQ(on.value(linear.state).smallest_ratio, result.smallest_J);
+  EXPECT_LE(linear.bytes() + preconditioner.bytes() + vectors.bytes(), solver->bytes());
 }
 
 }  // namespace

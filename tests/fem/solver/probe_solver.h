@@ -18,11 +18,13 @@ void solver_program(On& on) {
   using Space = typename On::Space;
   ProbeEquilibrium<Real, Space> body;
   std::vector<std::unique_ptr<ProbeLevel<Real, Space, Stored>>> levels;
-  levels.push_back(std::make_unique<ProbeLevel<Real, Space, Stored>>());
+  using Level = ProbeLevel<Real, Space, Stored>;
+  levels.push_back(std::make_unique<Level>(scenes::everything_scene::Level<Space, Real, Probed<Stored>>()));
   ProbeVectors<Real, Space> vectors;
   MaterialSteps<NeoHookean<double>> steps(NeoHookean<double>::from(1e5, 0.4), false);
   typename On::Loop loop;
-  levels[0]->inertia = std::make_unique<ProbeInertia<Space>>();
+  levels[0]->inertia = std::make_unique<ProbeInertia<Space, Real>>(
+      scenes::everything_scene::Inertia<Space, Real, Probed<StoredAsDeclared>>());
   (void)implicit_step(on, loop, body, levels, vectors, steps, NewtonSettings{}, TimeStep{}, true);
 }
 
@@ -31,7 +33,7 @@ void solver_program(On& on) {
 inline std::set<std::string> fields_read_only() {
   std::set<std::string> fields;
   for (const probe::FieldAccess& row : probe::registered()) {
-    const bool of_a_list = row.array.ends_with(".ranges") || row.array.ends_with(".entries");
+    const bool of_a_list = row.array.ends_with("_ranges") || row.array.ends_with("_entries");
     if (row.read && !row.written && !of_a_list) fields.insert(row.array + "." + row.field);
   }
   return fields;

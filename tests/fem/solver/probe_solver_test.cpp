@@ -1,8 +1,7 @@
 // What the solver on the CPU reads and writes.
 #include "probe_solver.h"
 
-#include <fem/solver/product_host.h>
-#include <fem/solver/schwarz_host.h>
+#include <fem/solver/performed_steps.h>
 
 namespace physgen::fem::test {
 namespace {
@@ -15,7 +14,7 @@ class ProbesOfTheSolver : public testing::Test {
   }
 };
 
-// By hand: what EquilibriumArrays, LinearLevel and their parts are given when they are made.
+// By hand: what EquilibriumOver, LevelOver and their parts are given when they are made.
 TEST_F(ProbesOfTheSolver, read_without_writing_what_the_solver_is_given_and_nothing_else) {
   const std::set<std::string> given{"body.tets.nodes",
                                     "body.rest.x",

@@ -1,6 +1,6 @@
 // The operator of the multilevel Schwarz preconditioner by itself: against dense algebra, and what it makes of blocks
 // that are not positive definite.
-#include <fem/solver/linear_level.h>
+#include <fem/solver/all_arrays.h>
 #include <fem/solver/scaled_blocks.h>
 #include <fem/solver/schwarz_host.h>
 #include <fem/solver/tangent_blocks.h>

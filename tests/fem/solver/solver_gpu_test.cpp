@@ -1,7 +1,7 @@
 // The solver on CUDA against the solver on the CPU, and against itself.
 #include <fem/solver/background_grid.h>
 #include <gtest/gtest.h>
-#include <physgen/storage.h>
+#include <physgen/device.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -12,7 +12,6 @@
 #include "emit/emitter.h"
 #include "frontend/frontend.h"
 #include "layout_picture.h"
-#include "model/json.h"
 #include "plan/plan.h"
 
 namespace physgen {
@@ -143,13 +142,12 @@ int run(int count, char** arguments) {
   const std::string folder = arguments[1];
   write(folder + "/all.h", schema_text());
   frontend::ParseOptions options;
+  options.objections = emit::emitters().front().objections;
   if (count > 2) options.include_dirs.emplace_back(arguments[2]);
   const auto result = frontend::parse(folder + "/all.h", options);
   std::cerr << result.diagnostics;
   if (!result.schema) return 1;
-  if (model::from_json(model::to_json(*result.schema)) != *result.schema)
-    throw std::runtime_error("JSON does not give the model back");
-  write(folder + "/all.physgen.h", emit::accessor_header(*result.schema));
+  write(folder + "/all.physgen.h", emit::emitters().front().emit(*result.schema));
   write(folder + "/all.cpp", program_text(*result.schema));
   command::LayoutRequest request;
   request.space = "host";

@@ -1,11 +1,27 @@
 // Accessor classes of the object types in everything.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_EVERYTHING_H_26A5FF71BFE41386
-#define PHYSGEN_EVERYTHING_H_26A5FF71BFE41386
+//
+// Of each object type X:
+//   X<Real> is the value of one object, all its fields. Real is float, double, or a SIMD batch of one of them.
+//   XFormats<Space> says how each field is stored in a memory space. To change a field's format, derive a struct from
+//   it, redeclare the field's alias there, and pass the struct as the last argument of XArray.
+//   XProbe are formats that tell reads and writes apart for the array that the tag ArrayTag names; see
+//   <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+//   XRecord<Real, Formats> says where each field lies in the record of one object, and as what.
+//   XRef<Real, Formats, Cursor> has the accessors of one object of an array, or of those under a SIMD index: a function
+//   for each field; get() and put() load and store all of them.
+//   XObject is what the runtime knows of the type; XView and XArray are what programs name.
+//
+// The static_asserts compare what physgen planned with what the compiler finds, with Real = float and with Real =
+// double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
+// and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
+// inside its tile.
+#ifndef PHYSGEN_EVERYTHING_H_336BE2E398A348F0
+#define PHYSGEN_EVERYTHING_H_336BE2E398A348F0
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 4
-#error "everything.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 5
+#error "everything.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 #include "materials.physgen.h"
@@ -15,7 +31,6 @@ namespace tissue {
 // ---- Stamp ----------------------------------------------------------------------------------------------------------
 
 /// A moment, of a namespace around those of the others.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Stamp {
   /// [s]
@@ -23,8 +38,6 @@ struct Stamp {
   physgen::same_lanes_t<Real, std::int32_t> step;
 };
 
-/// How the fields of one Stamp are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of StampArray.
 template <class Space>
 struct StampFormats {
   using time = physgen::format::Native;
@@ -32,8 +45,6 @@ struct StampFormats {
 };
 
 struct StampObject;
-/// StampFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
-/// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = StampFormats<physgen::Host>, class Object = StampObject, int first = 0>
 struct StampProbe {
   using array_ = ArrayTag;
@@ -41,75 +52,35 @@ struct StampProbe {
   using step = physgen::Probe<ArrayTag, Object, first + 1, typename Base::step>;
 };
 
-/// Where each field begins in the record of one Stamp [bytes].
 template <class Real, class Formats>
 struct StampRecord {
-  static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::time, double>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::step, std::int32_t>(),
-  }});
-  static constexpr int time = plan_.offset[0];
-  static constexpr int step = plan_.offset[1];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using time = physgen::StoredField<StampRecord, 0, physgen::shape::Scalar, typename Formats::time, double>;
+  using step = physgen::StoredField<StampRecord, 1, physgen::shape::Scalar, typename Formats::step, std::int32_t>;
+  using fields_ = physgen::RecordFields<time, step>;
 };
 
-/// One Stamp of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class StampRef {
+struct StampRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = StampRecord<Real, Formats>;
-
- public:
   using Value = Stamp<typename Cursor::template Lanes<Real>>;
 
-  PHYSGEN_FUNCTION explicit StampRef(const Cursor& cursor) : at_(cursor) {}
-  StampRef(const StampRef&) = default;
-  StampRef& operator=(const StampRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const StampRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
-
   /// [s]
-  PHYSGEN_FUNCTION decltype(auto) time() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::time, double>(Record::time);
-  }
-  PHYSGEN_FUNCTION decltype(auto) step() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::step, std::int32_t>(Record::step);
-  }
+  PHYSGEN_FUNCTION decltype(auto) time() const { return this->field_(typename Record::time(), Record::time::offset); }
+  PHYSGEN_FUNCTION decltype(auto) step() const { return this->field_(typename Record::step(), Record::step::offset); }
 
-  PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    value.time = time();
-    value.step = step();
-    return value;
-  }
+  PHYSGEN_FUNCTION const Value get() const { return {time(), step()}; }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     time() = value.time;
     step() = value.step;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Stamp.
-struct StampObject {
+struct StampObject : physgen::ObjectTag<Stamp, StampFormats, StampRecord, StampRef> {
   static constexpr std::string_view name = "tissue::Stamp";
-  template <class Real>
-  using Value = Stamp<Real>;
+  static constexpr std::array<physgen::FieldText, 2> texts = {{{"time", "s"}, {"step"}}};
   template <class Real, class Formats>
-  using Record = StampRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = StampRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::time, double>(
-        "time", "s", StampRecord<Real, Formats>::time, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::step, std::int32_t>(
-        "step", "", StampRecord<Real, Formats>::step, 1, 0.0),
-  }};
-  template <class Space>
-  using Formats = StampFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = StampProbe<ArrayTag, Base>;
 };
@@ -120,12 +91,7 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StampObject, Space>>
 using StampArray = physgen::Array<StampObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<StampObject, float, StampFormats<physgen::Host>>(12, 8, {0, 8}));
-static_assert(physgen::is_sound_record<StampObject, double, StampFormats<physgen::Host>>(12, 8, {0, 8}));
+static_assert(physgen::are_sound_records<StampObject, physgen::Host>({12, 8, {0, 8}}, {12, 8, {0, 8}}));
 
 }  // namespace tissue
 
@@ -134,7 +100,6 @@ namespace tissue::model {
 // ---- Shapes ---------------------------------------------------------------------------------------------------------
 
 /// Every structure, with elements of every type.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Shapes {
   /// Scalar.
@@ -157,13 +122,11 @@ struct Shapes {
   /// principal directions. Rotation, 9 stored.
   Eigen::Matrix<Real, 3, 3> U;
   /// Rotation, 9 stored.
-  Eigen::Matrix<physgen::same_lanes_t<Real, float>, 3, 3> V;
+  Eigen::Matrix<Real, 3, 3> V;
   Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> count;
   Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> M;
 };
 
-/// How the fields of one Shapes are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of ShapesArray.
 template <class Space>
 struct ShapesFormats {
   using a = physgen::format::Native;
@@ -183,8 +146,6 @@ struct ShapesFormats {
 };
 
 struct ShapesObject;
-/// ShapesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
-/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = ShapesFormats<physgen::Host>, class Object = ShapesObject, int first = 0>
 struct ShapesProbe {
   using array_ = ArrayTag;
@@ -204,127 +165,64 @@ struct ShapesProbe {
   using M = physgen::Probe<ArrayTag, Object, first + 13, typename Base::M>;
 };
 
-/// Where each field begins in the record of one Shapes [bytes].
 template <class Real, class Formats>
 struct ShapesRecord {
-  static constexpr auto plan_ = physgen::plan_record<14>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::a, Real>(),
-    physgen::slot<physgen::shape::Vector<3>, typename Formats::v, Real>(),
-    physgen::slot<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(),
-    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),
-    physgen::slot<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(),
-    physgen::slot<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(),
-    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::K, Real>(),
-    physgen::slot<physgen::shape::Symmetric<2>, typename Formats::C2, double>(),
-    physgen::slot<physgen::shape::Diagonal<3>, typename Formats::s, Real>(),
-    physgen::slot<physgen::shape::Skew<3>, typename Formats::W, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::U, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::V, float>(),
-    physgen::slot<physgen::shape::Vector<2>, typename Formats::count, std::int32_t>(),
-    physgen::slot<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(),
-  }});
-  static constexpr int a = plan_.offset[0];
-  static constexpr int v = plan_.offset[1];
-  static constexpr int nodes = plan_.offset[2];
-  static constexpr int F = plan_.offset[3];
-  static constexpr int B = plan_.offset[4];
-  static constexpr int row = plan_.offset[5];
-  static constexpr int K = plan_.offset[6];
-  static constexpr int C2 = plan_.offset[7];
-  static constexpr int s = plan_.offset[8];
-  static constexpr int W = plan_.offset[9];
-  static constexpr int U = plan_.offset[10];
-  static constexpr int V = plan_.offset[11];
-  static constexpr int count = plan_.offset[12];
-  static constexpr int M = plan_.offset[13];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using a = physgen::StoredField<ShapesRecord, 0, physgen::shape::Scalar, typename Formats::a, Real>;
+  using v = physgen::StoredField<ShapesRecord, 1, physgen::shape::Vector<3>, typename Formats::v, Real>;
+  using nodes = physgen::StoredField<ShapesRecord, 2, physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>;
+  using F = physgen::StoredField<ShapesRecord, 3, physgen::shape::Matrix<3, 3>, typename Formats::F, Real>;
+  using B = physgen::StoredField<ShapesRecord, 4, physgen::shape::Matrix<2, 3>, typename Formats::B, Real>;
+  using row = physgen::StoredField<ShapesRecord, 5, physgen::shape::Matrix<1, 4>, typename Formats::row, Real>;
+  using K = physgen::StoredField<ShapesRecord, 6, physgen::shape::Symmetric<3>, typename Formats::K, Real>;
+  using C2 = physgen::StoredField<ShapesRecord, 7, physgen::shape::Symmetric<2>, typename Formats::C2, double>;
+  using s = physgen::StoredField<ShapesRecord, 8, physgen::shape::Diagonal<3>, typename Formats::s, Real>;
+  using W = physgen::StoredField<ShapesRecord, 9, physgen::shape::Skew<3>, typename Formats::W, Real>;
+  using U = physgen::StoredField<ShapesRecord, 10, physgen::shape::Rotation, typename Formats::U, Real>;
+  using V = physgen::StoredField<ShapesRecord, 11, physgen::shape::Rotation, typename Formats::V, Real>;
+  using count = physgen::StoredField<
+      ShapesRecord, 12, physgen::shape::Vector<2>, typename Formats::count, std::int32_t>;
+  using M = physgen::StoredField<ShapesRecord, 13, physgen::shape::Matrix<2, 2>, typename Formats::M, double>;
+  using fields_ = physgen::RecordFields<a, v, nodes, F, B, row, K, C2, s, W, U, V, count, M>;
 };
 
-/// One Shapes of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class ShapesRef {
+struct ShapesRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = ShapesRecord<Real, Formats>;
-
- public:
   using Value = Shapes<typename Cursor::template Lanes<Real>>;
 
-  PHYSGEN_FUNCTION explicit ShapesRef(const Cursor& cursor) : at_(cursor) {}
-  ShapesRef(const ShapesRef&) = default;
-  ShapesRef& operator=(const ShapesRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const ShapesRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
-
   /// Scalar.
-  PHYSGEN_FUNCTION decltype(auto) a() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::a, Real>(Record::a);
-  }
-  PHYSGEN_FUNCTION decltype(auto) v() const {
-    return at_.template field<physgen::shape::Vector<3>, typename Formats::v, Real>(Record::v);
-  }
+  PHYSGEN_FUNCTION decltype(auto) a() const { return this->field_(typename Record::a(), Record::a::offset); }
+  PHYSGEN_FUNCTION decltype(auto) v() const { return this->field_(typename Record::v(), Record::v::offset); }
   /// corners i, j, k, l
   PHYSGEN_FUNCTION decltype(auto) nodes() const {
-    return at_.template field<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(Record::nodes);
+    return this->field_(typename Record::nodes(), Record::nodes::offset);
   }
   /// deformation gradient [1]
-  PHYSGEN_FUNCTION decltype(auto) F() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);
-  }
-  PHYSGEN_FUNCTION decltype(auto) B() const {
-    return at_.template field<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(Record::B);
-  }
-  PHYSGEN_FUNCTION decltype(auto) row() const {
-    return at_.template field<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(Record::row);
-  }
+  PHYSGEN_FUNCTION decltype(auto) F() const { return this->field_(typename Record::F(), Record::F::offset); }
+  PHYSGEN_FUNCTION decltype(auto) B() const { return this->field_(typename Record::B(), Record::B::offset); }
+  PHYSGEN_FUNCTION decltype(auto) row() const { return this->field_(typename Record::row(), Record::row::offset); }
   /// [N/m]. Symmetric, 6 stored.
-  PHYSGEN_FUNCTION decltype(auto) K() const {
-    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::K, Real>(Record::K);
-  }
+  PHYSGEN_FUNCTION decltype(auto) K() const { return this->field_(typename Record::K(), Record::K::offset); }
   /// Symmetric, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) C2() const {
-    return at_.template field<physgen::shape::Symmetric<2>, typename Formats::C2, double>(Record::C2);
-  }
+  PHYSGEN_FUNCTION decltype(auto) C2() const { return this->field_(typename Record::C2(), Record::C2::offset); }
   /// Diagonal, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) s() const {
-    return at_.template field<physgen::shape::Diagonal<3>, typename Formats::s, Real>(Record::s);
-  }
+  PHYSGEN_FUNCTION decltype(auto) s() const { return this->field_(typename Record::s(), Record::s::offset); }
   /// [1/s]. Skew-symmetric, 3 stored.
-  PHYSGEN_FUNCTION decltype(auto) W() const {
-    return at_.template field<physgen::shape::Skew<3>, typename Formats::W, Real>(Record::W);
-  }
+  PHYSGEN_FUNCTION decltype(auto) W() const { return this->field_(typename Record::W(), Record::W::offset); }
   /// principal directions. Rotation, 9 stored.
-  PHYSGEN_FUNCTION decltype(auto) U() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::U, Real>(Record::U);
-  }
+  PHYSGEN_FUNCTION decltype(auto) U() const { return this->field_(typename Record::U(), Record::U::offset); }
   /// Rotation, 9 stored.
-  PHYSGEN_FUNCTION decltype(auto) V() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::V, float>(Record::V);
-  }
+  PHYSGEN_FUNCTION decltype(auto) V() const { return this->field_(typename Record::V(), Record::V::offset); }
   PHYSGEN_FUNCTION decltype(auto) count() const {
-    return at_.template field<physgen::shape::Vector<2>, typename Formats::count, std::int32_t>(Record::count);
+    return this->field_(typename Record::count(), Record::count::offset);
   }
-  PHYSGEN_FUNCTION decltype(auto) M() const {
-    return at_.template field<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(Record::M);
-  }
+  PHYSGEN_FUNCTION decltype(auto) M() const { return this->field_(typename Record::M(), Record::M::offset); }
 
   PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    value.a = a();
-    value.v = v().get();
-    value.nodes = nodes().get();
-    value.F = F().get();
-    value.B = B().get();
-    value.row = row().get();
-    value.K = K().get();
-    value.C2 = C2().get();
-    value.s = s().get();
-    value.W = W().get();
-    value.U = U().get();
-    value.V = V().get();
-    value.count = count().get();
-    value.M = M().get();
-    return value;
+    return {
+        a(), v().get(), nodes().get(), F().get(), B().get(), row().get(), K().get(), C2().get(), s().get(), W().get(),
+        U().get(), V().get(), count().get(), M().get()};
   }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     a() = value.a;
@@ -342,53 +240,15 @@ class ShapesRef {
     count() = value.count;
     M() = value.M;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Shapes.
-struct ShapesObject {
+struct ShapesObject : physgen::ObjectTag<Shapes, ShapesFormats, ShapesRecord, ShapesRef> {
   static constexpr std::string_view name = "tissue::model::Shapes";
-  template <class Real>
-  using Value = Shapes<Real>;
+  static constexpr std::array<physgen::FieldText, 14> texts = {{
+      {"a"}, {"v"}, {"nodes"}, {"F", "1"}, {"B"}, {"row"}, {"K", "N/m"}, {"C2"}, {"s"}, {"W", "1/s"}, {"U"}, {"V"},
+      {"count"}, {"M"}}};
   template <class Real, class Formats>
-  using Record = ShapesRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = ShapesRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 14> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::a, Real>(
-        "a", "", ShapesRecord<Real, Formats>::a, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::v, Real>(
-        "v", "", ShapesRecord<Real, Formats>::v, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, typename Formats::nodes, std::int32_t>(
-        "nodes", "", ShapesRecord<Real, Formats>::nodes, 1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
-        "F", "1", ShapesRecord<Real, Formats>::F, 1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::B, Real>(
-        "B", "", ShapesRecord<Real, Formats>::B, 1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::row, Real>(
-        "row", "", ShapesRecord<Real, Formats>::row, 1, 0.0),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::K, Real>(
-        "K", "N/m", ShapesRecord<Real, Formats>::K, 1, 0.0),
-    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::C2, double>(
-        "C2", "", ShapesRecord<Real, Formats>::C2, 1, 0.0),
-    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::s, Real>(
-        "s", "", ShapesRecord<Real, Formats>::s, 1, 0.0),
-    physgen::field_info<physgen::shape::Skew<3>, typename Formats::W, Real>(
-        "W", "1/s", ShapesRecord<Real, Formats>::W, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::U, Real>(
-        "U", "", ShapesRecord<Real, Formats>::U, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::V, float>(
-        "V", "", ShapesRecord<Real, Formats>::V, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::count, std::int32_t>(
-        "count", "", ShapesRecord<Real, Formats>::count, 1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::M, double>(
-        "M", "", ShapesRecord<Real, Formats>::M, 1, 0.0),
-  }};
-  template <class Space>
-  using Formats = ShapesFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = ShapesProbe<ArrayTag, Base>;
 };
@@ -400,19 +260,13 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<ShapesObject, Space>>
 using ShapesArray = physgen::Array<ShapesObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<ShapesObject, float, ShapesFormats<physgen::Host>>(
-    292, 8, {56, 60, 72, 88, 124, 148, 164, 0, 188, 200, 212, 248, 284, 24}));
-static_assert(physgen::is_sound_record<ShapesObject, double, ShapesFormats<physgen::Host>>(
-    468, 8, {0, 8, 408, 32, 104, 152, 184, 232, 256, 280, 304, 424, 460, 376}));
+static_assert(physgen::are_sound_records<ShapesObject, physgen::Host>(
+    {292, 8, {56, 60, 72, 88, 124, 148, 164, 0, 188, 200, 212, 248, 284, 24}},
+    {504, 8, {0, 8, 480, 32, 104, 152, 184, 232, 256, 280, 304, 376, 496, 448}}));
 
 // ---- Names ----------------------------------------------------------------------------------------------------------
 
 /// Names that generated code uses elsewhere.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Names {
   Real value;
@@ -436,11 +290,12 @@ struct Names {
   Real element;
   Real nested;
   Real self[2];
+  Real assign;
+  Real texts;
+  Real Inner;
   Eigen::Matrix<Real, 2, 1> tissue;
 };
 
-/// How the fields of one Names are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of NamesArray.
 template <class Space>
 struct NamesFormats {
   using value = physgen::format::Native;
@@ -464,12 +319,13 @@ struct NamesFormats {
   using element = physgen::format::Native;
   using nested = physgen::format::Native;
   using self = physgen::format::Native;
+  using assign = physgen::format::Native;
+  using texts = physgen::format::Native;
+  using Inner = physgen::format::Native;
   using tissue = physgen::format::Native;
 };
 
 struct NamesObject;
-/// NamesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
-/// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = NamesFormats<physgen::Host>, class Object = NamesObject, int first = 0>
 struct NamesProbe {
   using array_ = ArrayTag;
@@ -494,145 +350,112 @@ struct NamesProbe {
   using element = physgen::Probe<ArrayTag, Object, first + 18, typename Base::element>;
   using nested = physgen::Probe<ArrayTag, Object, first + 19, typename Base::nested>;
   using self = physgen::Probe<ArrayTag, Object, first + 20, typename Base::self>;
-  using tissue = physgen::Probe<ArrayTag, Object, first + 21, typename Base::tissue>;
+  using assign = physgen::Probe<ArrayTag, Object, first + 21, typename Base::assign>;
+  using texts = physgen::Probe<ArrayTag, Object, first + 22, typename Base::texts>;
+  using Inner = physgen::Probe<ArrayTag, Object, first + 23, typename Base::Inner>;
+  using tissue = physgen::Probe<ArrayTag, Object, first + 24, typename Base::tissue>;
 };
 
-/// Where each field begins in the record of one Names [bytes].
 template <class Real, class Formats>
 struct NamesRecord {
-  static constexpr auto plan_ = physgen::plan_record<22>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::value, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::entry, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::S, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::R, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::at, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::cursor, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::name, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::fields, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::Layout, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::host, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::plan, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::slot, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::stride, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::offset, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::format, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::Native, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::PerSpace, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::field, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::element, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::nested, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::self, Real>(2),
-    physgen::slot<physgen::shape::Vector<2>, typename Formats::tissue, Real>(),
-  }});
-  static constexpr int value = plan_.offset[0];
-  static constexpr int entry = plan_.offset[1];
-  static constexpr int S = plan_.offset[2];
-  static constexpr int R = plan_.offset[3];
-  static constexpr int at = plan_.offset[4];
-  static constexpr int cursor = plan_.offset[5];
-  static constexpr int name = plan_.offset[6];
-  static constexpr int fields = plan_.offset[7];
-  static constexpr int Layout = plan_.offset[8];
-  static constexpr int host = plan_.offset[9];
-  static constexpr int plan = plan_.offset[10];
-  static constexpr int slot = plan_.offset[11];
-  static constexpr int stride = plan_.offset[12];
-  static constexpr int offset = plan_.offset[13];
-  static constexpr int format = plan_.offset[14];
-  static constexpr int Native = plan_.offset[15];
-  static constexpr int PerSpace = plan_.offset[16];
-  static constexpr int field = plan_.offset[17];
-  static constexpr int element = plan_.offset[18];
-  static constexpr int nested = plan_.offset[19];
-  static constexpr int self = plan_.offset[20];
-  static constexpr int tissue = plan_.offset[21];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using value = physgen::StoredField<NamesRecord, 0, physgen::shape::Scalar, typename Formats::value, Real>;
+  using entry = physgen::StoredField<NamesRecord, 1, physgen::shape::Scalar, typename Formats::entry, Real>;
+  using S = physgen::StoredField<NamesRecord, 2, physgen::shape::Scalar, typename Formats::S, Real>;
+  using R = physgen::StoredField<NamesRecord, 3, physgen::shape::Scalar, typename Formats::R, Real>;
+  using at = physgen::StoredField<NamesRecord, 4, physgen::shape::Scalar, typename Formats::at, Real>;
+  using cursor = physgen::StoredField<NamesRecord, 5, physgen::shape::Scalar, typename Formats::cursor, Real>;
+  using name = physgen::StoredField<NamesRecord, 6, physgen::shape::Scalar, typename Formats::name, Real>;
+  using fields = physgen::StoredField<NamesRecord, 7, physgen::shape::Scalar, typename Formats::fields, Real>;
+  using Layout = physgen::StoredField<NamesRecord, 8, physgen::shape::Scalar, typename Formats::Layout, Real>;
+  using host = physgen::StoredField<NamesRecord, 9, physgen::shape::Scalar, typename Formats::host, Real>;
+  using plan = physgen::StoredField<NamesRecord, 10, physgen::shape::Scalar, typename Formats::plan, Real>;
+  using slot = physgen::StoredField<NamesRecord, 11, physgen::shape::Scalar, typename Formats::slot, Real>;
+  using stride = physgen::StoredField<NamesRecord, 12, physgen::shape::Scalar, typename Formats::stride, Real>;
+  using offset = physgen::StoredField<NamesRecord, 13, physgen::shape::Scalar, typename Formats::offset, Real>;
+  using format = physgen::StoredField<NamesRecord, 14, physgen::shape::Scalar, typename Formats::format, Real>;
+  using Native = physgen::StoredField<NamesRecord, 15, physgen::shape::Scalar, typename Formats::Native, Real>;
+  using PerSpace = physgen::StoredField<NamesRecord, 16, physgen::shape::Scalar, typename Formats::PerSpace, Real>;
+  using field = physgen::StoredField<NamesRecord, 17, physgen::shape::Scalar, typename Formats::field, Real>;
+  using element = physgen::StoredField<NamesRecord, 18, physgen::shape::Scalar, typename Formats::element, Real>;
+  using nested = physgen::StoredField<NamesRecord, 19, physgen::shape::Scalar, typename Formats::nested, Real>;
+  using self = physgen::StoredField<NamesRecord, 20, physgen::shape::Scalar, typename Formats::self, Real, 2>;
+  using assign = physgen::StoredField<NamesRecord, 21, physgen::shape::Scalar, typename Formats::assign, Real>;
+  using texts = physgen::StoredField<NamesRecord, 22, physgen::shape::Scalar, typename Formats::texts, Real>;
+  using Inner = physgen::StoredField<NamesRecord, 23, physgen::shape::Scalar, typename Formats::Inner, Real>;
+  using tissue = physgen::StoredField<NamesRecord, 24, physgen::shape::Vector<2>, typename Formats::tissue, Real>;
+  using fields_ = physgen::RecordFields<
+      value, entry, S, R, at, cursor, name, fields, Layout, host, plan, slot, stride, offset, format, Native, PerSpace,
+      field, element, nested, self, assign, texts, Inner, tissue>;
 };
 
-/// One Names of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class NamesRef {
+struct NamesRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = NamesRecord<Real, Formats>;
-
- public:
   using Value = Names<typename Cursor::template Lanes<Real>>;
 
-  PHYSGEN_FUNCTION explicit NamesRef(const Cursor& cursor) : at_(cursor) {}
-  NamesRef(const NamesRef&) = default;
-  NamesRef& operator=(const NamesRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const NamesRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
-
   PHYSGEN_FUNCTION decltype(auto) value() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::value, Real>(Record::value);
+    return this->field_(typename Record::value(), Record::value::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) entry() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::entry, Real>(Record::entry);
+    return this->field_(typename Record::entry(), Record::entry::offset);
   }
-  PHYSGEN_FUNCTION decltype(auto) S() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::S, Real>(Record::S);
-  }
-  PHYSGEN_FUNCTION decltype(auto) R() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::R, Real>(Record::R);
-  }
-  PHYSGEN_FUNCTION decltype(auto) at() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::at, Real>(Record::at);
-  }
+  PHYSGEN_FUNCTION decltype(auto) S() const { return this->field_(typename Record::S(), Record::S::offset); }
+  PHYSGEN_FUNCTION decltype(auto) R() const { return this->field_(typename Record::R(), Record::R::offset); }
+  PHYSGEN_FUNCTION decltype(auto) at() const { return this->field_(typename Record::at(), Record::at::offset); }
   PHYSGEN_FUNCTION decltype(auto) cursor() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::cursor, Real>(Record::cursor);
+    return this->field_(typename Record::cursor(), Record::cursor::offset);
   }
-  PHYSGEN_FUNCTION decltype(auto) name() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::name, Real>(Record::name);
-  }
+  PHYSGEN_FUNCTION decltype(auto) name() const { return this->field_(typename Record::name(), Record::name::offset); }
   PHYSGEN_FUNCTION decltype(auto) fields() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::fields, Real>(Record::fields);
+    return this->field_(typename Record::fields(), Record::fields::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) Layout() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::Layout, Real>(Record::Layout);
+    return this->field_(typename Record::Layout(), Record::Layout::offset);
   }
-  PHYSGEN_FUNCTION decltype(auto) host() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::host, Real>(Record::host);
-  }
-  PHYSGEN_FUNCTION decltype(auto) plan() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::plan, Real>(Record::plan);
-  }
-  PHYSGEN_FUNCTION decltype(auto) slot() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::slot, Real>(Record::slot);
-  }
+  PHYSGEN_FUNCTION decltype(auto) host() const { return this->field_(typename Record::host(), Record::host::offset); }
+  PHYSGEN_FUNCTION decltype(auto) plan() const { return this->field_(typename Record::plan(), Record::plan::offset); }
+  PHYSGEN_FUNCTION decltype(auto) slot() const { return this->field_(typename Record::slot(), Record::slot::offset); }
   PHYSGEN_FUNCTION decltype(auto) stride() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::stride, Real>(Record::stride);
+    return this->field_(typename Record::stride(), Record::stride::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) offset() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::offset, Real>(Record::offset);
+    return this->field_(typename Record::offset(), Record::offset::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) format() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::format, Real>(Record::format);
+    return this->field_(typename Record::format(), Record::format::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) Native() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::Native, Real>(Record::Native);
+    return this->field_(typename Record::Native(), Record::Native::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) PerSpace() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::PerSpace, Real>(Record::PerSpace);
+    return this->field_(typename Record::PerSpace(), Record::PerSpace::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) field() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::field, Real>(Record::field);
+    return this->field_(typename Record::field(), Record::field::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) element() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::element, Real>(Record::element);
+    return this->field_(typename Record::element(), Record::element::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) nested() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::nested, Real>(Record::nested);
+    return this->field_(typename Record::nested(), Record::nested::offset);
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) self(int entry) const {
     physgen::check_inner(entry, 2, "an entry of tissue::model::Names::self");
-    return at_.template field<physgen::shape::Scalar, typename Formats::self, Real>(
-        Record::self + entry * Record::plan_.stride[20]);
+    return this->field_(typename Record::self(), Record::self::offset + entry * Record::self::stride);
+  }
+  PHYSGEN_FUNCTION decltype(auto) assign() const {
+    return this->field_(typename Record::assign(), Record::assign::offset);
+  }
+  PHYSGEN_FUNCTION decltype(auto) texts() const {
+    return this->field_(typename Record::texts(), Record::texts::offset);
+  }
+  PHYSGEN_FUNCTION decltype(auto) Inner() const {
+    return this->field_(typename Record::Inner(), Record::Inner::offset);
   }
   PHYSGEN_FUNCTION decltype(auto) tissue() const {
-    return at_.template field<physgen::shape::Vector<2>, typename Formats::tissue, Real>(Record::tissue);
+    return this->field_(typename Record::tissue(), Record::tissue::offset);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -659,6 +482,9 @@ class NamesRef {
     value_.nested = nested();
     PHYSGEN_UNROLL
     for (int entry_ = 0; entry_ < 2; ++entry_) value_.self[entry_] = self(entry_);
+    value_.assign = assign();
+    value_.texts = texts();
+    value_.Inner = Inner();
     value_.tissue = tissue().get();
     return value_;
   }
@@ -685,71 +511,21 @@ class NamesRef {
     nested() = value_.nested;
     PHYSGEN_UNROLL
     for (int entry_ = 0; entry_ < 2; ++entry_) self(entry_) = value_.self[entry_];
+    assign() = value_.assign;
+    texts() = value_.texts;
+    Inner() = value_.Inner;
     tissue() = value_.tissue;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Names.
-struct NamesObject {
+struct NamesObject : physgen::ObjectTag<Names, NamesFormats, NamesRecord, NamesRef> {
   static constexpr std::string_view name = "tissue::model::Names";
-  template <class Real>
-  using Value = Names<Real>;
+  static constexpr std::array<physgen::FieldText, 25> texts = {{
+      {"value"}, {"entry"}, {"S"}, {"R"}, {"at"}, {"cursor"}, {"name"}, {"fields"}, {"Layout"}, {"host"}, {"plan"},
+      {"slot"}, {"stride"}, {"offset"}, {"format"}, {"Native"}, {"PerSpace"}, {"field"}, {"element"}, {"nested"},
+      {"self"}, {"assign"}, {"texts"}, {"Inner"}, {"tissue"}}};
   template <class Real, class Formats>
-  using Record = NamesRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = NamesRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 22> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::value, Real>(
-        "value", "", NamesRecord<Real, Formats>::value, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::entry, Real>(
-        "entry", "", NamesRecord<Real, Formats>::entry, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::S, Real>(
-        "S", "", NamesRecord<Real, Formats>::S, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::R, Real>(
-        "R", "", NamesRecord<Real, Formats>::R, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::at, Real>(
-        "at", "", NamesRecord<Real, Formats>::at, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::cursor, Real>(
-        "cursor", "", NamesRecord<Real, Formats>::cursor, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::name, Real>(
-        "name", "", NamesRecord<Real, Formats>::name, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::fields, Real>(
-        "fields", "", NamesRecord<Real, Formats>::fields, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::Layout, Real>(
-        "Layout", "", NamesRecord<Real, Formats>::Layout, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::host, Real>(
-        "host", "", NamesRecord<Real, Formats>::host, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::plan, Real>(
-        "plan", "", NamesRecord<Real, Formats>::plan, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::slot, Real>(
-        "slot", "", NamesRecord<Real, Formats>::slot, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::stride, Real>(
-        "stride", "", NamesRecord<Real, Formats>::stride, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::offset, Real>(
-        "offset", "", NamesRecord<Real, Formats>::offset, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::format, Real>(
-        "format", "", NamesRecord<Real, Formats>::format, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::Native, Real>(
-        "Native", "", NamesRecord<Real, Formats>::Native, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::PerSpace, Real>(
-        "PerSpace", "", NamesRecord<Real, Formats>::PerSpace, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::field, Real>(
-        "field", "", NamesRecord<Real, Formats>::field, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::element, Real>(
-        "element", "", NamesRecord<Real, Formats>::element, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::nested, Real>(
-        "nested", "", NamesRecord<Real, Formats>::nested, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::self, Real>(
-        "self", "", NamesRecord<Real, Formats>::self, 2, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::tissue, Real>(
-        "tissue", "", NamesRecord<Real, Formats>::tissue, 1, 0.0),
-  }};
-  template <class Space>
-  using Formats = NamesFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = NamesProbe<ArrayTag, Base>;
 };
@@ -760,19 +536,14 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<NamesObject, Space>>
 using NamesArray = physgen::Array<NamesObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<NamesObject, float, NamesFormats<physgen::Host>>(
-    96, 4, {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 88}));
-static_assert(physgen::is_sound_record<NamesObject, double, NamesFormats<physgen::Host>>(
-    192, 8, {0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 176}));
+static_assert(physgen::are_sound_records<NamesObject, physgen::Host>(
+    {108, 4, {0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 68, 72, 76, 80, 88, 92, 96, 100}},
+    {216, 8, {0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 176, 184, 192,
+        200}}));
 
 // ---- Entries --------------------------------------------------------------------------------------------------------
 
 /// Fixed arrays.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Entries {
   /// Weights of the five points.
@@ -787,8 +558,6 @@ struct Entries {
   Real entry[2];
 };
 
-/// How the fields of one Entries are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of EntriesArray.
 template <class Space>
 struct EntriesFormats {
   using weights = physgen::format::Native;
@@ -800,8 +569,6 @@ struct EntriesFormats {
 };
 
 struct EntriesObject;
-/// EntriesFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
-/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = EntriesFormats<physgen::Host>, class Object = EntriesObject, int first = 0>
 struct EntriesProbe {
   using array_ = ArrayTag;
@@ -813,81 +580,58 @@ struct EntriesProbe {
   using entry = physgen::Probe<ArrayTag, Object, first + 5, typename Base::entry>;
 };
 
-/// Where each field begins in the record of one Entries [bytes].
 template <class Real, class Formats>
 struct EntriesRecord {
-  static constexpr auto plan_ = physgen::plan_record<6>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::weights, Real>(5),
-    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::k, Real>(4),
-    physgen::slot<physgen::shape::Scalar, typename Formats::flags, std::int32_t>(3),
-    physgen::slot<physgen::shape::Scalar, typename Formats::history, double>(40),
-    physgen::slot<physgen::shape::Vector<2>, typename Formats::edges, std::int32_t>(6),
-    physgen::slot<physgen::shape::Scalar, typename Formats::entry, Real>(2),
-  }});
-  static constexpr int weights = plan_.offset[0];
-  static constexpr int k = plan_.offset[1];
-  static constexpr int flags = plan_.offset[2];
-  static constexpr int history = plan_.offset[3];
-  static constexpr int edges = plan_.offset[4];
-  static constexpr int entry = plan_.offset[5];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using weights = physgen::StoredField<EntriesRecord, 0, physgen::shape::Scalar, typename Formats::weights, Real, 5>;
+  using k = physgen::StoredField<EntriesRecord, 1, physgen::shape::Symmetric<3>, typename Formats::k, Real, 4>;
+  using flags = physgen::StoredField<
+      EntriesRecord, 2, physgen::shape::Scalar, typename Formats::flags, std::int32_t, 3>;
+  using history = physgen::StoredField<EntriesRecord, 3, physgen::shape::Scalar, typename Formats::history, double, 40>;
+  using edges = physgen::StoredField<
+      EntriesRecord, 4, physgen::shape::Vector<2>, typename Formats::edges, std::int32_t, 6>;
+  using entry = physgen::StoredField<EntriesRecord, 5, physgen::shape::Scalar, typename Formats::entry, Real, 2>;
+  using fields_ = physgen::RecordFields<weights, k, flags, history, edges, entry>;
 };
 
-/// One Entries of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class EntriesRef {
+struct EntriesRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = EntriesRecord<Real, Formats>;
-
- public:
   using Value = Entries<typename Cursor::template Lanes<Real>>;
-
-  PHYSGEN_FUNCTION explicit EntriesRef(const Cursor& cursor) : at_(cursor) {}
-  EntriesRef(const EntriesRef&) = default;
-  EntriesRef& operator=(const EntriesRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const EntriesRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Weights of the five points.
   /// They sum to one. [1] Range [0, 1].
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) weights(int entry) const {
     physgen::check_inner(entry, 5, "an entry of tissue::model::Entries::weights");
-    return at_.template field<physgen::shape::Scalar, typename Formats::weights, Real>(
-        Record::weights + entry * Record::plan_.stride[0]);
+    return this->field_(typename Record::weights(), Record::weights::offset + entry * Record::weights::stride);
   }
   /// [N/m]. Symmetric, 6 stored.
   /// @pre 0 <= entry < 4
   PHYSGEN_FUNCTION decltype(auto) k(int entry) const {
     physgen::check_inner(entry, 4, "an entry of tissue::model::Entries::k");
-    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
-        Record::k + entry * Record::plan_.stride[1]);
+    return this->field_(typename Record::k(), Record::k::offset + entry * Record::k::stride);
   }
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) flags(int entry) const {
     physgen::check_inner(entry, 3, "an entry of tissue::model::Entries::flags");
-    return at_.template field<physgen::shape::Scalar, typename Formats::flags, std::int32_t>(
-        Record::flags + entry * Record::plan_.stride[2]);
+    return this->field_(typename Record::flags(), Record::flags::offset + entry * Record::flags::stride);
   }
   /// More entries than are worth unrolling
   /// @pre 0 <= entry < 40
   PHYSGEN_FUNCTION decltype(auto) history(int entry) const {
     physgen::check_inner(entry, 40, "an entry of tissue::model::Entries::history");
-    return at_.template field<physgen::shape::Scalar, typename Formats::history, double>(
-        Record::history + entry * Record::plan_.stride[3]);
+    return this->field_(typename Record::history(), Record::history::offset + entry * Record::history::stride);
   }
   /// @pre 0 <= entry < 6
   PHYSGEN_FUNCTION decltype(auto) edges(int entry) const {
     physgen::check_inner(entry, 6, "an entry of tissue::model::Entries::edges");
-    return at_.template field<physgen::shape::Vector<2>, typename Formats::edges, std::int32_t>(
-        Record::edges + entry * Record::plan_.stride[4]);
+    return this->field_(typename Record::edges(), Record::edges::offset + entry * Record::edges::stride);
   }
   /// @pre 0 <= entry < 2
   PHYSGEN_FUNCTION decltype(auto) entry(int entry) const {
     physgen::check_inner(entry, 2, "an entry of tissue::model::Entries::entry");
-    return at_.template field<physgen::shape::Scalar, typename Formats::entry, Real>(
-        Record::entry + entry * Record::plan_.stride[5]);
+    return this->field_(typename Record::entry(), Record::entry::offset + entry * Record::entry::stride);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -918,37 +662,14 @@ class EntriesRef {
     PHYSGEN_UNROLL
     for (int entry_ = 0; entry_ < 2; ++entry_) entry(entry_) = value.entry[entry_];
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Entries.
-struct EntriesObject {
+struct EntriesObject : physgen::ObjectTag<Entries, EntriesFormats, EntriesRecord, EntriesRef> {
   static constexpr std::string_view name = "tissue::model::Entries";
-  template <class Real>
-  using Value = Entries<Real>;
+  static constexpr std::array<physgen::FieldText, 6> texts = {{
+      {"weights", "1"}, {"k", "N/m"}, {"flags"}, {"history"}, {"edges"}, {"entry"}}};
   template <class Real, class Formats>
-  using Record = EntriesRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = EntriesRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 6> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::weights, Real>(
-        "weights", "1", EntriesRecord<Real, Formats>::weights, 5, 0.0),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::k, Real>(
-        "k", "N/m", EntriesRecord<Real, Formats>::k, 4, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::flags, std::int32_t>(
-        "flags", "", EntriesRecord<Real, Formats>::flags, 3, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::history, double>(
-        "history", "", EntriesRecord<Real, Formats>::history, 40, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::edges, std::int32_t>(
-        "edges", "", EntriesRecord<Real, Formats>::edges, 6, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::entry, Real>(
-        "entry", "", EntriesRecord<Real, Formats>::entry, 2, 0.0),
-  }};
-  template <class Space>
-  using Formats = EntriesFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = EntriesProbe<ArrayTag, Base>;
 };
@@ -960,23 +681,16 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<EntriesObject, Space>>
 using EntriesArray = physgen::Array<EntriesObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<EntriesObject, float, EntriesFormats<physgen::Host>>(
-    504, 8, {320, 340, 436, 0, 448, 496}));
-static_assert(physgen::is_sound_record<EntriesObject, double, EntriesFormats<physgen::Host>>(
-    628, 8, {0, 40, 568, 232, 580, 552}));
+static_assert(physgen::are_sound_records<EntriesObject, physgen::Host>(
+    {504, 8, {320, 340, 436, 0, 448, 496}}, {628, 8, {0, 40, 568, 232, 580, 552}}));
 
 // ---- Options --------------------------------------------------------------------------------------------------------
 
 /// Units, ranges and initial values. The text of this comment is long enough to need a second line, because it goes on
 /// and on without saying anything else.
 ///
-///   An indented line, and one that ends with a backslash:
+///   An indented line.
 /// The last line.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Options {
   /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
@@ -997,8 +711,6 @@ struct Options {
   physgen::same_lanes_t<Real, double> fixed = 1e-12;
 };
 
-/// How the fields of one Options are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of OptionsArray.
 template <class Space>
 struct OptionsFormats {
   using density = physgen::format::Native;
@@ -1012,8 +724,6 @@ struct OptionsFormats {
 };
 
 struct OptionsObject;
-/// OptionsFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
-/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = OptionsFormats<physgen::Host>, class Object = OptionsObject, int first = 0>
 struct OptionsProbe {
   using array_ = ArrayTag;
@@ -1027,90 +737,58 @@ struct OptionsProbe {
   using fixed = physgen::Probe<ArrayTag, Object, first + 7, typename Base::fixed>;
 };
 
-/// Where each field begins in the record of one Options [bytes].
 template <class Real, class Formats>
 struct OptionsRecord {
-  static constexpr auto plan_ = physgen::plan_record<8>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::density, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::nu, Real>(),
-    physgen::slot<physgen::shape::Vector<3>, typename Formats::direction, Real>(),
-    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::label, std::int32_t>(),
-    physgen::slot<physgen::shape::Vector<2>, typename Formats::group, std::int32_t>(),
-    physgen::slot<physgen::shape::Skew<3>, typename Formats::spin, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::fixed, double>(),
-  }});
-  static constexpr int density = plan_.offset[0];
-  static constexpr int nu = plan_.offset[1];
-  static constexpr int direction = plan_.offset[2];
-  static constexpr int metric = plan_.offset[3];
-  static constexpr int label = plan_.offset[4];
-  static constexpr int group = plan_.offset[5];
-  static constexpr int spin = plan_.offset[6];
-  static constexpr int fixed = plan_.offset[7];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment > 32 ? plan_.alignment : 32;
+  using density = physgen::StoredField<OptionsRecord, 0, physgen::shape::Scalar, typename Formats::density, Real>;
+  using nu = physgen::StoredField<OptionsRecord, 1, physgen::shape::Scalar, typename Formats::nu, Real>;
+  using direction = physgen::StoredField<
+      OptionsRecord, 2, physgen::shape::Vector<3>, typename Formats::direction, Real>;
+  using metric = physgen::StoredField<OptionsRecord, 3, physgen::shape::Symmetric<3>, typename Formats::metric, Real>;
+  using label = physgen::StoredField<OptionsRecord, 4, physgen::shape::Scalar, typename Formats::label, std::int32_t>;
+  using group = physgen::StoredField<
+      OptionsRecord, 5, physgen::shape::Vector<2>, typename Formats::group, std::int32_t>;
+  using spin = physgen::StoredField<OptionsRecord, 6, physgen::shape::Skew<3>, typename Formats::spin, Real>;
+  using fixed = physgen::StoredField<OptionsRecord, 7, physgen::shape::Scalar, typename Formats::fixed, double>;
+  using fields_ = physgen::AlignedRecordFields<32, density, nu, direction, metric, label, group, spin, fixed>;
 };
 
-/// One Options of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class OptionsRef {
+struct OptionsRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = OptionsRecord<Real, Formats>;
-
- public:
   using Value = Options<typename Cursor::template Lanes<Real>>;
-
-  PHYSGEN_FUNCTION explicit OptionsRef(const Cursor& cursor) : at_(cursor) {}
-  OptionsRef(const OptionsRef&) = default;
-  OptionsRef& operator=(const OptionsRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const OptionsRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Mass per volume of the rest shape. [kg/m^3] Range [0, 20000]; initially 1060.
   PHYSGEN_FUNCTION decltype(auto) density() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::density, Real>(Record::density);
+    return this->field_(typename Record::density(), Record::density::offset);
   }
   /// Range [0, 0.5]; initially 0.45.
-  PHYSGEN_FUNCTION decltype(auto) nu() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::nu, Real>(Record::nu);
-  }
+  PHYSGEN_FUNCTION decltype(auto) nu() const { return this->field_(typename Record::nu(), Record::nu::offset); }
   /// [1]. Initially 0.5.
   PHYSGEN_FUNCTION decltype(auto) direction() const {
-    return at_.template field<physgen::shape::Vector<3>, typename Formats::direction, Real>(Record::direction);
+    return this->field_(typename Record::direction(), Record::direction::offset);
   }
   /// Symmetric, 6 stored. Initially 1.
   PHYSGEN_FUNCTION decltype(auto) metric() const {
-    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(Record::metric);
+    return this->field_(typename Record::metric(), Record::metric::offset);
   }
   /// Initially -1.
   PHYSGEN_FUNCTION decltype(auto) label() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::label, std::int32_t>(Record::label);
+    return this->field_(typename Record::label(), Record::label::offset);
   }
   /// Initially 7.
   PHYSGEN_FUNCTION decltype(auto) group() const {
-    return at_.template field<physgen::shape::Vector<2>, typename Formats::group, std::int32_t>(Record::group);
+    return this->field_(typename Record::group(), Record::group::offset);
   }
   /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
-  PHYSGEN_FUNCTION decltype(auto) spin() const {
-    return at_.template field<physgen::shape::Skew<3>, typename Formats::spin, Real>(Record::spin);
-  }
+  PHYSGEN_FUNCTION decltype(auto) spin() const { return this->field_(typename Record::spin(), Record::spin::offset); }
   /// Initially 1e-12.
   PHYSGEN_FUNCTION decltype(auto) fixed() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::fixed, double>(Record::fixed);
+    return this->field_(typename Record::fixed(), Record::fixed::offset);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    value.density = density();
-    value.nu = nu();
-    value.direction = direction().get();
-    value.metric = metric().get();
-    value.label = label();
-    value.group = group().get();
-    value.spin = spin().get();
-    value.fixed = fixed();
-    return value;
+    return {density(), nu(), direction().get(), metric().get(), label(), group().get(), spin().get(), fixed()};
   }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     density() = value.density;
@@ -1122,41 +800,15 @@ class OptionsRef {
     spin() = value.spin;
     fixed() = value.fixed;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Options.
-struct OptionsObject {
+struct OptionsObject : physgen::ObjectTag<Options, OptionsFormats, OptionsRecord, OptionsRef> {
   static constexpr std::string_view name = "tissue::model::Options";
-  template <class Real>
-  using Value = Options<Real>;
+  static constexpr std::array<physgen::FieldText, 8> texts = {{
+      {"density", "kg/m^3", 1060.0}, {"nu", "", 0.45}, {"direction", "1", 0.5}, {"metric", "", 1.0},
+      {"label", "", -1.0}, {"group", "", 7.0}, {"spin", "", 0.25}, {"fixed", "", 1e-12}}};
   template <class Real, class Formats>
-  using Record = OptionsRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = OptionsRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 8> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::density, Real>(
-        "density", "kg/m^3", OptionsRecord<Real, Formats>::density, 1, 1060.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::nu, Real>(
-        "nu", "", OptionsRecord<Real, Formats>::nu, 1, 0.45),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::direction, Real>(
-        "direction", "1", OptionsRecord<Real, Formats>::direction, 1, 0.5),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::metric, Real>(
-        "metric", "", OptionsRecord<Real, Formats>::metric, 1, 1.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::label, std::int32_t>(
-        "label", "", OptionsRecord<Real, Formats>::label, 1, -1.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::group, std::int32_t>(
-        "group", "", OptionsRecord<Real, Formats>::group, 1, 7.0),
-    physgen::field_info<physgen::shape::Skew<3>, typename Formats::spin, Real>(
-        "spin", "", OptionsRecord<Real, Formats>::spin, 1, 0.25),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::fixed, double>(
-        "fixed", "", OptionsRecord<Real, Formats>::fixed, 1, 1e-12),
-  }};
-  template <class Space>
-  using Formats = OptionsFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = OptionsProbe<ArrayTag, Base>;
 };
@@ -1168,19 +820,12 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Soa, physgen::AosPadded>,
           class Formats = physgen::FormatsOf<OptionsObject, Space>>
 using OptionsArray = physgen::Array<OptionsObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<OptionsObject, float, OptionsFormats<physgen::Host>>(
-    76, 32, {8, 12, 16, 28, 52, 56, 64, 0}));
-static_assert(physgen::is_sound_record<OptionsObject, double, OptionsFormats<physgen::Host>>(
-    132, 32, {0, 8, 16, 40, 120, 124, 88, 112}));
+static_assert(physgen::are_sound_records<OptionsObject, physgen::Host>(
+    {76, 32, {8, 12, 16, 28, 52, 56, 64, 0}}, {132, 32, {0, 8, 16, 40, 120, 124, 88, 112}}));
 
 // ---- Element --------------------------------------------------------------------------------------------------------
 
 /// Nested objects of every alignment.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Element {
   /// Before the nested objects by name, behind them in the record.
@@ -1194,8 +839,6 @@ struct Element {
   Real volume;
 };
 
-/// How the fields of one Element are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of ElementArray.
 template <class Space>
 struct ElementFormats {
   using flag = physgen::format::Native;
@@ -1207,8 +850,6 @@ struct ElementFormats {
 };
 
 struct ElementObject;
-/// ElementFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
-/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = ElementFormats<physgen::Host>, class Object = ElementObject, int first = 0>
 struct ElementProbe {
   using array_ = ArrayTag;
@@ -1220,65 +861,41 @@ struct ElementProbe {
   using volume = physgen::Probe<ArrayTag, Object, first + 23, typename Base::volume>;
 };
 
-/// Where each field begins in the record of one Element [bytes].
 template <class Real, class Formats>
 struct ElementRecord {
-  static constexpr auto plan_ = physgen::plan_record<6>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::flag, std::int32_t>(),
-    physgen::nested_slot<::material::LameRecord<Real, typename Formats::lame>>(),
-    physgen::nested_slot<::material::FibreRecord<Real, typename Formats::fibres>>(2),
-    physgen::nested_slot<::tissue::StampRecord<Real, typename Formats::stamp>>(),
-    physgen::nested_slot<ShapesRecord<Real, typename Formats::shapes>>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::volume, Real>(),
-  }});
-  static constexpr int flag = plan_.offset[0];
-  static constexpr int lame = plan_.offset[1];
-  static constexpr int fibres = plan_.offset[2];
-  static constexpr int stamp = plan_.offset[3];
-  static constexpr int shapes = plan_.offset[4];
-  static constexpr int volume = plan_.offset[5];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using flag = physgen::StoredField<ElementRecord, 0, physgen::shape::Scalar, typename Formats::flag, std::int32_t>;
+  using lame = physgen::NestedField<ElementRecord, 1, ::material::LameObject, typename Formats::lame, Real>;
+  using fibres = physgen::NestedField<ElementRecord, 2, ::material::FibreObject, typename Formats::fibres, Real, 2>;
+  using stamp = physgen::NestedField<ElementRecord, 3, ::tissue::StampObject, typename Formats::stamp, Real>;
+  using shapes = physgen::NestedField<ElementRecord, 4, ShapesObject, typename Formats::shapes, Real>;
+  using volume = physgen::StoredField<ElementRecord, 5, physgen::shape::Scalar, typename Formats::volume, Real>;
+  using fields_ = physgen::RecordFields<flag, lame, fibres, stamp, shapes, volume>;
 };
 
-/// One Element of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class ElementRef {
+struct ElementRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = ElementRecord<Real, Formats>;
-
- public:
   using Value = Element<typename Cursor::template Lanes<Real>>;
 
-  PHYSGEN_FUNCTION explicit ElementRef(const Cursor& cursor) : at_(cursor) {}
-  ElementRef(const ElementRef&) = default;
-  ElementRef& operator=(const ElementRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const ElementRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
-
   /// Before the nested objects by name, behind them in the record.
-  PHYSGEN_FUNCTION decltype(auto) flag() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::flag, std::int32_t>(Record::flag);
-  }
+  PHYSGEN_FUNCTION decltype(auto) flag() const { return this->field_(typename Record::flag(), Record::flag::offset); }
   /// Constants of the tissue.
-  PHYSGEN_FUNCTION ::material::LameRef<Real, typename Formats::lame, Cursor> lame() const {
-    return ::material::LameRef<Real, typename Formats::lame, Cursor>(at_.nested(Record::lame));
-  }
+  PHYSGEN_FUNCTION decltype(auto) lame() const { return this->field_(typename Record::lame(), Record::lame::offset); }
   /// @pre 0 <= entry < 2
-  PHYSGEN_FUNCTION ::material::FibreRef<Real, typename Formats::fibres, Cursor> fibres(int entry) const {
+  PHYSGEN_FUNCTION decltype(auto) fibres(int entry) const {
     physgen::check_inner(entry, 2, "an entry of tissue::model::Element::fibres");
-    return ::material::FibreRef<Real, typename Formats::fibres, Cursor>(
-        at_.nested(Record::fibres + entry * Record::plan_.stride[2]));
+    return this->field_(typename Record::fibres(), Record::fibres::offset + entry * Record::fibres::stride);
   }
-  PHYSGEN_FUNCTION ::tissue::StampRef<Real, typename Formats::stamp, Cursor> stamp() const {
-    return ::tissue::StampRef<Real, typename Formats::stamp, Cursor>(at_.nested(Record::stamp));
+  PHYSGEN_FUNCTION decltype(auto) stamp() const {
+    return this->field_(typename Record::stamp(), Record::stamp::offset);
   }
-  PHYSGEN_FUNCTION ShapesRef<Real, typename Formats::shapes, Cursor> shapes() const {
-    return ShapesRef<Real, typename Formats::shapes, Cursor>(at_.nested(Record::shapes));
+  PHYSGEN_FUNCTION decltype(auto) shapes() const {
+    return this->field_(typename Record::shapes(), Record::shapes::offset);
   }
   /// [m^3]
   PHYSGEN_FUNCTION decltype(auto) volume() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::volume, Real>(Record::volume);
+    return this->field_(typename Record::volume(), Record::volume::offset);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -1301,94 +918,18 @@ class ElementRef {
     shapes().put(value.shapes);
     volume() = value.volume;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Element.
-struct ElementObject {
+struct ElementObject : physgen::ObjectTag<Element, ElementFormats, ElementRecord, ElementRef> {
   static constexpr std::string_view name = "tissue::model::Element";
-  template <class Real>
-  using Value = Element<Real>;
+  static constexpr std::array<physgen::FieldText, 24> texts = {{
+      {"flag"}, {"lame.mu", "Pa"}, {"lame.lambda", "Pa"}, {"fibres[0].direction"}, {"fibres[0].strength", "Pa"},
+      {"fibres[1].direction"}, {"fibres[1].strength", "Pa"}, {"stamp.time", "s"}, {"stamp.step"}, {"shapes.a"},
+      {"shapes.v"}, {"shapes.nodes"}, {"shapes.F", "1"}, {"shapes.B"}, {"shapes.row"}, {"shapes.K", "N/m"},
+      {"shapes.C2"}, {"shapes.s"}, {"shapes.W", "1/s"}, {"shapes.U"}, {"shapes.V"}, {"shapes.count"}, {"shapes.M"},
+      {"volume", "m^3"}}};
   template <class Real, class Formats>
-  using Record = ElementRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = ElementRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 24> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::flag, std::int32_t>(
-        "flag", "", ElementRecord<Real, Formats>::flag, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::lame::mu, Real>(
-        "lame.mu", "Pa", ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::mu,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::lame::lambda, Real>(
-        "lame.lambda", "Pa",
-        ElementRecord<Real, Formats>::lame + ::material::LameRecord<Real, typename Formats::lame>::lambda, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::fibres::direction, float>(
-        "fibres[0].direction", "",
-        ElementRecord<Real, Formats>::fibres + ::material::FibreRecord<Real, typename Formats::fibres>::direction, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::fibres::strength, double>(
-        "fibres[0].strength", "Pa",
-        ElementRecord<Real, Formats>::fibres + ::material::FibreRecord<Real, typename Formats::fibres>::strength, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::fibres::direction, float>(
-        "fibres[1].direction", "",
-        ElementRecord<Real, Formats>::fibres + 1 * ElementRecord<Real, Formats>::plan_.stride[2] +
-            ::material::FibreRecord<Real, typename Formats::fibres>::direction,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::fibres::strength, double>(
-        "fibres[1].strength", "Pa",
-        ElementRecord<Real, Formats>::fibres + 1 * ElementRecord<Real, Formats>::plan_.stride[2] +
-            ::material::FibreRecord<Real, typename Formats::fibres>::strength,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::stamp::time, double>(
-        "stamp.time", "s",
-        ElementRecord<Real, Formats>::stamp + ::tissue::StampRecord<Real, typename Formats::stamp>::time, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::stamp::step, std::int32_t>(
-        "stamp.step", "",
-        ElementRecord<Real, Formats>::stamp + ::tissue::StampRecord<Real, typename Formats::stamp>::step, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::shapes::a, Real>(
-        "shapes.a", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::a, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::shapes::v, Real>(
-        "shapes.v", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::v, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, typename Formats::shapes::nodes, std::int32_t>(
-        "shapes.nodes", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::nodes,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::shapes::F, Real>(
-        "shapes.F", "1", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::F, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::shapes::B, Real>(
-        "shapes.B", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::B, 1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::shapes::row, Real>(
-        "shapes.row", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::row, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::shapes::K, Real>(
-        "shapes.K", "N/m", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::K, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::shapes::C2, double>(
-        "shapes.C2", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::C2, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::shapes::s, Real>(
-        "shapes.s", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::s, 1, 0.0),
-    physgen::field_info<physgen::shape::Skew<3>, typename Formats::shapes::W, Real>(
-        "shapes.W", "1/s", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::W, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::shapes::U, Real>(
-        "shapes.U", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::U, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::shapes::V, float>(
-        "shapes.V", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::V, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::shapes::count, std::int32_t>(
-        "shapes.count", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::count,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::shapes::M, double>(
-        "shapes.M", "", ElementRecord<Real, Formats>::shapes + ShapesRecord<Real, typename Formats::shapes>::M, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::volume, Real>(
-        "volume", "m^3", ElementRecord<Real, Formats>::volume, 1, 0.0),
-  }};
-  template <class Space>
-  using Formats = ElementFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = ElementProbe<ArrayTag, Base>;
 };
@@ -1400,16 +941,11 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aosoa<64>>,
           class Formats = physgen::FormatsOf<ElementObject, Space>>
 using ElementArray = physgen::Array<ElementObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<ElementObject, float, ElementFormats<physgen::Host>>(
-    376, 8, {360, 364, 368, 8, 0, 32, 24, 48, 56, 120, 124, 136, 152, 188, 212, 228, 64, 252, 264, 276, 312, 348, 88,
-    372}));
-static_assert(physgen::is_sound_record<ElementObject, double, ElementFormats<physgen::Host>>(
-    564, 8, {560, 0, 8, 24, 16, 48, 40, 64, 72, 80, 88, 488, 112, 184, 232, 264, 312, 336, 360, 384, 504, 540, 456,
-    552}));
+static_assert(physgen::are_sound_records<ElementObject, physgen::Host>(
+    {376, 8, {360, 364, 368, 8, 0, 32, 24, 48, 56, 120, 124, 136, 152, 188, 212, 228, 64, 252, 264, 276, 312, 348, 88,
+        372}},
+    {596, 8, {592, 0, 8, 24, 16, 48, 40, 64, 72, 80, 88, 560, 112, 184, 232, 264, 312, 336, 360, 384, 456, 576, 528,
+        584}}));
 
 }  // namespace tissue::model
 
@@ -1418,7 +954,6 @@ namespace tissue::other {
 // ---- Patch ----------------------------------------------------------------------------------------------------------
 
 /// The value of one Patch.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Patch {
   ::tissue::model::Element<Real> elements[2];
@@ -1426,8 +961,6 @@ struct Patch {
   ::tissue::model::Options<Real> options;
 };
 
-/// How the fields of one Patch are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of PatchArray.
 template <class Space>
 struct PatchFormats {
   using elements = ::tissue::model::ElementFormats<Space>;
@@ -1436,8 +969,6 @@ struct PatchFormats {
 };
 
 struct PatchObject;
-/// PatchFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
-/// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = PatchFormats<physgen::Host>, class Object = PatchObject, int first = 0>
 struct PatchProbe {
   using array_ = ArrayTag;
@@ -1446,47 +977,31 @@ struct PatchProbe {
   using options = ::tissue::model::OptionsProbe<ArrayTag, typename Base::options, Object, first + 49>;
 };
 
-/// Where each field begins in the record of one Patch [bytes].
 template <class Real, class Formats>
 struct PatchRecord {
-  static constexpr auto plan_ = physgen::plan_record<3>({{
-    physgen::nested_slot<::tissue::model::ElementRecord<Real, typename Formats::elements>>(2),
-    physgen::slot<physgen::shape::Scalar, typename Formats::weight, float>(),
-    physgen::nested_slot<::tissue::model::OptionsRecord<Real, typename Formats::options>>(),
-  }});
-  static constexpr int elements = plan_.offset[0];
-  static constexpr int weight = plan_.offset[1];
-  static constexpr int options = plan_.offset[2];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using elements = physgen::NestedField<
+      PatchRecord, 0, ::tissue::model::ElementObject, typename Formats::elements, Real, 2>;
+  using weight = physgen::StoredField<PatchRecord, 1, physgen::shape::Scalar, typename Formats::weight, float>;
+  using options = physgen::NestedField<PatchRecord, 2, ::tissue::model::OptionsObject, typename Formats::options, Real>;
+  using fields_ = physgen::RecordFields<elements, weight, options>;
 };
 
-/// One Patch of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class PatchRef {
+struct PatchRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = PatchRecord<Real, Formats>;
-
- public:
   using Value = Patch<typename Cursor::template Lanes<Real>>;
 
-  PHYSGEN_FUNCTION explicit PatchRef(const Cursor& cursor) : at_(cursor) {}
-  PatchRef(const PatchRef&) = default;
-  PatchRef& operator=(const PatchRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const PatchRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
-
   /// @pre 0 <= entry < 2
-  PHYSGEN_FUNCTION ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor> elements(int entry) const {
+  PHYSGEN_FUNCTION decltype(auto) elements(int entry) const {
     physgen::check_inner(entry, 2, "an entry of tissue::other::Patch::elements");
-    return ::tissue::model::ElementRef<Real, typename Formats::elements, Cursor>(
-        at_.nested(Record::elements + entry * Record::plan_.stride[0]));
+    return this->field_(typename Record::elements(), Record::elements::offset + entry * Record::elements::stride);
   }
   PHYSGEN_FUNCTION decltype(auto) weight() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::weight, float>(Record::weight);
+    return this->field_(typename Record::weight(), Record::weight::offset);
   }
-  PHYSGEN_FUNCTION ::tissue::model::OptionsRef<Real, typename Formats::options, Cursor> options() const {
-    return ::tissue::model::OptionsRef<Real, typename Formats::options, Cursor>(at_.nested(Record::options));
+  PHYSGEN_FUNCTION decltype(auto) options() const {
+    return this->field_(typename Record::options(), Record::options::offset);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -1503,342 +1018,31 @@ class PatchRef {
     weight() = value.weight;
     options().put(value.options);
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Patch.
-struct PatchObject {
+struct PatchObject : physgen::ObjectTag<Patch, PatchFormats, PatchRecord, PatchRef> {
   static constexpr std::string_view name = "tissue::other::Patch";
-  template <class Real>
-  using Value = Patch<Real>;
+  static constexpr std::array<physgen::FieldText, 57> texts = {{
+      {"elements[0].flag"}, {"elements[0].lame.mu", "Pa"}, {"elements[0].lame.lambda", "Pa"},
+      {"elements[0].fibres[0].direction"}, {"elements[0].fibres[0].strength", "Pa"},
+      {"elements[0].fibres[1].direction"}, {"elements[0].fibres[1].strength", "Pa"}, {"elements[0].stamp.time", "s"},
+      {"elements[0].stamp.step"}, {"elements[0].shapes.a"}, {"elements[0].shapes.v"}, {"elements[0].shapes.nodes"},
+      {"elements[0].shapes.F", "1"}, {"elements[0].shapes.B"}, {"elements[0].shapes.row"},
+      {"elements[0].shapes.K", "N/m"}, {"elements[0].shapes.C2"}, {"elements[0].shapes.s"},
+      {"elements[0].shapes.W", "1/s"}, {"elements[0].shapes.U"}, {"elements[0].shapes.V"}, {"elements[0].shapes.count"},
+      {"elements[0].shapes.M"}, {"elements[0].volume", "m^3"}, {"elements[1].flag"}, {"elements[1].lame.mu", "Pa"},
+      {"elements[1].lame.lambda", "Pa"}, {"elements[1].fibres[0].direction"}, {"elements[1].fibres[0].strength", "Pa"},
+      {"elements[1].fibres[1].direction"}, {"elements[1].fibres[1].strength", "Pa"}, {"elements[1].stamp.time", "s"},
+      {"elements[1].stamp.step"}, {"elements[1].shapes.a"}, {"elements[1].shapes.v"}, {"elements[1].shapes.nodes"},
+      {"elements[1].shapes.F", "1"}, {"elements[1].shapes.B"}, {"elements[1].shapes.row"},
+      {"elements[1].shapes.K", "N/m"}, {"elements[1].shapes.C2"}, {"elements[1].shapes.s"},
+      {"elements[1].shapes.W", "1/s"}, {"elements[1].shapes.U"}, {"elements[1].shapes.V"}, {"elements[1].shapes.count"},
+      {"elements[1].shapes.M"}, {"elements[1].volume", "m^3"}, {"weight"}, {"options.density", "kg/m^3", 1060.0},
+      {"options.nu", "", 0.45}, {"options.direction", "1", 0.5}, {"options.metric", "", 1.0},
+      {"options.label", "", -1.0}, {"options.group", "", 7.0}, {"options.spin", "", 0.25},
+      {"options.fixed", "", 1e-12}}};
   template <class Real, class Formats>
-  using Record = PatchRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = PatchRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 57> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::flag, std::int32_t>(
-        "elements[0].flag", "",
-        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::mu, Real>(
-        "elements[0].lame.mu", "Pa",
-        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
-            ::material::LameRecord<Real, typename Formats::elements::lame>::mu,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::lambda, Real>(
-        "elements[0].lame.lambda", "Pa",
-        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
-            ::material::LameRecord<Real, typename Formats::elements::lame>::lambda,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
-        "elements[0].fibres[0].direction", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
-        "elements[0].fibres[0].strength", "Pa",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
-        "elements[0].fibres[1].direction", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
-                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
-        "elements[0].fibres[1].strength", "Pa",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
-                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::time, double>(
-        "elements[0].stamp.time", "s",
-        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-            ::tissue::StampRecord<Real, typename Formats::elements::stamp>::time,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::step, std::int32_t>(
-        "elements[0].stamp.step", "",
-        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-            ::tissue::StampRecord<Real, typename Formats::elements::stamp>::step,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::shapes::a, Real>(
-        "elements[0].shapes.a", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::a,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::shapes::v, Real>(
-        "elements[0].shapes.v", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, typename Formats::elements::shapes::nodes, std::int32_t>(
-        "elements[0].shapes.nodes", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::nodes,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::elements::shapes::F, Real>(
-        "elements[0].shapes.F", "1",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::F,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::elements::shapes::B, Real>(
-        "elements[0].shapes.B", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::B,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::elements::shapes::row, Real>(
-        "elements[0].shapes.row", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::row,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::elements::shapes::K, Real>(
-        "elements[0].shapes.K", "N/m",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::K,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::elements::shapes::C2, double>(
-        "elements[0].shapes.C2", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::C2,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::elements::shapes::s, Real>(
-        "elements[0].shapes.s", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::s,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Skew<3>, typename Formats::elements::shapes::W, Real>(
-        "elements[0].shapes.W", "1/s",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::W,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::U, Real>(
-        "elements[0].shapes.U", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::U,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::V, float>(
-        "elements[0].shapes.V", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::elements::shapes::count, std::int32_t>(
-        "elements[0].shapes.count", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::count,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::elements::shapes::M, double>(
-        "elements[0].shapes.M", "",
-        PatchRecord<Real, Formats>::elements +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::M,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::volume, Real>(
-        "elements[0].volume", "m^3",
-        PatchRecord<Real, Formats>::elements + ::tissue::model::ElementRecord<Real, typename Formats::elements>::volume,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::flag, std::int32_t>(
-        "elements[1].flag", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::flag,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::mu, Real>(
-        "elements[1].lame.mu", "Pa",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
-                ::material::LameRecord<Real, typename Formats::elements::lame>::mu,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::lame::lambda, Real>(
-        "elements[1].lame.lambda", "Pa",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::lame +
-                ::material::LameRecord<Real, typename Formats::elements::lame>::lambda,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
-        "elements[1].fibres[0].direction", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
-        "elements[1].fibres[0].strength", "Pa",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::fibres::direction, float>(
-        "elements[1].fibres[1].direction", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
-                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::direction,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::fibres::strength, double>(
-        "elements[1].fibres[1].strength", "Pa",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::fibres +
-                1 * ::tissue::model::ElementRecord<Real, typename Formats::elements>::plan_.stride[2] +
-                    ::material::FibreRecord<Real, typename Formats::elements::fibres>::strength,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::time, double>(
-        "elements[1].stamp.time", "s",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-                ::tissue::StampRecord<Real, typename Formats::elements::stamp>::time,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::stamp::step, std::int32_t>(
-        "elements[1].stamp.step", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::stamp +
-                ::tissue::StampRecord<Real, typename Formats::elements::stamp>::step,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::shapes::a, Real>(
-        "elements[1].shapes.a", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::a,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::elements::shapes::v, Real>(
-        "elements[1].shapes.v", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::v,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<4>, typename Formats::elements::shapes::nodes, std::int32_t>(
-        "elements[1].shapes.nodes", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::nodes,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::elements::shapes::F, Real>(
-        "elements[1].shapes.F", "1",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::F,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 3>, typename Formats::elements::shapes::B, Real>(
-        "elements[1].shapes.B", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::B,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<1, 4>, typename Formats::elements::shapes::row, Real>(
-        "elements[1].shapes.row", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::row,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::elements::shapes::K, Real>(
-        "elements[1].shapes.K", "N/m",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::K,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Symmetric<2>, typename Formats::elements::shapes::C2, double>(
-        "elements[1].shapes.C2", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::C2,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::elements::shapes::s, Real>(
-        "elements[1].shapes.s", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::s,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Skew<3>, typename Formats::elements::shapes::W, Real>(
-        "elements[1].shapes.W", "1/s",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::W,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::U, Real>(
-        "elements[1].shapes.U", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::U,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::elements::shapes::V, float>(
-        "elements[1].shapes.V", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::V,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::elements::shapes::count, std::int32_t>(
-        "elements[1].shapes.count", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::count,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<2, 2>, typename Formats::elements::shapes::M, double>(
-        "elements[1].shapes.M", "",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::shapes +
-                ::tissue::model::ShapesRecord<Real, typename Formats::elements::shapes>::M,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::elements::volume, Real>(
-        "elements[1].volume", "m^3",
-        PatchRecord<Real, Formats>::elements + 1 * PatchRecord<Real, Formats>::plan_.stride[0] +
-            ::tissue::model::ElementRecord<Real, typename Formats::elements>::volume,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::weight, float>(
-        "weight", "", PatchRecord<Real, Formats>::weight, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::options::density, Real>(
-        "options.density", "kg/m^3",
-        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::density,
-        1, 1060.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::options::nu, Real>(
-        "options.nu", "",
-        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::nu, 1,
-        0.45),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::options::direction, Real>(
-        "options.direction", "1",
-        PatchRecord<Real, Formats>::options +
-            ::tissue::model::OptionsRecord<Real, typename Formats::options>::direction,
-        1, 0.5),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::options::metric, Real>(
-        "options.metric", "",
-        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::metric,
-        1, 1.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::options::label, std::int32_t>(
-        "options.label", "",
-        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::label, 1,
-        -1.0),
-    physgen::field_info<physgen::shape::Vector<2>, typename Formats::options::group, std::int32_t>(
-        "options.group", "",
-        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::group, 1,
-        7.0),
-    physgen::field_info<physgen::shape::Skew<3>, typename Formats::options::spin, Real>(
-        "options.spin", "",
-        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::spin, 1,
-        0.25),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::options::fixed, double>(
-        "options.fixed", "",
-        PatchRecord<Real, Formats>::options + ::tissue::model::OptionsRecord<Real, typename Formats::options>::fixed, 1,
-        1e-12),
-  }};
-  template <class Space>
-  using Formats = PatchFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = PatchProbe<ArrayTag, Base>;
 };
@@ -1849,18 +1053,13 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<PatchObject, Space>>
 using PatchArray = physgen::Array<PatchObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<PatchObject, float, PatchFormats<physgen::Host>>(
-    836, 8, {360, 364, 368, 8, 0, 32, 24, 48, 56, 120, 124, 136, 152, 188, 212, 228, 64, 252, 264, 276, 312, 348, 88,
-    372, 736, 740, 744, 384, 376, 408, 400, 424, 432, 496, 500, 512, 528, 564, 588, 604, 440, 628, 640, 652, 688, 724,
-    464, 748, 832, 760, 764, 768, 780, 804, 808, 816, 752}));
-static_assert(physgen::is_sound_record<PatchObject, double, PatchFormats<physgen::Host>>(
-    1276, 8, {560, 0, 8, 24, 16, 48, 40, 64, 72, 80, 88, 488, 112, 184, 232, 264, 312, 336, 360, 384, 504, 540, 456,
-    552, 1128, 568, 576, 592, 584, 616, 608, 632, 640, 648, 656, 1056, 680, 752, 800, 832, 880, 904, 928, 952, 1072,
-    1108, 1024, 1120, 1272, 1136, 1144, 1152, 1176, 1256, 1260, 1224, 1248}));
+static_assert(physgen::are_sound_records<PatchObject, physgen::Host>(
+    {836, 8, {360, 364, 368, 8, 0, 32, 24, 48, 56, 120, 124, 136, 152, 188, 212, 228, 64, 252, 264, 276, 312, 348, 88,
+        372, 736, 740, 744, 384, 376, 408, 400, 424, 432, 496, 500, 512, 528, 564, 588, 604, 440, 628, 640, 652, 688,
+            724, 464, 748, 832, 760, 764, 768, 780, 804, 808, 816, 752}},
+    {1340, 8, {592, 0, 8, 24, 16, 48, 40, 64, 72, 80, 88, 560, 112, 184, 232, 264, 312, 336, 360, 384, 456, 576, 528,
+        584, 1192, 600, 608, 624, 616, 648, 640, 664, 672, 680, 688, 1160, 712, 784, 832, 864, 912, 936, 960, 984, 1056,
+            1176, 1128, 1184, 1336, 1200, 1208, 1216, 1240, 1320, 1324, 1288, 1312}}));
 
 }  // namespace tissue::other
 
@@ -1869,7 +1068,6 @@ namespace tissue::model {
 // ---- Frame ----------------------------------------------------------------------------------------------------------
 
 /// A place and a direction, compact on CUDA.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Frame {
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
@@ -1881,8 +1079,6 @@ struct Frame {
   Real weight = physgen::all_lanes<Real>(0.25);
 };
 
-/// How the fields of one Frame are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of FrameArray.
 template <class Space>
 struct FrameFormats {
   using turn = physgen::PerSpace<Space, physgen::format::Quaternion<>, physgen::format::Quaternion16>;
@@ -1891,8 +1087,6 @@ struct FrameFormats {
 };
 
 struct FrameObject;
-/// FrameFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
-/// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = FrameFormats<physgen::Host>, class Object = FrameObject, int first = 0>
 struct FrameProbe {
   using array_ = ArrayTag;
@@ -1901,87 +1095,45 @@ struct FrameProbe {
   using weight = physgen::Probe<ArrayTag, Object, first + 2, typename Base::weight>;
 };
 
-/// Where each field begins in the record of one Frame [bytes].
 template <class Real, class Formats>
 struct FrameRecord {
-  static constexpr auto plan_ = physgen::plan_record<3>({{
-    physgen::slot<physgen::shape::Rotation, typename Formats::turn, Real>(),
-    physgen::slot<physgen::shape::Vector<3>, typename Formats::origin, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::weight, Real>(),
-  }});
-  static constexpr int turn = plan_.offset[0];
-  static constexpr int origin = plan_.offset[1];
-  static constexpr int weight = plan_.offset[2];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using turn = physgen::StoredField<FrameRecord, 0, physgen::shape::Rotation, typename Formats::turn, Real>;
+  using origin = physgen::StoredField<FrameRecord, 1, physgen::shape::Vector<3>, typename Formats::origin, Real>;
+  using weight = physgen::StoredField<FrameRecord, 2, physgen::shape::Scalar, typename Formats::weight, Real>;
+  using fields_ = physgen::RecordFields<turn, origin, weight>;
 };
 
-/// One Frame of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class FrameRef {
+struct FrameRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = FrameRecord<Real, Formats>;
-
- public:
   using Value = Frame<typename Cursor::template Lanes<Real>>;
-
-  PHYSGEN_FUNCTION explicit FrameRef(const Cursor& cursor) : at_(cursor) {}
-  FrameRef(const FrameRef&) = default;
-  FrameRef& operator=(const FrameRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const FrameRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
-  PHYSGEN_FUNCTION decltype(auto) turn() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::turn, Real>(Record::turn);
-  }
+  PHYSGEN_FUNCTION decltype(auto) turn() const { return this->field_(typename Record::turn(), Record::turn::offset); }
   /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   PHYSGEN_FUNCTION decltype(auto) origin() const {
-    return at_.template field<physgen::shape::Vector<3>, typename Formats::origin, Real>(Record::origin);
+    return this->field_(typename Record::origin(), Record::origin::offset);
   }
   /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.7e-06.
   PHYSGEN_FUNCTION decltype(auto) weight() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::weight, Real>(Record::weight);
+    return this->field_(typename Record::weight(), Record::weight::offset);
   }
 
-  PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    value.turn = turn().get();
-    value.origin = origin().get();
-    value.weight = weight();
-    return value;
-  }
+  PHYSGEN_FUNCTION const Value get() const { return {turn().get(), origin().get(), weight()}; }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     turn() = value.turn;
     origin() = value.origin;
     weight() = value.weight;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Frame.
-struct FrameObject {
+struct FrameObject : physgen::ObjectTagPerSpace<Frame, FrameFormats, FrameRecord, FrameRef> {
   static constexpr std::string_view name = "tissue::model::Frame";
-  template <class Real>
-  using Value = Frame<Real>;
+  static constexpr std::array<physgen::FieldText, 3> texts = {{{"turn"}, {"origin", "m"}, {"weight", "", 0.25}}};
   template <class Real, class Formats>
-  using Record = FrameRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = FrameRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 3> fields = {{
-    physgen::field_info<physgen::shape::Rotation, typename Formats::turn, Real>(
-        "turn", "", FrameRecord<Real, Formats>::turn, 1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::origin, Real>(
-        "origin", "m", FrameRecord<Real, Formats>::origin, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::weight, Real>(
-        "weight", "", FrameRecord<Real, Formats>::weight, 1, 0.25),
-  }};
-  template <class Space>
-  using Formats = FrameFormats<Space>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = FrameProbe<ArrayTag, Base>;
 };
@@ -1992,19 +1144,12 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<FrameObject, Space>>
 using FrameArray = physgen::Array<FrameObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<FrameObject, float, FrameFormats<physgen::Host>>(30, 4, {0, 16, 28}));
-static_assert(physgen::is_sound_record<FrameObject, double, FrameFormats<physgen::Host>>(58, 8, {0, 32, 56}));
-static_assert(physgen::is_sound_record<FrameObject, float, FrameFormats<physgen::Cuda>>(16, 2, {0, 8, 14}));
-static_assert(physgen::is_sound_record<FrameObject, double, FrameFormats<physgen::Cuda>>(16, 2, {0, 8, 14}));
+static_assert(physgen::are_sound_records<FrameObject, physgen::Host>({30, 4, {0, 16, 28}}, {58, 8, {0, 32, 56}}));
+static_assert(physgen::are_sound_records<FrameObject, physgen::Cuda>({16, 2, {0, 8, 14}}, {16, 2, {0, 8, 14}}));
 
 // ---- Stored ---------------------------------------------------------------------------------------------------------
 
 /// Every storage format.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Stored {
   /// Stored as float, relative error up to 6e-8.
@@ -2060,8 +1205,6 @@ struct Stored {
   Frame<Real> frames[2];
 };
 
-/// How the fields of one Stored are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of StoredArray.
 template <class Space>
 struct StoredFormats {
   using single = physgen::format::Float32;
@@ -2094,8 +1237,6 @@ struct StoredFormats {
 };
 
 struct StoredObject;
-/// StoredFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see
-/// <physgen/probe.h>. The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = StoredFormats<physgen::Host>, class Object = StoredObject, int first = 0>
 struct StoredProbe {
   using array_ = ArrayTag;
@@ -2126,192 +1267,137 @@ struct StoredProbe {
   using frames = FrameProbe<ArrayTag, typename Base::frames, Object, first + 26>;
 };
 
-/// Where each field begins in the record of one Stored [bytes].
 template <class Real, class Formats>
 struct StoredRecord {
-  static constexpr auto plan_ = physgen::plan_record<25>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::single, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::twice, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::narrowed, double>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::plain_half, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::load, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::wide, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::angle, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::temperature, Real>(),
-    physgen::slot<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(),
-    physgen::slot<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(),
-    physgen::slot<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(),
-    physgen::slot<physgen::shape::Skew<3>, typename Formats::spin, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::R, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::R32, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::R64, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::Rhalf, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::Rbfloat, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::R16, Real>(),
-    physgen::slot<physgen::shape::Rotation, typename Formats::entries, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::halves, Real>(5),
-    physgen::slot<physgen::shape::Rotation, typename Formats::turns, Real>(3),
-    physgen::slot<physgen::shape::Rotation, typename Formats::many, Real>(33),
-    physgen::slot<physgen::shape::Scalar, typename Formats::count, std::int32_t>(),
-    physgen::nested_slot<FrameRecord<Real, typename Formats::frame>>(),
-    physgen::nested_slot<FrameRecord<Real, typename Formats::frames>>(2),
-  }});
-  static constexpr int single = plan_.offset[0];
-  static constexpr int twice = plan_.offset[1];
-  static constexpr int narrowed = plan_.offset[2];
-  static constexpr int plain_half = plan_.offset[3];
-  static constexpr int load = plan_.offset[4];
-  static constexpr int wide = plan_.offset[5];
-  static constexpr int angle = plan_.offset[6];
-  static constexpr int temperature = plan_.offset[7];
-  static constexpr int stress = plan_.offset[8];
-  static constexpr int F = plan_.offset[9];
-  static constexpr int stretch = plan_.offset[10];
-  static constexpr int spin = plan_.offset[11];
-  static constexpr int R = plan_.offset[12];
-  static constexpr int R32 = plan_.offset[13];
-  static constexpr int R64 = plan_.offset[14];
-  static constexpr int Rhalf = plan_.offset[15];
-  static constexpr int Rbfloat = plan_.offset[16];
-  static constexpr int R16 = plan_.offset[17];
-  static constexpr int entries = plan_.offset[18];
-  static constexpr int halves = plan_.offset[19];
-  static constexpr int turns = plan_.offset[20];
-  static constexpr int many = plan_.offset[21];
-  static constexpr int count = plan_.offset[22];
-  static constexpr int frame = plan_.offset[23];
-  static constexpr int frames = plan_.offset[24];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using single = physgen::StoredField<StoredRecord, 0, physgen::shape::Scalar, typename Formats::single, Real>;
+  using twice = physgen::StoredField<StoredRecord, 1, physgen::shape::Scalar, typename Formats::twice, Real>;
+  using narrowed = physgen::StoredField<StoredRecord, 2, physgen::shape::Scalar, typename Formats::narrowed, double>;
+  using plain_half = physgen::StoredField<StoredRecord, 3, physgen::shape::Scalar, typename Formats::plain_half, Real>;
+  using load = physgen::StoredField<StoredRecord, 4, physgen::shape::Scalar, typename Formats::load, Real>;
+  using wide = physgen::StoredField<StoredRecord, 5, physgen::shape::Scalar, typename Formats::wide, Real>;
+  using angle = physgen::StoredField<StoredRecord, 6, physgen::shape::Scalar, typename Formats::angle, Real>;
+  using temperature = physgen::StoredField<
+      StoredRecord, 7, physgen::shape::Scalar, typename Formats::temperature, Real>;
+  using stress = physgen::StoredField<StoredRecord, 8, physgen::shape::Symmetric<3>, typename Formats::stress, Real>;
+  using F = physgen::StoredField<StoredRecord, 9, physgen::shape::Matrix<3, 3>, typename Formats::F, Real>;
+  using stretch = physgen::StoredField<StoredRecord, 10, physgen::shape::Diagonal<3>, typename Formats::stretch, Real>;
+  using spin = physgen::StoredField<StoredRecord, 11, physgen::shape::Skew<3>, typename Formats::spin, Real>;
+  using R = physgen::StoredField<StoredRecord, 12, physgen::shape::Rotation, typename Formats::R, Real>;
+  using R32 = physgen::StoredField<StoredRecord, 13, physgen::shape::Rotation, typename Formats::R32, Real>;
+  using R64 = physgen::StoredField<StoredRecord, 14, physgen::shape::Rotation, typename Formats::R64, Real>;
+  using Rhalf = physgen::StoredField<StoredRecord, 15, physgen::shape::Rotation, typename Formats::Rhalf, Real>;
+  using Rbfloat = physgen::StoredField<StoredRecord, 16, physgen::shape::Rotation, typename Formats::Rbfloat, Real>;
+  using R16 = physgen::StoredField<StoredRecord, 17, physgen::shape::Rotation, typename Formats::R16, Real>;
+  using entries = physgen::StoredField<StoredRecord, 18, physgen::shape::Rotation, typename Formats::entries, Real>;
+  using halves = physgen::StoredField<StoredRecord, 19, physgen::shape::Scalar, typename Formats::halves, Real, 5>;
+  using turns = physgen::StoredField<StoredRecord, 20, physgen::shape::Rotation, typename Formats::turns, Real, 3>;
+  using many = physgen::StoredField<StoredRecord, 21, physgen::shape::Rotation, typename Formats::many, Real, 33>;
+  using count = physgen::StoredField<StoredRecord, 22, physgen::shape::Scalar, typename Formats::count, std::int32_t>;
+  using frame = physgen::NestedField<StoredRecord, 23, FrameObject, typename Formats::frame, Real>;
+  using frames = physgen::NestedField<StoredRecord, 24, FrameObject, typename Formats::frames, Real, 2>;
+  using fields_ = physgen::RecordFields<
+      single, twice, narrowed, plain_half, load, wide, angle, temperature, stress, F, stretch, spin, R, R32, R64, Rhalf,
+      Rbfloat, R16, entries, halves, turns, many, count, frame, frames>;
 };
 
-/// One Stored of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class StoredRef {
+struct StoredRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = StoredRecord<Real, Formats>;
-
- public:
   using Value = Stored<typename Cursor::template Lanes<Real>>;
-
-  PHYSGEN_FUNCTION explicit StoredRef(const Cursor& cursor) : at_(cursor) {}
-  StoredRef(const StoredRef&) = default;
-  StoredRef& operator=(const StoredRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const StoredRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Stored as float, relative error up to 6e-8.
   PHYSGEN_FUNCTION decltype(auto) single() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::single, Real>(Record::single);
+    return this->field_(typename Record::single(), Record::single::offset);
   }
   /// Stored as double, relative error up to 1.2e-16.
   PHYSGEN_FUNCTION decltype(auto) twice() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::twice, Real>(Record::twice);
+    return this->field_(typename Record::twice(), Record::twice::offset);
   }
   /// Stored as float, relative error up to 6e-8.
   PHYSGEN_FUNCTION decltype(auto) narrowed() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::narrowed, double>(Record::narrowed);
+    return this->field_(typename Record::narrowed(), Record::narrowed::offset);
   }
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   PHYSGEN_FUNCTION decltype(auto) plain_half() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::plain_half, Real>(Record::plain_half);
+    return this->field_(typename Record::plain_half(), Record::plain_half::offset);
   }
   /// External force. [N] Range [0, 1e+06]; initially 1000. Stored as half, relative error up to 4.9e-4 for sizes from
   /// 0.002 to 2.1e+06.
-  PHYSGEN_FUNCTION decltype(auto) load() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::load, Real>(Record::load);
-  }
+  PHYSGEN_FUNCTION decltype(auto) load() const { return this->field_(typename Record::load(), Record::load::offset); }
   /// Stored as bfloat16, relative error up to 3.9e-3.
-  PHYSGEN_FUNCTION decltype(auto) wide() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::wide, Real>(Record::wide);
-  }
+  PHYSGEN_FUNCTION decltype(auto) wide() const { return this->field_(typename Record::wide(), Record::wide::offset); }
   /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 5e-05.
   PHYSGEN_FUNCTION decltype(auto) angle() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::angle, Real>(Record::angle);
+    return this->field_(typename Record::angle(), Record::angle::offset);
   }
   /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00081.
   PHYSGEN_FUNCTION decltype(auto) temperature() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::temperature, Real>(Record::temperature);
+    return this->field_(typename Record::temperature(), Record::temperature::offset);
   }
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
   /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
   PHYSGEN_FUNCTION decltype(auto) stress() const {
-    return at_.template field<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(Record::stress);
+    return this->field_(typename Record::stress(), Record::stress::offset);
   }
   /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  PHYSGEN_FUNCTION decltype(auto) F() const {
-    return at_.template field<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(Record::F);
-  }
+  PHYSGEN_FUNCTION decltype(auto) F() const { return this->field_(typename Record::F(), Record::F::offset); }
   /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   PHYSGEN_FUNCTION decltype(auto) stretch() const {
-    return at_.template field<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(Record::stretch);
+    return this->field_(typename Record::stretch(), Record::stretch::offset);
   }
   /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00013.
-  PHYSGEN_FUNCTION decltype(auto) spin() const {
-    return at_.template field<physgen::shape::Skew<3>, typename Formats::spin, Real>(Record::spin);
-  }
+  PHYSGEN_FUNCTION decltype(auto) spin() const { return this->field_(typename Record::spin(), Record::spin::offset); }
   /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
-  PHYSGEN_FUNCTION decltype(auto) R() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::R, Real>(Record::R);
-  }
+  PHYSGEN_FUNCTION decltype(auto) R() const { return this->field_(typename Record::R(), Record::R::offset); }
   /// Rotation, 9 stored. Stored as unit quaternion of floats, error of an entry up to 1.2e-6.
-  PHYSGEN_FUNCTION decltype(auto) R32() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::R32, Real>(Record::R32);
-  }
+  PHYSGEN_FUNCTION decltype(auto) R32() const { return this->field_(typename Record::R32(), Record::R32::offset); }
   /// Rotation, 9 stored. Stored as unit quaternion of doubles, error of an entry up to 10 eps.
-  PHYSGEN_FUNCTION decltype(auto) R64() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::R64, Real>(Record::R64);
-  }
+  PHYSGEN_FUNCTION decltype(auto) R64() const { return this->field_(typename Record::R64(), Record::R64::offset); }
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
   PHYSGEN_FUNCTION decltype(auto) Rhalf() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::Rhalf, Real>(Record::Rhalf);
+    return this->field_(typename Record::Rhalf(), Record::Rhalf::offset);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of bfloat16, error of an entry up to 1.6e-2.
   PHYSGEN_FUNCTION decltype(auto) Rbfloat() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::Rbfloat, Real>(Record::Rbfloat);
+    return this->field_(typename Record::Rbfloat(), Record::Rbfloat::offset);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
-  PHYSGEN_FUNCTION decltype(auto) R16() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::R16, Real>(Record::R16);
-  }
+  PHYSGEN_FUNCTION decltype(auto) R16() const { return this->field_(typename Record::R16(), Record::R16::offset); }
   /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
   /// CUDA as 16-bit steps over [-1, 1], error up to 1.6e-05.
   PHYSGEN_FUNCTION decltype(auto) entries() const {
-    return at_.template field<physgen::shape::Rotation, typename Formats::entries, Real>(Record::entries);
+    return this->field_(typename Record::entries(), Record::entries::offset);
   }
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   /// @pre 0 <= entry < 5
   PHYSGEN_FUNCTION decltype(auto) halves(int entry) const {
     physgen::check_inner(entry, 5, "an entry of tissue::model::Stored::halves");
-    return at_.template field<physgen::shape::Scalar, typename Formats::halves, Real>(
-        Record::halves + entry * Record::plan_.stride[19]);
+    return this->field_(typename Record::halves(), Record::halves::offset + entry * Record::halves::stride);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
   /// @pre 0 <= entry < 3
   PHYSGEN_FUNCTION decltype(auto) turns(int entry) const {
     physgen::check_inner(entry, 3, "an entry of tissue::model::Stored::turns");
-    return at_.template field<physgen::shape::Rotation, typename Formats::turns, Real>(
-        Record::turns + entry * Record::plan_.stride[20]);
+    return this->field_(typename Record::turns(), Record::turns::offset + entry * Record::turns::stride);
   }
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
   /// @pre 0 <= entry < 33
   PHYSGEN_FUNCTION decltype(auto) many(int entry) const {
     physgen::check_inner(entry, 33, "an entry of tissue::model::Stored::many");
-    return at_.template field<physgen::shape::Rotation, typename Formats::many, Real>(
-        Record::many + entry * Record::plan_.stride[21]);
+    return this->field_(typename Record::many(), Record::many::offset + entry * Record::many::stride);
   }
   /// Initially 7.
   PHYSGEN_FUNCTION decltype(auto) count() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::count, std::int32_t>(Record::count);
+    return this->field_(typename Record::count(), Record::count::offset);
   }
-  PHYSGEN_FUNCTION FrameRef<Real, typename Formats::frame, Cursor> frame() const {
-    return FrameRef<Real, typename Formats::frame, Cursor>(at_.nested(Record::frame));
+  PHYSGEN_FUNCTION decltype(auto) frame() const {
+    return this->field_(typename Record::frame(), Record::frame::offset);
   }
   /// @pre 0 <= entry < 2
-  PHYSGEN_FUNCTION FrameRef<Real, typename Formats::frames, Cursor> frames(int entry) const {
+  PHYSGEN_FUNCTION decltype(auto) frames(int entry) const {
     physgen::check_inner(entry, 2, "an entry of tissue::model::Stored::frames");
-    return FrameRef<Real, typename Formats::frames, Cursor>(
-        at_.nested(Record::frames + entry * Record::plan_.stride[24]));
+    return this->field_(typename Record::frames(), Record::frames::offset + entry * Record::frames::stride);
   }
 
   PHYSGEN_FUNCTION const Value get() const {
@@ -2376,104 +1462,18 @@ class StoredRef {
     PHYSGEN_UNROLL
     for (int entry = 0; entry < 2; ++entry) frames(entry).put(value.frames[entry]);
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Stored.
-struct StoredObject {
+struct StoredObject : physgen::ObjectTagPerSpace<Stored, StoredFormats, StoredRecord, StoredRef> {
   static constexpr std::string_view name = "tissue::model::Stored";
-  template <class Real>
-  using Value = Stored<Real>;
+  static constexpr std::array<physgen::FieldText, 32> texts = {{
+      {"single"}, {"twice"}, {"narrowed"}, {"plain_half"}, {"load", "N", 1000.0}, {"wide"}, {"angle", "rad", 0.5},
+      {"temperature", "K", 310.0}, {"stress", "Pa"}, {"F"}, {"stretch"}, {"spin"}, {"R"}, {"R32"}, {"R64"}, {"Rhalf"},
+      {"Rbfloat"}, {"R16"}, {"entries"}, {"halves"}, {"turns"}, {"many"}, {"count", "", 7.0}, {"frame.turn"},
+      {"frame.origin", "m"}, {"frame.weight", "", 0.25}, {"frames[0].turn"}, {"frames[0].origin", "m"},
+      {"frames[0].weight", "", 0.25}, {"frames[1].turn"}, {"frames[1].origin", "m"}, {"frames[1].weight", "", 0.25}}};
   template <class Real, class Formats>
-  using Record = StoredRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = StoredRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 32> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::single, Real>(
-        "single", "", StoredRecord<Real, Formats>::single, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::twice, Real>(
-        "twice", "", StoredRecord<Real, Formats>::twice, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::narrowed, double>(
-        "narrowed", "", StoredRecord<Real, Formats>::narrowed, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::plain_half, Real>(
-        "plain_half", "", StoredRecord<Real, Formats>::plain_half, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::load, Real>(
-        "load", "N", StoredRecord<Real, Formats>::load, 1, 1000.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::wide, Real>(
-        "wide", "", StoredRecord<Real, Formats>::wide, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::angle, Real>(
-        "angle", "rad", StoredRecord<Real, Formats>::angle, 1, 0.5),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::temperature, Real>(
-        "temperature", "K", StoredRecord<Real, Formats>::temperature, 1, 310.0),
-    physgen::field_info<physgen::shape::Symmetric<3>, typename Formats::stress, Real>(
-        "stress", "Pa", StoredRecord<Real, Formats>::stress, 1, 0.0),
-    physgen::field_info<physgen::shape::Matrix<3, 3>, typename Formats::F, Real>(
-        "F", "", StoredRecord<Real, Formats>::F, 1, 0.0),
-    physgen::field_info<physgen::shape::Diagonal<3>, typename Formats::stretch, Real>(
-        "stretch", "", StoredRecord<Real, Formats>::stretch, 1, 0.0),
-    physgen::field_info<physgen::shape::Skew<3>, typename Formats::spin, Real>(
-        "spin", "", StoredRecord<Real, Formats>::spin, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::R, Real>(
-        "R", "", StoredRecord<Real, Formats>::R, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::R32, Real>(
-        "R32", "", StoredRecord<Real, Formats>::R32, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::R64, Real>(
-        "R64", "", StoredRecord<Real, Formats>::R64, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::Rhalf, Real>(
-        "Rhalf", "", StoredRecord<Real, Formats>::Rhalf, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::Rbfloat, Real>(
-        "Rbfloat", "", StoredRecord<Real, Formats>::Rbfloat, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::R16, Real>(
-        "R16", "", StoredRecord<Real, Formats>::R16, 1, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::entries, Real>(
-        "entries", "", StoredRecord<Real, Formats>::entries, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::halves, Real>(
-        "halves", "", StoredRecord<Real, Formats>::halves, 5, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::turns, Real>(
-        "turns", "", StoredRecord<Real, Formats>::turns, 3, 0.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::many, Real>(
-        "many", "", StoredRecord<Real, Formats>::many, 33, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::count, std::int32_t>(
-        "count", "", StoredRecord<Real, Formats>::count, 1, 7.0),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::frame::turn, Real>(
-        "frame.turn", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::turn, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::frame::origin, Real>(
-        "frame.origin", "m", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::origin, 1,
-        0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::frame::weight, Real>(
-        "frame.weight", "", StoredRecord<Real, Formats>::frame + FrameRecord<Real, typename Formats::frame>::weight, 1,
-        0.25),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::frames::turn, Real>(
-        "frames[0].turn", "", StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::turn,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::frames::origin, Real>(
-        "frames[0].origin", "m",
-        StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::origin, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::frames::weight, Real>(
-        "frames[0].weight", "",
-        StoredRecord<Real, Formats>::frames + FrameRecord<Real, typename Formats::frames>::weight, 1, 0.25),
-    physgen::field_info<physgen::shape::Rotation, typename Formats::frames::turn, Real>(
-        "frames[1].turn", "",
-        StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
-            FrameRecord<Real, typename Formats::frames>::turn,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::frames::origin, Real>(
-        "frames[1].origin", "m",
-        StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
-            FrameRecord<Real, typename Formats::frames>::origin,
-        1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::frames::weight, Real>(
-        "frames[1].weight", "",
-        StoredRecord<Real, Formats>::frames + 1 * StoredRecord<Real, Formats>::plan_.stride[24] +
-            FrameRecord<Real, typename Formats::frames>::weight,
-        1, 0.25),
-  }};
-  template <class Space>
-  using Formats = StoredFormats<Space>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = StoredProbe<ArrayTag, Base>;
 };
@@ -2485,23 +1485,17 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<8>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<StoredObject, Space>>
 using StoredArray = physgen::Array<StoredObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<StoredObject, float, StoredFormats<physgen::Host>>(
-    612, 8, {40, 0, 44, 240, 242, 244, 246, 48, 248, 52, 260, 266, 88, 124, 8, 272, 280, 288, 296, 314, 324, 348, 140,
-    144, 160, 172, 176, 192, 204, 208, 224, 236}));
-static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physgen::Host>>(
-    784, 8, {384, 0, 388, 412, 414, 416, 418, 8, 420, 16, 432, 438, 88, 392, 160, 444, 452, 460, 468, 486, 496, 520,
-    408, 192, 224, 248, 256, 288, 312, 320, 352, 376}));
-static_assert(physgen::is_sound_record<StoredObject, float, StoredFormats<physgen::Cuda>>(
-    524, 8, {40, 0, 44, 84, 86, 88, 90, 92, 94, 106, 124, 130, 48, 64, 8, 136, 144, 152, 160, 178, 188, 212, 80, 476,
-    484, 490, 492, 500, 506, 508, 516, 522}));
-static_assert(physgen::is_sound_record<StoredObject, double, StoredFormats<physgen::Cuda>>(
-    540, 8, {72, 0, 76, 100, 102, 104, 106, 108, 110, 122, 140, 146, 8, 80, 40, 152, 160, 168, 176, 194, 204, 228, 96,
-    492, 500, 506, 508, 516, 522, 524, 532, 538}));
+static_assert(physgen::are_sound_records<StoredObject, physgen::Host>(
+    {612, 8, {40, 0, 44, 240, 242, 244, 246, 48, 248, 52, 260, 266, 88, 124, 8, 272, 280, 288, 296, 314, 324, 348, 140,
+        144, 160, 172, 176, 192, 204, 208, 224, 236}},
+    {784, 8, {384, 0, 388, 412, 414, 416, 418, 8, 420, 16, 432, 438, 88, 392, 160, 444, 452, 460, 468, 486, 496, 520,
+        408, 192, 224, 248, 256, 288, 312, 320, 352, 376}}));
+static_assert(physgen::are_sound_records<StoredObject, physgen::Cuda>(
+    {524, 8, {40, 0, 44, 84, 86, 88, 90, 92, 94, 106, 124, 130, 48, 64, 8, 136, 144, 152, 160, 178, 188, 212, 80, 476,
+        484, 490, 492, 500, 506, 508, 516, 522}},
+    {540, 8, {72, 0, 76, 100, 102, 104, 106, 108, 110, 122, 140, 146, 8, 80, 40, 152, 160, 168, 176, 194, 204, 228, 96,
+        492, 500, 506, 508, 516, 522, 524, 532, 538}}));
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_26A5FF71BFE41386
+#endif  // PHYSGEN_EVERYTHING_H_336BE2E398A348F0

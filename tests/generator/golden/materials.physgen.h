@@ -1,11 +1,27 @@
 // Accessor classes of the object types in materials.h. Written by physgen: change the schema, not this file.
-#ifndef PHYSGEN_MATERIALS_H_66B56C20E9066756
-#define PHYSGEN_MATERIALS_H_66B56C20E9066756
+//
+// Of each object type X:
+//   X<Real> is the value of one object, all its fields. Real is float, double, or a SIMD batch of one of them.
+//   XFormats<Space> says how each field is stored in a memory space. To change a field's format, derive a struct from
+//   it, redeclare the field's alias there, and pass the struct as the last argument of XArray.
+//   XProbe are formats that tell reads and writes apart for the array that the tag ArrayTag names; see
+//   <physgen/probe.h>. The list of fields of Object has the first of these as number first.
+//   XRecord<Real, Formats> says where each field lies in the record of one object, and as what.
+//   XRef<Real, Formats, Cursor> has the accessors of one object of an array, or of those under a SIMD index: a function
+//   for each field; get() and put() load and store all of them.
+//   XObject is what the runtime knows of the type; XView and XArray are what programs name.
+//
+// The static_asserts compare what physgen planned with what the compiler finds, with Real = float and with Real =
+// double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
+// and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
+// inside its tile.
+#ifndef PHYSGEN_MATERIALS_H_1178CD65959DBC3B
+#define PHYSGEN_MATERIALS_H_1178CD65959DBC3B
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 4
-#error "materials.physgen.h is for version 4 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 5
+#error "materials.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace material {
@@ -13,7 +29,6 @@ namespace material {
 // ---- Lame -----------------------------------------------------------------------------------------------------------
 
 /// Elastic constants.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Lame {
   /// Shear modulus. [Pa]
@@ -22,8 +37,6 @@ struct Lame {
   Real lambda;
 };
 
-/// How the fields of one Lame are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of LameArray.
 template <class Space>
 struct LameFormats {
   using mu = physgen::format::Native;
@@ -31,8 +44,6 @@ struct LameFormats {
 };
 
 struct LameObject;
-/// LameFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
-/// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = LameFormats<physgen::Host>, class Object = LameObject, int first = 0>
 struct LameProbe {
   using array_ = ArrayTag;
@@ -40,76 +51,38 @@ struct LameProbe {
   using lambda = physgen::Probe<ArrayTag, Object, first + 1, typename Base::lambda>;
 };
 
-/// Where each field begins in the record of one Lame [bytes].
 template <class Real, class Formats>
 struct LameRecord {
-  static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Scalar, typename Formats::mu, Real>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::lambda, Real>(),
-  }});
-  static constexpr int mu = plan_.offset[0];
-  static constexpr int lambda = plan_.offset[1];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using mu = physgen::StoredField<LameRecord, 0, physgen::shape::Scalar, typename Formats::mu, Real>;
+  using lambda = physgen::StoredField<LameRecord, 1, physgen::shape::Scalar, typename Formats::lambda, Real>;
+  using fields_ = physgen::RecordFields<mu, lambda>;
 };
 
-/// One Lame of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class LameRef {
+struct LameRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = LameRecord<Real, Formats>;
-
- public:
   using Value = Lame<typename Cursor::template Lanes<Real>>;
 
-  PHYSGEN_FUNCTION explicit LameRef(const Cursor& cursor) : at_(cursor) {}
-  LameRef(const LameRef&) = default;
-  LameRef& operator=(const LameRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const LameRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
-
   /// Shear modulus. [Pa]
-  PHYSGEN_FUNCTION decltype(auto) mu() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::mu, Real>(Record::mu);
-  }
+  PHYSGEN_FUNCTION decltype(auto) mu() const { return this->field_(typename Record::mu(), Record::mu::offset); }
   /// [Pa]
   PHYSGEN_FUNCTION decltype(auto) lambda() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::lambda, Real>(Record::lambda);
+    return this->field_(typename Record::lambda(), Record::lambda::offset);
   }
 
-  PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    value.mu = mu();
-    value.lambda = lambda();
-    return value;
-  }
+  PHYSGEN_FUNCTION const Value get() const { return {mu(), lambda()}; }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     mu() = value.mu;
     lambda() = value.lambda;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Lame.
-struct LameObject {
+struct LameObject : physgen::ObjectTag<Lame, LameFormats, LameRecord, LameRef> {
   static constexpr std::string_view name = "material::Lame";
-  template <class Real>
-  using Value = Lame<Real>;
+  static constexpr std::array<physgen::FieldText, 2> texts = {{{"mu", "Pa"}, {"lambda", "Pa"}}};
   template <class Real, class Formats>
-  using Record = LameRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = LameRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Scalar, typename Formats::mu, Real>(
-        "mu", "Pa", LameRecord<Real, Formats>::mu, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::lambda, Real>(
-        "lambda", "Pa", LameRecord<Real, Formats>::lambda, 1, 0.0),
-  }};
-  template <class Space>
-  using Formats = LameFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = LameProbe<ArrayTag, Base>;
 };
@@ -120,17 +93,11 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<LameObject, Space>>
 using LameArray = physgen::Array<LameObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<LameObject, float, LameFormats<physgen::Host>>(8, 4, {0, 4}));
-static_assert(physgen::is_sound_record<LameObject, double, LameFormats<physgen::Host>>(16, 8, {0, 8}));
+static_assert(physgen::are_sound_records<LameObject, physgen::Host>({8, 4, {0, 4}}, {16, 8, {0, 8}}));
 
 // ---- Fibre ----------------------------------------------------------------------------------------------------------
 
 /// One family of fibres.
-/// @tparam Real float, double, or a SIMD batch of one of them
 template <class Real>
 struct Fibre {
   /// Unit vector along the fibre.
@@ -139,8 +106,6 @@ struct Fibre {
   physgen::same_lanes_t<Real, double> strength;
 };
 
-/// How the fields of one Fibre are stored in a memory space. To store some otherwise, derive from it, declare those
-/// anew, and name the derived struct as the last argument of FibreArray.
 template <class Space>
 struct FibreFormats {
   using direction = physgen::format::Native;
@@ -148,8 +113,6 @@ struct FibreFormats {
 };
 
 struct FibreObject;
-/// FibreFormats whose reads and writes are told apart for the array that the tag ArrayTag names; see <physgen/probe.h>.
-/// The list of fields of Object has the first of these as number first.
 template <class ArrayTag, class Base = FibreFormats<physgen::Host>, class Object = FibreObject, int first = 0>
 struct FibreProbe {
   using array_ = ArrayTag;
@@ -157,76 +120,40 @@ struct FibreProbe {
   using strength = physgen::Probe<ArrayTag, Object, first + 1, typename Base::strength>;
 };
 
-/// Where each field begins in the record of one Fibre [bytes].
 template <class Real, class Formats>
 struct FibreRecord {
-  static constexpr auto plan_ = physgen::plan_record<2>({{
-    physgen::slot<physgen::shape::Vector<3>, typename Formats::direction, float>(),
-    physgen::slot<physgen::shape::Scalar, typename Formats::strength, double>(),
-  }});
-  static constexpr int direction = plan_.offset[0];
-  static constexpr int strength = plan_.offset[1];
-  static constexpr int bytes = plan_.bytes;
-  static constexpr int alignment = plan_.alignment;
+  using direction = physgen::StoredField<FibreRecord, 0, physgen::shape::Vector<3>, typename Formats::direction, float>;
+  using strength = physgen::StoredField<FibreRecord, 1, physgen::shape::Scalar, typename Formats::strength, double>;
+  using fields_ = physgen::RecordFields<direction, strength>;
 };
 
-/// One Fibre of an array, or those under a SIMD index: fields by name, all of them by get and put.
 template <class Real, class Formats, class Cursor>
-class FibreRef {
+struct FibreRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
   using Record = FibreRecord<Real, Formats>;
-
- public:
   using Value = Fibre<typename Cursor::template Lanes<Real>>;
-
-  PHYSGEN_FUNCTION explicit FibreRef(const Cursor& cursor) : at_(cursor) {}
-  FibreRef(const FibreRef&) = default;
-  FibreRef& operator=(const FibreRef&) & = delete;
-  PHYSGEN_FUNCTION decltype(auto) operator=(const FibreRef&& other) const& { return physgen::assign(*this, other); }
-  template <physgen::ReadsAs<Value> Other>
-  PHYSGEN_FUNCTION decltype(auto) operator=(const Other&& other) const& { return physgen::assign(*this, other); }
 
   /// Unit vector along the fibre.
   PHYSGEN_FUNCTION decltype(auto) direction() const {
-    return at_.template field<physgen::shape::Vector<3>, typename Formats::direction, float>(Record::direction);
+    return this->field_(typename Record::direction(), Record::direction::offset);
   }
   /// [Pa]
   PHYSGEN_FUNCTION decltype(auto) strength() const {
-    return at_.template field<physgen::shape::Scalar, typename Formats::strength, double>(Record::strength);
+    return this->field_(typename Record::strength(), Record::strength::offset);
   }
 
-  PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    value.direction = direction().get();
-    value.strength = strength();
-    return value;
-  }
+  PHYSGEN_FUNCTION const Value get() const { return {direction().get(), strength()}; }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     direction() = value.direction;
     strength() = value.strength;
   }
-
- private:
-  Cursor at_;
 };
 
-/// What the runtime knows of Fibre.
-struct FibreObject {
+struct FibreObject : physgen::ObjectTag<Fibre, FibreFormats, FibreRecord, FibreRef> {
   static constexpr std::string_view name = "material::Fibre";
-  template <class Real>
-  using Value = Fibre<Real>;
+  static constexpr std::array<physgen::FieldText, 2> texts = {{{"direction"}, {"strength", "Pa"}}};
   template <class Real, class Formats>
-  using Record = FibreRecord<Real, Formats>;
-  template <class Real, class Formats, class Cursor>
-  using Ref = FibreRef<Real, Formats, Cursor>;
-  template <class Real, class Formats>
-  static constexpr std::array<physgen::FieldInfo, 2> fields = {{
-    physgen::field_info<physgen::shape::Vector<3>, typename Formats::direction, float>(
-        "direction", "", FibreRecord<Real, Formats>::direction, 1, 0.0),
-    physgen::field_info<physgen::shape::Scalar, typename Formats::strength, double>(
-        "strength", "Pa", FibreRecord<Real, Formats>::strength, 1, 0.0),
-  }};
-  template <class Space>
-  using Formats = FibreFormats<physgen::Host>;
+  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
   template <class ArrayTag, class Base>
   using Probe = FibreProbe<ArrayTag, Base>;
 };
@@ -237,13 +164,8 @@ template <class Real, class Space = physgen::Host,
           class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
           class Formats = physgen::FormatsOf<FibreObject, Space>>
 using FibreArray = physgen::Array<FibreObject, Real, Space, Layout, Formats>;
-
-// Proved by physgen for every layout and every number of objects, and compared with what the compiler finds: bytes and
-// alignment of the record, offsets of the fields; no two channels share a byte, each is aligned to its elements and
-// lies inside its tile.
-static_assert(physgen::is_sound_record<FibreObject, float, FibreFormats<physgen::Host>>(20, 8, {8, 0}));
-static_assert(physgen::is_sound_record<FibreObject, double, FibreFormats<physgen::Host>>(20, 8, {8, 0}));
+static_assert(physgen::are_sound_records<FibreObject, physgen::Host>({20, 8, {8, 0}}, {20, 8, {8, 0}}));
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_66B56C20E9066756
+#endif  // PHYSGEN_MATERIALS_H_1178CD65959DBC3B

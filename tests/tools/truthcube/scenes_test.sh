@@ -19,22 +19,34 @@ same_numbers() { # keys, files
 case $rule in
   scenes_of_equilibria_are_what_their_flags_are)
     expect_exit 0 "${small[@]}" --compress 0.05 --out plain
-    expect plain/run.json '"scene": "quasistatic"'
+    expect plain/run.json '"scene": "everything"'
+    expect plain/run.json '"arrays": "everything"'
+    stable=("${small[@]}" --compress 0.05 --material stable-neo-hookean --precision float)
+    expect_exit 0 "${stable[@]}" --out flags
     expect_exit 0 "${small[@]}" --compress 0.05 --scene quasistatic --out named
-    same_numbers 'energy reaction' plain/run.json named/run.json
-    expect_exit 0 "${small[@]}" --compress 0.05 --product matrix-free --preconditioner block-jacobi --out flags
+    expect named/run.json '"arrays": "quasistatic"'
+    same_numbers 'energy reaction residual' flags/run.json named/run.json
+    cmp flags/beads.csv named/beads.csv || fail "pruned arrays have other results"
+    expect_exit 0 "${stable[@]}" --product matrix-free --preconditioner block-jacobi --out flags
     expect_exit 0 "${small[@]}" --compress 0.05 --scene matrix-free --out scene
     expect scene/run.json '"product": "matrix-free"'
-    same_numbers 'energy reaction bytes' flags/run.json scene/run.json
+    same_numbers 'energy reaction residual' flags/run.json scene/run.json
+    cmp flags/beads.csv scene/beads.csv || fail "pruned arrays have other results"
+    (($(number_of bytes scene/run.json) < $(number_of bytes flags/run.json))) || fail "nothing is pruned"
     expect_exit 0 "${small[@]}" --compress 0.05 --scene matrix-free --preconditioner none
-    expect_exit 0 "${small[@]}" --compress 0.05 --material fixed-corotated --out flags
+    expect_exit 0 "${small[@]}" --compress 0.05 --material fixed-corotated --precision float --volume tets --out flags
     expect_exit 0 "${small[@]}" --compress 0.05 --scene fixed-corotated --out scene
-    same_numbers 'energy reaction bytes' flags/run.json scene/run.json ;;
+    same_numbers 'energy reaction residual' flags/run.json scene/run.json
+    cmp flags/beads.csv scene/beads.csv || fail "pruned arrays have other results" ;;
   flags_that_choose_otherwise_are_refused)
     expect_refused 'no scene matrix-fre; did you mean matrix-free[?]' --scene matrix-fre
     expect_refused 'matrix-free stands for --product matrix-free, and another is given' --scene matrix-free --product assembled
     expect_refused 'goes with --preconditioner block-jacobi or none' --scene matrix-free --preconditioner multigrid
     expect_refused 'fixed-corotated stands for --material fixed-corotated' --scene fixed-corotated --material neo-hookean
+    expect_refused 'quasistatic stands for --precision float, and another is given' --scene quasistatic --precision double
+    expect_refused 'quasistatic stands for --volume patches' --scene quasistatic --volume nodes
+    expect_refused 'matrix-free goes without --historical: that is a choice of --scene everything' --scene matrix-free --historical
+    expect_refused 'quasistatic has no --preconditioner schwarz' --scene quasistatic --preconditioner schwarz
     expect_refused 'implicit-dynamics stands for --product assembled' --scene implicit-dynamics --product matrix-free
     expect_refused 'implicit-dynamics goes without --stepping: steps are' --scene implicit-dynamics --stepping nested
     expect_refused 'implicit-dynamics goes without --restart' --scene implicit-dynamics --out o --restart
@@ -47,7 +59,7 @@ case $rule in
     expect_refused 'linear-elastic goes without --historical' --scene linear-elastic --historical
     expect_refused 'linear-elastic stands for --volume tets' --scene linear-elastic --volume nodes
     for flag in time-step duration density damping; do
-      expect_refused "quasistatic goes without --$flag: these are for --scene implicit-dynamics or" --$flag 1
+      expect_refused "everything goes without --$flag: these are for --scene implicit-dynamics or" --$flag 1
     done
     expect_refused '--density 0.0*: the density' --scene implicit-dynamics --density 0
     expect_refused '--duration -1.0*: the time' --scene implicit-dynamics --duration -1
@@ -55,6 +67,14 @@ case $rule in
     expect_refused '--time-step nan: the time step' --scene explicit-dynamics --time-step nan
     expect_refused 'frames: Value 0 not in range' --scene explicit-dynamics --frames 0 ;;
   a_dry_run_says_the_bytes_that_a_scene_takes)
+    for scene in quasistatic matrix-free fixed-corotated linear-elastic; do
+      flags=("${small[@]}" --scene $scene --precision float --compress 0.02)
+      [[ $scene == linear-elastic ]] && flags+=(--product matrix-free --preconditioner block-jacobi)
+      expect_exit 0 "${flags[@]}" --dry-run
+      said=$(sed -nE 's/^solver: ([0-9]+) bytes, .*/\1/p' out)
+      expect_exit 0 "${flags[@]}" --out $scene
+      ((said == $(number_of bytes $scene/run.json))) || fail "$scene: other bytes"
+    done
     for scene in implicit-dynamics explicit-dynamics linear-elastic; do
       for precision in half double; do
         flags=("${small[@]}" --scene $scene --precision $precision --compress 0.02)
@@ -96,7 +116,27 @@ case $rule in
     stable=$(sed -nE 's/.*about ([0-9.e-]+) s;.*/\1/p' err)
     # Stable at rest, and not where tets are half as high.
     expect_exit 3 "${small[@]}" --scene explicit-dynamics --compress 0.5 --duration 0.5 --frames 2 --time-step "$stable"
-    expect err 'the motion is not finite at [0-9.]+ s: a time step of .* Try --time-step [0-9.e-]+, or --scene implicit' ;;
+    expect err 'the motion is not finite at [0-9.]+ s, time step [0-9]+ of this state: tet [0-9]+ has a stress .* F = \['
+    expect err 'A time step of .* Try --time-step [0-9.e-]+, or --scene implicit'
+    # A look every few steps ends it long before the state is due.
+    expect_exit 3 "${small[@]}" --scene explicit-dynamics --compress 0.9 --duration 20 --frames 1 --time-step "$stable"
+    (($(sed -nE 's/.* time step ([0-9]+) of this state.*/\1/p' err) < 40000)) || fail 'all steps were taken'
+    expect_exit 3 "${small[@]}" --scene implicit-dynamics --young 1e300 --compress 0.1
+    expect err 'no equilibrium with inertia behind 0 s.* There, tet [0-9]+ .*F = \[' ;;
+  inverted_tets_of_a_motion_are_said)
+    # Ten metres a second: faster than the body gives way.
+    expect_exit 0 "${small[@]}" --scene implicit-dynamics --compress 0.9 --duration 0.02 --frames 4 --out o
+    mapfile -t J < <(number_of smallest_J o/run.json)
+    inverted=0
+    for number in "${J[@]}"; do [[ $number != -* ]] || inverted=$((inverted + 1)); done
+    ((${#J[@]} == 4 && inverted > 0)) || fail 'no inverted tets'
+    (($(grep -cE '^ .* +-[0-9.]+ +[0-9.]+  inverted$' out) == inverted)) || fail 'other states are marked'
+    expect out "^$inverted of 4 states have inverted tets$"
+    (($(grep -cE '^  [0-9]+ tets? (is|are) inverted, (most of all )?tet [0-9]+: J -[0-9.]+, F = \[.*;.*;.*\]$' out) == 1)) ||
+      fail 'it is not told once'
+    expect out 'Try a shorter --time-step, a longer --duration'
+    expect_exit 0 "${motion[@]}" --scene implicit-dynamics
+    expect_no out 'inverted' ;;
   linear_elastic_equilibria_scale_with_the_load)
     expect_exit 0 "${small[@]}" --scene linear-elastic --precision double --tolerance 1e-12 --compress 0.05 0.1 --out o
     expect out 'note: linear elasticity takes the change of volume of each tet by itself'

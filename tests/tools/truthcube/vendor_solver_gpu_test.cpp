@@ -2,8 +2,8 @@
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/scattered.h>
 #include <gtest/gtest.h>
+#include <physgen/device.h>
 #include <physgen/error.h>
-#include <physgen/storage.h>
 #include <truthcube/linear_solves/cusparse_product.h>
 #include <truthcube/linear_solves/vendor_solver.h>
 

@@ -6,6 +6,7 @@
 #include <fem/solver/dynamic_solver.h>
 #include <fem/solver/host_points.h>
 #include <fem/solver/make_executor.h>
+#include <fem/solver/masses.h>
 #include <fem/solver/material_names.h>
 #include <fem/solver/node_vectors.h>
 #include <fem/solver/require.h>
@@ -22,7 +23,7 @@ struct ExplicitSteps {
   virtual ~ExplicitSteps() = default;
   virtual void step(On& on, Body& body, const TimeStep& step) const = 0;
   virtual void forces(On& on, Body& body) const = 0;
-  virtual void elastic_energy(On& on, Body& body) const = 0;
+  virtual void measure(On& on, Body& body) const = 0;
   virtual void stresses(On& on, Body& body, Stresses& stresses) const = 0;
 };
 
@@ -34,7 +35,7 @@ struct ExplicitStepsOf final : ExplicitSteps<On, Body> {
   explicit ExplicitStepsOf(const Material& own) : material(own) {}
   void step(On& on, Body& body, const TimeStep& step) const override { explicit_step(on, body, material, step); }
   void forces(On& on, Body& body) const override { compute_forces(on, body, material); }
-  void elastic_energy(On& on, Body& body) const override { measure_elastic_energy(on, body, material); }
+  void measure(On& on, Body& body) const override { measure_explicit_motion(on, body, material); }
   void stresses(On& on, Body& body, Stresses& stresses) const override {
     compute_stresses(on, body, material, stresses);
   }
@@ -57,14 +58,16 @@ template <class On, class Real>
 class ExplicitSolverOf final : public DynamicSolver {
  public:
   using Space = typename On::Space;
-  using Body = ExplicitBody<Real, Space>;
+  using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
 
   ExplicitSolverOf(const MeshLevel& level, const Loading& loading, const DynamicSettings& settings)
       : settings_(settings),
         rest_(level.rest),
         on_(make_executor<On>(index_t(level.mesh.tets.size()))),
-        steps_(make_explicit_steps<On, Body>(settings.solver)),
-        body_(level, loading, lumped_masses(level.mesh, level.rest, settings.density)) {}
+        steps_(make_explicit_steps<On, Body>(settings.solver)) {
+    fill_explicit_body(body_, level, loading, lumped_masses(level.mesh, level.rest, settings.density),
+                       settings.fixed_order);
+  }
 
   NewtonResult step(double length, double load) override {
     require_step(length, load);
@@ -118,9 +121,7 @@ class ExplicitSolverOf final : public DynamicSolver {
     return plain_stresses(stresses);
   }
   [[nodiscard]] MotionMeasure measure() override {
-    on_->reduce(body_.nodes(), NodeMotion{body_.masses.const_view(), body_.velocities.const_view()}, Sum{},
-                StoreMotion{body_.measured.view()});
-    steps_->elastic_energy(*on_, body_);
+    steps_->measure(*on_, body_);
     const auto found = on_->value(body_.measured);
     return {found.kinetic, found.elastic, {found.momentum[0], found.momentum[1], found.momentum[2]}};
   }

@@ -1,7 +1,6 @@
 // The order of edges by slices of nodes.
 #include <fem/kernels/edge_slices.h>
 #include <physgen/error.h>
-#include <physgen/storage.h>
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,6 @@
 // The lists that the symmetric product goes by.
 #include <fem/kernels/symmetric_product.h>
 #include <physgen/error.h>
-#include <physgen/storage.h>
 
 #include <string>
 #include <vector>

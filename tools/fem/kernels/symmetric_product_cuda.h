@@ -15,7 +15,9 @@ struct MultiplyNodes {
   DisplacementView displacements;    ///< elasticity::NodeDisplacement
   DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
 
-  __device__ void operator()(index_t node) const { differentials[node].df() = detail::node_contribution(*this, node); }
+  PHYSGEN_FUNCTION void operator()(index_t node) const {
+    differentials[node].df() = detail::node_contribution(*this, node);
+  }
 };
 template <class... Views>
 MultiplyNodes(Views...) -> MultiplyNodes<Views...>;

@@ -9,20 +9,6 @@
 
 namespace physgen::fem {
 
-/// The vectors of one linear solve, by name.
-template <class Real, class Space>
-struct KrylovVectors {
-  elasticity::NodeDisplacementArray<Real, Space> step;           ///< dx
-  elasticity::NodeForceDifferentialArray<Real, Space> residual;  ///< r = f + K dx
-  elasticity::NodeDisplacementArray<Real, Space> direction;      ///< p
-  elasticity::NodeForceDifferentialArray<Real, Space> product;   ///< K p
-  quasistatic::LinearSolveArray<double, Space> state;
-
-  [[nodiscard]] index_t bytes() const { return bytes_of(step, residual, direction, product, state); }
-
-  explicit KrylovVectors(index_t nodes) : step(nodes), residual(nodes), direction(nodes), product(nodes), state(1) {}
-};
-
 /// Sets the tolerance on the device.
 template <class StateView>
 struct SetTolerance {
@@ -50,8 +36,9 @@ ClearStep(View) -> ClearStep<View>;
 
 /// Solves K dx = -f to sqrt(r . z) <= tolerance times its first value.
 /// @param loop of this level, these vectors, `multiply`, and `residual_length`, which it is recorded with
-/// @param level LinearLevel, or arrays of its names: in scaled unknowns the preconditioner's r and z
-/// @param v its residual holds f, 0 in prescribed components; on return dx, and the recurrence's residual
+/// @param level LevelOver, or arrays of its names: in scaled unknowns the preconditioner's r and z
+/// @param v the arrays of Krylov in solver_groups.h; its residual holds f, 0 in prescribed components; on return dx,
+/// and the recurrence's residual
 /// @param residual_length where it is above 0: solves to |r| <= this [N] in place of the tolerance
 /// @param multiply turns v.direction p and leaves K p in v.product
 /// @param precondition leaves z = M r in level.correction; level.residual is used up

@@ -4,6 +4,7 @@
 
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/coarse_inverse.h>
+#include <fem/solver/performs_in.h>
 #include <fem/solver/settings.h>
 #include <fem/solver/smoother.h>
 #include <fem/solver/transfer.h>
@@ -123,6 +124,7 @@ PHYSGEN_FUNCTION void solve_coarsest(On& on, Level& level) {
 /// For executors that run all small levels at once: z of level l from its r.
 /// @return whether this one does, and has
 template <class On, class Levels>
+  requires(!PerformsIn<On, Cuda>)
 PHYSGEN_FUNCTION bool cycle_at_once(On& /*on*/, Levels& /*levels*/, std::size_t /*l*/,
                                     const PreconditionerSettings& /*settings*/) {
   return false;

@@ -38,7 +38,7 @@ template <class StateView>
 StoreVolumetric(StateView) -> StoreVolumetric<StateView>;
 
 /// A material, as the solver sees it that is compiled for all of them.
-/// @tparam Arrays EquilibriumArrays
+/// @tparam Arrays EquilibriumOver
 template <class On, class Arrays>
 class Evaluator {
  public:

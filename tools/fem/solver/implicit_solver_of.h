@@ -7,6 +7,7 @@
 #include <fem/solver/node_vectors.h>
 #include <fem/solver/require.h>
 #include <fem/solver/solver_parts.h>
+#include <fem/solver/solver_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Sol
     std::vector<double> masses = lumped_masses(levels.front().mesh, levels.front().rest, settings.density);
     largest_mass_ = std::ranges::max(masses);
     for (std::size_t l = 0; l < linear_.size() && !levels[l].is_grid(); ++l) {
-      linear_[l]->inertia = std::make_unique<InertiaArrays<Space>>(masses, l == 0);
+      make(linear_[l]->inertia, masses, l == 0);
       if (l + 1 < linear_.size() && !levels[l + 1].is_grid()) {
         masses = coarsened_masses(masses, levels[l].parents, levels[l + 1].mesh.nodes);
       }
@@ -108,7 +109,7 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Sol
     settings.nested = false;
     return settings;
   }
-  [[nodiscard]] InertiaArrays<Space>& inertia() const { return *linear_.front()->inertia; }
+  [[nodiscard]] auto& inertia() const { return *linear_.front()->inertia; }
 
   double damping_;  ///< [1/s]
   bool has_planes_;

@@ -3,31 +3,31 @@
 
 #include <dynamics.physgen.h>
 #include <fem/solver/inertia.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/solver_arrays.h>
 
+#include <utility>
 #include <vector>
 
 namespace physgen::fem {
 
-template <class Space>
-struct InertiaArrays {
-  dynamics::NodeMassArray<double, Space> masses;
-  // Empty where equilibrium is not solved.
-  elasticity::NodePositionArray<double, Space> centres;  ///< y of inertia.h
-  dynamics::NodeVelocityArray<double, Space> velocities;
-  dynamics::MotionArray<double, Space> measured;
+/// @tparam Group with the arrays of Inertia in solver_groups.h
+template <class Group>
+struct InertiaOver : Group {
   double per_mass = 0;  ///< c / m [1/s^2]; 0: no inertia
 
+  explicit InertiaOver(Group&& arrays) : Group(std::move(arrays)) {}
   /// @param masses_of_nodes [kg] @param solved whether equilibrium is solved on the level
-  InertiaArrays(const std::vector<double>& masses_of_nodes, bool solved)
-      : masses(moved_to<decltype(masses)>(host_masses(masses_of_nodes))),
-        centres(solved ? masses.size() : 0),
-        velocities(solved ? masses.size() : 0),
-        measured(solved ? 1 : 0) {}
+  InertiaOver(const std::vector<double>& masses_of_nodes, bool solved) {
+    const auto nodes = index_t(masses_of_nodes.size());
+    this->allocate({.node = nodes, .moving_node = solved ? nodes : 0, .measure = solved ? 1 : 0});
+    put(this->masses, host_masses(masses_of_nodes));
+  }
 
-  [[nodiscard]] index_t bytes() const { return bytes_of(masses, centres, velocities, measured); }
   /// For kernels. @pre equilibrium is solved on the level
-  [[nodiscard]] auto at_step() const { return Inertia{per_mass, masses.const_view(), centres.const_view()}; }
+  [[nodiscard]] auto at_step() const {
+    return Inertia{per_mass, this->masses.const_view(), this->centres.const_view()};
+  }
 
  private:
   static auto host_masses(const std::vector<double>& given) {

@@ -1,4 +1,4 @@
-// What a V-cycle needs of levels, as a kernel on the device is handed it: views under the names of LinearLevel's
+// What a V-cycle needs of levels, as a kernel on the device is handed it: views under the names of its
 // arrays.
 #pragma once
 
@@ -26,7 +26,7 @@ class ArrayViews {
   View_ view_;
 };
 
-/// @tparam Level a LinearLevel
+/// @tparam Level a LevelOver
 template <class Level>
 struct LevelViews {
   using Choices = typename Level::Choices;

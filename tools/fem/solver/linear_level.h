@@ -7,36 +7,15 @@
 #include <fem/solver/inertia_arrays.h>
 #include <fem/solver/over_groups.h>
 #include <fem/solver/plane_arrays.h>
+#include <fem/solver/run_time_choices.h>
 #include <fem/solver/schwarz_arrays.h>
 #include <fem/solver/solver_arrays.h>
-#include <physgen/format/half.h>
+#include <fem/solver/stored.h>
 
 #include <algorithm>
-#include <memory>
+#include <utility>
 
 namespace physgen::fem {
-
-/// How preconditioners store the blocks of edges, and the factors of Schwarz blocks: as they compute them.
-struct StoredAsComputed {
-  static constexpr bool rounds = false;
-  template <class Space>
-  using Edges = physgen::FormatsOf<elasticity::EdgeStiffnessObject, Space>;
-  template <class Space>
-  using Factors = physgen::FormatsOf<quasistatic::SchwarzFactorObject, Space>;
-};
-/// In half. Blocks of edges are scaled to a unit diagonal; what they lose is added to those of nodes
-/// (KeepTranslations): without that, nearly incompressible bodies take a tenth more iterations, with it none.
-struct StoredInHalf {
-  static constexpr bool rounds = true;
-  template <class Space>
-  struct Edges : elasticity::EdgeStiffnessFormats<Space> {
-    using E = format::Half<>;
-  };
-  template <class Space>
-  struct Factors : quasistatic::SchwarzFactorFormats<Space> {
-    using W = format::Half<>;
-  };
-};
 
 /// What a level needs whose stiffness is not assembled.
 struct MatrixFree {
@@ -44,126 +23,101 @@ struct MatrixFree {
   bool coarser;  ///< whether the next coarser level is solved on, too
 };
 
-/// @tparam Real of the stiffness
-/// @tparam Stored StoredAsComputed or StoredInHalf
-template <class Real_, class Space_, class Stored_>
-struct LinearLevel {
+/// @tparam Real_ of the stiffness
+/// @tparam Stored_ StoredAsComputed or StoredInHalf
+/// @tparam Choices_ what is asked for at run time: AnyChoice, or another of run_time_choices.h
+/// @tparam Group with the arrays of Level in solver_groups.h
+/// @tparam Schwarz SchwarzOver, Planes PlanesOver, Inertia InertiaOver, or NoArrays
+template <class Real_, class Space_, class Stored_, class Choices_, class Group, class Schwarz, class Planes,
+          class Inertia>
+struct LevelOver : Group {
   using Real = Real_;
   using Space = Space_;
   using Stored = Stored_;
-  using Choices = AnyChoice;
+  using Choices = Choices_;
+  using Own = Group;  ///< without what it may have besides
 
   bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
-  quasistatic::NodeConstraintArray<Real, Space> constraints;
-  elasticity::EdgeArray<Real, Space> edges;
-  PackedRows<Space> node_edges;
+  bool is_grid = false;   ///< a level of a background grid
   EdgeSums sums;
-  EdgeSlices slices;  ///< on CUDA, of few nodes
+  EdgeSlices slices;          ///< on CUDA, of few nodes
+  Optional<Schwarz> schwarz;  ///< where that preconditioner is used
+  Optional<Planes> planes;    ///< where the body may touch some
+  Optional<Inertia> inertia;  ///< where it moves
+  RowsOf<decltype(Group::node_edge_ranges), decltype(Group::node_edge_entries)> node_edges{this->node_edge_ranges,
+                                                                                           this->node_edge_entries};
+  RowsOf<decltype(Group::child_ranges), decltype(Group::child_entries)> children{this->child_ranges,
+                                                                                 this->child_entries};
+  RowsOf<decltype(Group::edge_term_ranges), decltype(Group::edge_term_entries)> edge_terms{this->edge_term_ranges,
+                                                                                           this->edge_term_entries};
 
-  elasticity::NodeStiffnessArray<Real, Space> node_stiffness;
-  /// On CUDA as records, since they are gathered: from tiles a block is read from nine places.
-  elasticity::EdgeStiffnessArray<Real, Space,
-                                 PerSpace<Space, LayoutOf<elasticity::EdgeStiffnessArray<Real, Host>>, Aos>>
-      edge_stiffness;
-
-  // The preconditioner, in unknowns scaled to a unit diagonal.
-  quasistatic::NodeScaleArray<Real, Space> scales;
-  elasticity::NodeStiffnessArray<Real, Space> scaled_nodes;
-  /// In the order of `slices`, where there are any.
-  elasticity::EdgeStiffnessArray<Real, Space, LayoutOf<elasticity::EdgeStiffnessArray<Real, Space>>,
-                                 typename Stored::template Edges<Space>>
-      scaled_edges;
-  quasistatic::NodeInverseArray<Real, Space> inverse;
-  quasistatic::SmootherArray<double, Space> smoother;
-  elasticity::NodeForceDifferentialArray<Real, Space> residual;  ///< r
-  elasticity::NodeDisplacementArray<Real, Space> correction;     ///< z
-  elasticity::NodeDisplacementArray<Real, Space> direction;      ///< d
-  elasticity::NodeDisplacementArray<Real, Space> power;          ///< the eigenvector that power iterations approach
-
-  // To the next coarser level; empty on the coarsest.
-  quasistatic::NodeParentsArray<Real, Space> parents;
-  quasistatic::GridParentsArray<Real, Space> grid_parents;  ///< in place of `parents`, to a background grid
-  PackedRows<Space> children, edge_terms;
-  /// Of levels of a background grid, and of the mesh on it.
-  quasistatic::TranslationStiffnessArray<Real, Space> translations;
-  bool is_grid = false;  ///< a level of a background grid
-  // Of the coarsest level alone.
-  quasistatic::CoarseInverseArray<Real, Space> coarse_inverse;
-  /// Where that preconditioner is used.
-  std::unique_ptr<SchwarzArrays<Real, Space, typename Stored::template Factors<Space>>> schwarz;
-  std::unique_ptr<PlaneArrays<Real, Space>> planes;  ///< where the body may touch some
-  std::unique_ptr<InertiaArrays<Space>> inertia;     ///< where it moves
-
-  LinearLevel(const LevelGraph& graph, const LevelGraph* coarser)
-      : constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
-        edges(moved_to<decltype(edges)>(host_edges(graph))),
-        node_edges(packed_rows<NodeEdgeEntry>(graph.node_edges, index_t(graph.edges.size()), "edges")),
+  explicit LevelOver(Group&& arrays) : Group(std::move(arrays)) {}
+  /// With an assembled stiffness. @param coarser the next level, or null
+  LevelOver(const LevelGraph& graph, const LevelGraph* coarser)
+      : is_grid(graph.is_grid),
         sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
         slices(Space::kind == SpaceKind::cuda && graph.nodes <= EdgeSlices::most_nodes
                    ? EdgeSlices(as_mesh(graph), Space::kind)
-                   : EdgeSlices()),
-        node_stiffness(graph.nodes),
-        edge_stiffness(index_t(graph.edges.size())),
-        scales(graph.nodes),
-        scaled_nodes(graph.nodes),
-        scaled_edges(index_t(graph.edges.size())),
-        inverse(graph.nodes),
-        smoother(1),
-        residual(graph.nodes),
-        correction(graph.nodes),
-        direction(graph.nodes),
-        power(graph.nodes),
-        translations(graph.is_grid || !graph.grid_parents.empty() ? graph.nodes : 0),
-        is_grid(graph.is_grid) {
-    if (coarser == nullptr) {
-      if (nodes() <= most_coarse_nodes) coarse_inverse = decltype(coarse_inverse)(nodes() * nodes());
-      return;
+                   : EdgeSlices()) {
+    const index_t nodes = graph.nodes, edges = index_t(graph.edges.size());
+    const auto of_nodes = packed_rows<NodeEdgeEntry>(graph.node_edges, edges, "edges");
+    const bool on_grid = !graph.grid_parents.empty();
+    PackedRows<Host> of_children, of_terms;
+    if (coarser != nullptr) {
+      of_children = packed_rows<ChildEntry>(graph.children, nodes, "nodes");
+      of_terms = packed_rows<EdgeTermEntry>(graph.edge_terms, std::max(nodes, edges), "edges");
     }
-    if (graph.grid_parents.empty()) {
-      parents = moved_to<decltype(parents)>(host_parents(graph));
+    this->allocate({.node = nodes,
+                    .edge = edges,
+                    .edge_node = nodes,
+                    .edge_end = of_nodes.entries().size(),
+                    .block_node = nodes,
+                    .smoother = 1,
+                    .child = coarser != nullptr && !on_grid ? nodes : 0,
+                    .grid_child = coarser != nullptr && on_grid ? nodes : 0,
+                    .parent = of_children.ranges().size(),
+                    .child_entry = of_children.entries().size(),
+                    .coarse_edge = of_terms.ranges().size(),
+                    .edge_term = of_terms.entries().size(),
+                    .grid_node = graph.is_grid || on_grid ? nodes : 0,
+                    .coarse_pair = coarser == nullptr && nodes <= most_coarse_nodes ? nodes * nodes : 0});
+    put(this->constraints, host_constraints(graph));
+    put(this->edges, host_edges(graph));
+    put_rows(this->node_edge_ranges, this->node_edge_entries, of_nodes);
+    put_rows(this->child_ranges, this->child_entries, of_children);
+    put_rows(this->edge_term_ranges, this->edge_term_entries, of_terms);
+    if (coarser == nullptr) return;
+    if (on_grid) {
+      put(this->grid_parents, host_grid_parents(graph));
     } else {
-      grid_parents = moved_to<decltype(grid_parents)>(host_grid_parents(graph));
+      put(this->parents, host_parents(graph));
     }
-    const auto blocks = std::max(index_t{graph.nodes}, index_t(graph.edges.size()));
-    children = PackedRows<Space>(packed_rows<ChildEntry>(graph.children, graph.nodes, "nodes"));
-    edge_terms = PackedRows<Space>(packed_rows<EdgeTermEntry>(graph.edge_terms, blocks, "edges"));
   }
-
-  LinearLevel(const LevelGraph& graph, MatrixFree needs)
-      : assembled(false),
-        constraints(moved_to<decltype(constraints)>(host_constraints(graph))),
-        scales(moved_to<decltype(scales)>(host_unit_scales(graph))),
-        residual(graph.nodes),
-        correction(graph.nodes) {
-    if (needs.blocks) {
-      node_stiffness = decltype(node_stiffness)(graph.nodes);
-      inverse = decltype(inverse)(graph.nodes);
-    }
-    if (needs.coarser) parents = moved_to<decltype(parents)>(host_parents(graph));
+  LevelOver(const LevelGraph& graph, MatrixFree needs) : assembled(false) {
+    this->allocate(
+        {.node = graph.nodes, .block_node = needs.blocks ? graph.nodes : 0, .child = needs.coarser ? graph.nodes : 0});
+    put(this->constraints, host_constraints(graph));
+    put(this->scales, host_unit_scales(graph));
+    if (needs.coarser) put(this->parents, host_parents(graph));
   }
 
   /// @param rest position of each node
   void use_schwarz(const LevelGraph& graph, const std::vector<Point>& rest) {
-    schwarz =
-        std::make_unique<typename decltype(schwarz)::element_type>(make_schwarz_hierarchy(graph, rest), edge_count());
+    make(schwarz, make_schwarz_hierarchy(graph, rest), edge_count());
   }
 
-  [[nodiscard]] index_t nodes() const { return constraints.size(); }
+  [[nodiscard]] index_t nodes() const { return this->constraints.size(); }
+  [[nodiscard]] index_t edge_count() const { return this->edge_stiffness.size(); }
   [[nodiscard]] index_t bytes() const {
-    return bytes_of(constraints, edges, node_edges.ranges(), node_edges.entries(), node_stiffness, edge_stiffness,
-                    scales, scaled_nodes, scaled_edges, inverse, smoother, residual, correction, direction, power,
-                    parents, grid_parents, children.ranges(), children.entries(), edge_terms.ranges(),
-                    edge_terms.entries(), translations, coarse_inverse) +
-           sums.bytes() + slices.bytes() + (schwarz == nullptr ? 0 : schwarz->bytes()) +
-           (planes == nullptr ? 0 : planes->bytes()) + (inertia == nullptr ? 0 : inertia->bytes());
+    return Group::bytes() + sums.bytes() + slices.bytes() + bytes_where(schwarz) + bytes_where(planes) +
+           bytes_where(inertia);
   }
-  [[nodiscard]] index_t edge_count() const { return edge_stiffness.size(); }
 
   /// The stiffness as plain blocks. @pre nothing is under way in it
   [[nodiscard]] AssembledStiffness stiffness() const {
-    const auto node_blocks = moved_to<elasticity::NodeStiffnessArray<Real>>(node_stiffness);
-    const auto edge_blocks = moved_to<elasticity::EdgeStiffnessArray<Real>>(edge_stiffness);
-    const auto ends = moved_to<elasticity::EdgeArray<Real>>(edges);
+    const auto node_blocks = moved_to<elasticity::NodeStiffnessArray<Real>>(this->node_stiffness);
+    const auto edge_blocks = moved_to<elasticity::EdgeStiffnessArray<Real>>(this->edge_stiffness);
+    const auto ends = moved_to<elasticity::EdgeArray<Real>>(this->edges);
     AssembledStiffness plain;
     plain.nodes.resize(static_cast<std::size_t>(nodes()));
     plain.edges.resize(static_cast<std::size_t>(edge_count()));

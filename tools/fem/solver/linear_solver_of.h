@@ -2,7 +2,9 @@
 // for each.
 #pragma once
 
+#include <fem/solver/all_arrays.h>
 #include <fem/solver/host_points.h>
+#include <fem/solver/linear_body.h>
 #include <fem/solver/linear_steps.h>
 #include <fem/solver/loading_arrays.h>
 #include <fem/solver/make_executor.h>
@@ -20,13 +22,15 @@
 
 namespace physgen::fem {
 
-template <class On, class Real, class Stored>
+/// @tparam Types AllArrays of all_arrays.h, or a struct of its names
+template <class On, class Types>
 class LinearSolverOf final : public EquilibriumSolver {
  public:
   using Space = typename On::Space;
-  using Body = LinearBody<Real, Space>;
-  using Level = LinearLevel<Real, Space, Stored>;
-  using Vectors = KrylovVectors<Real, Space>;
+  using Real = typename Types::Real;
+  using Body = typename Types::Body;
+  using Level = typename Types::Level;
+  using Vectors = typename Types::Vectors;
 
   LinearSolverOf(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
       : LinearSolverOf(loading, settings, levels_in_use(levels, unnested(settings))) {}
@@ -53,8 +57,7 @@ class LinearSolverOf final : public EquilibriumSolver {
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     elasticity::StressArray<double, Space> stresses(body_.tets.size());
-    on_->run(body_.tets.size(), ComputeLinearStress{lame_, body_.tets.const_view(), body_.rest.const_view(),
-                                                    body_.displacements.const_view(), stresses.view()});
+    compute_linear_stresses(*on_, body_, lame_, stresses);
     on_->wait();
     return plain_stresses(stresses);
   }
@@ -89,11 +92,11 @@ class LinearSolverOf final : public EquilibriumSolver {
         on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
         linear_(make_linear_levels<Level>(used, settings)),
         lame_(lame_parameters(settings.youngs_modulus, settings.poissons_ratio, "linear elasticity")),
-        body_(used.levels.front(), used.graphs.front(), settings.newton.product == Product::assembled),
-        vectors_(used.graphs.front().nodes),
         rounding_force_(rounding_force(settings, used.levels.front(), loading.motion, false,
                                        mean_spacing(used.levels.front().mesh, rest_))) {
-    store_loading(body_, used.levels.front(), loading.motion, loading.forces);
+    fill_linear_body(body_, used.levels.front(), used.graphs.front(), loading,
+                     settings.newton.product == Product::assembled);
+    vectors_.allocate({.node = used.graphs.front().nodes});
   }
   static SolverSettings unnested(SolverSettings settings) {
     settings.nested = false;
@@ -103,10 +106,9 @@ class LinearSolverOf final : public EquilibriumSolver {
   /// Leaves what it has found in the displacements, also where it has not converged.
   NewtonResult solve_from_rest(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) {
     using Clock = std::chrono::steady_clock;
-    on_->run(nodes(), BeginAtLoad{load, body_.motion.const_view(), linear_[0]->constraints.const_view(),
-                                  body_.displacements.view()});
+    begin_linear(*on_, body_, *linear_[0], lame_, load);
     load_ = load;
-    auto state = evaluate(load);
+    auto state = on_->value(body_.state);
     NewtonResult result;
     for (bool solved = false;;) {
       const double free = std::sqrt(state.free_square), fixed = std::sqrt(state.fixed_square);
@@ -150,7 +152,7 @@ class LinearSolverOf final : public EquilibriumSolver {
     return result;
   }
 
-  [[nodiscard]] index_t nodes() const { return body_.nodes(); }
+  [[nodiscard]] index_t nodes() const { return body_.displacements.size(); }
   auto evaluate(double load) {
     evaluate_linear(*on_, body_, *linear_[0], lame_, load);
     return on_->value(body_.state);
@@ -159,8 +161,10 @@ class LinearSolverOf final : public EquilibriumSolver {
     const NewtonSettings& newton = settings_.newton;
     const bool prepared = std::exchange(is_prepared_, true);
     if (newton.product == Product::assembled) {
-      if (!prepared) prepare_linear(*on_, body_, linear_, lame_, newton.preconditioner);
-      solve_linear(*on_, loop_, body_, linear_, vectors_, newton, linear_tolerance());
+      if constexpr (Level::Choices::assembled) {
+        if (!prepared) prepare_linear(*on_, body_, linear_, lame_, newton.preconditioner);
+        solve_linear(*on_, loop_, body_, linear_, vectors_, newton, linear_tolerance());
+      }
     } else {
       Level& level = *linear_[0];
       const bool blocks = newton.preconditioner.kind == Preconditioner::block_jacobi;
@@ -175,10 +179,7 @@ class LinearSolverOf final : public EquilibriumSolver {
     return std::max(0.03 * settings_.newton.tolerance, 8.0 * std::numeric_limits<Real>::epsilon());
   }
   [[nodiscard]] double smallest_ratio() {
-    on_->reduce(
-        body_.tets.size(),
-        DisplacedVolumeRatio{body_.tets.const_view(), body_.rest.const_view(), body_.displacements.const_view()}, Min{},
-        StoreSmallestRatio{body_.state.view()});
+    measure_smallest_ratio(*on_, body_);
     return on_->value(body_.state).smallest_ratio;
   }
 

@@ -4,7 +4,7 @@
 
 #include <fem/solver/conjugate_gradients.h>
 #include <fem/solver/evaluate.h>
-#include <fem/solver/linear_body.h>
+#include <fem/solver/linear_elastic.h>
 #include <fem/solver/newton_steps.h>
 
 namespace physgen::fem {
@@ -70,8 +70,20 @@ struct MeasureLinearForces {
 template <class... Arguments>
 MeasureLinearForces(double, Arguments...) -> MeasureLinearForces<Arguments...>;
 
+/// The tets of each node.
+template <class Body>
+[[nodiscard]] auto node_tets_of(const Body& a) {
+  return Rows(a.node_tet_ranges.const_view(), a.node_tets.const_view(), a.tets.size());
+}
+
+/// Forces on nodes at displacements u, in the precision Scalar. @param a the arrays of Linear in solver_groups.h
+template <class Scalar, class Body, class DisplacementView>
+[[nodiscard]] auto forces_of(const Body& a, const LameParameters& lame, const DisplacementView& u) {
+  return linear_force<Scalar>(lame, a.tets.const_view(), a.rest.const_view(), node_tets_of(a), u);
+}
+
 /// Forces at a.displacements; energy and residual are left in a.state.
-/// @param a LinearBody, or arrays of its names. @param level whose constraints are its own
+/// @param a the arrays of Linear in solver_groups.h. @param level whose constraints are its own
 template <class On, class Body, class Level>
 void evaluate_linear(On& on, Body& a, const Level& level, const LameParameters& lame, double load) {
   const auto u = a.displacements.const_view();
@@ -84,7 +96,29 @@ void evaluate_linear(On& on, Body& a, const Level& level, const LameParameters& 
             AddElastic{state, true});
 }
 
-/// Assembled stiffness and its preconditioner, which no load changes. @param levels LinearLevel, finest first
+/// Leaves prescribed components where a load takes them, and the forces there.
+template <class On, class Body, class Level>
+void begin_linear(On& on, Body& a, const Level& level, const LameParameters& lame, double load) {
+  on.run(a.displacements.size(),
+         BeginAtLoad{load, a.motion.const_view(), level.constraints.const_view(), a.displacements.view()});
+  evaluate_linear(on, a, level, lame, load);
+}
+
+/// First Piola-Kirchhoff stress of all tets. @param stresses an array of elasticity::Stress in double, one per tet
+template <class On, class Body, class Stresses>
+void compute_linear_stresses(On& on, Body& a, const LameParameters& lame, Stresses& stresses) {
+  on.run(a.tets.size(), ComputeLinearStress{lame, a.tets.const_view(), a.rest.const_view(),
+                                            a.displacements.const_view(), stresses.view()});
+}
+
+/// Leaves the smallest current over rest volume of a tet in a.state.
+template <class On, class Body>
+void measure_smallest_ratio(On& on, Body& a) {
+  on.reduce(a.tets.size(), DisplacedVolumeRatio{a.tets.const_view(), a.rest.const_view(), a.displacements.const_view()},
+            Min{}, StoreSmallestRatio{a.state.view()});
+}
+
+/// Assembled stiffness and its preconditioner, which no load changes. @param levels LevelOver, finest first
 template <class On, class Body, class Levels>
 void prepare_linear(On& on, Body& a, Levels& levels, const LameParameters& lame,
                     const PreconditionerSettings& settings) {
@@ -152,6 +186,21 @@ void solve_linear(On& on, typename On::Loop& loop, Body& a, Levels& levels, Vect
   take_linear_step(on, a, *levels[0], v, [&] {
     solve_assembled(on, loop, levels, 0, v, settings.preconditioner, tolerance, settings.most_iterations);
   });
+}
+
+/// Solves with and without an assembled stiffness, one after the other: what a program needs that may be asked for any.
+template <class On, class Body, class Levels, class Vectors>
+void solve_linear_in_each_way(On& on, Body& a, Levels& levels, Vectors& v, const NewtonSettings& settings,
+                              const LameParameters& lame, double load) {
+  auto& level = *levels[0];
+  typename On::Loop loop, matrix_free;
+  begin_linear(on, a, level, lame, load);
+  prepare_linear(on, a, levels, lame, settings.preconditioner);
+  solve_linear(on, loop, a, levels, v, settings, settings.tolerance);
+  prepare_linear_nodes(on, a, level, lame);
+  solve_linear_matrix_free(on, matrix_free, a, level, v, lame, true, settings.tolerance, settings.most_iterations);
+  evaluate_linear(on, a, level, lame, load);
+  measure_smallest_ratio(on, a);
 }
 
 }  // namespace physgen::fem

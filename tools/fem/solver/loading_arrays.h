@@ -12,13 +12,15 @@
 
 namespace physgen::fem {
 
-/// Stores motion [m] and forces [N] at a load of 1. @param forces one per node, or none
+/// Stores motion [m] and forces [N] at a load of 1. @param a a group with the arrays `motion` and `loads`
+/// @param forces one per node, or none
 template <class Arrays>
 void store_loading(Arrays& a, const MeshLevel& level, const std::vector<Point>& motion,
                    const std::vector<Point>& forces) {
-  elasticity::NodeDisplacementArray<double> host_motion(a.nodes());
-  elasticity::NodeForceArray<double> host_forces(a.nodes());
-  for (index_t n = 0; n < a.nodes(); ++n) {
+  const index_t nodes = level.mesh.nodes;
+  elasticity::NodeDisplacementArray<double> host_motion(nodes);
+  elasticity::NodeForceArray<double> host_forces(nodes);
+  for (index_t n = 0; n < nodes; ++n) {
     const auto node = static_cast<std::size_t>(n);
     for (int k = 0; k < 3; ++k) {
       const bool fixed = (level.fixed[node] >> k & 1) != 0;

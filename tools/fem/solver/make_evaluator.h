@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fem/materials/materials.h>
+#include <fem/solver/all_arrays.h>
 #include <fem/solver/evaluate.h>
 #include <fem/solver/material_names.h>
 

@@ -25,7 +25,7 @@ struct LevelsInUse {
   return result;
 }
 
-/// @tparam Level LinearLevel
+/// @tparam Level LevelOver
 template <class Level>
 [[nodiscard]] std::vector<std::unique_ptr<Level>> make_linear_levels(const LevelsInUse& used,
                                                                      const SolverSettings& settings) {

@@ -49,7 +49,7 @@ void prepare_level(On& on, Level& level, const PreconditionerSettings& settings,
               ScaleEdges{level.edges.const_view(), level.constraints.const_view(), level.edge_stiffness.const_view(),
                          level.scales.const_view(), level.scaled_edges.view()});
   if constexpr (Level::Stored::rounds) {
-    using Format = typename Level::Stored::template Edges<typename Level::Space>::E;
+    using Format = typename Level::Stored::Edge;
     on.run(n, keep_translations<Format>(level.node_edges.const_view(), level.edges.const_view(),
                                         level.constraints.const_view(), level.scales.const_view(),
                                         level.edge_stiffness.const_view(), level.scaled_nodes.view()));

@@ -3,40 +3,38 @@
 
 #include <contact.physgen.h>
 #include <fem/mesh/boundary.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/rigid_planes.h>
 #include <fem/solver/solver_arrays.h>
 #include <physgen/reduce.h>
 
+#include <utility>
 #include <vector>
 
 namespace physgen::fem {
 
-template <class Real, class Space>
-struct PlaneArrays {
-  contact::RigidPlaneArray<double, Space> planes;
-  contact::NodeAreaArray<double, Space> areas;            ///< empty where equilibrium is not solved
-  elasticity::NodeStiffnessArray<Real, Space> stiffness;  ///< the part of the nodes' blocks that planes have
-  contact::PlaneContactArray<double, Space> contact;      ///< of one plane, where equilibrium is solved
-  double per_area = 0;                                    ///< stiffness [Pa/m]
+/// @tparam Group with the arrays of Planes in solver_groups.h
+template <class Group>
+struct PlanesOver : Group {
+  double per_area = 0;  ///< stiffness [Pa/m]
 
+  explicit PlanesOver(Group&& arrays) : Group(std::move(arrays)) {}
   /// Of a level on which equilibrium is solved.
   /// @param stiffness_per_area [Pa/m]
-  PlaneArrays(const MeshLevel& level, const std::vector<RigidPlane>& given, double stiffness_per_area)
-      : planes(moved_to<decltype(planes)>(host_planes(given))),
-        areas(moved_to<decltype(areas)>(host_areas(level))),
-        stiffness(level.mesh.nodes),
-        contact(1),
-        per_area(stiffness_per_area) {}
-
+  PlanesOver(const MeshLevel& level, const std::vector<RigidPlane>& given, double stiffness_per_area)
+      : per_area(stiffness_per_area) {
+    this->allocate(
+        {.plane = index_t(given.size()), .surface_node = level.mesh.nodes, .node = level.mesh.nodes, .contact = 1});
+    put(this->planes, host_planes(given));
+    put(this->areas, host_areas(level));
+  }
   /// Of a level of the preconditioner alone.
-  explicit PlaneArrays(index_t nodes) : stiffness(nodes) {}
-
-  [[nodiscard]] index_t bytes() const { return bytes_of(planes, areas, stiffness, contact); }
+  explicit PlanesOver(index_t nodes) { this->allocate({.node = nodes}); }
 
   /// For kernels. @pre equilibrium is solved on the level
   [[nodiscard]] auto at(const AtLoad& load) const {
-    return RigidPlanes{per_area, load, planes.const_view(), areas.const_view()};
+    return RigidPlanes{per_area, load, this->planes.const_view(), this->areas.const_view()};
   }
 
  private:

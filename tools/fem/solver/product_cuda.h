@@ -25,37 +25,39 @@ void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums
 
 namespace detail {
 
-template <class Level, class DisplacementView, class DifferentialView>
-void add_scaled_edges(CudaExecutor& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
+template <class On, class Level, class DisplacementView, class DifferentialView>
+void add_scaled_edges(On& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
   if (level.slices.is_empty()) {
     add_edges(on, scaled_product(level, x, y), level.sums);
   } else {
-    add_edges(Cuda{}, SliceProduct{level.slices.view(), level.scaled_edges.const_view(), x, y}, on.stream());
+    on.perform([&](Stream stream) {
+      add_edges(Cuda{}, SliceProduct{level.slices.view(), level.scaled_edges.const_view(), x, y}, stream);
+    });
   }
 }
 
 }  // namespace detail
 
 /// r += the edges' part of K d of a level's scaled stiffness.
-template <class Level>
-void add_scaled_edges(CudaExecutor& on, Level& level) {
+template <PerformsIn<Cuda> On, class Level>
+void add_scaled_edges(On& on, Level& level) {
   detail::add_scaled_edges(on, level, level.direction.const_view(), level.residual.view());
 }
 
 /// y = K x of a level's scaled stiffness.
-template <class Level, class DisplacementView, class DifferentialView>
-void multiply_scaled(CudaExecutor& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
+template <PerformsIn<Cuda> On, class Level, class DisplacementView, class DifferentialView>
+void multiply_scaled(On& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
   on.run(level.nodes(), MultiplyNodes{level.scaled_nodes.const_view(), x, y});
   detail::add_scaled_edges(on, level, x, y);
 }
 
 /// Into the order of slices, where a level has them.
-template <class Level, class Kernel>
-void scale_edges(CudaExecutor& on, Level& level, const Kernel& kernel) {
+template <PerformsIn<Cuda> On, class Level, class Kernel>
+void scale_edges(On& on, Level& level, const Kernel& kernel) {
   if (level.slices.is_empty()) {
     on.run(level.edge_count(), kernel);
   } else {
-    for_each_edge(Cuda{}, level.slices.view(), kernel, on.stream());
+    on.perform([&](Stream stream) { for_each_edge(Cuda{}, level.slices.view(), kernel, stream); });
   }
 }
 

@@ -1,10 +1,12 @@
 #include <fem/solver/material_names.h>
 #include <fem/solver/require.h>
+#include <fem/solver/scene_solvers.h>
 #include <fem/solver/solvers.h>
 #include <physgen/error.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace physgen::fem {
 
@@ -111,6 +113,75 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
 #else
   refuse_cuda();
 #endif
+}
+
+namespace {
+
+/// What a scene is declared with, and its solvers.
+struct DeclaredScene {
+  const char* name;
+  const char* material;  ///< null: linear elasticity
+  bool assembled, patches;
+  MakeSceneSolver *on_cpu, *on_cuda;
+};
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+#define PHYSGEN_SCENE_SOLVERS(scene) &make_host_##scene##_solver, &make_cuda_##scene##_solver
+#else
+#define PHYSGEN_SCENE_SOLVERS(scene) &make_host_##scene##_solver, nullptr
+#endif
+constexpr DeclaredScene declared_scenes[] = {
+    {"quasistatic", "stable-neo-hookean", true, true, PHYSGEN_SCENE_SOLVERS(quasistatic)},
+    {"quasistatic_matrix_free", "stable-neo-hookean", false, true, PHYSGEN_SCENE_SOLVERS(quasistatic_matrix_free)},
+    {"quasistatic_fixed_corotated", "fixed-corotated", true, false, PHYSGEN_SCENE_SOLVERS(quasistatic_fixed_corotated)},
+    {"linear_elastic", nullptr, false, false, PHYSGEN_SCENE_SOLVERS(linear_elastic)}};
+#undef PHYSGEN_SCENE_SOLVERS
+
+/// @throw Error naming what is asked for that the scene has not
+void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
+                      const SolverSettings& settings) {
+  const auto require = [&](bool holds, const std::string& what) {
+    if (!holds) throw Error("the scene " + std::string(scene.name) + " " + what);
+  };
+  const NewtonSettings& newton = settings.newton;
+  require(settings.precision == TangentPrecision::float32, "is in float, and another precision is asked for");
+  require(scene.material == nullptr || settings.material == scene.material,
+          "is of the material '" + std::string(scene.material == nullptr ? "" : scene.material) + "', and '" +
+              settings.material + "' is asked for");
+  require((newton.product == Product::assembled) == scene.assembled,
+          scene.assembled ? "assembles its stiffness, and the matrix-free product is asked for"
+                          : "assembles no stiffness, and the assembled product is asked for");
+  require(newton.preconditioner.kind != Preconditioner::schwarz, "has no Schwarz preconditioner");
+  require(loading.planes.empty(), "has no rigid planes");
+  for (const MeshLevel& level : levels) {
+    require(!level.is_grid(), "has no levels of a background grid; give meshes whose coarsest is small");
+    require(!level.averages_at_nodes, "averages no volumes at nodes");
+    require(level.patches.nodes.empty() != scene.patches,
+            scene.patches ? "averages volumes over patches, and a level has none"
+                          : "takes the volumes of single tets, and a level has patches");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels,
+                                                     const Loading& loading, const SolverSettings& settings) {
+  const auto* declared = std::ranges::find_if(declared_scenes, [&](const auto& known) { return scene == known.name; });
+  if (declared == std::end(declared_scenes)) {
+    std::string names;
+    for (const DeclaredScene& known : declared_scenes) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    throw Error("there is no solver of a scene '" + scene + "'; there are " + names);
+  }
+  require_declared(*declared, levels, loading, settings);
+  if (declared->material == nullptr) {
+    require_meshes(levels);
+    require_settings(settings);
+    require_plain("linear elasticity", levels.front(), loading);
+  } else {
+    require_nonlinear(levels, loading, settings);
+  }
+  if (settings.device == Device::cpu) return declared->on_cpu(levels, loading, settings);
+  if (declared->on_cuda == nullptr) refuse_cuda();
+  return declared->on_cuda(levels, loading, settings);
 }
 
 std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,

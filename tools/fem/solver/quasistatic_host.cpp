@@ -2,9 +2,9 @@
 #include <fem/solver/implicit_solver_of.h>
 #include <fem/solver/linear_solver_of.h>
 #include <fem/solver/make_evaluator.h>
-#include <fem/solver/product_host.h>
-#include <fem/solver/schwarz_host.h>
+#include <fem/solver/performed_steps.h>
 #include <fem/solver/solver_of.h>
+#include <fem/solver/solver_types.h>
 #include <fem/solver/solvers.h>
 
 namespace physgen::fem {
@@ -34,7 +34,7 @@ std::unique_ptr<QuasistaticSolver> make_host_solver(const std::vector<MeshLevel>
                                                     const SolverSettings& settings) {
   using Made = std::unique_ptr<QuasistaticSolver>;
   return in_precision(settings.precision, [&]<class Real, class Stored>() -> Made {
-    return std::make_unique<SolverOf<HostExecutor, Real, Stored>>(levels, loading, settings);
+    return std::make_unique<SolverOf<HostExecutor, SolverTypes<HostExecutor, Real, Stored>>>(levels, loading, settings);
   });
 }
 
@@ -42,7 +42,7 @@ std::unique_ptr<EquilibriumSolver> make_host_linear_solver(const std::vector<Mes
                                                            const SolverSettings& settings) {
   using Made = std::unique_ptr<EquilibriumSolver>;
   return in_precision(settings.precision, [&]<class Real, class Stored>() -> Made {
-    return std::make_unique<LinearSolverOf<HostExecutor, Real, Stored>>(levels, loading, settings);
+    return std::make_unique<LinearSolverOf<HostExecutor, AllArrays<Real, Host, Stored>>>(levels, loading, settings);
   });
 }
 

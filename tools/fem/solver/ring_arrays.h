@@ -2,23 +2,29 @@
 #pragma once
 
 #include <fem/mesh/rings.h>
+#include <fem/solver/over_groups.h>
 #include <fem/solver/solver_arrays.h>
+
+#include <utility>
+#include <vector>
 
 namespace physgen::fem {
 
-template <class Real, class Space>
-struct RingArrays {
-  using Rows = RowArrays<elasticity::IncidenceRangeArray<float, Space>, quasistatic::RingNodeArray<Real, Space>>;
+/// @tparam Group with the arrays of Rings in solver_groups.h
+template <class Group>
+struct RingsOver : Group {
+  RowsOf<decltype(Group::node_ranges), decltype(Group::node_entries)> nodes{this->node_ranges, this->node_entries};
 
-  Rows nodes;                                                ///< per node: those of its ring, ascending
-  quasistatic::NodeVolumeTangentArray<Real, Space> tangent;  ///< per node
-
-  explicit RingArrays(const TetMesh& mesh) : nodes(host_rings(make_rings(mesh))), tangent(mesh.nodes) {}
-
-  [[nodiscard]] index_t bytes() const { return bytes_of(nodes.ranges(), nodes.entries(), tangent); }
+  explicit RingsOver(Group&& arrays) : Group(std::move(arrays)) {}
+  explicit RingsOver(const TetMesh& mesh) {
+    const auto rings = host_rings(make_rings(mesh));
+    this->allocate({.node = mesh.nodes, .neighbour = rings.entries().size()});
+    put(this->node_ranges, rings.ranges());
+    put(this->node_entries, rings.entries());
+  }
 
  private:
-  using HostRows = typename RingArrays<Real, Host>::Rows;
+  using HostRows = RowArrays<elasticity::IncidenceRangeArray<float>, quasistatic::RingNodeArray<typename Group::Real>>;
   static HostRows host_rings(const NodeRings& rings) {
     std::vector<typename HostRows::Value> entries(rings.nodes.size());
     for (std::size_t k = 0; k < entries.size(); ++k) entries[k].node = rings.nodes[k];

@@ -1,10 +1,12 @@
 // The arrays of the multilevel Schwarz preconditioner of one level, by name.
 #pragma once
 
+#include <fem/solver/over_groups.h>
 #include <fem/solver/schwarz_hierarchy.h>
 #include <fem/solver/solver_arrays.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace physgen::fem {
@@ -12,69 +14,55 @@ namespace physgen::fem {
 /// Objects that a block's factor takes: see quasistatic::SchwarzFactor.
 inline constexpr index_t schwarz_factors = 17 * schwarz_slots;
 
-/// @tparam Real of the stiffness
-/// @tparam FactorFormats how factors are stored
-template <class Real_, class Space_, class FactorFormats>
-struct SchwarzArrays {
-  using Real = Real_;
-  using Space = Space_;
-  template <class S>
-  using Terms = RowArrays<elasticity::IncidenceRangeArray<float, S>, quasistatic::SchwarzTermArray<float, S>>;
-  template <class S>
-  using Edges = RowArrays<elasticity::IncidenceRangeArray<float, S>, quasistatic::SchwarzPairArray<float, S>>;
-
+/// @tparam Group with the arrays of Schwarz in solver_groups.h
+template <class Group>
+struct SchwarzOver : Group {
   std::vector<Index> first_block, first_pair;  ///< as SchwarzHierarchy's
-  quasistatic::SchwarzNodeArray<Real, Space> nodes;
-  quasistatic::SchwarzSlotArray<Real, Space> slots;
-  quasistatic::SchwarzBlockArray<Real, Space> blocks;
-  Terms<Space> supernode_terms, pair_terms;
-  Edges<Space> block_edges;
+  RowsOf<decltype(Group::supernode_term_ranges), decltype(Group::supernode_term_entries)> supernode_terms{
+      this->supernode_term_ranges, this->supernode_term_entries};
+  RowsOf<decltype(Group::pair_term_ranges), decltype(Group::pair_term_entries)> pair_terms{this->pair_term_ranges,
+                                                                                           this->pair_term_entries};
+  RowsOf<decltype(Group::block_edge_ranges), decltype(Group::block_edge_entries)> block_edges{this->block_edge_ranges,
+                                                                                              this->block_edge_entries};
 
-  // Supernodes of all levels but the first.
-  quasistatic::SupernodeArray<Real, Space> supernodes;
-  /// On CUDA as records, since they are gathered.
-  elasticity::EdgeStiffnessArray<Real, Space,
-                                 PerSpace<Space, LayoutOf<elasticity::EdgeStiffnessArray<Real, Host>>, Aos>>
-      pair_stiffness;
-  elasticity::NodeForceDifferentialArray<Real, Space> residual;  ///< r, summed over the nodes of each supernode
-  elasticity::NodeDisplacementArray<Real, Space> correction;     ///< z
-
-  quasistatic::SchwarzFactorArray<Real, Space, LayoutOf<quasistatic::SchwarzFactorArray<Real, Space>>, FactorFormats>
-      factors;
-
+  explicit SchwarzOver(Group&& arrays) : Group(std::move(arrays)) {}
   /// @param edges of the mesh
-  SchwarzArrays(const SchwarzHierarchy& hierarchy, index_t edges)
-      : first_block(hierarchy.first_block),
-        first_pair(hierarchy.first_pair),
-        nodes(moved_to<decltype(nodes)>(host_nodes(hierarchy))),
-        slots(moved_to<decltype(slots)>(host_slots(hierarchy))),
-        blocks(moved_to<decltype(blocks)>(host_blocks(hierarchy))),
-        supernode_terms(rows<Terms<Space>, Terms<Host>>("source", hierarchy, edges, hierarchy.supernode_terms)),
-        pair_terms(rows<Terms<Space>, Terms<Host>>("source", hierarchy, edges, hierarchy.pair_terms)),
-        block_edges(rows<Edges<Space>, Edges<Host>>("edge", hierarchy, edges, hierarchy.block_edges)),
-        supernodes(hierarchy.supernodes()),
-        pair_stiffness(hierarchy.pairs()),
-        residual(hierarchy.supernodes()),
-        correction(hierarchy.supernodes()),
-        factors(schwarz_factors * hierarchy.block_count()) {}
+  SchwarzOver(const SchwarzHierarchy& hierarchy, index_t edges)
+      : first_block(hierarchy.first_block), first_pair(hierarchy.first_pair) {
+    const auto of_supernodes = rows<Terms>("source", hierarchy, edges, hierarchy.supernode_terms);
+    const auto of_pairs = rows<Terms>("source", hierarchy, edges, hierarchy.pair_terms);
+    const auto of_blocks = rows<Edges>("edge", hierarchy, edges, hierarchy.block_edges);
+    this->allocate({.node = index_t(hierarchy.node_slots.size()),
+                    .slot = index_t(hierarchy.slots.size()),
+                    .block = index_t(hierarchy.blocks.size()),
+                    .supernode = hierarchy.supernodes(),
+                    .supernode_term = of_supernodes.entries().size(),
+                    .pair = hierarchy.pairs(),
+                    .pair_term = of_pairs.entries().size(),
+                    .block_edge = of_blocks.entries().size(),
+                    .factor = schwarz_factors * hierarchy.block_count()});
+    put(this->nodes, host_nodes(hierarchy));
+    put(this->slots, host_slots(hierarchy));
+    put(this->blocks, host_blocks(hierarchy));
+    put_rows(this->supernode_term_ranges, this->supernode_term_entries, of_supernodes);
+    put_rows(this->pair_term_ranges, this->pair_term_entries, of_pairs);
+    put_rows(this->block_edge_ranges, this->block_edge_entries, of_blocks);
+  }
 
   /// Blocks of nodes; those behind them are of supernodes.
   [[nodiscard]] index_t node_blocks() const { return first_block[1]; }
   [[nodiscard]] index_t block_count() const { return first_block.back(); }
-  [[nodiscard]] index_t bytes() const {
-    return bytes_of(nodes, slots, blocks, supernode_terms.ranges(), supernode_terms.entries(), pair_terms.ranges(),
-                    pair_terms.entries(), block_edges.ranges(), block_edges.entries(), supernodes, pair_stiffness,
-                    residual, correction, factors);
-  }
 
  private:
+  using Terms = RowArrays<elasticity::IncidenceRangeArray<float>, quasistatic::SchwarzTermArray<float>>;
+  using Edges = RowArrays<elasticity::IncidenceRangeArray<float>, quasistatic::SchwarzPairArray<float>>;
   static auto host_nodes(const SchwarzHierarchy& hierarchy) {
-    quasistatic::SchwarzNodeArray<Real> array(index_t(hierarchy.node_slots.size()));
+    quasistatic::SchwarzNodeArray<typename Group::Real> array(index_t(hierarchy.node_slots.size()));
     for (index_t n = 0; n < array.size(); ++n) array.view()[n].slot() = hierarchy.node_slots[std::size_t(n)];
     return array;
   }
   static auto host_slots(const SchwarzHierarchy& hierarchy) {
-    quasistatic::SchwarzSlotArray<Real> array(index_t(hierarchy.slots.size()));
+    quasistatic::SchwarzSlotArray<typename Group::Real> array(index_t(hierarchy.slots.size()));
     for (index_t s = 0; s < array.size(); ++s) {
       array.view()[s].source() = hierarchy.slots[std::size_t(s)][0];
       array.view()[s].parent() = hierarchy.slots[std::size_t(s)][1];
@@ -82,7 +70,7 @@ struct SchwarzArrays {
     return array;
   }
   static auto host_blocks(const SchwarzHierarchy& hierarchy) {
-    quasistatic::SchwarzBlockArray<Real> array(index_t(hierarchy.blocks.size()));
+    quasistatic::SchwarzBlockArray<typename Group::Real> array(index_t(hierarchy.blocks.size()));
     for (index_t b = 0; b < array.size(); ++b) {
       array.view()[b].parent() = hierarchy.blocks[std::size_t(b)][0];
       array.view()[b].children() = hierarchy.blocks[std::size_t(b)][1];
@@ -90,14 +78,14 @@ struct SchwarzArrays {
     return array;
   }
   /// Entries name nodes and edges of the mesh, and supernodes and pairs of them.
-  template <class Arrays, class OnHost>
-  static Arrays rows(const char* field, const SchwarzHierarchy& hierarchy, index_t edges, const SchwarzList& list) {
-    std::vector<typename OnHost::Value> entries;
+  template <class Rows>
+  static Rows rows(const char* field, const SchwarzHierarchy& hierarchy, index_t edges, const SchwarzList& list) {
+    std::vector<typename Rows::Value> entries;
     entries.reserve(list.entries.size());
     for (const auto& [first, second] : list.entries) entries.push_back({first, second});
     const index_t targets = std::max(
         {index_t(hierarchy.node_slots.size()), edges, index_t{hierarchy.supernodes()}, index_t{hierarchy.pairs()}});
-    return Arrays(OnHost::from_offsets({field, targets}, list.first, entries));
+    return Rows::from_offsets({field, targets}, list.first, entries);
   }
 };
 

@@ -225,10 +225,10 @@ void factor_blocks(On& on, index_t begin, index_t end, const Stiffness& stiffnes
   const auto slots = arrays.slots.const_view();
   const auto blocks = arrays.blocks.view();
   const auto factors = arrays.factors.view();
-  const auto kernel =
-      detail::factor_schwarz<Stiffness, std::remove_const_t<decltype(edges)>, std::remove_const_t<decltype(slots)>,
-                             std::remove_const_t<decltype(blocks)>, std::remove_const_t<decltype(factors)>>;
   on.perform([&](Stream stream) {
+    const auto kernel =
+        detail::factor_schwarz<Stiffness, std::remove_const_t<decltype(edges)>, std::remove_const_t<decltype(slots)>,
+                               std::remove_const_t<decltype(blocks)>, std::remove_const_t<decltype(factors)>>;
     cuda::check(cudaFuncSetAttribute(kernel, cudaFuncAttributeMaxDynamicSharedMemorySize, bytes),
                 "asking for the shared memory of a Schwarz block");
     kernel<<<static_cast<unsigned>(end - begin), detail::factor_threads, bytes, stream>>>(begin, stiffness, edges,

@@ -7,6 +7,7 @@
 #include <fem/kernels/edge_slices_cuda.h>
 #include <fem/solver/cycle.h>
 #include <fem/solver/level_views.h>
+#include <fem/solver/performs_in.h>
 #include <physgen/cuda/executor.h>
 
 #include <algorithm>
@@ -44,13 +45,15 @@ __global__ void sum_rows(index_t rows, const Kernel kernel) {
 }  // namespace detail
 
 /// See row_sums.h.
-template <class Kernel>
-void run_rows(CudaExecutor& on, index_t rows, const Kernel& kernel) {
+template <PerformsIn<Cuda> On, class Kernel>
+void run_rows(On& on, index_t rows, const Kernel& kernel) {
   if (rows == 0) return;
   constexpr int threads = 256;
   const auto blocks = static_cast<unsigned>((rows * Kernel::lanes + threads - 1) / threads);
-  detail::sum_rows<<<blocks, threads, 0, on.stream()>>>(rows, kernel);
-  cuda::check(cudaGetLastError(), "launching sums of rows");
+  on.perform([&](Stream stream) {
+    detail::sum_rows<<<blocks, threads, 0, stream>>>(rows, kernel);
+    cuda::check(cudaGetLastError(), "launching sums of rows");
+  });
 }
 
 /// Runs the steps of a program by the threads of one thread block, each of which makes one.
@@ -123,8 +126,8 @@ template <class Levels, std::size_t... kNumbers>
 }  // namespace detail
 
 /// See cycle.h.
-template <class Levels>
-bool cycle_at_once(CudaExecutor& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
+template <PerformsIn<Cuda> On, class Levels>
+bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
   using Level = std::remove_reference_t<decltype(*levels[0])>;
   using Real = typename Level::Real;
   const std::size_t count = levels.size() - l;
@@ -132,8 +135,10 @@ bool cycle_at_once(CudaExecutor& on, Levels& levels, std::size_t l, const Precon
   if (count > detail::most_small_levels) return false;
   const detail::SmallLevels<LevelViews<Level>> small{
       detail::level_views(levels, l, std::make_index_sequence<detail::most_small_levels>()), count, settings};
-  detail::run_small_levels<Real><<<1, detail::small_level_threads<Real>, 0, on.stream()>>>(small);
-  cuda::check(cudaGetLastError(), "launching the small levels of a cycle");
+  on.perform([&](Stream stream) {
+    detail::run_small_levels<Real><<<1, detail::small_level_threads<Real>, 0, stream>>>(small);
+    cuda::check(cudaGetLastError(), "launching the small levels of a cycle");
+  });
   return true;
 }
 

@@ -23,6 +23,20 @@ template <class Array, class From>
   return array;
 }
 
+/// Fills an array from one that may go afterwards, on the host. @pre both have as many objects
+template <class Array, class From>
+void put(Array& array, const From& from) {
+  copy(array, from);
+  synchronize();
+}
+
+/// The same of rows. @param from RowArrays on the host
+template <class Ranges, class Entries, class Rows>
+void put_rows(Ranges& ranges, Entries& entries, const Rows& from) {
+  put(ranges, from.ranges());
+  put(entries, from.entries());
+}
+
 /// By which lists the parts of the tangent that patches and tets have are summed, beside the tets of each node.
 enum class TangentLists {
   of_edges,  ///< tets and patches of each edge: the assembled tangent

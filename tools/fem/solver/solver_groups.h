@@ -182,6 +182,30 @@ struct OfInertia {
   };
 };
 
+/// A linear elastic body: ten numbers are kept per tet, its shape at rest.
+struct OfLinear {
+  struct Linear {
+    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
+    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::RestShapeObject, double> rest;
+    /// The tets of each node: rows of NodeTetEntry.
+    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_tet_ranges;
+    PHYSGEN_ARRAY(per("corner"), input()) Array<quasistatic::PackedIncidenceObject, float> node_tets;
+    /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
+    PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_tet_ranges;
+    PHYSGEN_ARRAY(per("tet_edge"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_tets;
+    /// u, from rest.
+    PHYSGEN_ARRAY(per("node"), output()) Array<elasticity::NodeDisplacementObject, double> displacements;
+    /// Of prescribed components, at a load of 1.
+    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeDisplacementObject, double> motion;
+    /// External, at a load of 1.
+    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeForceObject, double> loads;
+    /// Elastic and external; in prescribed components minus the reaction.
+    PHYSGEN_ARRAY(per("node"), output()) Array<elasticity::NodeForceObject, double> forces;
+    /// Its volumetric energy and its work stay 0.
+    PHYSGEN_ARRAY(per(1), input("volumetric", "work"), output()) Array<quasistatic::EquilibriumObject, double> state;
+  };
+};
+
 /// The vectors of one linear solve.
 struct OfKrylov {
   struct Krylov {

@@ -15,9 +15,14 @@
 
 namespace physgen::fem {
 
-template <class On, class Real, class Stored>
-class SolverOf final : public QuasistaticSolver, private NestedNewton<On, SolverTypes<On, Real, Stored>> {
-  using Nested = NestedNewton<On, SolverTypes<On, Real, Stored>>;
+/// Whether types are those of a scene, over arrays that lack what its program does without.
+template <class Types>
+inline constexpr bool is_of_scene = requires { typename Types::Law; };
+
+/// @tparam Types SolverTypes of solver_types.h, or SceneTypes of scene_types.h
+template <class On, class Types>
+class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types> {
+  using Nested = NestedNewton<On, Types>;
   using Nested::arrays_;
   using Nested::coarser_load_;
   using Nested::evaluate_now;
@@ -92,17 +97,24 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Solver
     if (settings_.newton.product != Product::assembled) {
       throw Error("the stiffness as blocks is that of the assembled product: the matrix-free one forms none");
     }
-    (void)evaluate_now(0, load_);
-    form_tangent(*on_, *arrays_.front(), *linear_.front(), *evaluator_, TangentFilter::none, load_);
-    on_->wait();
-    return linear_.front()->stiffness();
+    if constexpr (Types::Level::Choices::assembled) {
+      (void)evaluate_now(0, load_);
+      form_tangent(*on_, *arrays_.front(), *linear_.front(), *evaluator_, TangentFilter::none, load_);
+      on_->wait();
+      return linear_.front()->stiffness();
+    }
+    return {};
   }
   LinearMeasurement measure_linear(std::span<const Point> force, const LinearTask& task,
                                    std::vector<Point>* step) override {
-    require_nodes(0, force.size());
-    (void)evaluate_now(0, load_);
-    return fem::measure_linear(*on_, *arrays_.front(), linear_, *vectors_.front(), *evaluator_, settings_.newton, load_,
-                               task, force, step);
+    if constexpr (is_of_scene<Types>) {
+      throw Error("linear solves are measured of solvers over all arrays, and this one has those of a scene");
+    } else {
+      require_nodes(0, force.size());
+      (void)evaluate_now(0, load_);
+      return fem::measure_linear(*on_, *arrays_.front(), linear_, *vectors_.front(), *evaluator_, settings_.newton,
+                                 load_, task, force, step);
+    }
   }
 };
 

@@ -19,17 +19,7 @@
 
 namespace physgen::fem {
 
-/// The types of a solver's arrays and of its material.
-template <class On, class Real_, class Stored>
-struct SolverTypes {
-  using Real = Real_;
-  using Arrays = EquilibriumArrays<Real, typename On::Space>;
-  using Level = LinearLevel<Real, typename On::Space, Stored>;
-  using Vectors = KrylovVectors<Real, typename On::Space>;
-  using Material = Evaluator<On, Arrays>;
-};
-
-/// @tparam Types SolverTypes, or a struct of its names
+/// @tparam Types SolverTypes of solver_types.h, or a struct of its names
 template <class On, class Types>
 class SolverParts {
  protected:
@@ -106,9 +96,8 @@ class SolverParts {
       : settings_(settings),
         own_on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
         on_(own_on_.get()),
-        evaluator_(make_evaluator<On, Arrays>(
-            settings.material, settings.youngs_modulus, settings.poissons_ratio,
-            used.levels.front().averages_at_nodes || !used.levels.front().patches.nodes.empty())),
+        evaluator_(Types::make_material(
+            settings, used.levels.front().averages_at_nodes || !used.levels.front().patches.nodes.empty())),
         linear_(make_linear_levels<Level>(used, settings)),
         solved_(used.solved) {
     const TangentLists lists = tangent_lists<Space>(settings.newton);
@@ -118,7 +107,8 @@ class SolverParts {
       if (l < solved_) {
         arrays_.push_back(std::make_unique<Arrays>(level, used.graphs[l], l + 1 < solved_, lists,
                                                    l == 0 ? nullptr : arrays_.front()->chunk_arrays));
-        vectors_.push_back(std::make_unique<Vectors>(used.graphs[l].nodes));
+        vectors_.push_back(std::make_unique<Vectors>());
+        vectors_.back()->allocate({.node = used.graphs[l].nodes});
         loops_.emplace_back();
         store_loading(*arrays_.back(), level, motion, forces);
         rounding_forces_.push_back(
@@ -127,17 +117,15 @@ class SolverParts {
                          !loading.planes.empty());
         all_prescribed_.push_back(std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; }));
       }
-      if (!loading.planes.empty() && !level.is_grid()) linear_[l]->planes = make_planes(l, level, loading.planes);
+      if (!loading.planes.empty() && !level.is_grid()) make_planes(l, level, loading.planes);
       if (l + 1 < solved_) coarsen_loading(level, used.levels[l + 1].mesh.nodes, motion, forces);
     }
   }
 
-  [[nodiscard]] std::unique_ptr<PlaneArrays<Real, Space>> make_planes(std::size_t l, const MeshLevel& level,
-                                                                      const std::vector<RigidPlane>& planes) const {
-    using Planes = PlaneArrays<Real, Space>;
-    if (l >= solved_) return std::make_unique<Planes>(level.mesh.nodes);
+  void make_planes(std::size_t l, const MeshLevel& level, const std::vector<RigidPlane>& planes) {
+    if (l >= solved_) return make(linear_[l]->planes, index_t{level.mesh.nodes});
     const double per_area = settings_.plane_stiffness * settings_.youngs_modulus / arrays_[l]->spacing;
-    return std::make_unique<Planes>(level, planes, per_area);
+    make(linear_[l]->planes, level, planes, per_area);
   }
 };
 

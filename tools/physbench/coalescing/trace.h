@@ -114,7 +114,8 @@ class Cursor<Byte, bench::Traced<Layout>, kRecord, I> {
 
   Cursor(Byte* base, Pitch pitch, I i, Losses* /*losses*/)
       : lane_(pitch.lane(static_cast<index_t>(i))),
-        tile_(base + pitch.tile(static_cast<index_t>(i)) * pitch.value() * kRecord.stored),
+        tile_(base +
+              law::tile_begin(pitch.tile(static_cast<index_t>(i)), law::tile_bytes(pitch.value(), kRecord.stored))),
         pitch_(pitch) {}
 
   template <class Shape, class Format, class T>
@@ -141,7 +142,7 @@ class Cursor<Byte, bench::Traced<Layout>, kRecord, I> {
   void check_rotation(const Eigen::Matrix<T, 3, 3>& /*R*/) const {}
   [[nodiscard]] Cursor nested(int offset) const {
     Cursor inner = *this;
-    inner.tile_ += offset * pitch_.value();
+    inner.tile_ += law::channel_begin(offset, pitch_.value());
     inner.offset_ += offset;
     return inner;
   }
@@ -170,7 +171,9 @@ class Cursor<Byte, bench::Traced<Layout>, kRecord, I> {
   template <class Stored>
   [[nodiscard]] auto* noted(int offset, int k) const {
     using Element = std::conditional_t<std::is_const_v<Byte>, const Stored, Stored>;
-    auto* address = reinterpret_cast<Element*>(tile_ + offset * pitch_.value()) + lane_ + k * pitch_.value();
+    auto* address =
+        reinterpret_cast<Element*>(tile_ + law::channel_begin(offset + k * index_t{sizeof(Stored)}, pitch_.value()) +
+                                   law::lane_begin(lane_, sizeof(Stored)));
     bench::Trace::note(address, sizeof(Stored));
     return address;
   }
@@ -178,7 +181,7 @@ class Cursor<Byte, bench::Traced<Layout>, kRecord, I> {
   // Calls visit(first byte, first element) for every word of a field.
   template <class T, int kCount, class Visit>
   void each_word(const Visit& visit) const {
-    auto* begin = tile_ + lane_ * kRecord.stored;
+    auto* begin = tile_ + law::lane_begin(lane_, kRecord.stored);
     for (int k = 0; k < kCount; k += 16 / int{sizeof(T)}) {
       auto* word = begin + k * int{sizeof(T)};
       bench::Trace::note(word, 16);

@@ -53,11 +53,10 @@ struct OutputOf {
 
 /// What the description of a kernel has; see README.md for all of it.
 template <class Kernel>
-concept IsKernel = requires(const MeshSizes& sizes) {
+concept IsKernel = requires {
   { Kernel::name } -> std::convertible_to<const char*>;
-  { Kernel::place } -> std::convertible_to<int>;          // in the table
-  { Kernel::domain } -> std::convertible_to<Domain>;      // that it runs over
-  { Kernel::bytes(sizes, 4.0) } -> std::same_as<double>;  // that it must move, with numbers of 4 bytes
+  { Kernel::place } -> std::convertible_to<int>;      // in the table
+  { Kernel::domain } -> std::convertible_to<Domain>;  // that it runs over
   typename Kernel::Reads;
   typename Kernel::Writes;
 };
@@ -133,7 +132,7 @@ Tuple make_arrays(const Size& size) {
 template <class To, class From>
 void copy_arrays(To& to, const From& from) {
   [&]<std::size_t... k>(std::index_sequence<k...> /*which*/) {
-    (copy_first(std::get<k>(to).storage(), std::get<k>(from).storage(), std::get<k>(to).size()), ...);
+    (copy_first(std::get<k>(to).untyped(), std::get<k>(from).untyped(), std::get<k>(to).size()), ...);
   }(std::make_index_sequence<std::tuple_size_v<To>>());
   synchronize();
 }

@@ -61,14 +61,9 @@ index_t Scene::count(Domain domain, Domain kernel_domain) const {
   return 0;
 }
 
-MeshSizes Scene::sizes(Domain kernel_domain) const {
-  const auto of = [&](Domain domain) { return static_cast<double>(count(domain, kernel_domain)); };
-  return {of(Domain::tets), of(Domain::nodes), of(Domain::edges)};
-}
-
 double Scene::memory() const {
-  const MeshSizes n = sizes(Domain::nodes);
-  return n.tets * (16 + (4 + 6) * 8) + n.edges * (8 + 2 * 8 + 4) + n.nodes * (6 * 8 + 8);
+  const auto of = [this](Domain domain) { return static_cast<double>(count(domain, Domain::nodes)); };
+  return of(Domain::tets) * (16 + (4 + 6) * 8) + of(Domain::edges) * (8 + 2 * 8 + 4) + of(Domain::nodes) * (6 * 8 + 8);
 }
 
 const fem::TruthCube& Scene::cube() {

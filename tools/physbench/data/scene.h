@@ -15,10 +15,6 @@ namespace physgen::bench {
 /// What the objects of an array belong to; the last three are incidences, (object, element) pairs.
 enum class Domain { tets, nodes, edges, node_tets, node_edges, edge_tets };
 
-struct MeshSizes {
-  double tets, nodes, edges;
-};
-
 /// How nodes and tets are numbered: as the mesh was made, at random, or the random ones renumbered for locality.
 enum class Numbering { ordered, random, renumbered };
 [[nodiscard]] const char* name(Numbering numbering);
@@ -36,8 +32,6 @@ class Scene : public Kept {
 
   /// Objects of `domain` in an array that takes part in a kernel over `kernel_domain`.
   [[nodiscard]] index_t count(Domain domain, Domain kernel_domain) const;
-  /// The same, of all objects.
-  [[nodiscard]] MeshSizes sizes(Domain kernel_domain) const;
   /// Bytes that the mesh takes before any row, about.
   [[nodiscard]] double memory() const;
   /// @throw Error when there is not enough memory

@@ -90,7 +90,7 @@ Case conversion_case(index_t objects, double bytes) {
   made.run = [state] { return Device::time([&] { copy(state->to, state->from); }); };
   made.copy = Device::copy(made.bytes);
   made.check = [state, run = made.run] {
-    Device::poison(state->to.storage());
+    Device::poison(state->to.untyped());
     run();
     Values result(state->to.size());
     copy(result, state->to);

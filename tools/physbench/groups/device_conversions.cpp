@@ -57,8 +57,8 @@ struct Between {
     });
   }
   static std::function<double()> copy(double /*bytes*/) { return {}; }
-  static void poison(const Storage& storage) {
-    storage.space == SpaceKind::cuda ? CudaDevice::poison(storage) : HostDevice::poison(storage);
+  static void poison(const UntypedArray& array) {
+    array.space == SpaceKind::cuda ? CudaDevice::poison(array) : HostDevice::poison(array);
   }
 };
 
@@ -68,7 +68,7 @@ Case transfer_case(index_t objects, bool up) {
   Case made = conversion_case<Between, Source, Target>(objects, 0);
   Source from(objects);
   Target to(objects);
-  const index_t travelled = copy_range(to.storage(), from.storage(), 0, objects);
+  const index_t travelled = copy_range(to.untyped(), from.untyped(), 0, objects);
   synchronize();
   made.bytes = static_cast<double>(travelled);
   made.copy = plain_transfer(travelled, up);
@@ -117,7 +117,7 @@ Case scattered_case(index_t objects) {
     });
   };
   made.check = [state, run = made.run] {
-    CudaDevice::poison(state->target.storage());
+    CudaDevice::poison(state->target.untyped());
     run();
     Array<Object, float, Host, Aos> result(state->target.size());
     copy(result, state->target);

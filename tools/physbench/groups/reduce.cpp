@@ -19,8 +19,8 @@ struct HostSum {
   }
   /// Reads both arrays, and adds up what it reads as floats, so that nothing is left out.
   double read() {
-    const auto* a = reinterpret_cast<const float*>(operands.a.storage().base);
-    const auto* b = reinterpret_cast<const float*>(operands.b.storage().base);
+    const auto* a = reinterpret_cast<const float*>(operands.a.untyped().base);
+    const auto* b = reinterpret_cast<const float*>(operands.b.untyped().base);
     constexpr index_t piece = 4096, lanes = 64;
     const index_t count = operands.bytes() / index_t{sizeof(float)};
     float total = 0;

@@ -37,8 +37,8 @@ struct CudaSum {
         [&] { parallel_reduce(Cuda{}, operands.a.size(), operands.kernel(), Sum{}, Keep{at()}, workspace_); });
   }
   double read() {
-    const auto* a = reinterpret_cast<const float4*>(operands.a.storage().base);
-    const auto* b = reinterpret_cast<const float4*>(operands.b.storage().base);
+    const auto* a = reinterpret_cast<const float4*>(operands.a.untyped().base);
+    const auto* b = reinterpret_cast<const float4*>(operands.b.untyped().base);
     constexpr unsigned blocks = 132 * 8, threads = 256;  // as many as an H200 runs at once
     return CudaDevice::time([&] {
       read_both<<<blocks, threads>>>(a, b, operands.bytes() / index_t{sizeof(float4)}, at());

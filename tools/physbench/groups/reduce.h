@@ -48,7 +48,7 @@ struct DotOperands {
     synchronize();
   }
   [[nodiscard]] auto kernel() const { return DotProduct<decltype(a.const_view())>{a.const_view(), b.const_view()}; }
-  [[nodiscard]] index_t bytes() const { return a.storage().bytes(); }  ///< of each
+  [[nodiscard]] index_t bytes() const { return a.untyped().bytes(); }  ///< of each
   /// @throw Error when `sum` is not the dot product
   [[nodiscard]] Accuracy check(double sum) const {
     Accuracy accuracy;

@@ -42,14 +42,6 @@ struct DpFormats {
   struct Of;
   template <class Object, class Space>
   using Formats = typename Of<Object>::type;
-
-  /// Bytes that dP from dF moves per element.
-  template <class Real>
-  static constexpr int bytes() {
-    constexpr auto stored = [](auto slot) { return slot.bytes; };
-    return 2 * stored(slot<shape::Rotation, Rotation, Real>()) + 12 * stored(slot<shape::Scalar, Entry, Real>()) +
-           9 * stored(slot<shape::Scalar, Differential, Real>()) + 9 * stored(slot<shape::Scalar, Result, Real>());
-  }
 };
 template <class R, class E, class D, class P>
 template <class Object>

@@ -3,9 +3,20 @@
 
 #include "groups/schemes.h"
 #include "measure/host_rows.h"
-#include "measure/scene_data.h"
+#include "measure/row_bytes.h"
 
 namespace physgen::bench {
+
+// For the GPU's rows, too.
+template double OnScene<DpFromDf, float>::bytes_in<scheme::QuaternionFloat>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::Quaternion16Float>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::HalfDerivative>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::Bfloat16Derivative>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::QuaternionHalf>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::Quaternion16Half>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::AllHalf>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::MatricesHalf>() const;
+template double OnScene<DpFromDf, float>::bytes_in<scheme::AllBfloat16>() const;
 
 void load_records(Scene& scene, elasticity::ElementRecordArray<float>& records) {
   const auto inputs = OnScene<DpFromDf, float>(std::shared_ptr<Scene>(&scene, [](Scene*) {})).inputs();

@@ -17,9 +17,6 @@ struct AddForceDifferential {
                          Gathered<source::Ranges<Domain::nodes, Domain::node_edges>, Aos>,
                          Gathered<source::Entries<Domain::node_edges>, Aos>, Gathered<source::Displacements>>;
   using Writes = Operands<Gathered<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) {
-    return incidence_bytes(n.nodes, 2 * n.edges) + n.edges * (8 + 9 * real) + n.nodes * 12 * real;
-  }
   template <class Real>
   static auto run(const auto& nodes, const auto& blocks, const auto& edges, const auto& ranges, const auto& entries,
                   const auto& displacements, const auto& out) {

@@ -15,7 +15,6 @@ struct DeformationGradient {
   using Output = elasticity::DeformationGradientObject;
   using Reads = Operands<Streamed<source::Tets>, Gathered<source::Positions>, Streamed<source::RestShapes>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * (16 + 18 * real) + n.nodes * 3 * real; }
   template <class Real, class... View>
   static auto run(const View&... view) {
     return fem::ComputeDeformationGradient{view...};

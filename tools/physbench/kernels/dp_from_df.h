@@ -73,7 +73,6 @@ struct DpFromDf {
   using Reads =
       Operands<Streamed<OutputOf<Svd>>, Streamed<OutputOf<StressDerivative>>, Streamed<source::Differentials>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * 48 * real; }
   template <class Real, class... View>
   static auto run(const View&... view) {
     return fem::DpFromDf{view...};

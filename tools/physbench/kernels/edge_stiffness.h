@@ -14,9 +14,6 @@ struct EdgeStiffness {
   using Reads = Operands<Gathered<source::Ranges<Domain::edges, Domain::edge_tets>, Aos>,
                          Gathered<source::Entries<Domain::edge_tets>, Aos>, Streamed<OutputOf<TetStiffness>>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) {
-    return incidence_bytes(n.edges, 6 * n.tets) + n.tets * 54 * real + n.edges * 9 * real;
-  }
   template <class Real>
   static auto run(const auto& ranges, const auto& entries, const auto& tets, const auto& out) {
     return fem::GatherEdgeStiffness{Rows{ranges, entries, tets.size()}, tets, out};

@@ -14,7 +14,6 @@ struct ElasticForce {
   using Output = elasticity::CornerForcesObject;
   using Reads = Operands<Streamed<source::RestShapes>, Streamed<OutputOf<Stress>>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * 28 * real; }
   template <class Real, class... View>
   static auto run(const View&... view) {
     return fem::ComputeCornerForces{view...};

@@ -15,7 +15,6 @@ struct ElementForceDifferential {
   using Reads = Operands<Streamed<source::Tets>, Gathered<source::Displacements>, Streamed<source::RestShapes>,
                          Streamed<OutputOf<Svd>>, Streamed<OutputOf<StressDerivative>>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * (16 + 49 * real) + n.nodes * 3 * real; }
   template <class Real, class... View>
   static auto run(const View&... view) {
     return fem::ComputeCornerForceDifferentials{view...};

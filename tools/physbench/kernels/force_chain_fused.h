@@ -13,7 +13,6 @@ struct ForceChainFused : ForceChainSeparate {
   static constexpr const char* name = "force_chain_fused";
   static constexpr int place = 13;
   using Writes = Operands<Gathered<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * (16 + 10 * real) + n.nodes * 6 * real; }
   template <class Real>
   static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& /*ranges*/,
                   const auto& /*entries*/, const auto& forces) {

@@ -17,10 +17,6 @@ struct ForceChainFusedFixedOrder : ForceChainSeparate {
                          Gathered<source::Entries<Domain::node_tets>, Aos>, Streamed<source::TetPlaces>>;
   using Writes = Operands<Gathered<source::Of<elasticity::PlacedForceObject, Domain::node_tets>>,
                           Gathered<source::Of<Output, domain>>>;
-  /// The placed forces, which lie in memory in between, included.
-  static double bytes(const MeshSizes& n, double real) {
-    return n.tets * (32 + 10 * real + 2 * 4 * 3 * real) + n.nodes * (8 + 6 * real);
-  }
   template <class Real>
   static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& ranges,
                   const auto& /*entries*/, const auto& places, const auto& placed, const auto& forces) {

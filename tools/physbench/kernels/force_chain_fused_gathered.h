@@ -13,10 +13,6 @@ struct ForceChainFusedGathered : ForceChainSeparate {
   static constexpr int place = 19;
   using Writes =
       Operands<Streamed<source::Of<ElasticForce::Output, Domain::tets>>, Gathered<source::Of<Output, domain>>>;
-  /// Corner forces, which lie in memory in between, included.
-  static double bytes(const MeshSizes& n, double real) {
-    return n.tets * (16 + 19 * real) + n.nodes * 3 * real + GatherForces::bytes(n, real);
-  }
   template <class Real>
   static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& ranges, const auto& entries,
                   const auto& corners, const auto& forces) {

@@ -47,11 +47,6 @@ struct ForceChainSeparate {
       Operands<Streamed<source::Of<DeformationGradient::Output, Domain::tets>>,
                Streamed<source::Of<Svd::Output, Domain::tets>>, Streamed<source::Of<Stress::Output, Domain::tets>>,
                Streamed<source::Of<ElasticForce::Output, Domain::tets>>, Gathered<source::Of<Output, domain>>>;
-  /// The sum of what its kernels must move, results in between included.
-  static double bytes(const MeshSizes& n, double real) {
-    return DeformationGradient::bytes(n, real) + Svd::bytes(n, real) + Stress::bytes(n, real) +
-           ElasticForce::bytes(n, real) + GatherForces::bytes(n, real);
-  }
   template <class Real, class Tet, class Position, class Rest, class Range, class Entry, class F, class S, class P,
             class G, class Force>
   static auto run(const Tet& tets, const Position& positions, const Rest& rest, const Range& ranges,

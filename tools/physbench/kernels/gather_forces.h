@@ -5,9 +5,6 @@
 
 namespace physgen::bench {
 
-/// Bytes of a gather over incidences into `objects`, beside the values gathered: ranges and entries.
-inline double incidence_bytes(double objects, double entries) { return 8 * objects + 8 * entries; }
-
 struct GatherForces {
   static constexpr const char* name = "gather_forces";
   static constexpr int place = 7;
@@ -16,9 +13,6 @@ struct GatherForces {
   using Reads = Operands<Gathered<source::Ranges<Domain::nodes, Domain::node_tets>, Aos>,
                          Gathered<source::Entries<Domain::node_tets>, Aos>, Streamed<OutputOf<ElasticForce>>>;
   using Writes = Operands<Gathered<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) {
-    return incidence_bytes(n.nodes, 4 * n.tets) + n.tets * 9 * real + n.nodes * 3 * real;
-  }
   template <class Real>
   static auto run(const auto& ranges, const auto& entries, const auto& forces, const auto& out) {
     return fem::GatherForces{Rows{ranges, entries, forces.size()}, forces, out};

@@ -13,7 +13,6 @@ struct MatrixFreeFused : MatrixFreeSeparate {
   static constexpr const char* name = "matrix_free_fused";
   static constexpr int place = 18;
   using Writes = Operands<Gathered<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * (16 + 40 * real) + n.nodes * 6 * real; }
   template <class Real>
   static auto run(const auto& tets, const auto& displacements, const auto& rest, const auto& svds,
                   const auto& derivatives, const auto& /*ranges*/, const auto& /*entries*/, const auto& out) {

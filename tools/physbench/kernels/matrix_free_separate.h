@@ -19,9 +19,6 @@ struct MatrixFreeSeparate {
                          Gathered<source::Entries<Domain::node_tets>, Aos>>;
   using Writes = Operands<Streamed<source::Of<ElementForceDifferential::Output, Domain::tets>>,
                           Gathered<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) {
-    return ElementForceDifferential::bytes(n, real) + GatherForces::bytes(n, real);
-  }
   template <class Real>
   static auto run(const auto& tets, const auto& displacements, const auto& rest, const auto& svds,
                   const auto& derivatives, const auto& ranges, const auto& entries, const auto& corners,

@@ -14,9 +14,6 @@ struct NewtonUpdateFused : NewtonUpdateSeparate {
   using Writes =
       Operands<Streamed<source::Of<elasticity::PrincipalDirectionsObject, domain>>,
                Streamed<source::Of<Derivative::Output, domain>>, Streamed<source::Of<ElasticForce::Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) {
-    return n.tets * (16 + 10 * real + (18 + 12 + 9) * real) + n.nodes * 3 * real;
-  }
   template <class Real>
   static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& directions,
                   const auto& derivatives, const auto& corners) {

@@ -37,11 +37,6 @@ struct NewtonUpdateSeparate {
       Operands<Streamed<source::Of<DeformationGradient::Output, domain>>, Streamed<source::Of<Svd::Output, domain>>,
                Streamed<source::Of<Derivative::Output, domain>>, Streamed<source::Of<Stress::Output, domain>>,
                Streamed<source::Of<ElasticForce::Output, domain>>>;
-  /// The sum of what its kernels must move, results in between included.
-  static double bytes(const MeshSizes& n, double real) {
-    return DeformationGradient::bytes(n, real) + Svd::bytes(n, real) + Derivative::bytes(n, real) +
-           Stress::bytes(n, real) + ElasticForce::bytes(n, real);
-  }
   template <class Real>
   static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& gradients, const auto& svds,
                   const auto& derivatives, const auto& stresses, const auto& corners) {

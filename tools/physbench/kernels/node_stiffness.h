@@ -14,9 +14,6 @@ struct NodeStiffness {
   using Reads = Operands<Gathered<source::Ranges<Domain::nodes, Domain::node_tets>, Aos>,
                          Gathered<source::Entries<Domain::node_tets>, Aos>, Streamed<OutputOf<TetStiffness>>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) {
-    return incidence_bytes(n.nodes, 4 * n.tets) + n.tets * 24 * real + n.nodes * 6 * real;
-  }
   template <class Real>
   static auto run(const auto& ranges, const auto& entries, const auto& tets, const auto& out) {
     return fem::GatherNodeStiffness{Rows{ranges, entries, tets.size()}, tets, out};

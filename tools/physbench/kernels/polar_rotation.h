@@ -5,7 +5,7 @@
 
 namespace physgen::bench {
 
-struct PolarRotation : OfSvd<18> {
+struct PolarRotation : OfSvd {
   static constexpr const char* name = "polar_rotation";
   static constexpr int place = 34;
   using Writes = Operands<Streamed<source::Of<elasticity::ElementRotationObject, Domain::tets>>>;

@@ -5,7 +5,7 @@
 
 namespace physgen::bench {
 
-struct SingularValues : OfSvd<12> {
+struct SingularValues : OfSvd {
   static constexpr const char* name = "singular_values";
   static constexpr int place = 33;
   using Writes = Operands<Streamed<source::Of<elasticity::PrincipalStretchesObject, Domain::tets>>>;

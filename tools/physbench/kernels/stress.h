@@ -14,7 +14,6 @@ struct Stress {
   using Output = elasticity::StressObject;
   using Reads = Operands<Streamed<OutputOf<Svd>>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * 30 * real; }
   template <class Real, class... View>
   static auto run(const View&... view) {
     return fem::ComputeStress{material<Real>(), view...};

@@ -75,7 +75,6 @@ struct FilteredStressDerivative {
   using Output = elasticity::StressDerivativeObject;
   using Reads = Operands<Streamed<OutputOf<Svd>>>;
   using Writes = Operands<Streamed<source::Of<Output, Domain::tets>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * 15 * real; }
   template <class Real, class... View>
   static auto run(const View&... view) {
     return fem::ComputeStressDerivative{material<Real>(), view..., KernelFilter{}};

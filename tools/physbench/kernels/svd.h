@@ -98,18 +98,16 @@ struct SvdProblem {
 
 /// What all kernels share that solve SvdProblem: they read F, and the last number counts scalars of an object that are
 /// read and written.
-template <int kScalars>
 struct OfSvd {
   static constexpr Domain domain = Domain::tets;
   using Reads = Operands<Streamed<OutputOf<DeformationGradient>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * kScalars * real; }
   template <class Real>
   using Problem = SvdProblem<Real>;
 };
 
 /// With a number of sweeps; 4 is the usual one.
 template <int kSweeps>
-struct SvdOfSweeps : OfSvd<30> {
+struct SvdOfSweeps : OfSvd {
   using Output = elasticity::DeformationSvdObject;
   using Writes = Operands<Streamed<source::Of<Output, Domain::tets>>>;
   template <class Real, class... View>

@@ -5,7 +5,7 @@
 
 namespace physgen::bench {
 
-struct SvdArrays : OfSvd<30> {
+struct SvdArrays : OfSvd {
   static constexpr const char* name = "svd";
   static constexpr int place = 4;
   static constexpr const char* only_aos = "aos_three_arrays";  ///< its one layout is so called

@@ -5,7 +5,7 @@
 
 namespace physgen::bench {
 
-struct SvdQuaternions : OfSvd<20> {
+struct SvdQuaternions : OfSvd {
   static constexpr const char* name = "svd_quaternions";
   static constexpr int place = 30;
   using Writes = Operands<Streamed<source::Of<elasticity::QuaternionSvdObject, Domain::tets>>>;

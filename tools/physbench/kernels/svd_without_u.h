@@ -5,7 +5,7 @@
 
 namespace physgen::bench {
 
-struct SvdWithoutU : OfSvd<21> {
+struct SvdWithoutU : OfSvd {
   static constexpr const char* name = "svd_without_u";
   static constexpr int place = 31;
   using Writes = Operands<Streamed<source::Of<elasticity::PrincipalStretchesObject, Domain::tets>>,

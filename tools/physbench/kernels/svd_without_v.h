@@ -5,7 +5,7 @@
 
 namespace physgen::bench {
 
-struct SvdWithoutV : OfSvd<21> {
+struct SvdWithoutV : OfSvd {
   static constexpr const char* name = "svd_without_v";
   static constexpr int place = 32;
   using Writes = Operands<Streamed<source::Of<elasticity::ElementRotationObject, Domain::tets>>,

@@ -15,7 +15,6 @@ struct TetStiffness {
   using Output = elasticity::TetStiffnessObject;
   using Reads = Operands<Streamed<source::RestShapes>, Streamed<OutputOf<Svd>>, Streamed<OutputOf<StressDerivative>>>;
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
-  static double bytes(const MeshSizes& n, double real) { return n.tets * 118 * real; }
   template <class Real, class... View>
   static auto run(const View&... view) {
     return fem::ComputeTetStiffness{view...};

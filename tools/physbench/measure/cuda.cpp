@@ -73,8 +73,8 @@ std::function<double()> CudaDevice::copy(double bytes) {
   };
 }
 
-void CudaDevice::poison(const Storage& storage) {
-  cuda::check(cudaMemset(storage.base, 0xff, static_cast<std::size_t>(storage.bytes())), "poisoning an output");
+void CudaDevice::poison(const UntypedArray& array) {
+  cuda::check(cudaMemset(array.base, 0xff, static_cast<std::size_t>(array.bytes())), "poisoning an output");
 }
 
 }  // namespace physgen::bench

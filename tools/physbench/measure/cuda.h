@@ -1,7 +1,7 @@
 // The GPU as a device of rows: events around one run, and the device's own copy that kernels are compared with.
 #pragma once
 
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <functional>
 
@@ -18,7 +18,7 @@ struct CudaDevice {
     return stop();
   }
   static std::function<double()> copy(double bytes);
-  static void poison(const Storage& storage);
+  static void poison(const UntypedArray& array);
 
   /// A measurement in the default stream; one at a time.
   static void start();

@@ -19,18 +19,18 @@ bool all_numbers(const std::byte* tile, index_t elements) {
 
 }  // namespace
 
-void poison(const Storage& storage) { std::memset(storage.base, 0xff, static_cast<std::size_t>(storage.bytes())); }
+void poison(const UntypedArray& array) { std::memset(array.base, 0xff, static_cast<std::size_t>(array.bytes())); }
 
-void check_written(const Storage& storage) {
-  for (const FieldInfo& field : storage.fields) {
+void check_written(const UntypedArray& array) {
+  for (const FieldInfo& field : array.fields) {
     if (!field.is_stored()) continue;
     const int size = element_bytes(field.type);
-    for (index_t begin = 0; begin < storage.size; begin += storage.pitch) {
-      const index_t lanes = std::min(storage.pitch, storage.size - begin);
+    for (index_t begin = 0; begin < array.size; begin += array.pitch) {
+      const index_t lanes = std::min(array.pitch, array.size - begin);
       for (int k = 0; k < field.count; ++k) {
-        const std::byte* row = storage.base + begin * storage.record_bytes + (field.offset + k * size) * storage.pitch;
+        const std::byte* row = array.address(begin, field.offset + k * size, size);
         if (size == 4 ? all_numbers<float>(row, lanes) : all_numbers<double>(row, lanes)) continue;
-        throw Error(std::string(storage.object) + "." + std::string(field.name) + ": element " + std::to_string(k) +
+        throw Error(std::string(array.object) + "." + std::string(field.name) + ": element " + std::to_string(k) +
                     " was not written, or is not a number, in an object of " + std::to_string(begin) + " to " +
                     std::to_string(begin + lanes - 1));
       }

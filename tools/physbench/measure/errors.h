@@ -1,7 +1,7 @@
 // Checks of results: that everything was written, and how far it is from the reference.
 #pragma once
 
-#include <physgen/storage.h>
+#include <physgen/untyped_array.h>
 
 #include <vector>
 
@@ -10,11 +10,11 @@
 namespace physgen::bench {
 
 /// Fills an array in host memory, padding included, with ones in every bit: not a number as float and as double.
-void poison(const Storage& storage);
+void poison(const UntypedArray& array);
 
 /// @pre the array is in host memory, its elements float or double
 /// @throw Error naming the first object that has an element which is not a number
-void check_written(const Storage& storage);
+void check_written(const UntypedArray& array);
 
 /// The distribution of errors[i] / max(norms[i], 1e-3 rms(norms)): the floor keeps results that nearly cancel from
 /// being measured against zero.

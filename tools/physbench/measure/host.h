@@ -27,7 +27,7 @@ struct HostDevice {
   }
   /// A copy of half of `bytes`: memcpy, one piece per OpenMP thread. @return what gives its time [s]
   static std::function<double()> copy(double bytes);
-  static void poison(const Storage& storage) { bench::poison(storage); }
+  static void poison(const UntypedArray& array) { bench::poison(array); }
 };
 
 }  // namespace physgen::bench

@@ -66,7 +66,7 @@ Case kernel_case(const Provider& provider, const Launching& launch, double bytes
   };
   made.copy = Device::copy(made.bytes);
   made.check = [state, run = made.run] {
-    for_each_array(state->arrays.outputs, [](auto& array, std::size_t /*k*/) { Device::poison(array.storage()); });
+    for_each_array(state->arrays.outputs, [](auto& array, std::size_t /*k*/) { Device::poison(array.untyped()); });
     run();
     using Writes = typename Kernel::Writes;
     auto results = make_arrays<HostArrays<Writes, typename Provider::Real>>(
@@ -124,7 +124,7 @@ class Adder {
   /// In the formats of a scheme, which the row's storage names.
   template <class Scheme, class Layout>
   Row& scheme(const std::string& label) const {
-    const double bytes = Scheme::template bytes<typename Provider::Real>() * static_cast<double>(provider_.objects());
+    const double bytes = provider_.template bytes_in<Scheme>();
     Row& row = add(
         label, [p = provider_, bytes] { return kernel_case<Device, Layout, Scheme>(p, Launch<Device>(), bytes); },
         bytes);

@@ -22,7 +22,9 @@ class OnScene {
   [[nodiscard]] index_t objects() const { return count(Kernel::domain); }
   [[nodiscard]] index_t count(Domain domain) const { return scene_->count(domain, Kernel::domain); }
   [[nodiscard]] index_t results(Domain domain) const { return count(domain); }
-  [[nodiscard]] double bytes() const { return Kernel::bytes(scene_->sizes(Kernel::domain), sizeof(Real)); }
+  [[nodiscard]] double bytes() const;  ///< that the kernel must move
+  template <class Scheme>
+  [[nodiscard]] double bytes_in() const;  ///< the same, in the formats of a scheme
   /// The mesh, the inputs in double, the results and their references.
   [[nodiscard]] double memory() const {
     return scene_->memory() + bytes() / sizeof(Real) * (sizeof(double) + 2 * sizeof(Real) + sizeof(long double));

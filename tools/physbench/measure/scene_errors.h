@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "measure/errors.h"
+#include "measure/row_bytes.h"
 #include "measure/scene_data.h"
 #include "measure/values.h"
 
@@ -98,7 +99,7 @@ Accuracy OnScene<Kernel, Real>::check(const HostArrays<typename Kernel::Writes, 
   if constexpr (requires { typename Kernel::CheckedAs; }) {
     return OnScene<typename Kernel::CheckedAs, Real>(scene_).check(results);
   } else {
-    for_each_array(results, [](const auto& array, std::size_t /*k*/) { check_written(array.storage()); });
+    for_each_array(results, [](const auto& array, std::size_t /*k*/) { check_written(array.untyped()); });
     return compare([&results](index_t i) { return values_at(results, i); });
   }
 }

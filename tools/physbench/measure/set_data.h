@@ -25,7 +25,7 @@ class OnSet {
   [[nodiscard]] index_t objects() const { return sets_->objects(); }
   [[nodiscard]] index_t count(Domain /*domain*/) const { return objects(); }
   [[nodiscard]] index_t results(Domain /*domain*/) const { return sets_->samples(); }
-  [[nodiscard]] double bytes() const { return Kernel::bytes({static_cast<double>(objects()), 0, 0}, sizeof(Real)); }
+  [[nodiscard]] double bytes() const;  ///< that the kernel must move
   /// Inputs of all objects, and the samples with their references.
   [[nodiscard]] double memory() const { return bytes() + 1024 * static_cast<double>(sets_->samples()); }
   [[nodiscard]] std::string set() const { return name(set_); }

@@ -5,6 +5,7 @@
 
 #include "data/problem.h"
 #include "measure/replay.h"
+#include "measure/row_bytes.h"
 #include "measure/set_data.h"
 #include "measure/values.h"
 

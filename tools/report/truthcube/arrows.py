@@ -7,7 +7,7 @@ import names
 from drawing import MUTED, RULE, WIDTH
 
 from . import geometry, render
-from .body import DISPLACEMENT, percent, shades
+from .body import DISPLACEMENT, shades
 from .beads import at_compression, largest_mm, rms_mm
 from .files import lengths
 
@@ -28,7 +28,7 @@ def draw(run, step, reference=None, reference_name=""):
         difference = np.array(beads.table.less(reference))
         _differences(figure, grid[2], run, beads, difference, reference_name)
     figure.get_layout_engine().set(rect=(0, 0, 1, 0.95))
-    figure.suptitle(f"{len(beads.rest)} beads, {percent(step.compression)}: {run.title()}", fontsize=8.5, x=0.01, ha="left")
+    figure.suptitle(f"{len(beads.rest)} beads, {step.title()}: {run.title()}", fontsize=8.5, x=0.01, ha="left")
     return figure
 
 

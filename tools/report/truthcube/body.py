@@ -11,7 +11,8 @@ from drawing import INK, MUTED, WIDTH
 from . import geometry, render
 from .files import lengths
 
-PIXELS = 1000  # of the width of all panels
+PIXELS = 1000  # of the width of all panels of a row
+COLUMNS = 5  # of panels, at most
 REST = "at rest"
 
 
@@ -44,10 +45,6 @@ VON_MISES = Quantity(
 )
 
 
-def percent(compression):
-    return f"compressed by {100 * compression:g} %"
-
-
 class View:
     """A way to look at a run: the triangles, and the camera with its window, which are the same for all steps."""
 
@@ -69,17 +66,16 @@ class View:
 
     def picture(self, step, quantity, limits):
         """The body, coloured; at rest where `step` is None. @return image with transparency"""
-        key = None if step is None else step.compression
-        if key not in self.seen:
+        if step not in self.seen:
             moved = self.run.points + (0 if step is None else step.displacement)
             values = [self.run.points] + [
                 np.zeros(len(moved)) if step is None else q.values(self.run, step) for q in (DISPLACEMENT, VON_MISES)
             ]
             values = self.corners(np.column_stack(values))
-            self.seen[key] = render.look(
+            self.seen[step] = render.look(
                 self.camera, self.corners(moved), self.triangles, values, self.window, self.pixels, self.closed
             )
-        seen = self.seen[key]
+        seen = self.seen[step]
         value = seen.values[..., 3 if quantity is DISPLACEMENT else 4]
         colours = quantity.colours(np.clip(value / limits[1], 0, 1))[..., :3]
         lines = render.grid_lines(seen.values[..., :3], self.distance, self.low)
@@ -139,18 +135,22 @@ def _title(run, view):
 
 
 def steps(run, view):
-    """All steps of a run: one row by displacement, one by von Mises stress, at rest first."""
-    columns = [None, *run.steps]
+    """Steps of a run: rows by displacement, then rows by von Mises stress, at rest first."""
+    panels = [None, *run.shown()]
+    columns = min(len(panels), COLUMNS)
+    rows = -(-len(panels) // columns)
     left, right, bottom, top = view.window
-    width = (WIDTH - 1.0) / len(columns)
-    figure = Plot(figsize=(WIDTH, 2 * (width * (top - bottom) / (right - left) + 0.25) + 0.35), layout="constrained")
-    grid = figure.subplots(2, len(columns), squeeze=False)
-    for row, quantity in zip(grid, (DISPLACEMENT, VON_MISES)):
-        limits = quantity.range(run, run.steps)
-        for axes, step in zip(row, columns):
+    height = (WIDTH - 1.0) / columns * (top - bottom) / (right - left) + 0.25
+    figure = Plot(figsize=(WIDTH, 2 * rows * height + 0.35), layout="constrained")
+    grid = figure.subplots(2 * rows, columns, squeeze=False)
+    for block, quantity in zip((grid[:rows].ravel(), grid[rows:].ravel()), (DISPLACEMENT, VON_MISES)):
+        limits = quantity.range(run, run.shown())
+        for axes in block[len(panels) :]:
+            axes.axis("off")
+        for axes, step in zip(block, panels):
             _outline(axes, view)
-            _panel(axes, view, view.picture(step, quantity, limits), REST if step is None else percent(step.compression))
-        _bar(figure, row, quantity, limits, aspect=16, shrink=0.82, pad=0.01)
+            _panel(axes, view, view.picture(step, quantity, limits), REST if step is None else step.title())
+        _bar(figure, block, quantity, limits, aspect=16 * rows, shrink=0.82, pad=0.01)
     figure.suptitle(_title(run, view), fontsize=8.5, x=0.01, ha="left")
     return figure
 
@@ -161,8 +161,8 @@ def last_step(run, *views):
     step = run.steps[-1]
     panels = [
         (views[0], None, DISPLACEMENT, REST),
-        (views[0], step, DISPLACEMENT, percent(step.compression)),
-        (views[0], step, VON_MISES, percent(step.compression)),
+        (views[0], step, DISPLACEMENT, step.title()),
+        (views[0], step, VON_MISES, step.title()),
         (views[1], step, VON_MISES, "cut through the middle"),
     ]
     figure = Plot(figsize=(WIDTH, 2.85), layout="constrained")

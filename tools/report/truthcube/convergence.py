@@ -6,7 +6,7 @@ from matplotlib.figure import Figure as Plot
 import names
 from drawing import MUTED, WIDTH, key, log_ticks
 
-from .body import percent
+from .body import COLUMNS
 
 
 def curves(step):
@@ -23,13 +23,18 @@ def curves(step):
 
 
 def draw(run):
-    figure = Plot(figsize=(WIDTH, 2.9), layout="constrained")
-    grid = figure.subplots(1, len(run.steps), sharey=True, squeeze=False)[0]
+    steps = run.shown()
+    columns = min(len(steps), COLUMNS)
+    rows = -(-len(steps) // columns)
+    figure = Plot(figsize=(WIDTH, 0.4 + 2.5 * rows), layout="constrained")
+    grid = figure.subplots(rows, columns, sharey=True, squeeze=False)
     tolerance = run.record["settings"]["tolerance"]
-    every = [value for step in run.steps for curve in curves(step) for value in curve[2] if value > 0]
+    every = [value for step in steps for curve in curves(step) for value in curve[2] if value > 0]
     low, high = min(min(every), tolerance) / 4, max(every) * 4
     levels = 0
-    for axes, step in zip(grid, run.steps):
+    for axes in grid.ravel()[len(steps) :]:
+        axes.remove()
+    for axes, step in zip(grid.ravel(), steps):
         for level, numbers, residuals, iterations in curves(step):
             levels = max(levels, level)
             colour = _colour(level)
@@ -38,17 +43,18 @@ def draw(run):
                 axes.annotate(f"{count}", (x, y), xytext=(4, 3), textcoords="offset points", fontsize=7, color=MUTED)
         axes.axhline(tolerance, color=MUTED, linewidth=0.8, linestyle="--")
         axes.set(yscale="log", ylim=(low, high))
-        axes.set_title(percent(step.compression), fontsize=8.5, fontweight="normal", loc="center", pad=14)
+        axes.set_title(step.title(), fontsize=8.5, fontweight="normal", loc="center", pad=14)
         axes.set_xlabel("Newton step")
         axes.xaxis.set_major_locator(matplotlib.ticker.MaxNLocator(integer=True))
         axes.margins(x=0.12)
         axes.grid(axis="y")
         axes.tick_params(axis="y", length=0)
-    log_ticks(grid[0].yaxis, low, high, lambda tick: f"$10^{{{round(np.log10(tick))}}}$", steps=(1,))
-    grid[0].set_ylabel("relative residual after the step")
-    grid[0].annotate("tolerance", (0, tolerance), xycoords=("axes fraction", "data"), xytext=(2, -2),
+    log_ticks(grid[0, 0].yaxis, low, high, lambda tick: f"$10^{{{round(np.log10(tick))}}}$", steps=(1,))
+    for axes in grid[:, 0]:
+        axes.set_ylabel("relative residual after the step")
+    grid[0, 0].annotate("tolerance", (0, tolerance), xycoords=("axes fraction", "data"), xytext=(2, -2),
                      textcoords="offset points", va="top", fontsize=7.5, color=MUTED)  # fmt: skip
-    key(grid[0], [(_name(level), _colour(level)) for level in range(levels, -1, -1)], in_layout=False)
+    key(grid[0, 0], [(_name(level), _colour(level)) for level in range(levels, -1, -1)], in_layout=False)
     figure.suptitle(f"Numbers at points: PCG iterations. {run.title()}", fontsize=8.5, x=0.01, ha="left")
     return figure
 

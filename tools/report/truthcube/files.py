@@ -8,16 +8,25 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")  # a run may be going on
 import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
-from .beads import SAME_COMPRESSION, read_beads  # noqa: E402
-from .records import AGAIN, RunError, read_record  # noqa: E402
+from .beads import SAME_COMPRESSION, Beads, at_compression, read_beads  # noqa: E402
+from .records import AGAIN, RunError, read_record, require  # noqa: E402
 
 
-@dataclass(frozen=True)
+SHOWN = 14  # steps in one picture at most
+
+
+@dataclass(frozen=True, eq=False)  # a step equals itself alone
 class Step:
     compression: float  # plate travel over height
+    time: float | None  # of a motion [s]
     displacement: np.ndarray  # of the nodes [m], n x 3
     von_mises: np.ndarray  # of the tets [Pa]
     record: dict  # of run.json
+
+    def title(self):
+        if self.time is None:
+            return f"compressed by {100 * self.compression:g} %"
+        return f"at {self.time:g} s, by {100 * self.compression:.3g} %"
 
 
 @dataclass(frozen=True)
@@ -26,7 +35,19 @@ class Run:
     points: np.ndarray  # rest positions [m], n x 3
     tets: np.ndarray  # corners, t x 4
     steps: list
-    beads: dict  # compression -> Beads; empty for meshes that are no Truth Cube
+    beads: dict  # compression -> Beads, of a motion those of its last state; empty for meshes that are no Truth Cube
+
+    @property
+    def moves(self):
+        """Whether steps are states of a motion, and no equilibria."""
+        return _moves(self.record)
+
+    def shown(self):
+        """The steps that pictures have: SHOWN at most, evenly spread, the last one among them."""
+        count = len(self.steps)
+        if count <= SHOWN:
+            return self.steps
+        return [self.steps[round((k + 1) * count / SHOWN) - 1] for k in range(SHOWN)]
 
     def at_nodes(self, values):
         """Values of tets, averaged over those at each node by their volume at rest."""
@@ -46,10 +67,15 @@ class Run:
         """What was solved, in words."""
         settings = self.record["settings"]
         body = f"{settings['cells']}³ cells" if "cells" in settings else "a mesh"
+        scene = settings.get("scene", "quasistatic")
         return (
-            f"{body}, {self.record['tets']:,} tets, {settings['material']}, ν = {settings['poisson']:g}, "
-            f"volume by {settings['volume']}, {settings['top']} top"
+            f"{'' if scene == 'quasistatic' else scene + ': '}{body}, {self.record['tets']:,} tets, "
+            f"{settings['material']}, ν = {settings['poisson']:g}, volume by {settings['volume']}, {settings['top']} top"
         )
+
+
+def _moves(record):
+    return "duration" in record["settings"]
 
 
 def lengths(vectors):
@@ -69,7 +95,19 @@ def read_run(folder):
     record = read_record(folder / "run.json")
     points, tets, steps = _read_fields(folder / "cube.vtkhdf", record)
     table = folder / "beads.csv"
-    return Run(record, points, tets, steps, read_beads(table) if table.exists() else {})
+    beads = read_beads(table) if table.exists() else {}
+    return Run(record, points, tets, steps, _last_beads(beads, record["steps"]) if _moves(record) else beads)
+
+
+def _last_beads(beads, steps):
+    """Of a motion, several of whose states may have one compression: the beads of the last."""
+    if not beads or not steps:
+        return {}
+    compression = steps[-1]["compression"]
+    of_all = at_compression(beads, compression)
+    states = sum(abs(step["compression"] - compression) < SAME_COMPRESSION for step in steps)
+    count = len(of_all.rest) // states if of_all else 0
+    return {compression: Beads(of_all.rest[-count:], of_all.displacement[-count:])} if count else {}
 
 
 # ---- cube.vtkhdf -----------------------------------------------------------------------------------------------------
@@ -105,16 +143,19 @@ def _fields_of(file, path, record):
     if len(times) < len(record["steps"]):
         raise RunError(f"{path} has {len(times)} steps, and run.json {len(record['steps'])}; {AGAIN}")
     steps = []
+    time, words = ("time", "a time") if _moves(record) else ("compression", "a compression")
     for k, of_record in enumerate(record["steps"]):
-        if abs(times[k] - of_record["compression"]) > SAME_COMPRESSION:
+        require(of_record, {time: float}, f"run.json beside {path}: steps[{k}]")
+        if of_record[time] is None or abs(times[k] - of_record[time]) > SAME_COMPRESSION:
             raise RunError(
-                f"{path}: step {k} is of a compression of {times[k]:g}, and in run.json of "
-                f"{of_record['compression']:g}: the files are not of one run; {AGAIN}"
+                f"{path}: step {k} is of {words} of {times[k]:g}, and in run.json of {of_record[time]}: the files are "
+                f"not of one run; {AGAIN}"
             )
         first = [int(get(offsets.format(*names), None)[k]) for names in (("Point", "displacement"), ("Cell", "stress"))]
         displacement = get("VTKHDF/PointData/displacement", None, 3)[first[0] : first[0] + nodes].astype(float)
         stress = get("VTKHDF/CellData/stress", None, 6)[first[1] : first[1] + tets].astype(float)
         if len(displacement) != nodes or len(stress) != tets:
             raise RunError(f"{path}: step {k} is cut off; {AGAIN}")
-        steps.append(Step(float(times[k]), displacement, von_mises(stress), of_record))
+        of_motion = float(times[k]) if _moves(record) else None
+        steps.append(Step(of_record["compression"], of_motion, displacement, von_mises(stress), of_record))
     return points, corners, steps

@@ -1,10 +1,8 @@
 // linear_solves: one linear solve of the Truth Cube, by several methods, measured.
-#include <omp.h>
-#include <truthcube/error_text.h>
+#include <truthcube/program.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -36,26 +34,6 @@ int run(const LinearOptions& options, const std::string& command) {
 }  // namespace physgen::truthcube
 
 int main(int count, char** words) {
-  const std::vector<std::string> arguments(words + 1, words + count);
-  physgen::truthcube::LinearOptions options;
-  try {
-    options = physgen::truthcube::parse_linear(arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "linear_solves: %s\nlinear_solves --help lists what there is.\n",
-                 physgen::truthcube::text_of(error).c_str());
-    return 2;
-  }
-  if (!options.help.empty()) {
-    std::printf("%s", options.help.c_str());
-    return 0;
-  }
-  if (options.threads > 0) omp_set_num_threads(options.threads);
-  std::string command = "linear_solves";
-  for (const std::string& word : arguments) command += " " + word;
-  try {
-    return physgen::truthcube::run(options, command);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "linear_solves: %s\n", physgen::truthcube::text_of(error).c_str());
-    return 1;
-  }
+  using namespace physgen::truthcube;
+  return run_program("linear_solves", count, words, parse_linear, run);
 }

@@ -36,8 +36,8 @@ class VendorProgram {
         direction_(nodes_),
         product_of_direction_(nodes_),
         inverse_(nodes_),
-        product_(make(reinterpret_cast<float*>(direction_.storage().base),
-                      reinterpret_cast<float*>(product_of_direction_.storage().base), on_.stream())) {
+        product_(make(reinterpret_cast<float*>(direction_.untyped().base),
+                      reinterpret_cast<float*>(product_of_direction_.untyped().base), on_.stream())) {
     store_blocks(stiffness, fixed);
     store_force(fixed, force);
   }

@@ -120,7 +120,7 @@ class CudaExecutor {
       throw Error(std::string(Object::name) + ": value() is of an array of one object; this one has " +
                   std::to_string(array.size()));
     }
-    cuda::check(cudaMemcpyAsync(object_.data(), array.storage().base, bytes, cudaMemcpyDeviceToHost, stream_),
+    cuda::check(cudaMemcpyAsync(object_.data(), array.untyped().base, bytes, cudaMemcpyDeviceToHost, stream_),
                 "reading an object");
     wait();
     const View<Object, const Real, Layout, Formats, PinnedHost> view(object_.data(), 1, Layout::pitch(1));

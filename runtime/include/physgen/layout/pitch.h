@@ -23,6 +23,14 @@ struct StaticPitch {
   }
 };
 
+/// A pitch that is a number of the running program.
+struct AnyPitch {
+  index_t pitch;
+  [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t value() const { return pitch; }
+  [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t tile(index_t i) const { return i / pitch; }
+  [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t lane(index_t i) const { return i % pitch; }
+};
+
 /// A pitch of the whole array: one tile.
 struct WholePitch {
   PHYSGEN_FUNCTION constexpr explicit WholePitch(index_t pitch) : pitch_(pitch) {}

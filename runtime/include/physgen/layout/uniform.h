@@ -14,7 +14,8 @@ struct UniformPitch {
 };
 
 /// One record, whatever the index. For views that are read: stores of several objects would meet in it. An array has
-/// this layout through UniformArray (scene_arrays.h), since storage.h describes arrays with a record for each object.
+/// this layout through UniformArray (scene_arrays.h), since untyped_array.h describes arrays with a record for each
+/// object.
 struct Uniform : Aos {
   using Pitch = UniformPitch;
   static constexpr const char* name = "uniform";

@@ -1,0 +1,66 @@
+// See format_rules.h.
+#include "model/format_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/text.h"
+
+namespace physgen::model {
+namespace {
+
+// At most the number, or at least it, with three digits.
+std::string rounded(double value, double (*to)(double)) {
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", to(value / digit) * digit);
+  return text;
+}
+
+// Stated values that the format would lose, be it scaled.
+void check_magnitudes(Aspect aspect, const Field& field, const EncodingFacts& encoding, const FieldReport& report) {
+  if (field.shape == Shape::rotation) return;
+  if (encoding.scaling == Scaling::interval && facts(field.element).bytes_with_float == 8) return;  // in double
+  const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
+  const double largest = std::max(end, std::abs(field.initial.value_or(0)));
+  const bool scales = encoding.scaling == Scaling::exponent;
+  const int top = scales ? std::ilogb(encoding.largest) : 0;  // of the largest power of two
+  const double limit = scales ? std::ldexp(1, max_exponent + top) : encoding.largest;
+  const double least = scales ? std::ldexp(1, top - 1 - max_exponent) : 0;
+  const bool too_small = end > 0 && end < least;
+  if (largest <= limit && !too_small) return;
+  report(aspect, std::string(end > limit || too_small ? "the range" : "the initial value") + " of " +
+                     quoted(field.name) + " is beyond what this format holds, " +
+                     (too_small ? "ranges that end above " + rounded(least, std::ceil)
+                                : "sizes up to " + rounded(limit, std::floor)) +
+                     "; choose float64");
+}
+
+}  // namespace
+
+void check_format(Aspect aspect, const Field& field, const Format& format, const FieldReport& report) {
+  if (format == Format{}) return;
+  const EncodingFacts& encoding = facts(format.encoding);
+  const std::string word(encoding.word);
+  const bool in_steps = encoding.scaling == Scaling::interval && field.shape != Shape::rotation;
+  if (facts(field.element).integer)
+    report(aspect, "the elements of " + quoted(field.name) + " are integers, which have no other format; leave it out");
+  else if (format.quaternion && field.shape != Shape::rotation)
+    report(aspect,
+           "only a Rotation can be stored as a quaternion; " + quoted(field.name) + " is a " + schema_type(field));
+  else if (in_steps && !field.range)
+    report(aspect, word + " has equal steps over a range, and " + quoted(field.name) +
+                       " states none; add one, such as range(-1, 1)");
+  else if (in_steps && !(field.range->low < field.range->high))
+    report(aspect,
+           word + " has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
+  else if (encoding.scaling == Scaling::exponent && field.initial && std::abs(*field.initial) > encoding.largest &&
+           !field.range)
+    report(aspect, "initial(" + number(*field.initial) + ") is no " + word + ", which ends at " +
+                       number(encoding.largest) + "; state the range of " + quoted(field.name) + ", and it is scaled");
+  else
+    check_magnitudes(aspect, field, encoding, report);
+}
+
+}  // namespace physgen::model

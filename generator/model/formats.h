@@ -1,0 +1,24 @@
+// What the formats of a field mean: by which power of two its numbers are scaled, over which range its steps lie, and
+// how much of them is lost.
+#pragma once
+
+#include <string>
+
+#include "model/model.h"
+
+namespace physgen::model {
+
+/// k of the power of two 2^k by which a format of Scaling::exponent scales: it brings the larger end of the field's
+/// range just below the largest number of the encoding (of halves, into (16384, 32768]). 0 without a range, and for
+/// rotations, whose entries end at 1.
+[[nodiscard]] int scale_exponent(const Field& field, const EncodingFacts& encoding);
+
+/// The range over which a format of Scaling::interval has its steps: the field's, but -1 to 1 for components of
+/// quaternions and entries of rotations.
+[[nodiscard]] Range steps_range(const Field& field);
+
+/// How a format stores the field and what it loses, for people: "half, relative error up to ...", "16-bit steps over
+/// [-1, 1], error up to ...", "unit quaternion of halves, ..."; empty: as it is computed.
+[[nodiscard]] std::string describe_format(const Field& field, const Format& format);
+
+}  // namespace physgen::model

@@ -1,0 +1,39 @@
+// What is wrong with a model, and where: what rules report, whether they are the model's or an emitter's.
+#pragma once
+
+#include <string>
+
+namespace physgen::model {
+
+/// What a rule was broken by; the frontend points its caret there.
+enum class Aspect {
+  name,
+  scope,
+  fields,
+  type,
+  unit,
+  range,
+  initial,
+  host_format,
+  cuda_format,
+  host_layout,
+  cuda_layout,
+  alignment
+};
+
+/// An object of a schema, or one of its fields.
+struct Place {
+  bool imported = false;  ///< in Schema::imported, else in Schema::objects
+  int object = -1;        ///< -1: the schema as a whole
+  int field = -1;         ///< -1: the object itself
+  bool operator==(const Place&) const = default;
+};
+
+struct Issue {
+  Place place;
+  Aspect aspect = Aspect::name;
+  std::string message;  ///< what is wrong and what to write instead, one line without a full stop
+  Place other;          ///< what it clashes with, if other.object >= 0
+};
+
+}  // namespace physgen::model

@@ -1,0 +1,174 @@
+// See read_kernel.h.
+#include "scenes/read_kernel.h"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/ExprConcepts.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include "scenes/read_stores.h"
+
+namespace physgen::scenes {
+namespace {
+
+using usage::Names;
+
+/// What a kernel must not do to be a step of a fused kernel: ask what its index is, make one, or do what locals, which
+/// are not arrays, do not allow.
+class Unfit : public clang::RecursiveASTVisitor<Unfit> {
+ public:
+  explicit Unfit(const Names& names) : names_(names) {}
+  [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
+
+  /// @return where it does so, and what; empty: nowhere
+  std::string find(const clang::FunctionDecl& function) {
+    follow(&function, true);
+    while (!queue_.empty() && found_.empty()) {
+      const auto* next = queue_.back();
+      queue_.pop_back();
+      TraverseStmt(next->getBody());
+    }
+    return found_;
+  }
+
+  bool VisitCallExpr(clang::CallExpr* call) {
+    const auto* callee = call->getDirectCallee();
+    if (callee != nullptr && callee->getIdentifier() != nullptr && callee->getName() == "store_where" &&
+        names_.is_library(callee->getLocation()))
+      say(call->getBeginLoc(), "stores under a mask");
+    follow(callee);
+    return found_.empty();
+  }
+  bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* call) {
+    const auto* method = call->getMethodDecl();
+    if (method == nullptr || !Names::is_physgen(method->getParent(), "View")) return true;
+    const std::string name = method->getNameAsString();
+    if (name != "get" && name != "put") say(call->getBeginLoc(), "asks a view for " + name + "()");
+    return found_.empty();
+  }
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* made) {
+    if (is_pack(made->getType()) && !made->getConstructor()->isCopyOrMoveConstructor())
+      say(made->getBeginLoc(), "makes an index");
+    follow(made->getConstructor());
+    return found_.empty();
+  }
+  bool VisitInitListExpr(clang::InitListExpr* list) {
+    if (!list->getType().isNull() && is_pack(list->getType())) say(list->getBeginLoc(), "makes an index");
+    return found_.empty();
+  }
+  bool VisitMemberExpr(clang::MemberExpr* member) {
+    if (is_pack(member->getBase()->getType())) say(member->getMemberLoc(), "looks into its index");
+    return found_.empty();
+  }
+  bool VisitRequiresExpr(clang::RequiresExpr* asked) {
+    say(asked->getBeginLoc(), "asks what compiles for its index");
+    return false;
+  }
+  bool VisitConceptSpecializationExpr(clang::ConceptSpecializationExpr* asked) {
+    for (const auto& argument : asked->getTemplateArguments()) about(argument, asked->getBeginLoc());
+    return found_.empty();
+  }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
+    const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
+    if (variable == nullptr) return true;
+    const auto* scope = llvm::dyn_cast<clang::CXXRecordDecl>(variable->getDeclContext());
+    if (scope != nullptr && (Names::is_physgen(scope, "Pack") || Names::is_physgen(scope, "PartialPack")))
+      say(named->getBeginLoc(), "asks what its index is");
+    if (names_.is_library(variable->getLocation()) &&
+        names_.place(variable->getLocation()).file.starts_with("physgen/"))
+      return found_.empty();
+    if (const auto* special = llvm::dyn_cast<clang::VarTemplateSpecializationDecl>(variable))
+      for (const auto& argument : special->getTemplateArgs().asArray()) about(argument, named->getBeginLoc());
+    if (named->hasQualifier()) {
+      std::string qualifier;
+      llvm::raw_string_ostream out(qualifier);
+      named->getQualifier().print(out, clang::PrintingPolicy(clang::LangOptions()));
+      if (qualifier.find("Pack<") != std::string::npos) say(named->getBeginLoc(), "asks what its index is");
+    }
+    return found_.empty();
+  }
+
+ private:
+  void about(const clang::TemplateArgument& argument, clang::SourceLocation place) {
+    if (argument.getKind() == clang::TemplateArgument::Type && is_pack(argument.getAsType()))
+      say(place, "asks what its index is");
+  }
+  void say(clang::SourceLocation place, const std::string& what) {
+    if (found_.empty()) found_ = what + " at " + usage::text_of(names_.place(place));
+  }
+  /// Functions of the program, and the kernel's, which may be one of the runtime's that holds a lambda.
+  void follow(const clang::FunctionDecl* function, bool is_kernels = false) {
+    const clang::FunctionDecl* definition = nullptr;
+    if (function == nullptr || !function->isDefined(definition)) return;
+    if (!is_kernels && names_.is_library(definition->getLocation())) return;
+    if (!seen_.insert(definition->getCanonicalDecl()).second) return;
+    const auto* pattern = definition->getTemplateInstantiationPattern();
+    for (unsigned i = 0; i < definition->getNumParams(); ++i) {
+      if (!is_pack(definition->getParamDecl(i)->getType())) continue;
+      const auto type = (pattern == nullptr ? definition : pattern)->getParamDecl(i)->getType();
+      if (!llvm::isa<clang::TemplateTypeParmType>(type.getNonReferenceType().getTypePtr()))
+        say(definition->getLocation(), "takes only packs");
+    }
+    queue_.push_back(definition);
+  }
+
+  const Names& names_;
+  std::vector<const clang::FunctionDecl*> queue_;
+  std::set<const clang::Decl*> seen_;
+  std::string found_;
+};
+
+int lanes(const clang::Stmt* statement) {
+  if (statement == nullptr) return 0;
+  if (const auto* declared = llvm::dyn_cast<clang::DeclStmt>(statement); declared && declared->isSingleDecl())
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declared->getSingleDecl());
+        variable->getName() == "lanes")
+      if (const auto* value = const_cast<clang::VarDecl*>(variable)->evaluateValue();
+          value != nullptr && value->isInt())
+        return static_cast<int>(value->getInt().getExtValue());
+  for (const clang::Stmt* child : statement->children())
+    if (const int found = lanes(child); found > 0) return found;
+  return 0;
+}
+
+/// Scalar of a kernel: float or double.
+clang::QualType scalar(const clang::CXXRecordDecl& record) {
+  for (const clang::Decl* member : record.decls())
+    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(member); alias && alias->getName() == "Scalar")
+      return alias->getUnderlyingType().getCanonicalType();
+  for (const auto& base : record.bases())
+    if (const auto* parent = base.getType()->getAsCXXRecordDecl(); parent != nullptr && parent->hasDefinition())
+      if (const auto found = scalar(*parent->getDefinition()); !found.isNull()) return found;
+  return {};
+}
+
+}  // namespace
+
+KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel, const clang::FunctionDecl& step) {
+  KernelFacts facts;
+  const clang::FunctionDecl* definition = nullptr;
+  if (step.isDefined(definition)) facts.takes_packs = lanes(definition->getBody()) > 1;
+  const auto* record = kernel->getAsCXXRecordDecl();
+  if (record == nullptr || !record->hasDefinition() || !facts.takes_packs) return facts;
+  record = record->getDefinition();
+  const auto& context = record->getASTContext();
+  if (const auto type = scalar(*record); !type.isNull())
+    facts.scalar_bytes = static_cast<int>(context.getTypeSizeInChars(type).getQuantity());
+  const auto found = record->lookup(context.DeclarationNames.getCXXOperatorName(clang::OO_Call));
+  const auto* call = found.isSingleResult() ? llvm::dyn_cast<clang::FunctionTemplateDecl>(found.front()) : nullptr;
+  const clang::FunctionDecl* packs = nullptr;
+  if (call != nullptr)
+    for (const auto* function : call->specializations())
+      if (function->getNumParams() == 1 &&
+          Names::is_physgen(function->getParamDecl(0)->getType().getNonReferenceType()->getAsCXXRecordDecl(), "Pack"))
+        packs = function->getDefinition();
+  if (packs == nullptr) {
+    facts.obstacle = "it has more call operators than one template over the index";
+    return facts;
+  }
+  if (const std::string use = Unfit(names).find(*packs); !use.empty()) facts.obstacle = "it " + use;
+  facts.stores = Stores(names, scene, context).of(*packs);
+  return facts;
+}
+
+}  // namespace physgen::scenes

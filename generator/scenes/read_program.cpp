@@ -1,0 +1,285 @@
+// See read_program.h. The instantiated program is read, in which the types of kernels and arrays are known; its places
+// are those of the text that was instantiated.
+#include "scenes/read_program.h"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Lex/Lexer.h>
+
+#include <cctype>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "scenes/needs.h"
+#include "scenes/read_effects.h"
+#include "scenes/read_kernel.h"
+#include "scenes/read_views.h"
+
+namespace physgen::scenes {
+namespace {
+
+using usage::Names;
+
+/// What executors are asked for: run, reduce, repeat, ...; empty: it is no call of an executor.
+std::string asked(const clang::CallExpr& call) {
+  const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call.getDirectCallee());
+  return method != nullptr && Names::is_physgen(method->getParent(), "ProbeExecutor") ? method->getNameAsString() : "";
+}
+
+const clang::CallExpr* call_of(const clang::Stmt* statement) {
+  const auto* expression = llvm::dyn_cast_or_null<clang::Expr>(statement);
+  return expression == nullptr ? nullptr : llvm::dyn_cast<clang::CallExpr>(expression->IgnoreImplicit());
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+  const auto part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+    if ((at == 0 || !part(text[at - 1])) && (at + word.size() >= text.size() || !part(text[at + word.size()])))
+      return true;
+  return false;
+}
+
+class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
+ public:
+  ProgramReader(clang::ASTContext& context, const Scene& scene, const std::vector<std::string>& folders)
+      : context_(context), sources_(context.getSourceManager()), scene_(scene), names_(context, folders) {}
+
+  ProgramText read() && {
+    const clang::FunctionDecl* program = find_program();
+    if (program == nullptr || !text_of(*program)) return std::move(result_);
+    for (const auto* step : names_.steps()) {
+      const auto* arguments = step->getTemplateSpecializationArgs();
+      if (step->getName() == "step")
+        steps_[context_.getCanonicalType(arguments->get(0).getAsType()).getTypePtr()] = step;
+    }
+    TraverseStmt(program->getBody());
+    result_.used = views_used(*program, scene_, names_);
+    while (!queue_.empty()) {  // functions that the program calls
+      const auto* function = queue_.back();
+      queue_.pop_back();
+      where_ = function->getQualifiedNameAsString() + "()";
+      TraverseStmt(function->getBody());
+    }
+    return std::move(result_);
+  }
+
+  bool VisitCompoundStmt(clang::CompoundStmt* compound) {
+    if (where_.empty()) list(*compound);
+    return true;
+  }
+  bool VisitCallExpr(clang::CallExpr* call) {
+    if (const std::string what = asked(*call); !what.empty()) {
+      const auto* method = call->getDirectCallee();
+      if (what == "run" && known_.count(call) == 0) result_.elsewhere.try_emplace(step_of(*method), place_of_rest());
+    } else {
+      follow(call->getDirectCallee());
+    }
+    return true;
+  }
+  bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
+    lambdas_.push_back(lambda);
+    const bool goes_on = clang::RecursiveASTVisitor<ProgramReader>::TraverseLambdaExpr(lambda);
+    lambdas_.pop_back();
+    return goes_on;
+  }
+
+ private:
+  // ---- The program, and functions that it calls --------------------------------------------------------------------
+
+  /// As instantiate<Probed>() of the unit calls it.
+  const clang::FunctionDecl* find_program() {
+    for (const auto* found : context_.getTranslationUnitDecl()->lookup(&context_.Idents.get("physgen_probe_unit")))
+      if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(found))
+        for (auto* inner : space->lookup(&context_.Idents.get("instantiate")))
+          if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(inner))
+            for (const auto* function : pattern->specializations())
+              if (const auto* program = called(*function); program != nullptr) return program;
+    return nullptr;
+  }
+  static const clang::FunctionDecl* called(const clang::FunctionDecl& function) {
+    const auto* arrays = function.getTemplateSpecializationArgs()->get(0).getAsType()->getAsCXXRecordDecl();
+    const clang::FunctionDecl* definition = nullptr;
+    if (arrays == nullptr || arrays->getName() != "Probed" || !function.isDefined(definition)) return nullptr;
+    for (const auto* statement : definition->getBody()->children())
+      if (const auto* call = call_of(statement); call != nullptr && call->getDirectCallee() != nullptr)
+        if (const clang::FunctionDecl* program = nullptr; call->getDirectCallee()->isDefined(program)) return program;
+    return nullptr;
+  }
+
+  bool text_of(const clang::FunctionDecl& program) {
+    const auto* pattern = program.getTemplateInstantiationPattern();
+    const auto* whole = pattern == nullptr ? nullptr : pattern->getDescribedFunctionTemplate();
+    if (whole == nullptr) return false;
+    const auto first = whole->getBeginLoc(), last = pattern->getBody()->getEndLoc();
+    if (first.isMacroID() || last.isMacroID()) {
+      result_.cause = "a macro writes the program";
+      return false;
+    }
+    const auto [file, begin] = sources_.getDecomposedLoc(first);
+    file_ = file;
+    begin_ = begin;
+    result_.text = sources_.getBufferData(file).substr(begin, sources_.getFileOffset(last) + 1 - begin).str();
+    return true;
+  }
+
+  void follow(const clang::FunctionDecl* function) {
+    const clang::FunctionDecl* definition = nullptr;
+    if (function == nullptr || !function->isDefined(definition) || names_.is_library(definition->getLocation())) return;
+    if (definition->getBody() != nullptr && seen_.insert(definition->getCanonicalDecl()).second)
+      queue_.push_back(definition);
+  }
+
+  [[nodiscard]] std::string place_of_rest() const { return where_.empty() ? "a statement of its own" : where_; }
+
+  /// The name of the step that an executor's function is instantiated for.
+  std::string step_of(const clang::FunctionDecl& method) {
+    const auto* arguments = method.getTemplateSpecializationArgs();
+    if (arguments == nullptr || arguments->size() == 0) return {};
+    const auto found = steps_.find(context_.getCanonicalType(arguments->get(0).getAsType()).getTypePtr());
+    return found == steps_.end() ? std::string() : scenes::name_of(names_.step(*found->second).use);
+  }
+
+  // ---- Statements --------------------------------------------------------------------------------------------------
+
+  [[nodiscard]] std::optional<std::size_t> offset(clang::SourceLocation location) const {
+    if (location.isInvalid() || location.isMacroID()) return std::nullopt;
+    const auto [file, at] = sources_.getDecomposedLoc(location);
+    if (file != file_ || at < begin_ || at - begin_ > result_.text.size()) return std::nullopt;
+    return at - begin_;
+  }
+  [[nodiscard]] std::string text_of(const Span& span) const {
+    return result_.text.substr(span.begin, span.end - span.begin);
+  }
+  [[nodiscard]] std::string at(clang::SourceLocation location) const {
+    return " at " + usage::text_of(names_.place(location));
+  }
+
+  struct Declared {
+    std::string name, place;
+    std::size_t steps = 0;  // that stand before it
+  };
+
+  void list(const clang::CompoundStmt& compound) {
+    ProgramSteps steps;
+    std::string between;
+    std::vector<Declared> declared;  // since the last break
+    for (const clang::Stmt* statement : compound.body()) {
+      const auto* call = call_of(statement);
+      if (call != nullptr && asked(*call) == "run") {
+        if (auto step = this->step(*call)) {
+          if (!steps.steps.empty()) {
+            if (between.empty()) between = clash(steps, declared);
+            if (between.empty()) between = directive(steps.steps.back(), *step);
+            steps.between.push_back(std::move(between));
+          }
+          if (steps.steps.empty() || !steps.between.back().empty()) declared.clear();
+          between.clear();
+          known_.insert(call);
+          ++result_.runs[step->step];
+          steps.steps.push_back(std::move(*step));
+          continue;
+        }
+      }
+      if (const std::string other = declaration(statement, steps.steps.size(), declared); !other.empty())
+        between = other;
+    }
+    if (!steps.steps.empty()) result_.lists.push_back(std::move(steps));
+  }
+
+  /// @return why steps cannot be moved across a statement; empty: it only names values
+  std::string declaration(const clang::Stmt* statement, std::size_t steps, std::vector<Declared>& declared) {
+    if (llvm::isa<clang::NullStmt>(statement)) return {};
+    const auto* group = llvm::dyn_cast<clang::DeclStmt>(statement);
+    if (group == nullptr) {
+      const auto* call = call_of(statement);
+      if (call == nullptr) return "a statement" + at(statement->getBeginLoc());
+      const std::string what = asked(*call);
+      const auto* callee = call->getDirectCallee();
+      return (what.empty() ? callee == nullptr ? "a call" : callee->getNameAsString() + "()" : "on." + what + "()") +
+             at(statement->getBeginLoc());
+    }
+    for (const clang::Decl* one : group->decls()) {
+      if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(one))
+        declared.push_back({named->getNameAsString(), at(named->getLocation()), steps});
+      const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
+      if (variable == nullptr || variable->getInit() == nullptr) continue;
+      if (const std::string effects = effects_of(variable->getInit(), names_); !effects.empty())
+        return "the declaration of " + variable->getNameAsString() + at(variable->getLocation()) + ", since " + effects;
+    }
+    return {};
+  }
+
+  /// A name that an earlier step uses for something else.
+  std::string clash(const ProgramSteps& steps, const std::vector<Declared>& declared) const {
+    for (const Declared& one : declared)
+      for (std::size_t k = one.steps; k-- > 0;) {
+        if (!one.name.empty() && has_word(text_of(steps.steps[k].statement), one.name))
+          return "the declaration of " + one.name + one.place + ", a name that " + steps.steps[k].step +
+                 " is given, too";
+        if (k > 0 && !steps.between[k - 1].empty()) break;
+      }
+    return {};
+  }
+  std::string directive(const ProgramStep& before, const ProgramStep& step) const {
+    const std::string text = result_.text.substr(before.statement.begin, step.statement.end - before.statement.begin);
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;)
+      if (at = text.find_first_not_of(" \t\n", at); at != std::string::npos && text[at] == '#')
+        return "a directive of the preprocessor";
+    return {};
+  }
+
+  std::optional<ProgramStep> step(const clang::CallExpr& call) {
+    const auto begin = offset(call.getBeginLoc()), end = offset(call.getRParenLoc());
+    if (!begin || !end || call.getNumArgs() != 2) return std::nullopt;
+    const auto count_begin = offset(call.getArg(0)->getBeginLoc());
+    const auto count_end =
+        offset(clang::Lexer::getLocForEndOfToken(call.getArg(0)->getEndLoc(), 0, sources_, context_.getLangOpts()));
+    if (!count_begin || !count_end) return std::nullopt;
+    const std::size_t comma = result_.text.find(',', *count_end), semicolon = result_.text.find(';', *end);
+    if (comma >= *end || semicolon == std::string::npos) return std::nullopt;
+    ProgramStep step;
+    step.step = step_of(*call.getDirectCallee());
+    if (step.step.empty()) return std::nullopt;
+    step.place = names_.place(call.getBeginLoc());
+    step.statement = {*begin, semicolon + 1};
+    step.count = {*count_begin, *count_end};
+    step.kernel = {result_.text.find_first_not_of(" \t\n", comma + 1), *end};
+    step.runs = counted(call.getArg(0), scene_);
+    const auto kernel = call.getDirectCallee()->getTemplateSpecializationArgs()->get(0).getAsType();
+    KernelFacts facts = read_kernel(names_, scene_, kernel, *steps_.at(context_.getCanonicalType(kernel).getTypePtr()));
+    step.takes_packs = facts.takes_packs;
+    step.scalar_bytes = facts.scalar_bytes;
+    step.stores = std::move(facts.stores);
+    step.obstacle = std::move(facts.obstacle);
+    for (const clang::Expr* argument : call.arguments())
+      if (step.obstacle.empty()) step.obstacle = effects_of(argument, names_);
+    for (const auto* lambda : lambdas_)
+      if (lambda->getCaptureDefault() != clang::LCD_ByRef && step.obstacle.empty())
+        step.obstacle = "it stands in a lambda that has not [&]";
+    return step;
+  }
+
+  clang::ASTContext& context_;
+  const clang::SourceManager& sources_;
+  const Scene& scene_;
+  Names names_;
+  std::map<const clang::Type*, const clang::FunctionDecl*> steps_;  // by kernel
+  clang::FileID file_;
+  std::size_t begin_ = 0;  // of the text in the file
+  std::string where_;      // the function at hand; empty: the program
+  std::vector<const clang::LambdaExpr*> lambdas_;
+  std::set<const clang::CallExpr*> known_;
+  std::vector<const clang::FunctionDecl*> queue_;
+  std::set<const clang::Decl*> seen_;
+  ProgramText result_;
+};
+
+}  // namespace
+
+ProgramText read_program(clang::ASTContext& context, const Scene& scene, const std::vector<std::string>& folders) {
+  return ProgramReader(context, scene, folders).read();
+}
+
+}  // namespace physgen::scenes

@@ -1,0 +1,44 @@
+// Which fields an instantiated function stores whole, whatever path it takes. Knows Clang, as read.h does.
+#pragma once
+
+#include <clang/AST/DeclCXX.h>
+#include <clang/AST/Stmt.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "scenes/scene.h"
+#include "usage/names.h"
+
+namespace physgen::scenes {
+
+/// Whether a type is Pack<W> or PartialPack<W>.
+[[nodiscard]] bool is_pack(clang::QualType type);
+
+/// Finds assignments to whole fields at a pack, in a function and in what it certainly calls. What stands in a loop or
+/// behind a return that is not always reached counts as not stored.
+class Stores {
+ public:
+  using Fields = std::set<std::pair<std::string, std::string>>;  ///< array, field
+
+  Stores(usage::Names& names, const Scene& scene, const clang::ASTContext& context)
+      : names_(names), scene_(scene), context_(context) {}
+
+  [[nodiscard]] const Fields& of(const clang::FunctionDecl& function);
+
+ private:
+  bool statement(const clang::Stmt* statement, Fields& stored);
+  bool branches(const clang::IfStmt& branch, Fields& stored);
+  void expression(const clang::Stmt* expression, Fields& stored);
+  void call(const clang::FunctionDecl* callee, Fields& stored);
+  void assignment(const clang::CXXRecordDecl& reference, Fields& stored);
+
+  usage::Names& names_;
+  const Scene& scene_;
+  const clang::ASTContext& context_;
+  std::map<const clang::Decl*, Fields> known_;
+};
+
+}  // namespace physgen::scenes

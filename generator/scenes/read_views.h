@@ -1,0 +1,28 @@
+// What the text of a program does with the arrays of its groups by itself. Knows Clang, as read.h does.
+#pragma once
+
+#include <clang/AST/Decl.h>
+#include <clang/AST/Expr.h>
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "scenes/scene.h"
+#include "usage/names.h"
+
+namespace physgen::scenes {
+
+/// The array that an expression names, or that the view is of which it names: `body.tets`, `tets`.
+/// @return nulls: it names none
+[[nodiscard]] std::pair<const Group*, const Array*> array_of(const clang::Expr* expression, const Scene& scene);
+
+/// What a count counts, in the words of ProgramStep::runs.
+[[nodiscard]] std::string counted(const clang::Expr* count, const Scene& scene);
+
+/// Arrays, by full name, of which the program does not only ask the size and hand views to kernels that are built where
+/// they are run; and where, " at x.h:3:5".
+[[nodiscard]] std::map<std::string, std::string> views_used(const clang::FunctionDecl& program, const Scene& scene,
+                                                            const usage::Names& names);
+
+}  // namespace physgen::scenes

@@ -1,0 +1,256 @@
+// What the cursors of packs and of gathered objects share: batches in place of numbers, formats, loads and stores by
+// lane. Included by host translation units only.
+#pragma once
+
+#include <physgen/detail/cursor.h>
+#include <physgen/simd.h>
+
+#include <array>
+
+namespace physgen {
+
+namespace detail {
+
+template <class T, int W>
+struct SizedBatch {
+  using type = typename xsimd::make_sized_batch<T, static_cast<std::size_t>(W)>::type;
+  static_assert(
+      !std::is_void_v<type>,
+      "this CPU has no SIMD register of W lanes of T. Packs are as wide as the kernel's `using Scalar` makes them: let "
+      "that be the widest number that the kernel reads, `using Scalar = typename View::Precision;`, or run the kernel "
+      "on single objects, parallel_for<1>(...)");
+};
+
+}  // namespace detail
+
+/// The SIMD batch of W lanes of T.
+template <class T, int W>
+using batch_t = typename detail::SizedBatch<std::remove_cv_t<T>, W>::type;
+
+/// Lanes of the widest SIMD register for T.
+template <class T>
+inline constexpr int native_lanes = static_cast<int>(xsimd::batch<T>::size);
+
+template <class T, int W>
+struct Lanes<T, PartialPack<W>> {
+  using type = batch_t<T, W>;
+};
+template <class T, int W>
+struct Lanes<T, Pack<W>> {
+  using type = batch_t<T, W>;
+};
+template <class T, class U, class A>
+struct Lanes<T, xsimd::batch<U, A>> {
+  using type = batch_t<T, static_cast<int>(xsimd::batch<U, A>::size)>;
+};
+template <class S, class A, class T>
+struct SameLanes<xsimd::batch<S, A>, T> {
+  using type = batch_t<T, static_cast<int>(xsimd::batch<S, A>::size)>;
+};
+template <class T, class A>
+struct LaneOf<xsimd::batch<T, A>> {
+  using type = T;
+};
+template <class T, class A>
+struct LaneOf<xsimd::batch_bool<T, A>> {
+  using type = bool;
+};
+
+namespace detail {
+
+/// Whether the processor's own conversion of halves is that of the format: of a power of two, or another factor.
+template <class Format, class T>
+inline constexpr bool is_half_of_floats =
+    format::FromLibrary<Format> && Format::template type<T> == ElementType::half && Format::centre == 0 &&
+    std::is_same_v<T, float>;
+
+/// W numbers as they lie in memory, to W numbers to compute with, and back. Loops that compilers turn into packs; where
+/// an instruction converts a whole pack, it is named (with a mask of all lanes: of the others' operand g++ warns).
+template <class Format, class T, int W>
+void decode_lanes(const typename Format::template Stored<T>* stored, T* values) {
+#if defined(__F16C__) && defined(__AVX512F__)
+  if constexpr (is_half_of_floats<Format, T> && W == 16) {
+    const __m512 wide = _mm512_maskz_cvtph_ps(0xffff, _mm256_load_si256(reinterpret_cast<const __m256i*>(stored)));
+    return _mm512_store_ps(values, _mm512_mul_ps(wide, _mm512_set1_ps(float(Format::scale))));
+  }
+#endif
+#if defined(__F16C__)
+  if constexpr (is_half_of_floats<Format, T> && W == 8) {
+    const __m256 wide = _mm256_cvtph_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(stored)));
+    return _mm256_store_ps(values, _mm256_mul_ps(wide, _mm256_set1_ps(float(Format::scale))));
+  }
+#endif
+  for (int l = 0; l < W; ++l) values[l] = Format::template decode<T>(stored[l]);
+}
+template <class Format, class T, int W>
+void encode_lanes(const T* values, typename Format::template Stored<T>* stored) {
+#if defined(__F16C__) && defined(__AVX512F__)
+  if constexpr (is_half_of_floats<Format, T> && W == 16) {
+    const __m512 scaled = _mm512_mul_ps(_mm512_load_ps(values), _mm512_set1_ps(float(1 / Format::scale)));
+    return _mm256_store_si256(reinterpret_cast<__m256i*>(stored),
+                              _mm512_maskz_cvtps_ph(0xffff, scaled, _MM_FROUND_TO_NEAREST_INT));
+  }
+#endif
+#if defined(__F16C__)
+  if constexpr (is_half_of_floats<Format, T> && W == 8) {
+    const __m256 scaled = _mm256_mul_ps(_mm256_load_ps(values), _mm256_set1_ps(float(1 / Format::scale)));
+    return _mm_store_si128(reinterpret_cast<__m128i*>(stored), _mm256_cvtps_ph(scaled, _MM_FROUND_TO_NEAREST_INT));
+  }
+#endif
+  for (int l = 0; l < W; ++l) stored[l] = Format::template encode<T>(values[l]);
+}
+
+/// The lanes, of an index as wide as W, that the kernel which runs on this thread was called for: gathered indices do
+/// not know them, and stores through these leave the others alone. All, outside of kernels and in whole packs of builds
+/// that are not checked.
+struct RunningLanes {
+  LaneRange range;
+  int width;
+
+  [[nodiscard]] LaneRange of(int W) const { return W == width ? range : LaneRange{0, W}; }
+};
+inline thread_local RunningLanes running_lanes{{0, 0}, 0};
+
+/// Sets them until it goes out of scope.
+class RunLanes {
+ public:
+  explicit RunLanes(const RunningLanes& lanes) : before_(running_lanes) { running_lanes = lanes; }
+  RunLanes(const RunLanes&) = delete;
+  RunLanes& operator=(const RunLanes&) = delete;
+  ~RunLanes() { running_lanes = before_; }
+
+ private:
+  RunningLanes before_;
+};
+
+/// What the SIMD cursors share: references to fields and elements, and formats, from read and write of the derived
+/// cursor.
+template <class Derived, int W>
+class SimdCursor : protected LossSink {
+ public:
+  template <class T>
+  using Lanes = batch_t<T, W>;
+  template <class T, int kCount>
+  static constexpr bool joins_words = false;
+  /// Bits of all W lanes.
+  static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
+
+  using LossSink::LossSink;
+
+  template <class Shape, class Format, class T>
+  [[nodiscard]] decltype(auto) field(int offset) const {
+    if constexpr (Shape::is_scalar) {
+      return element<Format, T>(offset);
+    } else {
+      return FieldRef<Shape, Format, T, Derived>(self().nested(offset));
+    }
+  }
+  template <class Format, class T>
+  [[nodiscard]] ElementRef<Format, T, Derived> element(int offset, int k = 0) const {
+    return ElementRef<Format, T, Derived>(self(), offset, k);
+  }
+
+  template <class Format, class T>
+  [[nodiscard]] batch_t<T, W> load(int offset, int k) const {
+    using Stored = typename Format::template Stored<T>;
+    const int at = offset + k * int{sizeof(Stored)};
+    if constexpr (format::is_plain<Format, T>) {
+      return self().template read<T>(at);
+    } else {
+      alignas(64) std::array<Stored, W> stored;
+      alignas(64) std::array<T, W> values;
+      self().read_lanes(at, stored);
+      decode_lanes<Format, T, W>(stored.data(), values.data());
+      return batch_t<T, W>::load_aligned(values.data());
+    }
+  }
+  template <class Format, class T>
+  void store(int offset, int k, const batch_t<T, W>& value) const {
+    if constexpr (format::is_plain<Format, T>) {
+      self().template write<T>(offset + k * int{sizeof(T)}, value);
+    } else if constexpr (format::StoresNothing<Format>) {
+      store_nothing<Format, T>();
+    } else {
+      store_encoded<Format, T>(offset, k, value, self().written(), std::bool_constant<Derived::whole>());
+    }
+  }
+  /// Stores the lanes whose bits are set in `lanes`.
+  template <class Format, class T>
+  void store_where(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes) const {
+    if constexpr (format::is_plain<Format, T>) {
+      alignas(64) std::array<T, W> values;
+      value.store_aligned(values.data());
+      self().write_some_lanes(offset + k * int{sizeof(T)}, values, lanes & self().written());
+    } else if constexpr (format::StoresNothing<Format>) {
+      store_nothing<Format, T>();
+    } else {
+      store_encoded<Format, T>(offset, k, value, lanes & self().written(), std::false_type());
+    }
+  }
+
+  /// Adds lanes of `range` to kCount elements, from the k-th on, one after the other: equal objects get all of them.
+  template <class Format, class T, int kCount>
+  void add(LaneRange range, int offset, int k, const batch_t<T, W>* values) const {
+    if constexpr (format::StoresNothing<Format>) (void)Format::template decode<T>({});  // adding reads
+    static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
+                  "add() needs a field that is stored as it is computed: give it the format Native");
+    for (int e = 0; e < kCount; ++e) {
+      alignas(64) std::array<T, W> lanes;
+      values[e].store_aligned(lanes.data());
+      for (int l = range.first; l < range.last; ++l) {
+        auto* to = self().template address<T>(offset + (k + e) * int{sizeof(T)}, l);
+        static_assert(!std::is_const_v<std::remove_pointer_t<decltype(to)>>, "this array is read-only here");
+        add_atomically(*to, lanes[static_cast<std::size_t>(l)]);
+      }
+    }
+  }
+  template <class S>
+  void check_rotation([[maybe_unused]] const Eigen::Matrix<S, 3, 3>& R,
+                      [[maybe_unused]] std::uint64_t lanes = all_lanes) const {
+#ifdef PHYSGEN_CHECKED
+    for (int l = 0; l < W; ++l) {
+      if (((self().written() & lanes) >> l & 1) == 0) continue;
+      Eigen::Matrix3d one;
+      for (int k = 0; k < 9; ++k) {
+        one(k % 3, k / 3) = static_cast<double>(R(k % 3, k / 3).get(static_cast<std::size_t>(l)));
+      }
+      this->count_rotation(one, self().further(l));
+    }
+#endif
+  }
+
+ private:
+  template <class Format, class T>
+  void store_nothing() const {
+    using To = decltype(self().template address<typename Format::template Stored<T>>(0, 0));
+    static_assert(!std::is_const_v<std::remove_pointer_t<To>>, "this array is read-only here");
+  }
+  template <class Format, class T, bool kWhole>
+  void store_encoded(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes,
+                     [[maybe_unused]] std::bool_constant<kWhole> whole) const {
+    using Stored = typename Format::template Stored<T>;
+    const int at = offset + k * int{sizeof(Stored)};
+    alignas(64) std::array<Stored, W> stored;
+    alignas(64) std::array<T, W> values;
+    value.store_aligned(values.data());
+    encode_lanes<Format, T, W>(values.data(), stored.data());
+#ifdef PHYSGEN_CHECKED
+    for (int l = 0; l < W; ++l) {
+      if ((lanes >> l & 1) == 0) continue;
+      const auto lane = static_cast<std::size_t>(l);
+      this->template count<Format, T>(at, values[lane], stored[lane], self().further(l));
+    }
+#endif
+    if constexpr (kWhole) {
+      self().write_lanes(at, stored);
+    } else {
+      self().write_some_lanes(at, stored, lanes);
+    }
+  }
+
+  [[nodiscard]] const Derived& self() const { return static_cast<const Derived&>(*this); }
+};
+
+}  // namespace detail
+
+}  // namespace physgen

@@ -1,0 +1,12 @@
+// The initial values of new objects, over arrays without their types.
+#pragma once
+
+#include <physgen/untyped_array.h>
+
+namespace physgen {
+
+/// Sets objects begin .. end-1, whose memory is zero as a new Buffer's is, to their fields' initial values.
+/// @pre 0 <= begin <= end <= array.padded
+void initialize(const UntypedArray& array, index_t begin, index_t end);
+
+}  // namespace physgen

@@ -1,0 +1,53 @@
+// The law of addresses. It stands here alone: cursors, conversions, copies and drawings of layouts call it.
+//
+// An array is cut into tiles of `pitch` objects, and a tile into one channel for each element of a record: the same
+// element of all objects of the tile, side by side. Here with a pitch of 4 and records of two elements, x and y:
+//
+//   array     | tile 0                    | tile 1                    | ...
+//   tile      | channel x   | channel y   | channel x   | channel y   |
+//   lanes     | 0  1  2  3  | 0  1  2  3  | 0  1  2  3  | 0  1  2  3  |
+//   objects   | 0  1  2  3  | 0  1  2  3  | 4  5  6  7  | 4  5  6  7  |
+//
+// A record takes `record_bytes` bytes, and so a tile takes pitch * record_bytes. Of an element of `size` bytes that
+// lies `offset` bytes into the record, the channel begins at offset * pitch of its tile, and object i has lane i %
+// pitch:
+//
+//   address(i, offset) = base + (i / pitch) * pitch * record_bytes + offset * pitch + (i % pitch) * size
+//
+// A layout is no more than its pitch: 1 is an array of structs, W an array of structs of W-wide arrays, the padded
+// number of objects a struct of arrays.
+#pragma once
+
+#include <physgen/layout/pitch.h>
+
+namespace physgen::law {
+
+/// What a tile takes [bytes].
+[[nodiscard]] PHYSGEN_FUNCTION constexpr index_t tile_bytes(index_t pitch, index_t record_bytes) {
+  return pitch * record_bytes;
+}
+
+/// Where a tile begins in its array [bytes].
+/// @param bytes what each tile takes: tile_bytes(). (Made of pitch and record here, it would cost nvcc an instruction.)
+[[nodiscard]] PHYSGEN_FUNCTION constexpr index_t tile_begin(index_t tile, index_t bytes) { return tile * bytes; }
+
+/// Where the channel of what lies at `offset` of the record begins in its tile, in the unit of `offset`; so element k
+/// after another one lies channel_begin(k, pitch) elements after it.
+[[nodiscard]] PHYSGEN_FUNCTION constexpr index_t channel_begin(index_t offset, index_t pitch) { return offset * pitch; }
+
+/// Where the element of the object at `lane` begins in its channel [bytes].
+[[nodiscard]] PHYSGEN_FUNCTION constexpr index_t lane_begin(index_t lane, index_t size) { return lane * size; }
+
+/// The law: the address of an element of object i.
+/// @param base the array's first byte; or the number of a byte, 0 for the distance from the beginning of the array
+/// @param pitch StaticPitch, WholePitch or another type with their functions
+/// @param offset of the element in the record [bytes]
+/// @param size of the element [bytes]
+template <class Start, class Pitch>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr Start element(Start base, const Pitch& pitch, index_t record_bytes, index_t i,
+                                                       index_t offset, index_t size) {
+  return base + tile_begin(pitch.tile(i), tile_bytes(pitch.value(), record_bytes)) +
+         channel_begin(offset, pitch.value()) + lane_begin(pitch.lane(i), size);
+}
+
+}  // namespace physgen::law

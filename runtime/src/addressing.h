@@ -1,0 +1,49 @@
+// The law of addresses over an array without its types, with what a loop would compute again for each object prepared.
+#pragma once
+
+#include <physgen/layout/address.h>
+#include <physgen/untyped_array.h>
+
+namespace physgen::detail {
+
+/// Where the objects of an array, or of a part of one, lie. Its pitch is a power of two or the whole array, so that a
+/// shift finds the tile; of a whole array it always finds tile 0.
+struct Addressing {
+  std::byte* base;
+  index_t pitch;
+  int shift;
+  int record_bytes;
+  index_t mask;   ///< of the bits of a lane: all, where there is one tile
+  index_t first;  ///< the number of the object that lies at its beginning
+
+  explicit Addressing(const UntypedArray& array, index_t first_object = 0)
+      : base(array.base),
+        pitch(array.pitch),
+        shift(63),
+        record_bytes(array.record_bytes),
+        mask(-1),
+        first(first_object) {
+    if (array.pitch < array.padded || array.pitch == 1) {
+      for (shift = 0; (index_t{1} << shift) < array.pitch;) ++shift;
+      mask = array.pitch - 1;
+    }
+  }
+  // As a pitch of layout/pitch.h, with objects counted from `first` on.
+  [[nodiscard]] PHYSGEN_FUNCTION index_t value() const { return pitch; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t tile(index_t i) const { return (i - first) >> shift; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t lane(index_t i) const { return (i - first) & mask; }
+
+  [[nodiscard]] PHYSGEN_FUNCTION std::byte* address(index_t i, int offset, int size) const {
+    return law::element(base, *this, record_bytes, i, offset, size);
+  }
+  /// The tile of object i.
+  [[nodiscard]] PHYSGEN_FUNCTION std::byte* tile_of(index_t i) const {
+    return base + law::tile_begin(tile(i), law::tile_bytes(pitch, record_bytes));
+  }
+  /// Whether whole records follow each other.
+  [[nodiscard]] PHYSGEN_FUNCTION bool records() const { return pitch == 1; }
+  /// Record i. @pre records()
+  [[nodiscard]] PHYSGEN_FUNCTION std::byte* record(index_t i) const { return base + law::tile_begin(i - first, record_bytes); }
+};
+
+}  // namespace physgen::detail

@@ -1,0 +1,22 @@
+// What the CUDA backend does for changes of topology. See memory.h for who implements it.
+#pragma once
+
+#include "../move_objects.h"
+
+namespace physgen::backend {
+
+/// Object begin + i of `to` becomes object picked[i] of `from`, i = 0 .. count-1, as plain bytes, ordered in `stream`.
+/// @pre both store the same records in CUDA memory; the picked numbers lie there too
+void pick(const UntypedArray& to, index_t begin, const UntypedArray& from, detail::Picked picked, index_t count,
+          Stream stream);
+
+/// The first object with an index in `field` that cannot be renumbered, or array.size. Waits.
+/// @pre array and numbers lie in CUDA memory
+[[nodiscard]] index_t first_not_renumbered(const UntypedArray& array, const FieldInfo& field,
+                                           const detail::NewNumbers& numbers);
+
+/// Renumbers the field of all objects; done when this returns.
+/// @pre first_not_renumbered() found none
+void renumber(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers);
+
+}  // namespace physgen::backend

@@ -1,0 +1,28 @@
+// Whether the fields of two arrays let one be copied to the other.
+#pragma once
+
+#include <physgen/detail/copy_fields.h>
+
+#include "describe.h"
+
+namespace physgen::detail {
+
+/// @throw Error when not all that `to` stores is there, or something is lost that `to` was not told to leave out
+inline void require_fields(const UntypedArray& to, const UntypedArray& from) {
+  const auto refuse = [&](int f, const std::string& why) {
+    const std::string field(to.fields[static_cast<std::size_t>(f)].name);
+    throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + field + why);
+  };
+  if (const int f = first_not_given(to.fields, from.fields); f >= 0) {
+    refuse(f,
+           " is stored in the array that is copied to, and nothing is stored of it (format::Nothing or Pruned) in "
+           "the one that is copied from; prune it in both, or in none");
+  }
+  if (const int f = first_not_taken(to.fields, from.fields); f >= 0) {
+    refuse(f,
+           " would be lost: the array that is copied to stores nothing of it (format::Nothing); give it the format "
+           "Pruned<scene, array, field> there, which says that this is meant");
+  }
+}
+
+}  // namespace physgen::detail

@@ -1,0 +1,19 @@
+// Objects in CUDA memory in a build without CUDA: there are none.
+#include "../backend/objects.h"
+
+#include <physgen/error.h>
+
+#include "parts/reason.h"
+
+namespace physgen::backend {
+
+void fill(const UntypedArray& /*storage*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
+  throw Error(reason);
+}
+
+Losses count_losses(const UntypedArray& /*to*/, const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/,
+                    Stream /*stream*/) {
+  throw Error(reason);
+}
+
+}  // namespace physgen::backend

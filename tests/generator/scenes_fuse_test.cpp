@@ -1,0 +1,149 @@
+// `physgen scene` over a program with neighbouring steps of many kinds: which become one, and why the others do not;
+// and that what is written compiles, while the scene's own program over arrays that hold no memory does not.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "command_case.h"
+#include "scenes_fuse_kernels.h"
+
+namespace physgen::test {
+namespace {
+
+/// A block of the program, with M and OUT for arrays of its own between and behind, and the fields wanted of OUT.
+struct Block {
+  std::string name, text, output;
+};
+const std::vector<Block> blocks = {
+    {"one", "on.run(n, Copy{in, M});\n    // A comment stays.\n    on.run(n, CopyBack{M, OUT});", "\"a\", \"x\""},
+    {"three",
+     "on.run(n, Copy{in, M});\n    const auto further = body.further.view();\n"
+     "    on.run(n, CopyVector{M, further});\n    on.run(n, CopyVector{further, OUT});",
+     "\"x\""},
+    {"gathered", "on.run(n, Copy{in, M});\n    on.run(n, Gather{links, M, OUT});", "\"a\""},
+    {"scattered", "on.run(n, Scatter{links, in, M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
+    {"otherset",
+     "on.run(n, Copy{in, M});\n    on.run(body.few.size(), CopyVector{M, body.few.view()});\n"
+     "    on.run(body.few.size(), CopyVector{body.few.view(), OUT});",
+     "\"x\""},
+    {"single", "on.run(n, Copy{in, M});\n    on.run(n, CopyOne{M, OUT});", "\"a\""},
+    {"some", "on.run(n, CopySome{in, M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
+    {"masked", "on.run(n, Copy{in, M});\n    on.run(n, Limit{M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
+    {"element", "on.run(n, CopyElement{in, M});\n    on.run(n, CopyVector{M, OUT});", "\"x\""},
+    {"index", "on.run(n, CopyByIndex{in, M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
+    {"reduced",
+     "on.run(n, Copy{in, M});\n    on.reduce(n, Value{M}, physgen::Sum{}, Keep{body.sum.view()});\n"
+     "    on.run(n, CopyBack{M, OUT});",
+     "\"a\", \"x\""},
+    {"host", "on.run(n, Copy{in, M});\n    const float s = on.value(body.sum).a;\n    on.run(n, Shift{s, M, OUT});",
+     "\"a\""},
+    {"called", "on.run(n, Copy{in, M});\n    on.run(n, Shift{told(2), M, OUT});", "\"a\""},
+    {"held", "const auto& held = body.m_held;\n    on.run(n, Copy{in, M});\n    on.run(n, CopyBack{M, OUT});",
+     "\"a\", \"x\""},
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string scene() {
+  std::string arrays, program;
+  for (const Block& block : blocks) {
+    arrays += "    PHYSGEN_ARRAY(per(\"particle\")) Array<m::ParticleObject, Real> m_" + block.name + ";\n";
+    arrays += "    PHYSGEN_ARRAY(per(\"particle\"), output(" + block.output + ")) Array<m::ParticleObject, Real> out_" +
+              block.name + ";\n";
+    program += "    {\n    " +
+               replaced(replaced(block.text, "OUT", "body.out_" + block.name + ".view()"), "M,",
+                        "body.m_" + block.name + ".view(),") +
+               "\n    }\n";
+    program = replaced(program, "M}", "body.m_" + block.name + ".view()}");
+  }
+  return "#pragma once\n#include <physgen/scene.h>\n#include <physgen/reduce.h>\n#include \"kernels.h\"\n"
+         "using namespace physgen::scene;\nstruct PHYSGEN_SCENE() groups {\n  using Real = float;\n  struct Body {\n"
+         "    PHYSGEN_ARRAY(per(\"particle\"), input()) Array<m::ParticleObject, Real> in;\n"
+         "    PHYSGEN_ARRAY(per(\"particle\"), input()) Array<m::LinkObject, Real> links;\n"
+         "    PHYSGEN_ARRAY(per(\"particle\")) Array<m::ParticleObject, Real> further;\n"
+         "    PHYSGEN_ARRAY(per(\"few\")) Array<m::ParticleObject, Real> few;\n"
+         "    PHYSGEN_ARRAY(per(1), output()) Array<m::TotalObject, Real> sum;\n" +
+         arrays +
+         "  };\n  template <class On, class Body>\n  static void program(On& on, Body& body) {\n"
+         "    const auto in = body.in.const_view();\n    const auto links = body.links.const_view();\n"
+         "    const auto n = body.in.size();\n" +
+         program + "  }\n};\n";
+}
+
+/// What a compiler says of a program over the generated arrays.
+std::string compile(const Folder& folder, const std::string& compiler, const std::string& program) {
+  folder.write("unit.cpp",
+               "#include <physgen/executor.h>\n#include \"out/groups.program.h\"\n"
+               "void run(physgen::HostExecutor& on, groups_scene::Body<>& body) { " +
+                   program + "::program(on, body); }\n");
+  const std::string said = folder / "said";
+  const std::string line = "cd '" + (folder / ".") + "' && LC_ALL=C " + compiler +
+                           " -std=c++20 -fsyntax-only -w -fopenmp -I. -Igenerated " PHYSGEN_FLAGS " unit.cpp 2> said";
+  return std::system(line.c_str()) == 0 ? "" : text_of(said);
+}
+
+class FusedScene : public Command {
+ protected:
+  void SetUp() override {
+    folder.write("particles.h", particles_schema);
+    folder.write("kernels.h", particles_kernels);
+    folder.write("scenes/groups.h", scene());
+    ASSERT_EQ(run("generate particles.h -o generated").status, 0);
+  }
+};
+
+TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compiles) {
+  const auto outcome = run("scene scenes/groups.h -o out -- -I. -Igenerated " PHYSGEN_FLAGS);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto needs = nlohmann::json::parse(text_of(folder / "out/groups.need.json"));
+  std::vector<std::string> locals;
+  for (const auto& group : needs.at("groups"))
+    for (const auto& local : group.at("locals")) locals.push_back(local.at("array"));
+  EXPECT_EQ(locals, (std::vector<std::string>{"body.m_one", "body.further", "body.m_three", "body.few"}))
+      << needs.at("groups");
+  std::map<std::string, std::string> why;  // by block
+  for (const auto& apart : needs.at("apart")) {
+    const std::string steps = apart.at("first").get<std::string>() + apart.at("second").get<std::string>();
+    for (const Block& block : blocks)
+      if (steps.find("_" + block.name) != std::string::npos)
+        for (const auto& reason : apart.at("why"))
+          why[block.name] += replaced(reason.get<std::string>(), folder / "", "") + "; ";
+  }
+  EXPECT_EQ(why.size(), blocks.size() - 2) << "all but the first two";
+  for (const auto& [name, reason] : std::map<std::string, std::string>{
+           {"gathered", "Gather reads body.m_gathered.a of other objects than its own, kernels.h:"},
+           {"scattered", "Scatter adds to body.m_scattered.a of other objects than its own, kernels.h:"},
+           {"otherset", "they run over different objects, per particle of body and per few of body; "},
+           {"single", "CopyOne takes no packs, since its call operator is no template over the index; "},
+           {"some", "no earlier step of the group is sure to store all of body.m_some.a, which Shift reads; "},
+           {"masked", "Limit: it stores under a mask at kernels.h:"},
+           {"element",
+            "no earlier step of the group is sure to store all of body.m_element.x, which CopyVector reads; "},
+           {"index", "CopyByIndex: it asks what its index is at kernels.h:"},
+           {"reduced", "on.reduce() at scenes/groups.h:"},
+           {"host", "the declaration of s at scenes/groups.h:"},
+           {"called", "Shift: it calls told() at scenes/groups.h:"},
+           {"held", "body.m_held is stored: the program does more than hand its views to kernels at scenes/groups.h:"}})
+    EXPECT_NE(why[name].find(reason), std::string::npos) << name << ": " << why[name];
+
+  const std::string program = text_of(folder / "out/groups.program.h");
+  EXPECT_NE(program.find("    {\n    // A comment stays.\n    on.run(n, ::physgen::fuse(\n"
+                         "        ::physgen::locals(body.m_one.view()),\n"
+                         "        Copy{in, body.m_one.view()},\n"
+                         "        CopyBack{body.m_one.view(), body.out_one.view()}));\n    }\n"),
+            std::string::npos)
+      << program;
+  EXPECT_EQ(compile(folder, PHYSGEN_COMPILER, "groups_scene::fused"), "");
+  EXPECT_NE(
+      compile(folder, PHYSGEN_COMPILER, "groups").find("a local of fuse() has the objects at the kernel's own index"),
+      std::string::npos)
+      << "the program with separate steps has no memory for what is between them";
+}
+
+}  // namespace
+}  // namespace physgen::test

@@ -1,0 +1,181 @@
+"""Tests of how the sources hang together. A unit is a header with the sources that implement it."""
+import collections
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Folders whose sources are included by these paths.
+SEARCHED = ("runtime/include", "generator", "schemas", "tools", "tools/physbench", "tools/truthcube", "tools/physgen")
+# The rooms of the house from the ground up: what stands in one of them includes nothing from those behind it.
+ROOMS = (
+    *("runtime/include", "runtime/src"),
+    *("generator/model", "generator/plan", "generator/emit", "generator/frontend", "generator/usage"),
+    *("generator/scenes", "tools/physgen"),
+    *("tools/fem/numerics", "tools/fem/materials", "tools/fem/mesh", "tools/fem/kernels", "tools/fem/reference"),
+    *("tools/fem/solver", "tools/fem/dynamics", "schemas"),
+    *("tools/physbench/data", "tools/physbench/kernels", "tools/physbench/measure", "tools/physbench/coalescing"),
+    *("tools/physbench/groups", "tools/physbench/vendor", "tools/physbench/report", "tools/physbench"),
+    *("tools/truthcube/output", "tools/truthcube", "tools/truthcube/linear_solves", "tools/examples"),
+)
+# Parts without circles of units, and without files that are longer than a concept should be.
+HELD_TO_ALL = ("runtime",)
+LONGEST = 300
+
+
+def sources(root):
+    """Hand-written C++ and CUDA of the parts, without their tests."""
+    for part in ("runtime", "generator", "schemas", "tools"):
+        for path in sorted((root / part).rglob("*")):
+            if path.suffix in (".h", ".cpp", ".cu") and path.is_file():
+                yield path.relative_to(root)
+
+
+def includes(root, path, known):
+    """The sources that one of them includes."""
+    for name in re.findall(r'^#include [<"]([^>"]+)[>"]', (root / path).read_text(), re.M):
+        here = pathlib.Path(path.parent, name)
+        candidates = [pathlib.Path(*resolved(here.parts)), *(pathlib.Path(folder, name) for folder in SEARCHED)]
+        yield from [candidate for candidate in candidates if candidate in known][:1]
+
+
+def resolved(parts):
+    """A path without steps up."""
+    done = []
+    for part in parts:
+        done = done[:-1] if part == ".." else [*done, part]
+    return done
+
+
+def unit(path):
+    """The unit of a source: a header's own path stands for it, and backends implement the headers of backend/."""
+    name = path.with_suffix("").as_posix()
+    name = re.sub(r"^runtime/(include/physgen|src)/", "runtime/", name)
+    return re.sub(r"^runtime/(no_)?cuda/(?=[a-z]+$)", "runtime/backend/", name) if "src" in path.parts else name
+
+
+def graph(root):
+    """Of every unit, the units that it includes."""
+    known = set(sources(root))
+    edges = collections.defaultdict(set)
+    for path in known:
+        edges[unit(path)] |= {unit(other) for other in includes(root, path, known)} - {unit(path)}
+    return edges
+
+
+def circles(edges):
+    """Groups of units each of which includes all others, by way of some."""
+    found, low, stack, groups = {}, {}, [], []
+
+    def visit(node):
+        found[node] = low[node] = len(found)
+        stack.append(node)
+        for other in edges.get(node, ()):
+            if other not in found:
+                visit(other)
+            if other in stack:
+                low[node] = min(low[node], low[other])
+        if low[node] == found[node]:
+            at = stack.index(node)
+            groups.append(sorted(stack[at:]))
+            del stack[at:]
+
+    for node in sorted(edges):
+        if node not in found:
+            visit(node)
+    return [group for group in groups if len(group) > 1]
+
+
+def room(path):
+    """The room of a source: the longest name that its path begins with."""
+    rooms = [name for name in ROOMS if path.as_posix().startswith(name + "/")]
+    return max(rooms, key=len, default=None)
+
+
+def upward(root):
+    """Includes from rooms behind one's own, as text."""
+    known = set(sources(root))
+    return [
+        f"{path} includes {other}, of {room(other)}"
+        for path in sorted(known)
+        for other in includes(root, path, known)
+        if ROOMS.index(room(path)) < ROOMS.index(room(other))
+    ]
+
+
+def too_long(root):
+    """Sources with more lines than LONGEST, as text."""
+    lengths = {path: len((root / path).read_text().splitlines()) for path in sources(root)}
+    return [f"{path}: {lines} lines" for path, lines in lengths.items() if lines > LONGEST]
+
+
+def backends(root):
+    """The names of the files of both backends, without their endings."""
+    folders = (root / "runtime/src/cuda", root / "runtime/src/no_cuda")
+    return [sorted(path.stem for path in folder.iterdir() if path.is_file()) for folder in folders]
+
+
+class StructureTest(unittest.TestCase):
+    def test_every_source_has_a_room(self):
+        self.assertEqual([str(path) for path in sources(ROOT) if room(path) is None], [])
+
+    def test_no_source_includes_from_a_room_above_its_own(self):
+        self.assertEqual(upward(ROOT), [])
+
+    def test_no_units_include_each_other(self):
+        edges = {name: others for name, others in graph(ROOT).items() if name.startswith(HELD_TO_ALL)}
+        self.assertGreater(sum(map(len, edges.values())), 100)
+        self.assertEqual(circles(edges), [])
+
+    def test_no_source_is_longer_than_a_concept(self):
+        self.assertEqual([text for text in too_long(ROOT) if text.startswith(HELD_TO_ALL)], [])
+
+    def test_both_backends_have_the_same_files(self):
+        with_cuda, without = backends(ROOT)
+        self.assertGreater(len(with_cuda), 3)
+        self.assertEqual(with_cuda, without)
+
+
+class FaultsTest(unittest.TestCase):
+    """What is wrong in a small tree is found."""
+
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def write(self, name, *included, lines=0):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("".join(f"#include {other}\n" for other in included) + "\n" * lines)
+
+    def test_a_circle_by_way_of_sources_is_found(self):
+        self.write("runtime/include/physgen/copy.h")
+        self.write("runtime/src/copy.cpp", "<physgen/copy.h>", '"plain.h"')
+        self.write("runtime/src/plain.h")
+        self.write("runtime/src/plain.cpp", '"backend/memory.h"')
+        self.write("runtime/src/backend/memory.h")
+        self.assertEqual(circles(graph(self.root)), [])
+        self.write("runtime/src/cuda/memory.cu", '"../backend/memory.h"', "<physgen/copy.h>")
+        self.assertEqual(circles(graph(self.root)), [["runtime/backend/memory", "runtime/copy", "runtime/plain"]])
+
+    def test_an_include_from_above_is_found(self):
+        self.write("runtime/src/a.cpp", "<physgen/a.h>", "<fem/kernels/a.h>")
+        self.write("runtime/include/physgen/a.h")
+        self.write("tools/fem/kernels/a.h", "<physgen/a.h>")
+        self.assertEqual(upward(self.root), ["runtime/src/a.cpp includes tools/fem/kernels/a.h, of tools/fem/kernels"])
+
+    def test_a_long_source_and_a_missing_one_of_a_backend_are_found(self):
+        self.write("runtime/src/cuda/memory.cu", lines=LONGEST + 1)
+        self.write("runtime/src/no_cuda/device.cpp", lines=LONGEST)
+        self.assertEqual(too_long(self.root), [f"runtime/src/cuda/memory.cu: {LONGEST + 1} lines"])
+        self.assertEqual(backends(self.root), [["memory"], ["device"]])
+
+
+if __name__ == "__main__":
+    unittest.main()
