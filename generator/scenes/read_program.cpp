@@ -88,16 +88,23 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
  private:
   // ---- The program, and functions that it calls --------------------------------------------------------------------
 
+  /// As instantiate<Probed>() of the unit calls it.
   const clang::FunctionDecl* find_program() {
     for (const auto* found : context_.getTranslationUnitDecl()->lookup(&context_.Idents.get("physgen_probe_unit")))
       if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(found))
-        for (const auto* inner : space->lookup(&context_.Idents.get("instantiate")))
-          if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(inner); function && function->hasBody())
-            for (const auto* statement : function->getBody()->children())
-              if (const auto* call = call_of(statement); call != nullptr && call->getDirectCallee() != nullptr) {
-                const clang::FunctionDecl* definition = nullptr;
-                if (call->getDirectCallee()->isDefined(definition)) return definition;
-              }
+        for (auto* inner : space->lookup(&context_.Idents.get("instantiate")))
+          if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(inner))
+            for (const auto* function : pattern->specializations())
+              if (const auto* program = called(*function); program != nullptr) return program;
+    return nullptr;
+  }
+  static const clang::FunctionDecl* called(const clang::FunctionDecl& function) {
+    const auto* arrays = function.getTemplateSpecializationArgs()->get(0).getAsType()->getAsCXXRecordDecl();
+    const clang::FunctionDecl* definition = nullptr;
+    if (arrays == nullptr || arrays->getName() != "Probed" || !function.isDefined(definition)) return nullptr;
+    for (const auto* statement : definition->getBody()->children())
+      if (const auto* call = call_of(statement); call != nullptr && call->getDirectCallee() != nullptr)
+        if (const clang::FunctionDecl* program = nullptr; call->getDirectCallee()->isDefined(program)) return program;
     return nullptr;
   }
 
@@ -239,7 +246,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     step.statement = {*begin, semicolon + 1};
     step.count = {*count_begin, *count_end};
     step.kernel = {result_.text.find_first_not_of(" \t\n", comma + 1), *end};
-    step.runs = runs(call.getArg(0));
+    step.runs = counted(call.getArg(0), scene_);
     const auto kernel = call.getDirectCallee()->getTemplateSpecializationArgs()->get(0).getAsType();
     KernelFacts facts = read_kernel(names_, scene_, kernel, *steps_.at(context_.getCanonicalType(kernel).getTypePtr()));
     step.takes_packs = facts.takes_packs;
@@ -253,24 +260,6 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
         step.obstacle = "it stands in a lambda that has not [&]";
     return step;
   }
-
-  /// What a count counts, as ProgramStep::runs.
-  std::string runs(const clang::Expr* count) const {
-    count = count->IgnoreParenImpCasts();
-    if (const auto* number = llvm::dyn_cast<clang::IntegerLiteral>(count))
-      return objects(static_cast<int>(number->getValue().getLimitedValue()));
-    if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(count))
-      if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl())) {
-        if (variable->getType().isConstQualified() && variable->getInit() != nullptr) return runs(variable->getInit());
-        return variable->getNameAsString();
-      }
-    if (const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(count);
-        call != nullptr && call->getMethodDecl()->getNameAsString() == "size")
-      if (const auto [group, array] = array_of(call->getImplicitObjectArgument(), scene_); array != nullptr)
-        return array->set.empty() ? objects(array->count) : "per " + array->set + " of " + group->variable;
-    return {};
-  }
-  static std::string objects(int count) { return std::to_string(count) + (count == 1 ? " object" : " objects"); }
 
   clang::ASTContext& context_;
   const clang::SourceManager& sources_;

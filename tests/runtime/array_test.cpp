@@ -155,7 +155,7 @@ TEST(Array, refuses_what_is_no_index) {
   elasticity::TetArray<float> tets(2);
   tets.putdata(1, 2, 7);
   for (const double wrong : {3e9, -3e9, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_NE(message_of([&] { tets.putdata(1, 2, wrong); }).find("is no index; nodes holds whole numbers"),
+    EXPECT_NE(message_of([&] { tets.putdata(1, 2, wrong); }).find("is not an index; nodes holds whole numbers"),
               std::string::npos)
         << wrong;
   }

@@ -19,28 +19,25 @@ ObjectSize HeaderSizes::of(const model::Object& object) {
   const double name = length(object.name), qualified = length(object.qualified_name());
   Runs all;
   ObjectSize size;
-  size.bytes = 3300 + 55 * name + qualified + length(object.scope) + length(object.doc);
+  size.bytes = (runs_.empty() ? 1740 : 0) + 1720 + 28 * name + qualified + length(object.scope) + length(object.doc);
   double largest = 0, nested_bytes = 0;
   for (int f = 0; const model::Field& field : object.fields) {
     const double own = length(field.name);
-    const double entries = field.array_extent == 0 ? 1 : field.array_extent;
-    const double index = field.array_extent == 0 ? 0 : digits(entries) + 2;
+    const bool is_array = field.array_extent != 0;
+    const double entries = is_array ? field.array_extent : 1;
     // Its lines in the value, formats, probe, record and reference, with its comment twice.
-    size.bytes += 635 + 13 * own + 2 * (length(field.doc) + length(field.unit)) + 3 * length(field.object);
-    const double record = name + 25 + own;  // NameRecord<Real, Formats>::field
-    Runs runs;
-    if (field.shape != model::Shape::object) {
-      runs = {1, 1, own, record};
-    } else if (const auto found = runs_.find(field.object); found != runs_.end()) {
-      const Runs& nested = found->second;
-      const double step = record + 3 + (index > 0 ? index + record + 16 : 0);
+    size.bytes += 350 + 14 * own + name + 2 * (length(field.doc) + length(field.unit)) + 4 * length(field.object);
+    if (is_array) size.bytes += 290 + 5 * own + qualified;
+    Runs runs{1, own};
+    if (field.shape == model::Shape::object) {
+      const auto found = runs_.find(field.object);
+      const Runs nested = found == runs_.end() ? Runs{} : found->second;
+      const double index = is_array ? digits(entries) + 2 : 0;
       runs.count = entries * nested.count;
-      runs.steps = entries * (nested.steps + nested.count);
       runs.names = entries * (nested.names + nested.count * (own + 1 + index));
-      runs.offsets = entries * (nested.offsets + nested.count * (step + 9) + nested.steps * (own + 2));
     }
-    // A line of the table of fields, and numbers in the proofs.
-    const double table = runs.count * (130 + length(field.unit)) + 2.1 * runs.names + runs.steps + 1.1 * runs.offsets;
+    // Texts in the list of fields, and numbers in the proofs.
+    const double table = runs.count * (22 + length(field.unit)) + runs.names;
     size.bytes += table;
     if (field.shape == model::Shape::object) {
       nested_bytes += table;
@@ -48,11 +45,10 @@ ObjectSize HeaderSizes::of(const model::Object& object) {
       largest = std::max(largest, table);
     }
     all.count += runs.count;
-    all.steps += runs.steps;
     all.names += runs.names;
-    all.offsets += runs.offsets;
     ++f;
   }
+  size.fields = all.count;
   if (nested_bytes < size.bytes / 2) size.largest_nested = -1;
   runs_[object.qualified_name()] = all;
   return size;

@@ -14,8 +14,12 @@ namespace physgen::emit::cpp {
 inline constexpr double max_object_bytes = 2 << 20;
 inline constexpr double max_header_bytes = 8 << 20;
 
+/// Most fields of one object, those of nested objects one by one.
+inline constexpr double max_object_fields = 8192;
+
 struct ObjectSize {
-  double bytes = 0;  ///< of generated code; at most a quarter less, and half more, than the emitter will write
+  double bytes = 0;   ///< of generated code; at most a quarter less, and half more, than the emitter will write
+  double fields = 0;  ///< those of nested objects one by one
   int largest_nested =
       -1;  ///< the field whose nested object takes most; -1: its own fields take more than nested objects
 };
@@ -30,13 +34,11 @@ class HeaderSizes {
   void forget(const model::Object& object) { runs_.erase(object.qualified_name()); }
 
  private:
-  /// The fields of an object, those of its nested objects included: each is a line in the table of fields, with its
-  /// path from the object. Sums over all of them; double, because the numbers may have no end.
+  /// The fields of an object, those of its nested objects included: each has a text in the list of fields. Sums over
+  /// all of them; double, because the numbers may have no end.
   struct Runs {
     double count = 0;
-    double steps = 0;    // on the paths
-    double names = 0;    // characters of the paths as people read them: a.b[3].c
-    double offsets = 0;  // characters of the sums of offsets
+    double names = 0;  // characters of the paths from the object: a.b[3].c
   };
   std::map<std::string, Runs, std::less<>> runs_;  // by qualified name
 };

@@ -163,15 +163,20 @@ class Checker {
       std::snprintf(text, sizeof text, "%.3g MiB", bytes / (1 << 20));
       return std::string(text);
     };
-    if (of.bytes > max_object_bytes) {
+    const bool too_long = of.bytes > max_object_bytes;
+    if (too_long || of.fields > max_object_fields) {
       const bool nested = of.largest_nested >= 0;
       const Place self = place_;
       place_.field = of.largest_nested;
       report(nested ? Aspect::type : Aspect::name,
-             "object " + quoted(object.name) + " would become about " + mebibytes(of.bytes) +
-                 " of generated code, and the limit is " + mebibytes(max_object_bytes) + "; " +
-                 (nested ? "the fields of nested objects are written out one by one: keep what is repeated in an array "
-                           "of objects of its own, and its number here as an Index"
+             "object " + quoted(object.name) + " would " +
+                 (too_long ? "become about " + mebibytes(of.bytes) + " of generated code, and the limit is " +
+                                 mebibytes(max_object_bytes)
+                           : "have " + model::number(of.fields) + " fields, and the limit is " +
+                                 model::number(max_object_fields)) +
+                 "; " +
+                 (nested ? "the fields of nested objects are listed one by one: keep what is repeated in an array of "
+                           "objects of its own, and its number here as an Index"
                          : "split it into several objects"));
       place_ = self;
       sizes_.forget(object);

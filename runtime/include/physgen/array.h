@@ -140,6 +140,12 @@ class Array {
   index_t size_ = 0;
 };
 
+/// Bytes of memory that arrays hold, padding included.
+template <class... Arrays>
+[[nodiscard]] index_t bytes_of(const Arrays&... arrays) {
+  return (index_t{0} + ... + arrays.bytes());
+}
+
 /// Copies all objects between any two arrays of one object type: layouts, storage formats, precisions and spaces may
 /// differ. Fields that `to` prunes are left out; where `from` does not store a field that `to` has, or `to` stores
 /// nothing of one without pruning it (format/nothing.h), this does not compile.

@@ -37,12 +37,6 @@ void put_rows(Ranges& ranges, Entries& entries, const Rows& from) {
   put(entries, from.entries());
 }
 
-/// Bytes of arrays, padding included.
-template <class... Arrays>
-[[nodiscard]] index_t bytes_of(const Arrays&... arrays) {
-  return (index_t{0} + ... + arrays.bytes());
-}
-
 /// By which lists the parts of the tangent that patches and tets have are summed, beside the tets of each node.
 enum class TangentLists {
   of_edges,  ///< tets and patches of each edge: the assembled tangent
