@@ -276,6 +276,10 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     forcing = has_increment ? settings.least_forcing
                             : std::max(settings.least_forcing,
                                        std::min(settings.most_forcing, 0.9 * (free / before) * (free / before)));
+    // The last step goes a little below the tolerance, and no further. Conjugate gradients measure in another norm.
+    if (settings.absolute_tolerance == 0 && residual_of(state) > settings.tolerance) {
+      forcing = std::max(forcing, 0.05 * settings.tolerance / residual_of(state));
+    }
     before = free;
     has_increment = false;
     at = load;
