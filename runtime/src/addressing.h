@@ -13,37 +13,34 @@ struct Addressing {
   index_t pitch;
   int shift;
   int record_bytes;
-  index_t mask;   ///< of the bits of a lane: all, where there is one tile
   index_t first;  ///< the number of the object that lies at its beginning
 
   explicit Addressing(const UntypedArray& array, index_t first_object = 0)
-      : base(array.base),
-        pitch(array.pitch),
-        shift(63),
-        record_bytes(array.record_bytes),
-        mask(-1),
-        first(first_object) {
+      : base(array.base), pitch(array.pitch), shift(63), record_bytes(array.record_bytes), first(first_object) {
     if (array.pitch < array.padded || array.pitch == 1) {
       for (shift = 0; (index_t{1} << shift) < array.pitch;) ++shift;
-      mask = array.pitch - 1;
     }
   }
-  // As a pitch of layout/pitch.h, with objects counted from `first` on.
-  [[nodiscard]] PHYSGEN_FUNCTION index_t value() const { return pitch; }
+  /// The tile of object i, and its lane there.
   [[nodiscard]] PHYSGEN_FUNCTION index_t tile(index_t i) const { return (i - first) >> shift; }
-  [[nodiscard]] PHYSGEN_FUNCTION index_t lane(index_t i) const { return (i - first) & mask; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t lane(index_t i) const { return i - first - (tile(i) << shift); }
 
   [[nodiscard]] PHYSGEN_FUNCTION std::byte* address(index_t i, int offset, int size) const {
-    return law::element(base, *this, record_bytes, i, offset, size);
+    // law::element(), but pitch before record_bytes: their product, kept for all elements, would cost a kernel
+    // registers.
+    return base + law::tile_begin(tile(i) * pitch, record_bytes) + law::channel_begin(offset, pitch) +
+           law::lane_begin(lane(i), size);
   }
-  /// The tile of object i.
+  /// Where the tile of object i begins.
   [[nodiscard]] PHYSGEN_FUNCTION std::byte* tile_of(index_t i) const {
     return base + law::tile_begin(tile(i), law::tile_bytes(pitch, record_bytes));
   }
   /// Whether whole records follow each other.
   [[nodiscard]] PHYSGEN_FUNCTION bool records() const { return pitch == 1; }
   /// Record i. @pre records()
-  [[nodiscard]] PHYSGEN_FUNCTION std::byte* record(index_t i) const { return base + law::tile_begin(i - first, record_bytes); }
+  [[nodiscard]] PHYSGEN_FUNCTION std::byte* record(index_t i) const {
+    return base + law::tile_begin(i - first, record_bytes);
+  }
 };
 
 }  // namespace physgen::detail
