@@ -19,6 +19,8 @@ namespace tags::body {
 struct tets { static constexpr const char* name = "body.tets"; };
 struct rest { static constexpr const char* name = "body.rest"; };
 struct corners { static constexpr const char* name = "body.corners"; };
+struct places { static constexpr const char* name = "body.places"; };
+struct placed { static constexpr const char* name = "body.placed"; };
 struct node_tet_ranges { static constexpr const char* name = "body.node_tet_ranges"; };
 struct node_tets { static constexpr const char* name = "body.node_tets"; };
 struct constraints { static constexpr const char* name = "body.constraints"; };
@@ -41,8 +43,12 @@ struct Body {
   /// How many objects there are of each kind.
   struct Counts {
     physgen::index_t tet = 0;
+    physgen::index_t gathered_tet = 0;
+    physgen::index_t placed_tet = 0;
+    physgen::index_t placed_corner = 0;
+    physgen::index_t row = 0;
+    physgen::index_t gathered_corner = 0;
     physgen::index_t node = 0;
-    physgen::index_t corner = 0;
   };
 
   /// elasticity::Tet, per tet: nodes
@@ -50,13 +56,20 @@ struct Body {
   /// elasticity::RestShape, per tet: dm_inverse, volume
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::rest, ::elasticity::RestShapeArray<Real,
       Space>>> rest;
-  /// elasticity::CornerForces, per tet: G
+  /// Where nodes gather: on the CPU.
+  /// elasticity::CornerForces, per gathered_tet: G
   physgen::StoredArray<Stored, tags::body::corners, ::elasticity::CornerForcesArray<Real, Space>> corners;
-  /// The tets of each node: rows of (tet, corner).
-  /// elasticity::IncidenceRange, per node: begin, end
+  /// Where forces are placed in the nodes' rows: on CUDA, if sums are to have the same bits on every run.
+  /// elasticity::TetPlaces, per placed_tet: places
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::places, ::elasticity::TetPlacesArray<Real,
+      Space>>> places;
+  /// elasticity::PlacedForce, per placed_corner: f
+  physgen::StoredArray<Stored, tags::body::placed, ::elasticity::PlacedForceArray<Real, Space>> placed;
+  /// The tets of each node: rows of (tet, corner). Where forces are placed the rows alone; where tets add, none.
+  /// elasticity::IncidenceRange, per row: begin, end
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::node_tet_ranges,
       ::elasticity::IncidenceRangeArray<float, Space>>> node_tet_ranges;
-  /// elasticity::Incidence, per corner: element, local
+  /// elasticity::Incidence, per gathered_corner: element, local
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::node_tets, ::elasticity::IncidenceArray<float,
       Space>>> node_tets;
   /// quasistatic::NodeConstraint, per node: fixed
@@ -93,9 +106,11 @@ struct Body {
   void allocate(const Counts& counts) {
     physgen::allocate(tets, counts.tet);
     physgen::allocate(rest, counts.tet);
-    physgen::allocate(corners, counts.tet, {"G"});
-    physgen::allocate(node_tet_ranges, counts.node);
-    physgen::allocate(node_tets, counts.corner);
+    physgen::allocate(corners, counts.gathered_tet, {"G"});
+    physgen::allocate(places, counts.placed_tet);
+    physgen::allocate(placed, counts.placed_corner, {"f"});
+    physgen::allocate(node_tet_ranges, counts.row);
+    physgen::allocate(node_tets, counts.gathered_corner);
     physgen::allocate(constraints, counts.node);
     physgen::allocate(masses, counts.node);
     physgen::allocate(loads, counts.node);
@@ -109,16 +124,18 @@ struct Body {
 
   /// Of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
-    return tets.bytes() + rest.bytes() + corners.bytes() + node_tet_ranges.bytes() + node_tets.bytes() +
-           constraints.bytes() + masses.bytes() + loads.bytes() + motion.bytes() + displacements.bytes() +
-           rounded.bytes() + velocities.bytes() + forces.bytes() + measured.bytes();
+    return tets.bytes() + rest.bytes() + corners.bytes() + places.bytes() + placed.bytes() + node_tet_ranges.bytes() +
+           node_tets.bytes() + constraints.bytes() + masses.bytes() + loads.bytes() + motion.bytes() +
+           displacements.bytes() + rounded.bytes() + velocities.bytes() + forces.bytes() + measured.bytes();
   }
   /// The same of arrays of so many objects, without making them. @pre no count is negative
   [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
     return physgen::bytes_of_array<decltype(tets)>(counts.tet) + physgen::bytes_of_array<decltype(rest)>(counts.tet) +
-           physgen::bytes_of_array<decltype(corners)>(counts.tet) +
-           physgen::bytes_of_array<decltype(node_tet_ranges)>(counts.node) +
-           physgen::bytes_of_array<decltype(node_tets)>(counts.corner) +
+           physgen::bytes_of_array<decltype(corners)>(counts.gathered_tet) +
+           physgen::bytes_of_array<decltype(places)>(counts.placed_tet) +
+           physgen::bytes_of_array<decltype(placed)>(counts.placed_corner) +
+           physgen::bytes_of_array<decltype(node_tet_ranges)>(counts.row) +
+           physgen::bytes_of_array<decltype(node_tets)>(counts.gathered_corner) +
            physgen::bytes_of_array<decltype(constraints)>(counts.node) +
            physgen::bytes_of_array<decltype(masses)>(counts.node) +
            physgen::bytes_of_array<decltype(loads)>(counts.node) +

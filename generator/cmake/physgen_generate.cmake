@@ -2,7 +2,7 @@
 # find_package(physgen), by every other project.
 #
 #   physgen_generate(TARGET name SCHEMAS a.h b.h [OUTPUT_DIR dir] [LAYOUT layout] [CHECKED_IN dir])
-#   physgen_generate(TARGET name SCENES s.h t.h [LIBRARIES library...] [FLAGS flag...] [EVERYTHING] [NO_FUSE]
+#   physgen_generate(TARGET name SCENES s.h t.h [LIBRARIES library...] [FLAGS flag...] [DEVICE] [EVERYTHING] [NO_FUSE]
 #                    [OUTPUT_DIR dir] [CHECKED_IN dir])
 #
 # Makes the library target `name`. A program that links it finds the headers a.physgen.h and b.physgen.h, is compiled
@@ -14,6 +14,7 @@
 #
 # Of scenes it is the headers s.scene.h and s.program.h, t.scene.h and t.program.h, with reports beside them. LIBRARIES are those whose headers the
 # scenes include, and `name` links them; FLAGS are the compiler's with which programs are read, such as -march=x86-64-v3.
+# With DEVICE what programs do on CUDA is looked at, too: needs a toolkit, that of the project where it enables CUDA.
 # With EVERYTHING there is s.everything.h, too, the same arrays with all fields. With NO_FUSE the steps of their programs
 # stay apart.
 # A scene is looked at again when its declaration or any header that it includes has changed.
@@ -21,7 +22,7 @@ include_guard(DIRECTORY)
 cmake_policy(VERSION 3.25)
 
 function(physgen_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "EVERYTHING;NO_FUSE" "TARGET;OUTPUT_DIR;LAYOUT;CHECKED_IN" "SCHEMAS;SCENES;LIBRARIES;FLAGS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "DEVICE;EVERYTHING;NO_FUSE" "TARGET;OUTPUT_DIR;LAYOUT;CHECKED_IN" "SCHEMAS;SCENES;LIBRARIES;FLAGS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "physgen_generate: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   elseif(NOT arg_TARGET)
@@ -33,8 +34,8 @@ function(physgen_generate)
       "of schemas, which are written before")
   elseif(arg_SCENES AND arg_LAYOUT)
     message(FATAL_ERROR "physgen_generate(${arg_TARGET}): LAYOUT is for SCHEMAS; arrays of scenes have their layouts")
-  elseif(arg_SCHEMAS AND (arg_LIBRARIES OR arg_FLAGS))
-    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): LIBRARIES and FLAGS are for SCENES")
+  elseif(arg_SCHEMAS AND (arg_LIBRARIES OR arg_FLAGS OR arg_DEVICE))
+    message(FATAL_ERROR "physgen_generate(${arg_TARGET}): LIBRARIES, FLAGS and DEVICE are for SCENES")
   elseif(TARGET ${arg_TARGET})
     message(FATAL_ERROR "physgen_generate(${arg_TARGET}): there is a target of this name already")
   endif()
@@ -98,7 +99,7 @@ function(physgen_generate)
   target_include_directories(${arg_TARGET} INTERFACE ${arg_OUTPUT_DIR})
   if(arg_SCENES)
     _physgen_scenes(${arg_TARGET} "${schemas}" "${arg_OUTPUT_DIR}" "${arg_LIBRARIES}" "${arg_FLAGS}"
-      "${arg_EVERYTHING}" "${arg_NO_FUSE}")
+      "${arg_DEVICE}" "${arg_EVERYTHING}" "${arg_NO_FUSE}")
     return()
   endif()
 
@@ -124,13 +125,24 @@ function(physgen_generate)
 endfunction()
 
 # Writes the headers of scenes, each by a command of its own: reading a program takes seconds.
-function(_physgen_scenes target scenes output_dir libraries flags everything no_fuse)
+function(_physgen_scenes target scenes output_dir libraries flags device everything no_fuse)
   set(folders "$<TARGET_PROPERTY:${target},INTERFACE_INCLUDE_DIRECTORIES>")  # those of its libraries, too
   set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${target})
   set(stamps "")
   set(options "")
+  set(environment "")
   if(everything)
     list(APPEND options --everything)
+  endif()
+  if(device)
+    list(APPEND options --device)
+    if(CMAKE_CUDA_COMPILER)  # bin/nvcc of its toolkit
+      cmake_path(GET CMAKE_CUDA_COMPILER PARENT_PATH toolkit)
+      cmake_path(GET toolkit PARENT_PATH toolkit)
+      if(EXISTS ${toolkit}/include/cuda_runtime.h)
+        set(environment ${CMAKE_COMMAND} -E env CUDA_HOME=${toolkit})
+      endif()
+    endif()
   endif()
   if(no_fuse)
     list(APPEND options --no-fuse)
@@ -148,7 +160,7 @@ function(_physgen_scenes target scenes output_dir libraries flags everything no_
     add_custom_command(
       OUTPUT ${state}/${name}.stamp
       BYPRODUCTS ${written}
-      COMMAND physgen::physgen scene ${scene} -o ${output_dir} ${options} --depfile ${state}/${name}.d --stamp ${state}/${name}.stamp
+      COMMAND ${environment} $<TARGET_FILE:physgen::physgen> scene ${scene} -o ${output_dir} ${options} --depfile ${state}/${name}.d --stamp ${state}/${name}.stamp
               -- "-I$<JOIN:${folders},;-I>" ${flags}
       DEPENDS ${scene} ${state}/${name}.flags physgen::physgen
       DEPFILE ${state}/${name}.d

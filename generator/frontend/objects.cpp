@@ -78,7 +78,7 @@ class SchemaReader {
     if (!range) return;
     if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(declaration.getDeclContext()))
       report_.error(*range, "PHYSGEN stands in " + quoted(record->getName()) +
-                                ", which is no object; write 'struct PHYSGEN_OBJECT() " + record->getName().str() +
+                                ", which is not an object; write 'struct PHYSGEN_OBJECT() " + record->getName().str() +
                                 "'");
     else
       report_.error(*range, "PHYSGEN belongs before the type of a field of an object; remove it here");

@@ -127,7 +127,7 @@ class TypeReader {
       if (report_.clang_errors()) return false;  // an option that Clang refused takes the marker with it
       report_.error(type_range(declaration_),
                     "field " + quoted(name()) + " has the type " + quoted(record.getName()) +
-                        ", which is no object; write 'struct PHYSGEN_OBJECT() " + record.getName().str() + "'",
+                        ", which is not an object; write 'struct PHYSGEN_OBJECT() " + record.getName().str() + "'",
                     Note{record.getLocation(), quoted(record.getName()) + " is declared here"});
       return false;
     }

@@ -92,7 +92,7 @@ class FieldChecker {
       report_(Aspect::initial, "initial(" + number(value) + ") is not a " + std::to_string(bits) +
                                    "-bit integer, as the elements of " + quoted(field.name) + " are; write one");
     else if (is_float && std::abs(value) > FLT_MAX)
-      report_(Aspect::initial, "initial(" + number(value) + ") is no float, as the elements of " + quoted(field.name) +
+      report_(Aspect::initial, "initial(" + number(value) + ") is not a float, as the elements of " + quoted(field.name) +
                                    " are or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
                                    ", or declare it double");
     else if (is_float && value != 0 && static_cast<float>(value) == 0)

@@ -1,6 +1,8 @@
 // See layout_map.h.
 #include "plan/layout_map.h"
 
+#include <physgen/layout/address.h>
+
 #include <algorithm>
 #include <map>
 
@@ -104,15 +106,19 @@ int LayoutMap::padding_bytes() const {
   return bytes;
 }
 
+long long LayoutMap::address(int offset, int bytes, long long object_number) const {
+  return law::element(index_t{0}, AnyPitch{pitch}, record_bytes, object_number, offset, bytes);
+}
+
 Cell LayoutMap::at(long long address) const {
-  const long long tile_bytes = pitch * record_bytes;
+  const long long tile_bytes = law::tile_bytes(pitch, record_bytes);
   const long long tile = address / tile_bytes;
   const long long in_tile = address % tile_bytes;
   // A segment takes the bytes from offset * pitch to (offset + bytes) * pitch of its tile.
   auto segment = std::ranges::upper_bound(segments, in_tile / pitch, {}, &Segment::offset);
   --segment;
-  const long long begin = tile * tile_bytes + segment->offset * pitch;
-  if (segment->accessor < 0) return {begin, begin + segment->bytes * pitch, -1, 0, tile * pitch};
+  const long long begin = law::tile_begin(tile, tile_bytes) + law::channel_begin(segment->offset, pitch);
+  if (segment->accessor < 0) return {begin, begin + law::channel_begin(segment->bytes, pitch), -1, 0, tile * pitch};
   const Accessor& accessor = accessors[static_cast<std::size_t>(segment->accessor)];
   const long long place = (address - begin) / accessor.bytes;  // of the elements of the segment in this tile
   const long long cell = begin + place * accessor.bytes;

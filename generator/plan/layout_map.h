@@ -55,7 +55,7 @@ struct Segment {
   bool operator==(const Segment&) const = default;
 };
 
-/// What stands at an address: bytes [begin, end) hold one element of one object, or nothing.
+/// A part of memory: its bytes [begin, end) hold one element of one object, or nothing.
 struct Cell {
   long long begin = 0;
   long long end = 0;
@@ -82,9 +82,7 @@ struct LayoutMap {
   /// Whether tiles of several objects follow each other.
   [[nodiscard]] bool has_tiles() const { return pitch > 1 && pitch < assumed_objects; }
   /// Byte of the array at which an element of `bytes` at `offset` of the record of `object` begins.
-  [[nodiscard]] long long address(int offset, int bytes, long long object_number) const {
-    return object_number / pitch * pitch * record_bytes + offset * pitch + object_number % pitch * bytes;
-  }
+  [[nodiscard]] long long address(int offset, int bytes, long long object_number) const;
   /// @pre address >= 0
   [[nodiscard]] Cell at(long long address) const;
 };

@@ -85,6 +85,8 @@ class Joiner {
     const ProgramStep &before = list.steps[next - 1], &step = list.steps[next];
     if (!list.between[next - 1].empty()) why.push_back(list.between[next - 1] + " stands between them");
     for (std::size_t k = first; k < next; ++k) hazards(list.steps[k], step, why);
+    if (head(step) != head(before))
+      why.push_back("they are run in different words, '" + head(before) + "' and '" + head(step) + "'");
     if (step.runs.empty() || before.runs.empty())
       why.push_back(short_name(step.runs.empty() ? step.step : before.step) +
                     " runs over a number of objects that is no array's size()");
@@ -96,10 +98,15 @@ class Joiner {
     return why;
   }
 
+  /// "on.run("
+  [[nodiscard]] std::string head(const ProgramStep& step) const {
+    return program_.text.substr(step.statement.begin, step.count.begin - step.statement.begin);
+  }
+
   void alone(const ProgramStep& step, Reasons& why) const {
     const std::string name = short_name(step.step);
     if (!step.takes_packs)
-      why.push_back(name + " takes no packs, since its call operator is no template over the index");
+      why.push_back(name + " takes no packs, since its call operator is not a template over the index");
     else if (!step.obstacle.empty())
       why.push_back(name + ": " + step.obstacle);
     else if (uses_.of(step.step) == nullptr)
@@ -137,7 +144,9 @@ class Joiner {
   void others() {
     if (!program_.cause.empty()) needs_.not_joined.push_back("no step is looked at: " + program_.cause);
     std::map<std::string, Reasons> by_function;
-    for (const auto& [step, function] : program_.elsewhere) by_function[function].push_back(short_name(step));
+    for (const auto& [step, function] : program_.elsewhere)
+      if (auto& steps = by_function[function]; steps.empty() || steps.back() != short_name(step))
+        steps.push_back(short_name(step));
     for (const auto& [function, steps] : by_function)
       needs_.not_joined.push_back(function + " runs " + listed(steps) + ", not the text of the program");
   }

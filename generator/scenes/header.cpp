@@ -241,10 +241,6 @@ class Header {
                  "count is negative or the memory cannot be had");
     std::vector<std::string> statements;
     for (const Array& array : group.arrays) {
-      if (array.uniform) {
-        statements.push_back(array.name + ".resize(" + count(array) + ");");
-        continue;
-      }
       const ArrayNeed& need = needs_.of(group.full_name(array));
       std::string unset;
       for (const FieldNeed& field : need.fields)

@@ -188,7 +188,7 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
   };
   if (declaration.isInvalidDecl()) return false;  // Clang has reported it
   if (!is_array(declaration.getType()))
-    return wrong("is no array of objects; write 'Array<elasticity::TetObject, Real> " + array.name + ";'");
+    return wrong("is not an array of objects; write 'Array<elasticity::TetObject, Real> " + array.name + ";'");
   const auto* type = llvm::cast<clang::ClassTemplateSpecializationDecl>(declaration.getType()->getAsCXXRecordDecl());
   if (type->isInvalidDecl()) return false;
   const auto* object = type->getTemplateArgs()[0].getAsType()->getAsCXXRecordDecl();

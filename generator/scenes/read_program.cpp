@@ -41,6 +41,16 @@ bool has_word(const std::string& text, const std::string& word) {
   return false;
 }
 
+/// "physgen::fem::assemble": of a function, whatever it is instantiated for, and of a lambda in it.
+std::string plain_name(const clang::DeclContext* scope) {
+  if (scope == nullptr || scope->isTranslationUnit()) return {};
+  std::string outer = plain_name(scope->getParent());
+  const auto* named = llvm::dyn_cast<clang::NamedDecl>(scope);
+  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(scope);
+  if (named == nullptr || named->getIdentifier() == nullptr || (record != nullptr && record->isLambda())) return outer;
+  return (outer.empty() ? outer : outer + "::") + named->getName().str();
+}
+
 class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
  public:
   ProgramReader(clang::ASTContext& context, const Scene& scene, const std::vector<std::string>& folders)
@@ -59,7 +69,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     while (!queue_.empty()) {  // functions that the program calls
       const auto* function = queue_.back();
       queue_.pop_back();
-      where_ = function->getQualifiedNameAsString() + "()";
+      where_ = plain_name(function) + "()";
       TraverseStmt(function->getBody());
     }
     return std::move(result_);
@@ -72,7 +82,8 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
   bool VisitCallExpr(clang::CallExpr* call) {
     if (const std::string what = asked(*call); !what.empty()) {
       const auto* method = call->getDirectCallee();
-      if (what == "run" && known_.count(call) == 0) result_.elsewhere.try_emplace(step_of(*method), place_of_rest());
+      if (const std::string step = step_of(*method); what == "run" && known_.count(call) == 0 && !step.empty())
+        result_.elsewhere.try_emplace(step, where_.empty() ? "a statement of its own" : where_);
     } else {
       follow(call->getDirectCallee());
     }
@@ -88,16 +99,23 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
  private:
   // ---- The program, and functions that it calls --------------------------------------------------------------------
 
+  /// As instantiate<Probed>() of the unit calls it.
   const clang::FunctionDecl* find_program() {
     for (const auto* found : context_.getTranslationUnitDecl()->lookup(&context_.Idents.get("physgen_probe_unit")))
       if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(found))
-        for (const auto* inner : space->lookup(&context_.Idents.get("instantiate")))
-          if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(inner); function && function->hasBody())
-            for (const auto* statement : function->getBody()->children())
-              if (const auto* call = call_of(statement); call != nullptr && call->getDirectCallee() != nullptr) {
-                const clang::FunctionDecl* definition = nullptr;
-                if (call->getDirectCallee()->isDefined(definition)) return definition;
-              }
+        for (auto* inner : space->lookup(&context_.Idents.get("instantiate")))
+          if (auto* pattern = llvm::dyn_cast<clang::FunctionTemplateDecl>(inner))
+            for (const auto* function : pattern->specializations())
+              if (const auto* program = called(*function); program != nullptr) return program;
+    return nullptr;
+  }
+  static const clang::FunctionDecl* called(const clang::FunctionDecl& function) {
+    const auto* arrays = function.getTemplateSpecializationArgs()->get(0).getAsType()->getAsCXXRecordDecl();
+    const clang::FunctionDecl* definition = nullptr;
+    if (arrays == nullptr || arrays->getName() != "Probed" || !function.isDefined(definition)) return nullptr;
+    for (const auto* statement : definition->getBody()->children())
+      if (const auto* call = call_of(statement); call != nullptr && call->getDirectCallee() != nullptr)
+        if (const clang::FunctionDecl* program = nullptr; call->getDirectCallee()->isDefined(program)) return program;
     return nullptr;
   }
 
@@ -123,8 +141,6 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     if (definition->getBody() != nullptr && seen_.insert(definition->getCanonicalDecl()).second)
       queue_.push_back(definition);
   }
-
-  [[nodiscard]] std::string place_of_rest() const { return where_.empty() ? "a statement of its own" : where_; }
 
   /// The name of the step that an executor's function is instantiated for.
   std::string step_of(const clang::FunctionDecl& method) {
@@ -239,7 +255,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     step.statement = {*begin, semicolon + 1};
     step.count = {*count_begin, *count_end};
     step.kernel = {result_.text.find_first_not_of(" \t\n", comma + 1), *end};
-    step.runs = runs(call.getArg(0));
+    step.runs = counted(call.getArg(0), scene_);
     const auto kernel = call.getDirectCallee()->getTemplateSpecializationArgs()->get(0).getAsType();
     KernelFacts facts = read_kernel(names_, scene_, kernel, *steps_.at(context_.getCanonicalType(kernel).getTypePtr()));
     step.takes_packs = facts.takes_packs;
@@ -253,24 +269,6 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
         step.obstacle = "it stands in a lambda that has not [&]";
     return step;
   }
-
-  /// What a count counts, as ProgramStep::runs.
-  std::string runs(const clang::Expr* count) const {
-    count = count->IgnoreParenImpCasts();
-    if (const auto* number = llvm::dyn_cast<clang::IntegerLiteral>(count))
-      return objects(static_cast<int>(number->getValue().getLimitedValue()));
-    if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(count))
-      if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl())) {
-        if (variable->getType().isConstQualified() && variable->getInit() != nullptr) return runs(variable->getInit());
-        return variable->getNameAsString();
-      }
-    if (const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(count);
-        call != nullptr && call->getMethodDecl()->getNameAsString() == "size")
-      if (const auto [group, array] = array_of(call->getImplicitObjectArgument(), scene_); array != nullptr)
-        return array->set.empty() ? objects(array->count) : "per " + array->set + " of " + group->variable;
-    return {};
-  }
-  static std::string objects(int count) { return std::to_string(count) + (count == 1 ? " object" : " objects"); }
 
   clang::ASTContext& context_;
   const clang::SourceManager& sources_;

@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "scenes/local_arrays.h"
+
 namespace physgen::scenes {
 namespace {
 
@@ -122,6 +124,25 @@ std::pair<const Group*, const Array*> array_of(const clang::Expr* expression, co
       return array_of(declared->getInit(), scene);
   if (const std::string name = method(*expression); name == "view" || name == "const_view")
     return array_of(llvm::cast<clang::CXXMemberCallExpr>(expression)->getImplicitObjectArgument(), scene);
+  return {};
+}
+
+std::string counted(const clang::Expr* count, const Scene& scene) {
+  const auto objects = [](int number) { return std::to_string(number) + (number == 1 ? " object" : " objects"); };
+  count = count->IgnoreParenImpCasts();
+  if (const auto* number = llvm::dyn_cast<clang::IntegerLiteral>(count))
+    return objects(static_cast<int>(number->getValue().getLimitedValue()));
+  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(count))
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl())) {
+      if (variable->getType().isConstQualified() && variable->getInit() != nullptr)
+        return counted(variable->getInit(), scene);
+      return variable->getNameAsString();
+    }
+  if (method(*count) == "size")
+    if (const auto [group, array] =
+            array_of(llvm::cast<clang::CXXMemberCallExpr>(count)->getImplicitObjectArgument(), scene);
+        array != nullptr)
+      return counted(*group, *array);
   return {};
 }
 

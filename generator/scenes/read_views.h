@@ -17,6 +17,9 @@ namespace physgen::scenes {
 /// @return nulls: it names none
 [[nodiscard]] std::pair<const Group*, const Array*> array_of(const clang::Expr* expression, const Scene& scene);
 
+/// What a count counts, in the words of ProgramStep::runs.
+[[nodiscard]] std::string counted(const clang::Expr* count, const Scene& scene);
+
 /// Arrays, by full name, of which the program does not only ask the size and hand views to kernels that are built where
 /// they are run; and where, " at x.h:3:5".
 [[nodiscard]] std::map<std::string, std::string> views_used(const clang::FunctionDecl& program, const Scene& scene,

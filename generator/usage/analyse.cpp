@@ -12,6 +12,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 #include "frontend/program.h"
 #include "usage/walk.h"
@@ -137,6 +139,14 @@ std::string notes(const std::string& diagnostics) {
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 }  // namespace
+
+std::string text_of_time(const std::string& program, Side side, const Diagnostics& diagnostics) {
+  std::ostringstream text;
+  text << program << (side == Side::host ? ", host" : ", device") << std::fixed << std::setprecision(2)
+       << ": analysed in " << diagnostics.seconds << " s, of which its headers took " << diagnostics.headers_seconds
+       << " s to parse (" << diagnostics.seconds / diagnostics.headers_seconds << " times as long)\n";
+  return std::move(text).str();
+}
 
 bool has_device_side() { return !cuda_folder().empty(); }
 

@@ -20,11 +20,11 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
       return std::move(facts_);
     }
     const auto& function = llvm::cast<clang::FunctionDecl>(code);
-    if (function.isDefaulted()) return {};  // whether there is one depends on members
-    add(function.getLocation(), "a call");
     if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(&function))
       for (const auto* member : constructor->inits())
-        if (member->isWritten()) TraverseStmt(member->getInit());
+        if (member->isWritten() || member->isInClassMemberInitializer()) TraverseStmt(member->getInit());
+    if (function.isDefaulted()) return std::move(facts_);  // whether there is one depends on members
+    add(function.getLocation(), "a call");
     if (function.doesThisDeclarationHaveABody()) TraverseStmt(function.getBody());
     return std::move(facts_);
   }
@@ -52,10 +52,13 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
     if (statement->isConstexpr()) value(statement->getCond(), statement->getIfLoc());
     return true;
   }
+  bool VisitCXXDefaultInitExpr(clang::CXXDefaultInitExpr* expression) { return TraverseStmt(expression->getExpr()); }
+  bool VisitCXXDefaultArgExpr(clang::CXXDefaultArgExpr* expression) { return TraverseStmt(expression->getExpr()); }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(reference->getDecl());
     name(*reference->getDecl(), reference->getLocation());
     if (variable != nullptr) constant(*variable, reference->getLocation());
+    if (llvm::isa<clang::EnumConstantDecl>(reference->getDecl())) value(reference);
     return true;
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {

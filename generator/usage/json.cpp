@@ -60,7 +60,7 @@ Json write(const Program& program) {
 class Reader {
  public:
   Reader(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
-    if (!json.is_object()) fail("is no object");
+    if (!json.is_object()) fail("is not an object");
   }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -86,7 +86,7 @@ class Reader {
   template <class Read>
   void each(const char* key, const Read& read) {
     const Json list = get<Json>(key);
-    if (!list.is_array()) fail("has a '" + std::string(key) + "' that is no list");
+    if (!list.is_array()) fail("has a '" + std::string(key) + "' that is not a list");
     for (std::size_t i = 0; i < list.size(); ++i) {
       Reader reader(list[i], where_ + "/" + key + "[" + std::to_string(i) + "]");
       read(reader);
@@ -167,7 +167,7 @@ std::vector<Program> from_json(const std::string& text) {
   try {
     json = Json::parse(text);
   } catch (const Json::exception& error) {
-    throw JsonError(std::string("it is no JSON: ") + error.what());
+    throw JsonError(std::string("this is not JSON: ") + error.what());
   }
   Reader reader(json, "");
   if (const int found = reader.get<int>("format"); found != format)

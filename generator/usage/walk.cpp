@@ -8,47 +8,15 @@
 #include <map>
 #include <set>
 
+#include "usage/expressions.h"
 #include "usage/facts.h"
 #include "usage/names.h"
+#include "usage/unknown.h"
 
 namespace physgen::usage {
 namespace {
 
 using clang::FunctionDecl;
-
-/// What implicit nodes wrap.
-const clang::Expr* written(const clang::Expr* expression) {
-  const clang::Expr* before = nullptr;
-  while (expression != before) {
-    before = expression;
-    expression = expression->IgnoreParens()->IgnoreImplicit();
-  }
-  return expression;
-}
-
-const clang::Expr* object_of(const clang::CallExpr& call) {
-  if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(&call)) return member->getImplicitObjectArgument();
-  if (llvm::isa<clang::CXXOperatorCallExpr>(call) && call.getNumArgs() > 0) return call.getArg(0);
-  return nullptr;
-}
-
-/// Where a reader looks for a call: at the field's name in `view[i].x() = v` and in `const Vector v = view[i].x();`,
-/// else at the called name.
-clang::SourceLocation place_of(const clang::CallExpr& call) {
-  const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call.getDirectCallee());
-  const clang::Expr* object = object_of(call);
-  if (method != nullptr && object != nullptr) {
-    const bool of_reference =
-        Names::is_physgen(method->getParent(), "FieldRef") || Names::is_physgen(method->getParent(), "ElementRef");
-    object = written(object);
-    if (const auto* inner = llvm::dyn_cast<clang::CallExpr>(object); inner != nullptr && of_reference)
-      return place_of(*inner);
-    if (of_reference || llvm::isa<clang::CXXConversionDecl>(method)) return object->getBeginLoc();
-  }
-  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(call.getCallee()->IgnoreParenImpCasts()))
-    return member->getMemberLoc();
-  return call.getCallee()->getExprLoc();
-}
 
 class Walk {
  public:
@@ -171,11 +139,7 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
   static bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr* /*expression*/) { return true; }
   static bool TraverseRequiresExpr(clang::RequiresExpr* /*expression*/) { return true; }
   static bool TraverseConceptSpecializationExpr(clang::ConceptSpecializationExpr* /*expression*/) { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* expression) {
-    if (expression->getKind() == clang::UETT_SizeOf)
-      unknown(expression->getTypeOfArgument(), "sizeof", expression->getBeginLoc());
-    return true;
-  }
+  static bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* /*expression*/) { return true; }
 
   // Bodies of lambdas and of local classes belong to whoever calls them.
   static bool TraverseCXXRecordDecl(clang::CXXRecordDecl* /*record*/) { return true; }
@@ -186,41 +150,6 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
 
   bool VisitCallExpr(clang::CallExpr* call) {
     places_[call->getCallee()->IgnoreParenImpCasts()] = place_of(*call);
-    const FunctionDecl* callee = call->getDirectCallee();
-    if (!is_users_ || callee == nullptr) return true;
-    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
-        method != nullptr && method->getOverloadedOperator() == clang::OO_Amp &&
-        Names::is_physgen(method->getParent(), "ElementRef") && harmless_.count(call) == 0)
-      unknown(object_of(*call)->getType(), "the address of an element, behind which lie others,", call->getBeginLoc());
-    if (callee->getIdentifier() == nullptr) return true;
-    if (callee->getName().starts_with("atomic") && walk_.names_.is_library(callee->getLocation()))
-      for (const clang::Expr* argument : call->arguments()) harmless_.insert(written(argument));
-    if (callee->getName() == "bit_cast" && call->getNumArgs() > 0)
-      unknown(call->getArg(0)->getType(), "bit_cast", call->getBeginLoc());
-    if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
-        method != nullptr && callee->getName() == "data" && Names::is_physgen(method->getParent(), "View"))
-      unknown(object_of(*call)->getType(), "data()", place_of(*call));
-    return true;
-  }
-  /// `*&x` as a value, where something is assigned to it, or as what a function returns.
-  void only_the_element(const clang::Expr* expression) {
-    const auto* at = llvm::dyn_cast<clang::UnaryOperator>(expression->IgnoreParens());
-    if (at != nullptr && at->getOpcode() == clang::UO_Deref) harmless_.insert(written(at->getSubExpr()));
-  }
-  bool VisitReturnStmt(clang::ReturnStmt* statement) {
-    if (statement->getRetValue() != nullptr) only_the_element(statement->getRetValue()->IgnoreImplicit());
-    return true;
-  }
-  bool VisitBinaryOperator(clang::BinaryOperator* operation) {
-    if (operation->isAssignmentOp()) only_the_element(operation->getLHS());
-    return true;
-  }
-  bool VisitCastExpr(clang::CastExpr* cast) {
-    const auto kind = cast->getCastKind();
-    if (kind == clang::CK_LValueToRValue) only_the_element(cast->getSubExpr());
-    if (kind == clang::CK_BitCast || kind == clang::CK_LValueBitCast || kind == clang::CK_PointerToIntegral)
-      unknown(cast->getSubExpr()->getType(), "a cast to other types, as of memcpy or reinterpret_cast",
-              cast->getBeginLoc());
     return true;
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
@@ -230,9 +159,6 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
     return function(reference->getDecl(), reference, reference->getLocation());
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {
-    if (const auto* record = llvm::dyn_cast<clang::RecordDecl>(member->getMemberDecl()->getDeclContext());
-        record != nullptr && record->isUnion())
-      unknown(walk_.context_.getCanonicalTagType(record), "a union", member->getMemberLoc());
     return function(member->getMemberDecl(), member, member->getMemberLoc());
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construction) {
@@ -298,17 +224,10 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
       if (const auto* parent = base.getType()->getAsCXXRecordDecl(); parent != nullptr && parent->hasDefinition())
         overriders(*parent->getDefinition(), location);
   }
-  void unknown(clang::QualType type, const char* what, clang::SourceLocation location) {
-    if (!is_users_) return;
-    for (const std::string& array : walk_.names_.arrays(type))
-      walk_.graph_.unknown.push_back({array, what, walk_.names_.place(location)});
-  }
-
   Walk& walk_;
   int function_;
   bool is_users_;
   std::map<const clang::Expr*, clang::SourceLocation> places_;  // of callees
-  std::set<const clang::Expr*> harmless_;                       // addresses for atomicAdd() and the like, and in *&x
 };
 
 void Walk::follow() {
@@ -325,6 +244,8 @@ void Walk::follow() {
     }
     const auto* definition = llvm::cast<FunctionDecl>(declaration);
     if (definition->isDependentContext()) continue;
+    if (!graph_.functions[static_cast<std::size_t>(function)].of_library)
+      add_unknown_uses(*definition, names_, graph_.unknown);
     if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(definition))
       for (const auto* member : constructor->inits()) body.TraverseStmt(member->getInit());
     if (const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(definition)) body.members_of(*destructor);

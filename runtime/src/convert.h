@@ -1,7 +1,7 @@
 // A conversion of objects between two arrays as data: which elements move where, on host and device.
 #pragma once
 
-#include <physgen/losses.h>
+#include <physgen/detail/count_losses.h>
 
 #include <bit>
 #include <cmath>
@@ -32,7 +32,7 @@ struct RotationMove {
                               [&](int k) { return from.address(i, first.from_offset + k * size, size); });
   }
   /// Computed in double if one of the sides is.
-  PHYSGEN_FUNCTION void run(const Addressing& to, const Addressing& from, index_t i) const {
+  PHYSGEN_FUNCTION void apply(const Addressing& to, const Addressing& from, index_t i) const {
     const int size = element_bytes(first.to.type);
     const auto at = [&](int k) { return to.address(i, first.to_offset + k * size, size); };
     if (size == 8 || element_bytes(first.from.type) == 8) {
@@ -99,7 +99,7 @@ struct Fill {
   }
   /// Whether cleared memory is what it would write.
   [[nodiscard]] bool is_zero() const { return value == 0 && one == 0; }
-  PHYSGEN_FUNCTION void run(const Addressing& array, index_t i) const {
+  PHYSGEN_FUNCTION void apply(const Addressing& array, index_t i) const {
     for (int k = 0; k < count; ++k) {
       const bool is_one = rotation && (quaternion ? k % 4 == 0 : k % 9 % 4 == 0);  // w, or the diagonal
       const std::uint64_t bits = is_one ? one : value;

@@ -1,7 +1,7 @@
 // Whether the fields of two arrays let one be copied to the other.
 #pragma once
 
-#include <physgen/copy_fields.h>
+#include <physgen/detail/copy_fields.h>
 
 #include "describe.h"
 

@@ -2,7 +2,7 @@
 // the inner loop runs along the objects with both types known.
 #include "host_convert.h"
 
-#include <physgen/host_loop.h>
+#include <physgen/detail/host_loop.h>
 
 #include <algorithm>
 #include <cstring>
@@ -16,12 +16,12 @@ namespace physgen::detail {
 namespace {
 
 /// Elements of consecutive objects, `stride` bytes apart.
-struct Lanes {
+struct StridedElements {
   std::byte* first;
   index_t stride;
 };
 
-Lanes lanes(const Addressing& array, index_t i, int offset, int size) {
+StridedElements strided(const Addressing& array, index_t i, int offset, int size) {
   return {array.address(i, offset, size), array.records() ? array.record_bytes : size};
 }
 
@@ -32,7 +32,7 @@ index_t evenly_spaced(const Addressing& array, index_t i) {
 }
 
 template <class To, class From, class Convert>
-void convert_lanes(Lanes to, Lanes from, index_t count, const Convert& convert) {
+void convert_strided(StridedElements to, StridedElements from, index_t count, const Convert& convert) {
   if (to.stride == index_t{sizeof(To)} && from.stride == index_t{sizeof(From)}) {
     auto* t = reinterpret_cast<To*>(to.first);
     const auto* f = reinterpret_cast<const From*>(from.first);
@@ -46,31 +46,32 @@ void convert_lanes(Lanes to, Lanes from, index_t count, const Convert& convert) 
 }
 
 template <class T>
-void move_lanes(Lanes to, Lanes from, index_t count) {
-  convert_lanes<T, T>(to, from, count, [](T value) { return value; });
+void move_strided(StridedElements to, StridedElements from, index_t count) {
+  convert_strided<T, T>(to, from, count, [](T value) { return value; });
 }
 
-void convert_lanes(const ElementMove& move, Lanes to, Lanes from, index_t count) {
+void convert_strided(const ElementMove& move, StridedElements to, StridedElements from, index_t count) {
   if (move.to == move.from) {
     const int size = element_bytes(move.to.type);
-    if (size == 8) return move_lanes<std::uint64_t>(to, from, count);
-    if (size == 4) return move_lanes<std::uint32_t>(to, from, count);
-    return move_lanes<std::uint16_t>(to, from, count);
+    if (size == 8) return move_strided<std::uint64_t>(to, from, count);
+    if (size == 4) return move_strided<std::uint32_t>(to, from, count);
+    return move_strided<std::uint16_t>(to, from, count);
   }
   if (move.to.is_plain(ElementType::float32) && move.from.is_plain(ElementType::float64)) {
-    return convert_lanes<float, double>(to, from, count, [](double value) { return static_cast<float>(value); });
+    return convert_strided<float, double>(to, from, count, [](double value) { return static_cast<float>(value); });
   }
   if (move.to.is_plain(ElementType::float64) && move.from.is_plain(ElementType::float32)) {
-    return convert_lanes<double, float>(to, from, count, [](float value) { return static_cast<double>(value); });
+    return convert_strided<double, float>(to, from, count, [](float value) { return static_cast<double>(value); });
   }
   if (move.from.is_plain(ElementType::float32) && move.to.has_codec) {
     return with_codec<float>(move.to, [&](const auto& codec) {
-      convert_lanes<std::uint16_t, float>(to, from, count, [&codec](float value) { return codec.encode(value); });
+      convert_strided<std::uint16_t, float>(to, from, count, [&codec](float value) { return codec.encode(value); });
     });
   }
   if (move.to.is_plain(ElementType::float32) && move.from.has_codec) {
     return with_codec<float>(move.from, [&](const auto& codec) {
-      convert_lanes<float, std::uint16_t>(to, from, count, [&codec](std::uint16_t bits) { return codec.decode(bits); });
+      convert_strided<float, std::uint16_t>(to, from, count,
+                                            [&codec](std::uint16_t bits) { return codec.decode(bits); });
     });
   }
   for (index_t l = 0; l < count; ++l) {
@@ -107,11 +108,11 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
         continue;
       }
       for (const ElementMove& move : conversion.elements) {
-        convert_lanes(move, lanes(to_array, i, move.to_offset, element_bytes(move.to.type)),
-                      lanes(from_array, i, move.from_offset, element_bytes(move.from.type)), count);
+        convert_strided(move, strided(to_array, i, move.to_offset, element_bytes(move.to.type)),
+                        strided(from_array, i, move.from_offset, element_bytes(move.from.type)), count);
       }
       for (const RotationMove& move : conversion.rotations) {
-        for (index_t l = i; l < i + count; ++l) move.run(to_array, from_array, l);
+        for (index_t l = i; l < i + count; ++l) move.apply(to_array, from_array, l);
       }
       i += count;
     }

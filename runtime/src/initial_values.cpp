@@ -16,7 +16,7 @@ void initialize(const UntypedArray& array, index_t begin, index_t end) {
     if (host_accessible(array.space)) {
       const detail::Addressing addresses(array);
 #pragma omp parallel for schedule(static) if (end - begin > 8192)
-      for (index_t i = begin; i < end; ++i) fill.run(addresses, i);
+      for (index_t i = begin; i < end; ++i) fill.apply(addresses, i);
     } else {
       backend::fill(array, fill, begin, end);
     }

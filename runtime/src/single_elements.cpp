@@ -1,5 +1,6 @@
 // Single elements of arrays without their types, by number, as doubles.
 #include <physgen/array_losses.h>
+#include <physgen/detail/count_losses.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
 #include <physgen/single_elements.h>
@@ -90,7 +91,7 @@ void putdata(const UntypedArray& array, index_t i, int k, double value) {
   }
   if (field.type == ElementType::int32 && static_cast<double>(static_cast<std::int32_t>(limited(value))) != value) {
     std::ostringstream message;
-    message << describe(array) << ": " << value << " is no index; " << field.name
+    message << describe(array) << ": " << value << " is not an index; " << field.name
             << " holds whole numbers from -2147483648 to 2147483647";
     throw Error(message.str());
   }

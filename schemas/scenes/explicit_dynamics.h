@@ -18,11 +18,15 @@ struct PHYSGEN_SCENE() explicit_dynamics {
   struct Body {
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::RestShapeObject, Real> rest;
-    PHYSGEN_ARRAY(per("tet")) Array<elasticity::CornerForcesObject, Real> corners;
+    /// Where nodes gather: on the CPU.
+    PHYSGEN_ARRAY(per("gathered_tet")) Array<elasticity::CornerForcesObject, Real> corners;
+    /// Where forces are placed in the nodes' rows: on CUDA, if sums are to have the same bits on every run.
+    PHYSGEN_ARRAY(per("placed_tet"), input()) Array<elasticity::TetPlacesObject, Real> places;
+    PHYSGEN_ARRAY(per("placed_corner")) Array<elasticity::PlacedForceObject, Real> placed;
 
-    /// The tets of each node: rows of (tet, corner).
-    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_tet_ranges;
-    PHYSGEN_ARRAY(per("corner"), input()) Array<elasticity::IncidenceObject, float> node_tets;
+    /// The tets of each node: rows of (tet, corner). Where forces are placed the rows alone; where tets add, none.
+    PHYSGEN_ARRAY(per("row"), input()) Array<elasticity::IncidenceRangeObject, float> node_tet_ranges;
+    PHYSGEN_ARRAY(per("gathered_corner"), input()) Array<elasticity::IncidenceObject, float> node_tets;
     PHYSGEN_ARRAY(per("node"), input()) Array<quasistatic::NodeConstraintObject, Real> constraints;
     PHYSGEN_ARRAY(per("node"), input()) Array<dynamics::NodeMassObject, double> masses;
     /// External forces, and the motion of prescribed components, at a load of 1.

@@ -1,20 +1,13 @@
-// The kernels of tools/fem in fused groups against the same kernels over arrays: one source for packs, single objects
+// The fused groups of fem/kernels/groups.h against the same kernels over arrays: one source for packs, single objects
 // and CUDA. Included behind parallel_for.h or cuda/parallel_for.h.
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/kernels/compute_svd.h>
-#include <fem/kernels/deformation_gradient.h>
-#include <fem/kernels/force_differential.h>
-#include <fem/kernels/keep_directions.h>
-#include <fem/kernels/node_sums.h>
-#include <fem/kernels/stress.h>
-#include <fem/kernels/stress_derivative.h>
+#include <fem/kernels/groups.h>
 #include <fem/materials/materials.h>
 #include <fem/mesh/mesh_arrays.h>
 #include <fem/mesh/truth_cube.h>
 #include <gtest/gtest.h>
-#include <physgen/fuse.h>
 
 #include <cstring>
 #include <random>
@@ -83,7 +76,7 @@ struct FusedCase {
     Run::over(
         0, n,
         ComputeDeformationGradient{tets.const_view(), positions.const_view(), rest.const_view(), gradients.view()});
-    Run::over(0, n, ComputeSvd{gradients.const_view(), svds.view(), Sweeps<3>{}});
+    Run::over(0, n, ComputeSvd{gradients.const_view(), svds.view()});
     Run::over(0, n, KeepDirections{svds.const_view(), directions.view()});
     Run::over(0, n, ComputeStressDerivative{model, svds.const_view(), derivatives.view(), ClampEigenvalues{}});
     Run::over(0, n, ComputeStress{model, svds.const_view(), stresses.view()});
@@ -118,27 +111,13 @@ struct FusedCase {
   }
 };
 
-/// Locals of the groups below.
-template <class Real>
-inline constexpr auto local_gradient = local<elasticity::DeformationGradientObject, Real>();
-template <class Real>
-inline constexpr auto local_svd = local<elasticity::DeformationSvdObject, Real>();
-template <class Real>
-inline constexpr auto local_stress = local<elasticity::StressObject, Real>();
-template <class Real>
-inline constexpr auto local_corners = local<elasticity::CornerForcesObject, Real>();
-
 /// A Newton update keeps directions, the derivative and corner forces.
 template <class Case, class Model>
 void check_newton_update(Case& scene, const Model& model, std::mt19937& random) {
-  using Real = typename Case::Real;
   scene.run_separately(model);
   for (index_t i = 0; i < scene.tet_count; ++i) {
     ASSERT_TRUE(std::isfinite(scene.corners.getdata(i, 8)) && std::isfinite(scene.derivatives.getdata(i, 11)));
   }
-  const auto F = local_gradient<Real>;
-  const auto svd = local_svd<Real>;
-  const auto P = local_stress<Real>;
   for (index_t n = 1; n <= 70; ++n) {
     index_t begin = 0, end = n;
     if (n % 2 == 0) {
@@ -148,14 +127,9 @@ void check_newton_update(Case& scene, const Model& model, std::mt19937& random) 
     auto directions = Case::template poisoned<elasticity::PrincipalDirectionsObject>(scene.tet_count);
     auto derivatives = Case::template poisoned<elasticity::StressDerivativeObject>(scene.tet_count);
     auto corners = Case::template poisoned<elasticity::CornerForcesObject>(scene.tet_count);
-    Case::Run::over(
-        begin, end,
-        fuse(locals(F, svd, P),
-             ComputeDeformationGradient{scene.tets.const_view(), scene.positions.const_view(), scene.rest.const_view(),
-                                        F},
-             ComputeSvd{F, svd, Sweeps<3>{}}, KeepDirections{svd, directions.view()},
-             ComputeStressDerivative{model, svd, derivatives.view(), ClampEigenvalues{}}, ComputeStress{model, svd, P},
-             ComputeCornerForces{scene.rest.const_view(), P, corners.view()}));
+    Case::Run::over(begin, end,
+                    fuse_newton_update(model, scene.tets.const_view(), scene.positions.const_view(),
+                                       scene.rest.const_view(), directions.view(), derivatives.view(), corners.view()));
     Case::expect_bits(directions, scene.directions, begin, end, Model::name);
     Case::expect_bits(derivatives, scene.derivatives, begin, end, Model::name);
     Case::expect_bits(corners, scene.corners, begin, end, Model::name);
@@ -185,22 +159,17 @@ void check_sums() {
   auto gathered = Case::template poisoned<Forces>(nodes);
   Case::Run::one_by_one(nodes, GatherForces{scene.node_tets.const_view(), scene.corners.const_view(), gathered.view()});
 
-  const auto F = local_gradient<Real>;
-  const auto svd = local_svd<Real>;
-  const auto P = local_stress<Real>;
-  const auto G = local_corners<Real>;
-  const auto chain = [&](const auto& last) {
-    return fuse(
-        locals(F, svd, P, G),
-        ComputeDeformationGradient{scene.tets.const_view(), scene.positions.const_view(), scene.rest.const_view(), F},
-        ComputeSvd{F, svd, Sweeps<3>{}}, ComputeStress{model, svd, P},
-        ComputeCornerForces{scene.rest.const_view(), P, G}, last);
-  };
+  const auto tets = scene.tets.const_view();
+  const auto positions = scene.positions.const_view();
+  const auto rest = scene.rest.const_view();
+  auto corners = Case::template poisoned<elasticity::CornerForcesObject>(n);
+  Case::Run::over(0, n, fuse_corner_forces(model, tets, positions, rest, corners.view()));
+  Case::expect_bits(corners, scene.corners, 0, n, "at corners");
 
   // In the order of the rows: the bits of the gather.
   auto placed = Case::template poisoned<elasticity::PlacedForceObject>(4 * n);
   auto ordered = Case::template poisoned<Forces>(nodes);
-  Case::Run::over(0, n, chain(ScatterCornerForces{scene.places.const_view(), G, placed.view()}));
+  Case::Run::over(0, n, fuse_placed_forces(model, tets, positions, rest, scene.places.const_view(), placed.view()));
   const SumRowForces sum_rows{scene.node_tets.const_view().ranges(), placed.const_view(), ordered.view()};
   Case::Run::one_by_one(sum_rows.size(), sum_rows);
   Case::expect_bits(ordered, gathered, 0, nodes, "in a fixed order");
@@ -209,25 +178,24 @@ void check_sums() {
   auto added = Case::template poisoned<Forces>(nodes);
   Case::Run::over(0, nodes, ClearNodes{added.view()});
   const index_t middle = n / 3;
-  Case::Run::over(0, middle, chain(AddCornerForces{scene.tets.const_view(), G, added.view()}));
-  Case::Run::over(middle, n, chain(AddCornerForces{scene.tets.const_view(), G, added.view()}));
+  const auto add_forces = fuse_added_forces(model, tets, positions, rest, added.view());
+  Case::Run::over(0, middle, add_forces);
+  Case::Run::over(middle, n, add_forces);
 
   // The differentials of forces.
   auto gathered_differentials = Case::template poisoned<elasticity::NodeForceDifferentialObject>(nodes);
   auto added_differentials = gathered_differentials;
   auto changes = Case::template poisoned<elasticity::CornerForcesObject>(n);
-  const auto element = [&](const auto& to) {
-    return ComputeCornerForceDifferentials{scene.tets.const_view(),        scene.displacements.const_view(),
-                                           scene.rest.const_view(),        scene.directions.const_view(),
-                                           scene.derivatives.const_view(), to};
-  };
-  Case::Run::over(0, n, element(changes.view()));
+  const auto displacements = scene.displacements.const_view();
+  const auto directions = scene.directions.const_view();
+  const auto derivatives = scene.derivatives.const_view();
+  Case::Run::over(0, n,
+                  ComputeCornerForceDifferentials{tets, displacements, rest, directions, derivatives, changes.view()});
   Case::Run::one_by_one(nodes, GatherForceDifferentials{scene.node_tets.const_view(), changes.const_view(),
                                                         gathered_differentials.view()});
   Case::Run::over(0, nodes, ClearNodes{added_differentials.view()});
   Case::Run::over(
-      0, n,
-      fuse(locals(G), element(G), AddCornerForceDifferentials{scene.tets.const_view(), G, added_differentials.view()}));
+      0, n, fuse_added_differentials(tets, displacements, rest, directions, derivatives, added_differentials.view()));
   synchronize();
 
   double largest = 0, largest_differential = 0;

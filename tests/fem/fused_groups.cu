@@ -1,6 +1,7 @@
-// The fused groups of fem/kernels/groups.h as CUDA kernels, each by a name of its own: fused_groups.sh reads what the
-// compiler says of their registers and local memory.
+// The fused groups of fem/kernels/groups.h and fem/dynamics/explicit_steps.h as CUDA kernels, each by a name of its
+// own: fused_groups.sh reads what the compiler says of their registers and local memory.
 #include <elasticity.physgen.h>
+#include <fem/dynamics/explicit_steps.h>
 #include <fem/kernels/groups.h>
 #include <fem/materials/materials.h>
 
@@ -22,6 +23,7 @@ struct Mesh {
   ViewOf<elasticity::PrincipalDirectionsObject, Real> directions;
   ViewOf<elasticity::StressDerivativeObject, Real> derivatives;
   ViewOf<elasticity::CornerForcesObject, Real> corners;
+  ViewOf<elasticity::StressObject, Real> stresses;
   Padded<elasticity::NodePositionObject, const Real> positions;
   Padded<elasticity::NodeDisplacementObject, const Real> displacements;
   Padded<elasticity::NodeForceObject, Real> forces;
@@ -45,6 +47,22 @@ struct Groups {
     const auto m = mesh<Real>();
     return fem::fuse_placed_forces(material<Model<Real>>(), m.tets, m.positions, m.rest, m.places, m.placed);
   }
+  static auto added_forces_of_displacements() {
+    const auto m = mesh<Real>();
+    return fem::fuse_added_forces(material<Model<Real>>(), m.tets, m.displacements, m.rest, m.forces);
+  }
+  static auto placed_forces_of_displacements() {
+    const auto m = mesh<Real>();
+    return fem::fuse_placed_forces(material<Model<Real>>(), m.tets, m.displacements, m.rest, m.places, m.placed);
+  }
+  static auto stresses() {
+    const auto m = mesh<Real>();
+    return fem::fuse_stresses(material<Model<Real>>(), m.tets, m.displacements, m.rest, m.stresses);
+  }
+  static auto energies() {
+    const auto m = mesh<Real>();
+    return fem::fuse_energies(material<Model<Real>>(), m.tets, m.displacements, m.rest);
+  }
   static auto corner_forces() {
     const auto m = mesh<Real>();
     return fem::fuse_corner_forces(material<Model<Real>>(), m.tets, m.positions, m.rest, m.corners);
@@ -62,7 +80,7 @@ struct Groups {
 
 }  // namespace
 
-// PHYSGEN_KERNEL is undefined below.
+// PHYSGEN_KERNEL and PHYSGEN_SUMMAND are undefined below.
 #define PHYSGEN_KERNEL(name, group, ...)                                                 \
   extern "C" __global__ void name(const decltype(Groups<__VA_ARGS__>::group()) kernel) { \
     kernel(blockIdx.x * index_t{blockDim.x} + threadIdx.x);                              \
@@ -72,6 +90,12 @@ PHYSGEN_KERNEL(added_forces_of_mooney_rivlin, added_forces, float, fem::MooneyRi
 PHYSGEN_KERNEL(added_forces_in_double, added_forces, double)
 PHYSGEN_KERNEL(placed_forces, placed_forces, float)
 PHYSGEN_KERNEL(placed_forces_in_double, placed_forces, double)
+PHYSGEN_KERNEL(added_forces_of_displacements, added_forces_of_displacements, float)
+PHYSGEN_KERNEL(added_forces_of_displacements_in_double, added_forces_of_displacements, double)
+PHYSGEN_KERNEL(placed_forces_of_displacements, placed_forces_of_displacements, float)
+PHYSGEN_KERNEL(placed_forces_of_displacements_in_double, placed_forces_of_displacements, double)
+PHYSGEN_KERNEL(stresses_of_displacements, stresses, float)
+PHYSGEN_KERNEL(stresses_of_displacements_in_double, stresses, double)
 PHYSGEN_KERNEL(corner_forces, corner_forces, float)
 PHYSGEN_KERNEL(corner_forces_in_double, corner_forces, double)
 PHYSGEN_KERNEL(newton_update, newton_update, float)
@@ -79,3 +103,13 @@ PHYSGEN_KERNEL(newton_update_in_double, newton_update, double)
 PHYSGEN_KERNEL(added_differentials, added_differentials, float)
 PHYSGEN_KERNEL(added_differentials_in_double, added_differentials, double)
 #undef PHYSGEN_KERNEL
+
+// Groups that give a number for each tet.
+#define PHYSGEN_SUMMAND(name, group, real)                                                        \
+  extern "C" __global__ void name(const decltype(Groups<real>::group()) kernel, real* summands) { \
+    const index_t i = blockIdx.x * index_t{blockDim.x} + threadIdx.x;                             \
+    summands[i] = kernel(i);                                                                      \
+  }
+PHYSGEN_SUMMAND(energies_of_displacements, energies, float)
+PHYSGEN_SUMMAND(energies_of_displacements_in_double, energies, double)
+#undef PHYSGEN_SUMMAND

@@ -153,8 +153,11 @@ TYPED_TEST_P(Kernels, a_rigid_motion_gives_no_force) {
     scene.set_positions(scene.positions, TestFixture::moved(scene.cube.rest, R, -R * middle));
     scene.run_all(soft);
     const auto f = TestFixture::vectors(scene.download(scene.forces), [](auto node) { return node.f().get(); });
-    std::vector<reference::Vec> none(f.size(), reference::Vec::Zero());
-    EXPECT_LE(TestFixture::largest_difference(f, none), limit);
+    // Positions are rounded where they are stored, and so are moved by a little more than a rigid motion: what forces
+    // these call for, in exact arithmetic, is none of the kernels' errors.
+    const auto stored = TestFixture::vectors(scene.download(scene.positions), [](auto node) { return node.x().get(); });
+    const auto expected = reference::forces(soft, scene.cube.mesh, TestFixture::exact(scene.cube.rest), stored);
+    EXPECT_LE(TestFixture::largest_difference(f, expected), limit);
   }
 }
 

@@ -218,11 +218,11 @@ inline const std::vector<DiagnosticCase> options_cases = {
      {"4:11: error: initial(0.5) is not a 32-bit integer, as the elements of 'x' are; write one"}},
     {"an_initial_scalar_beyond_float",
      object("PHYSGEN(initial(1e300)) Scalar x;"),
-     {"4:11: error: initial(1e+300) is no float, as the elements of 'x' are or can be; write a value from "
+     {"4:11: error: initial(1e+300) is not a float, as the elements of 'x' are or can be; write a value from "
       "-3.4028234663852886e+38 to 3.4028234663852886e+38, or declare it double"}},
     {"an_initial_float_beyond_float",
      object("double d; PHYSGEN(initial(-1e39)) Vector<2, float> x; PHYSGEN(initial(1e300)) double y;"),
-     {"4:21: error: initial(-1e+39) is no float, as the elements of 'x' are or can be; write a value from "
+     {"4:21: error: initial(-1e+39) is not a float, as the elements of 'x' are or can be; write a value from "
       "-3.4028234663852886e+38 to 3.4028234663852886e+38, or declare it double"}},
     {"an_initial_value_of_a_rotation",
      object("PHYSGEN(initial(1)) Rotation x;"),
@@ -257,7 +257,7 @@ inline const std::vector<DiagnosticCase> options_cases = {
      {"6:1: error: PHYSGEN belongs before the type of a field of an object; remove it here"}},
     {"a_marker_of_fields_in_a_struct_that_is_no_object",
      "struct PHYSGEN_OBJECT() A {\n  Scalar x;\n};\nstruct B {\n  PHYSGEN(unit(\"m\")) Scalar x;\n};\n",
-     {"7:3: error: PHYSGEN stands in 'B', which is no object; write 'struct PHYSGEN_OBJECT() B'"}},
+     {"7:3: error: PHYSGEN stands in 'B', which is not an object; write 'struct PHYSGEN_OBJECT() B'"}},
     {"a_marker_of_fields_in_a_function",
      object("Scalar x;") + "inline void f() { PHYSGEN(unit(\"m\")) Scalar x; }\n",
      {"6:19: error: PHYSGEN belongs before the type of a field of an object; remove it here"}},

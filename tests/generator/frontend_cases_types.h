@@ -140,7 +140,7 @@ inline const std::vector<DiagnosticCase> types_cases = {
       "Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int or an object"}},
     {"a_struct_that_is_not_an_object_as_field_type",
      "struct B {\n  Scalar x;\n};\n" + object("B b;"),
-     {"7:3: error: field 'b' has the type 'B', which is no object; write 'struct PHYSGEN_OBJECT() B'",
+     {"7:3: error: field 'b' has the type 'B', which is not an object; write 'struct PHYSGEN_OBJECT() B'",
       "3:8: note: 'B' is declared here"}},
     {"a_cpp_initializer",
      object("int n = 3;"),

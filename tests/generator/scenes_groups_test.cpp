@@ -190,6 +190,12 @@ TEST(Groups, have_nothing_between_their_steps) {
   EXPECT_EQ(chain.why(), "Force: it calls log() at scenes/chain.h:6:20");
 }
 
+TEST(Groups, are_run_by_one_executor) {
+  Chain chain;
+  ++chain.second().statement.begin;  // as if the executor were called n
+  EXPECT_EQ(chain.why(), "they are run in different words, 'on.run(' and 'n.run('");
+}
+
 TEST(Groups, store_outputs_and_inputs) {
   Chain chain;
   chain.scene.groups[0].arrays[1].output = scenes::Selection{false, {"s"}, {}};

@@ -197,7 +197,7 @@ const std::vector<Wrong> cases = {
      {"3:68: error: array 'svds' is uniform(), which programs only read, and an output; remove one of them"}},
     {"no_array",
      scene_of("PHYSGEN_ARRAY(per(1)) float svds;"),
-     {"3:23: error: array 'svds' is no array of objects; write 'Array<elasticity::TetObject, Real> svds;'"}},
+     {"3:23: error: array 'svds' is not an array of objects; write 'Array<elasticity::TetObject, Real> svds;'"}},
     {"another_precision",
      scene_of("PHYSGEN_ARRAY(per(1)) Array<SvdObject, long double> svds;"),
      {"3:23: error: array 'svds' has the precision 'long double'; it is float or double"}},

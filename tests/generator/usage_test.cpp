@@ -61,8 +61,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST(UsageJson, says_what_is_wrong_with_a_text_and_where) {
   const std::string text = to_json({sample()});
-  EXPECT_NE(message(text.substr(0, text.size() / 2)).find("it is no JSON: "), std::string::npos);
-  EXPECT_EQ(message("[]"), "it is no object");
+  EXPECT_NE(message(text.substr(0, text.size() / 2)).find("this is not JSON: "), std::string::npos);
+  EXPECT_EQ(message("[]"), "it is not an object");
   EXPECT_EQ(message(replaced(text, "\"format\": 1", "\"format\": 2")), "it has format 2; this physgen reads 1");
   EXPECT_EQ(message(replaced(text, "\"kernel\"", "\"colonel\"")), "programs[0]/steps[0] has no 'kernel'");
   EXPECT_EQ(message(replaced(text, "\"written\"", "\"riten\"")),

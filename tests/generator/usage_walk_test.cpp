@@ -110,6 +110,7 @@ TEST(UsageWalk, reports_what_it_cannot_follow) {
   EXPECT_EQ(unknown_of("char c[8]; __builtin_memcpy(c, &a, 8);"), "a" + cast + "2:32");
   EXPECT_EQ(unknown_of("auto n = sizeof(b);"), "b sizeof 2:10");
   EXPECT_EQ(unknown_of("auto n = sizeof(V<A>);"), "a sizeof 2:10");
+  EXPECT_EQ(unknown_of("union { V<A> v; int n; }; n = i;"), "a a union 2:27");
   EXPECT_EQ(unknown_of("a.put(b.get()); auto n = sizeof(i); auto* p = reinterpret_cast<char*>(&i);"), "");
 }
 

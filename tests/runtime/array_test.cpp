@@ -15,6 +15,11 @@ template <class L>
 class ArrayIn : public ::testing::Test {};
 TYPED_TEST_SUITE(ArrayIn, AllLayouts, LayoutName);
 
+// Tiles of 4 objects whose records take 8 bytes: object 6 lies in tile 1 as lane 2, and its second float in channel 4.
+static_assert(law::element(index_t{0}, StaticPitch<4>(4), 8, 6, 4, 4) == 32 + 4 * 4 + 2 * 4);
+static_assert(law::element(index_t{0}, AnyPitch{4}, 8, 6, 4, 4) == 32 + 4 * 4 + 2 * 4);
+static_assert(law::element(index_t{0}, WholePitch(96), 8, 6, 4, 4) == 4 * 96 + 6 * 4);
+
 TYPED_TEST(ArrayIn, puts_every_element_where_the_law_of_addresses_says) {
   for (const index_t n : {1, 32, 33, 1000}) {
     DeformationSvdArray<float, Host, TypeParam> array(n);
@@ -150,7 +155,7 @@ TEST(Array, refuses_what_is_no_index) {
   elasticity::TetArray<float> tets(2);
   tets.putdata(1, 2, 7);
   for (const double wrong : {3e9, -3e9, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_NE(message_of([&] { tets.putdata(1, 2, wrong); }).find("is no index; nodes holds whole numbers"),
+    EXPECT_NE(message_of([&] { tets.putdata(1, 2, wrong); }).find("is not an index; nodes holds whole numbers"),
               std::string::npos)
         << wrong;
   }

@@ -1,4 +1,4 @@
-// UntypedArray formats and layouts in CUDA memory: every conversion on the device, and between host and device.
+// Storage formats and layouts in CUDA memory: every conversion on the device, and between host and device.
 #include <physgen/gather.h>
 
 #include "format_checks.h"

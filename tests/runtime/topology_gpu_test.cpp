@@ -1,6 +1,6 @@
 // Changes of topology in pinned and CUDA memory: the checks of the host test on a device.
 #include "gpu_fixture.h"
-#include "topology_checks.h"
+#include "renumber_checks.h"
 
 namespace physgen::test {
 namespace {

@@ -1,5 +1,5 @@
 // Changes of topology in ordinary host memory, and the lists of object numbers that they take.
-#include "topology_checks.h"
+#include "renumber_checks.h"
 
 namespace physgen::test {
 namespace {

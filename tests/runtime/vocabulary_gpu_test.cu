@@ -2,7 +2,7 @@
 #include <physgen/cuda/parallel_for.h>
 
 #include "gpu_fixture.h"
-#include "vocabulary_checks.h"
+#include "function_checks.h"
 
 namespace physgen::test {
 namespace {

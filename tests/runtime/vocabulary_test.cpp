@@ -1,7 +1,7 @@
 // The words of kernels, in packs of all widths and for single objects.
 #include <physgen/parallel_for.h>
 
-#include "vocabulary_checks.h"
+#include "function_checks.h"
 
 namespace physgen::test {
 namespace {

@@ -56,7 +56,7 @@ TEST(LayoutMaps, say_what_to_write_instead_of_a_wrong_word) {
   for (const char* tile : {"0", "1", "12", "2048", "", "-2", "99999999999", "3x"})
     EXPECT_EQ(error_of({{}, "both", "float", std::string("aosoa(") + tile + ")"}),
               std::string("the tile of 'aosoa(") + tile +
-                  ")' is no power of two from 2 to 1024; write 'aosoa(16)' or 'aosoa(32)'");
+                  ")' is not a power of two from 2 to 1024; write 'aosoa(16)' or 'aosoa(32)'");
 }
 
 TEST(LayoutText, draws_records_channels_and_costs) {

@@ -151,7 +151,7 @@ case $rule in
     expect_exit 2 replay svd float 1 2 3
     expect "$err" 'takes 9 numbers, F by columns, not 3'
     expect_exit 2 replay stress_derivative float 1 1 one
-    expect "$err" "'one' is no number"
+    expect "$err" "'one' is not a number"
     expect_exit 2 replay stress_derivative float 1e60 1 1
     expect "$err" 'out of the range of float' ;;
   a_filter_that_matches_nothing_names_the_nearest_row)

@@ -2,69 +2,23 @@
 import json
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree
-from html.parser import HTMLParser
 
 sys.dont_write_bytecode = True
 import report_test_rows  # noqa: E402
+from report_page import SECTIONS, Page, report  # noqa: E402
 
 TOOL = pathlib.Path(__file__).resolve().parents[2] / "tools" / "report"
 CHECKED_IN = sorted(str(path) for path in (TOOL / "results").glob("*.json"))
-SECTIONS = [
-    "the-paper-s-table-1-redone",
-    "speed-against-error",
-    "layouts-of-every-kernel",
-    "conversions-between-layouts",
-    "transfers-between-host-and-device",
-    "gathered-against-streamed",
-    "cost-per-object-against-the-number-of-objects",
-    "force-differential-against-cusparse",
-    "error-against-speed-on-hard-inputs",
-    "machines-versions-commands",
-]
 
 sys.path.insert(0, str(TOOL))
 import drawing  # noqa: E402
 import names  # noqa: E402
 import rows  # noqa: E402
 import sources  # noqa: E402
-
-
-def report(*arguments):
-    return subprocess.run(
-        [sys.executable, TOOL / "report.py", *map(str, arguments)], capture_output=True, text=True, check=False
-    )
-
-
-class Page(HTMLParser):
-    """What the tests ask of a page: sections with their text and their numbers of plots, references, and ids."""
-
-    def __init__(self, path):
-        super().__init__()
-        self.text, self.plots, self.references, self.ids, self.section = {}, {}, [], [], ""
-        self.source = path.read_text(encoding="utf-8")
-        self.feed(self.source)
-
-    def handle_starttag(self, tag, attributes):
-        attributes = dict(attributes)
-        if tag == "section":
-            self.section = attributes["id"]
-            self.text[self.section], self.plots[self.section] = "", 0
-        if tag == "svg":
-            self.plots[self.section] += 1
-        if "id" in attributes:
-            self.ids.append(attributes["id"])
-        self.references += [
-            value for name, value in attributes.items() if name in ("src", "href", "xlink:href", "data")
-        ]
-
-    def handle_data(self, data):
-        if self.section:
-            self.text[self.section] += data
 
 
 class ReportTest(unittest.TestCase):

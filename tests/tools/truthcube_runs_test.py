@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 REPORT = ROOT / "tools" / "report"
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(REPORT))
-from truthcube import error_against_time, linear_solves  # noqa: E402
+from truthcube import error_against_time, layouts, linear_solves  # noqa: E402
 from truthcube.records import RunError  # noqa: E402
 
 CHECKED_IN = REPORT / "results" / "truthcube" / "errors.json"
@@ -185,6 +185,52 @@ class RunsTest(unittest.TestCase):
         refused(self.rows()[:1], "no solve by multigrid")
         refused(self.rows(solve_seconds=0), r"rows\[0\]: 'solve_seconds' is 0, which is no positive number")
         refused(self.rows(iterations="many"), r"rows\[0\]: 'iterations' is \"many\"")
+
+    def test_iterations_stand_by_cube_with_their_spread_from_16_cells(self):
+        rows = [
+            {**self.rows()[1], "cells": cells, "norm": norm, "iterations": iterations}
+            for norm, counts in (("euclidean", {32: 25, 8: 10, 16: 20}), ("preconditioned", {8: 9}))
+            for cells, iterations in counts.items()
+        ]
+        head, lines = linear_solves.iterations({"rows": rows}, "a.json")
+        self.assertEqual(head, ["nu, volume by", "norm", "8³", "16³", "32³", "spread from 16³"])
+        self.assertEqual(lines[0], ["0.49, patches", "euclidean", "10", "20", "25", "25 %"])
+        self.assertEqual(lines[1], ["0.49, patches", "preconditioned", "9", "–", "–", "–"])
+
+    # ---- Layouts ---------------------------------------------------------------------------------------------------
+    def test_layouts_are_compared_body_by_body(self):
+        def build(layout, seconds, solve_seconds):
+            whole = json.loads(json.dumps(self.content["runs"][0]))
+            whole["steps"][0]["warm_seconds"] = seconds
+            linear = [{**row, "solve_seconds": solve_seconds * (k + 1)} for k, row in enumerate(self.rows()[:2])]
+            return {"layout": layout, "whole": whole, "linear": linear}
+
+        ours, other = build("schema", 0.04, 0.002), build("aos", 0.06, 0.005)
+        head, lines = layouts.lines({"bodies": [[ours, other]]}, "a.json")
+        self.assertEqual(head[2], "whole solve: schema, aos [ms], ratio")
+        self.assertEqual(lines[0][2:5], ["40, 60, 1.50", "4, 10, 2.50", "2, 5, 2.50"])
+
+        def refused(bodies, words):
+            with self.assertRaisesRegex(RunError, words):
+                layouts.lines({"bodies": bodies}, "a.json")
+
+        refused([], "a.json: no list of 'bodies'; measure again with tools/report/layout_runs.py")
+        refused([[ours]], r"bodies\[0\] is no pair of builds")
+        refused([[other, ours]], r"bodies\[0\] has the layouts aos and schema, not schema and another")
+        refused([[ours, other], [ours, build("soa", 1, 1)]], "the layouts aos and soa are not in one table")
+        refused([[ours, build("aos", None, 1)]], "a run without repeated solves")
+        refused([[ours, {**other, "linear": []}]], "0 linear solves by multigrid")
+
+    def test_two_builds_are_run_in_turns_and_refused_where_both_have_one_layout(self):
+        build, out = pathlib.Path(PROGRAM).parents[1], self.folder / "layouts.json"
+        tool = [sys.executable, REPORT / "layout_runs.py", build, build, "-o", out, "--device", "cpu", "--cells", "4"]
+        done = subprocess.run(tool, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "layout_runs.py: .*has the layouts (.*) and \\1, not schema and another")
+        ours, other = json.loads(out.read_text())["bodies"][0]
+        self.assertEqual([row["method"] for row in ours["linear"]], ["multigrid", "block-jacobi"])
+        self.assertEqual(ours["whole"]["steps"][0]["reaction"], other["whole"]["steps"][0]["reaction"])
+        self.assertGreater(ours["whole"]["steps"][0]["warm_seconds"], 0)
 
 
 if __name__ == "__main__":

@@ -14,10 +14,11 @@ namespace physgen::bench {
 namespace {
 
 constexpr const char* about =
-    R"(Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter, runs all rows of
-the group and prints a table (of the kernels: the Truth Cube in float, and the paper's three in double); with one,
-runs the rows that match and prints what Google Benchmark prints. Names are kernel/layout/storage/space/objects;
-rows of a set of inputs, or of a numbered mesh, end with its name.
+    R"(Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter it runs all rows
+of the group and prints a table (of the group kernels: the Truth Cube in float, and the paper's three in double). With
+a filter it runs the rows that match and prints the lines of Google Benchmark. A row is named
+kernel/layout/storage/space/objects; the name of a row of a set of inputs, or of a numbered mesh, ends with that of the
+set or the numbering.
 
 physbench replay KERNEL STORAGE NUMBERS... runs a kernel on one input everywhere, and prints the results, the
 reference and the errors; numbers are decimal, hexadecimal, nan or inf: replay svd float 1 0 0 0 0x1.8p+0 0 0 0 1)";
@@ -34,14 +35,14 @@ index_t number(const std::string& flag, const std::string& text, index_t largest
   return value;
 }
 
-// Of our names the suffix that Google Benchmark appends is no part, so a filter may end with the name's end.
+// Google Benchmark appends a suffix to names, which ours do not show; so a filter for a name's end allows for it.
 std::string filter_flag(std::string filter) {
   if (filter.ends_with('$')) filter.replace(filter.size() - 1, 1, "(/manual_time)?$");
   return "--benchmark_filter=" + filter;
 }
 
 std::string group_help() {
-  std::string text = "One of these, each with its own rows:";
+  std::string text = "A group selects its rows:";
   for (const Group& group : registry().groups) {
     std::string help = group.help;
     for (std::size_t at = 0; (at = help.find('\n', at)) != std::string::npos; at += 18) {

@@ -216,9 +216,9 @@ void describe(CLI::App& app, Arguments& arguments) {
                        "schema says; an array whose program names a layout keeps it")
       ->type_name("LAYOUT");
   generate->add_option("--emitter", arguments.emitter, emitter_choices())->type_name("NAME");
-  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that gets the present time when all is written")
+  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that is touched after all outputs are written")
                     ->type_name("FILE");
-  generate->add_option("--depfile", arguments.depfile, "File for what the stamp depends on, in the syntax of Make")
+  generate->add_option("--depfile", arguments.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)
       ->type_name("FILE");
   generate->add_flag("--verbose", arguments.verbose, "Say which files were written and which were unchanged");

@@ -37,7 +37,7 @@ model::Layout read(const std::string& word, const std::string& choices) {
                         std::ranges::all_of(tile, [](unsigned char c) { return std::isdigit(c) != 0; });
     if (digits && std::stoi(tile) >= 2 && model::is_power_of_two_up_to(std::stoi(tile), model::max_tile))
       return {row.key, std::stoi(tile)};
-    throw LayoutError("the tile of '" + word + "' is no power of two from 2 to " + std::to_string(model::max_tile) +
+    throw LayoutError("the tile of '" + word + "' is not a power of two from 2 to " + std::to_string(model::max_tile) +
                       "; write '" + model::layout_word({row.key, 16}) + "' or '" + model::layout_word({row.key, 32}) +
                       "'");
   }

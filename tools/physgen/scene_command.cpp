@@ -46,6 +46,12 @@ class SceneCommand {
       return done;
     }
     auto usage = analyse(scene, path, usage::Side::host);
+    if (request_.device && !usage::has_device_side()) {
+      err_ << request_.file
+           << ": error: --device needs the headers of a CUDA toolkit, which is looked for by CUDA_HOME, "
+           << "CUDA_PATH and in /usr/local/cuda; without --device, only what the CPU does is looked at\n";
+      return errors;
+    }
     if (usage && request_.device) {
       const auto device = analyse(scene, path, usage::Side::device);
       usage = device ? std::optional(usage::unite(*usage, *device)) : std::nullopt;
@@ -59,6 +65,7 @@ class SceneCommand {
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
     if (!request_.output_dir.empty()) write(scene, needs, *usage);
+    out_ << times_;
     return done;
   }
 
@@ -73,6 +80,7 @@ class SceneCommand {
                        });
     err_ << diagnostics.text;
     depends_on(diagnostics.dependencies);
+    times_ += usage::text_of_time(scene.name, side, diagnostics);
     return usage;
   }
 
@@ -100,6 +108,7 @@ class SceneCommand {
   std::ostream& out_;
   std::ostream& err_;
   std::vector<std::string> dependencies_;
+  std::string times_;
   scenes::ProgramText program_;
 };
 
@@ -121,7 +130,10 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
                    "Explain what becomes of an array or a field, by which lines of which kernels: body.svds, "
                    "body.svds.U, DeformationSvd.U")
       ->type_name("NAME");
-  scene->add_flag("--device", request.device, "Look at what the program does on a CUDA device, too; needs a toolkit");
+  scene->add_flag(
+      "--device", request.device,
+      "Look at what the program does on a CUDA device, too; needs a toolkit (found by CUDA_HOME, CUDA_PATH or "
+      "in /usr/local/cuda)");
   scene->add_flag("--no-fuse", request.no_fuse,
                   "Join no steps: by default, neighbouring steps over the same objects become one where arrays between "
                   "them then need no memory");
@@ -129,10 +141,10 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
                   "Write DIR/x.everything.h, too: the same arrays with every field, to compare with");
   scene->add_flag("--print-model", request.print_model, "Print what physgen reads from the declaration, as JSON");
   scene->add_flag("--print-unit", request.print_unit,
-                  "Print the unit that is looked at, the program over probes, which any compiler takes");
-  auto* stamp = scene->add_option("--stamp", request.stamp, "File that gets the present time when all is written")
+                  "Print the source that is analysed: the program over probes, which any compiler takes");
+  auto* stamp = scene->add_option("--stamp", request.stamp, "File that is touched after all outputs are written")
                     ->type_name("FILE");
-  scene->add_option("--depfile", request.depfile, "File for what the stamp depends on, in the syntax of Make")
+  scene->add_option("--depfile", request.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)
       ->type_name("FILE");
   scene->footer(

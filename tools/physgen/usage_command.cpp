@@ -4,10 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iomanip>
 #include <optional>
 #include <ostream>
-#include <sstream>
 
 #include "files.h"
 #include "scenes/probe_unit.h"
@@ -25,13 +23,7 @@ using ::physgen::usage::Side;
 
 constexpr int done = 0, errors = 1;
 
-std::string seconds(double value) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << value << " s";
-  return text.str();
-}
-
-/// What is analysed for a file.
+/// The source that is analysed for a file.
 struct Unit {
   std::string name;          // of the program
   std::string file;          // for messages
@@ -57,7 +49,7 @@ class UsageCommand {
     }
     if (!good) return errors;
     if (request_.side.empty() && !usage::has_device_side())
-      times_ += "there is no CUDA toolkit: what only a device does was not looked at\n";
+      times_ += "there is no CUDA toolkit: code for the device alone was not analysed\n";
     if (request_.checked_in.empty())
       for (const usage::Program& program : programs) out_ << usage::table(program) << '\n';
     out_ << times_;
@@ -110,16 +102,11 @@ class UsageCommand {
   }
 
   std::optional<usage::Usage> analyse(const Unit& unit, Side side) {
-    const char* word = side == Side::host ? "host" : "device";
     usage::Diagnostics diagnostics;
     auto found =
         usage::analyse(unit.name + ".cpp", side == Side::host ? unit.host : unit.device, unit.flags, side, diagnostics);
     err_ << diagnostics.text;
-    std::ostringstream ratio;
-    ratio << std::setprecision(3) << diagnostics.seconds / diagnostics.headers_seconds;
-    times_ += unit.name + ", " + word + ": analysed in " + seconds(diagnostics.seconds) +
-              ", of which its headers took " + seconds(diagnostics.headers_seconds) + " to parse (" + ratio.str() +
-              " times as long)\n";
+    times_ += usage::text_of_time(unit.name, side, diagnostics);
     return found;
   }
 
@@ -192,7 +179,7 @@ void describe_usage(CLI::App& app, UsageRequest& request) {
                    "Declarations of scenes (<physgen/scene.h>), or C++ sources that give steps to a ProbeExecutor "
                    "(<physgen/probe.h>)")
       ->required();
-  usage->add_option("--json", request.json, "File for the same as JSON")->type_name("FILE");
+  usage->add_option("--json", request.json, "File for the table as JSON")->type_name("FILE");
   usage
       ->add_option("--check", request.checked_in,
                    "Compare with this JSON in place of printing; where it is stale, say in what, and exit with 1")

@@ -4,7 +4,7 @@ A table stands between `<!-- figures: NAME, from FILE.json -->` and `<!-- end of
 all its lines. The table of packages comes in the same way from their list, tools/packages.txt."""
 import json
 
-from truthcube import linear_solves, records
+from truthcube import layouts, linear_solves, records
 
 
 # ---- Numbers ---------------------------------------------------------------------------------------------------------
@@ -188,6 +188,18 @@ def _linear_solves(text):
     return _lines(*linear_solves.lines(records.parse(text, name), name))
 
 
+def _iterations(text):
+    """Iterations of multigrid over cubes: one line for each body and norm."""
+    name = "linear_solves_counts.json"
+    return _lines(*linear_solves.iterations(records.parse(text, name), name))
+
+
+def _layouts(text):
+    """Two builds of layout_runs.py: one line for each body."""
+    name = "layouts.json"
+    return _lines(*layouts.lines(records.parse(text, name), name))
+
+
 TABLES = {
     "fast": _fast,
     "kernels": _kernels,
@@ -198,4 +210,6 @@ TABLES = {
     "packages": _packages,
     "truthcube": _truthcube,
     "linear_solves": _linear_solves,
+    "iterations": _iterations,
+    "layouts": _layouts,
 }

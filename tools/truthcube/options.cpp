@@ -212,35 +212,40 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_option("--compress", options.compressions, "plate travel over height, a step each, ascending")
       ->expected(1, -1)
       ->type_name("C");
-  app.add_option("--duration", options.motion.duration, "of a motion [s]; the plate moves in its first half")
+  app.add_option("--duration", options.motion.duration, "duration of a motion [s]; the plate moves in its first half")
       ->type_name("T");
-  app.add_option(
-         "--time-step", options.motion.time_step,
-         "at most [s]; 0: implicit-dynamics takes a hundredth of the duration, explicit-dynamics half of what is "
-         "stable")
+  app.add_option("--time-step", options.motion.time_step,
+                 "largest time step [s]; 0: implicit-dynamics takes a hundredth of the duration, explicit-dynamics "
+                 "half of what is "
+                 "stable")
       ->type_name("DT");
-  app.add_option("--frames", options.motion.frames, "states of a motion that are written, evenly in time")
+  app.add_option("--frames", options.motion.frames, "number of states of a motion that are written, evenly in time")
       ->check(CLI::Range(1, 100000))
       ->type_name("N");
-  app.add_option("--density", options.motion.density, "of a body that moves [kg/m^3]")->type_name("RHO");
-  app.add_option("--damping", options.motion.damping, "of a body that moves [1/s]: the force -D m v on each node")
+  app.add_option("--density", options.motion.density, "density of a body that moves [kg/m^3]")->type_name("RHO");
+  app.add_option("--damping", options.motion.damping,
+                 "damping of a body that moves [1/s]: the force -D m v on each node")
       ->type_name("D");
-  add_choice(app, "--device", options.solver.device, devices, "device", "where it is solved");
-  auto* precision = add_choice(app, "--precision", options.solver.precision, precisions, "precision",
-                               "of the tangent and its solver; half: in float, the preconditioner's matrices in half. "
-                               "States and forces are in double");
-  app.add_option_function<std::string>(
-         "--layout", require_built,
-         "of all arrays, a choice of the build; schema: as schemas/*.h say, nodes in padded records, elements in tiles")
+  add_choice(app, "--device", options.solver.device, devices, "device", "device that solves");
+  auto* precision =
+      add_choice(app, "--precision", options.solver.precision, precisions, "precision",
+                 "numbers of the tangent and its solver; half: in float, the preconditioner's matrices in half. "
+                 "States and forces are in double");
+  app.add_option_function<std::string>("--layout", require_built,
+                                       "layout of all arrays, a choice of the build; schema: as schemas/*.h say, nodes "
+                                       "in padded records, elements in tiles")
       ->type_name("{" + built_layout() + "}")
       ->default_str(built_layout());
   auto* preconditioner =
       add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners, "preconditioner",
-                 "of conjugate gradients; schwarz: blocks of 32 nodes in levels, for any mesh");
-  auto* product = add_choice(app, "--product", options.solver.newton.product, products, "product",
-                             "of the tangent with vectors: from assembled blocks of nodes and edges, or matrix-free, "
-                             "tet by tet, which takes less memory and no multigrid");
-  app.add_option("--tolerance", options.solver.newton.tolerance, "of the residual, 1e-14 to 0.1")->type_name("T");
+                 "preconditioner of conjugate gradients; schwarz: blocks of 32 nodes in levels, for any mesh");
+  auto* product =
+      add_choice(app, "--product", options.solver.newton.product, products, "product",
+                 "product of the tangent with vectors: from assembled blocks of nodes and edges, or matrix-free, "
+                 "tet by tet, which takes less memory and no multigrid");
+  app.add_option("--tolerance", options.solver.newton.tolerance,
+                 "largest relative residual of an equilibrium, 1e-14 to 0.1")
+      ->type_name("T");
   auto* stepping =
       add_choice(app, "--stepping", options.solver.nested, steppings, "way of stepping",
                  "nested: each load on coarser meshes first; loads: the plate moves inside the first linear solve");
@@ -254,7 +259,7 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(stepping);
   app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
       ->type_name("DIR");
-  app.add_flag("--restart", options.restart, "continue behind the last step in --out");
+  app.add_flag("--restart", options.restart, "continue after the last step in --out");
   app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")
       ->type_name("FILE");
   app.add_option("--repeat", options.repetitions,

@@ -149,7 +149,7 @@ template <class Real, class Space>
 RunBytes explicit_bytes(const LevelCounts& c) {
   using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
   RunBytes bytes;
-  bytes.solver = Body::bytes(fem::explicit_counts<Body>(c.nodes, c.tets));
+  bytes.solver = Body::bytes(fem::explicit_counts<Body>(c.nodes, c.tets, fem::node_sums<Space>(false)));
   bytes.levels = {bytes.solver};
   bytes.stresses = bytes_of_array<elasticity::StressArray<Real, Space>>(c.tets);
   return bytes;

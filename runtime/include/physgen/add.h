@@ -2,7 +2,7 @@
 // lanes outside a range, for threads and on CUDA.
 #pragma once
 
-#include <physgen/cursor.h>
+#include <physgen/detail/cursor.h>
 
 namespace physgen {
 

@@ -4,7 +4,7 @@
 #include <physgen/array_losses.h>
 #include <physgen/buffer.h>
 #include <physgen/copy.h>
-#include <physgen/copy_fields.h>
+#include <physgen/detail/copy_fields.h>
 #include <physgen/device.h>
 #include <physgen/initial_values.h>
 #include <physgen/record.h>
@@ -139,6 +139,12 @@ class Array {
   Buffer buffer_;
   index_t size_ = 0;
 };
+
+/// Bytes of memory that arrays hold, padding included.
+template <class... Arrays>
+[[nodiscard]] index_t bytes_of(const Arrays&... arrays) {
+  return (index_t{0} + ... + arrays.bytes());
+}
 
 /// Copies all objects between any two arrays of one object type: layouts, storage formats, precisions and spaces may
 /// differ. Fields that `to` prunes are left out; where `from` does not store a field that `to` has, or `to` stores

@@ -33,8 +33,8 @@
 // builds expect of it (of snorm16: to scale / 32767).
 #pragma once
 
+#include <physgen/detail/from_library.h>
 #include <physgen/format/bfloat16.h>
-#include <physgen/format/from_library.h>
 #include <physgen/format/half.h>
 #include <physgen/format/native.h>
 #include <physgen/format/nothing.h>

@@ -3,55 +3,15 @@
 
 #include <physgen/array.h>
 #include <physgen/chunked_transfer.h>
-#include <physgen/host_loop.h>
+#include <physgen/detail/host_loop.h>
+#include <physgen/detail/object_pointers.h>
 
-#include <algorithm>
-#include <functional>
-#include <numeric>
 #include <ranges>
 #include <span>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 namespace physgen {
-
-namespace detail {
-
-template <class T>
-void check_not_null(std::span<T* const> objects, std::string_view object_type) {
-  const auto count = static_cast<index_t>(objects.size());
-  T* const* pointers = objects.data();
-  bool missing = false;
-#pragma omp parallel for simd reduction(|| : missing) if (count > 8192)
-  for (index_t i = 0; i < count; ++i) missing = missing || pointers[i] == nullptr;
-  if (missing) {
-    const auto first = std::find(objects.begin(), objects.end(), nullptr) - objects.begin();
-    throw Error(std::string(object_type) + ": pointer " + std::to_string(first) + " of " + std::to_string(count) +
-                " is null; every object needs one");
-  }
-}
-
-/// Two threads would write one object. @throw Error naming the first pointer that is there a second time
-template <class T>
-void check_different(std::span<T* const> objects, std::string_view object_type) {
-  std::vector<std::size_t> order(objects.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return objects[a] != objects[b] ? std::less<>()(objects[a], objects[b]) : a < b;
-  });
-  std::size_t first = 0, second = objects.size();
-  for (std::size_t k = 1; k < order.size(); ++k) {
-    if (objects[order[k]] != objects[order[k - 1]] || order[k] >= second) continue;
-    first = order[k - 1];
-    second = order[k];
-  }
-  if (second == objects.size()) return;
-  throw Error(std::string(object_type) + ": pointers " + std::to_string(first) + " and " + std::to_string(second) +
-              " of " + std::to_string(objects.size()) + " are the same; an object is scattered to once");
-}
-
-}  // namespace detail
 
 /// Makes `array` hold object_of(i) for i = 0 .. size-1, resized to fit: for handles of any kind. Done when this
 /// returns; on CUDA and in pinned memory behind what is ordered in `stream`, which this waits for. Fields that the
@@ -60,7 +20,8 @@ void check_different(std::span<T* const> objects, std::string_view object_type) 
 /// @param object_of index_t -> Value of one object; called on several threads at once. Where it is noexcept, a CUDA
 ///        array that has the size already is filled in place, which saves its allocation
 /// @throw Error when the memory cannot be had, and in checked builds when a format cannot hold a value; what object_of
-///        throws. The array is then unchanged
+///        throws. The array is then unchanged; only where it is filled in place and CUDA fails can some of its
+///        objects be new
 template <class Object, class Real, class Space, class Layout, class Formats, class ObjectOf>
 void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array, const ObjectOf& object_of,
                Stream stream = nullptr) {
@@ -90,7 +51,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
       detail::host_loop(chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
       losses.add(of_chunk, begin);
     }
-    synchronize(stream);  // what failed shows here, while the array is as it was
+    synchronize(stream);  // what failed shows here, before a fresh array takes the place of the old one
     throw_if_falsified(losses, target);
     if (!in_place) array = std::move(fresh);
   }

@@ -15,7 +15,7 @@
 #pragma once
 
 #include <physgen/add.h>
+#include <physgen/detail/lanewise.h>
 #include <physgen/lanes.h>
-#include <physgen/lanewise.h>
 #include <physgen/math.h>
 #include <physgen/pack.h>

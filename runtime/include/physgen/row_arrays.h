@@ -2,6 +2,7 @@
 // they connect. Kernels take their view(), a Rows.
 #pragma once
 
+#include <physgen/detail/row_ranges.h>
 #include <physgen/rows.h>
 #include <physgen/topology.h>
 
@@ -18,49 +19,6 @@ struct RowTargets {
   std::string field;  ///< of the entries, which holds the numbers: "element", or "pair.node" of a nested object
   index_t count;      ///< objects of the set: numbers are 0 .. count-1
 };
-
-namespace detail {
-
-/// A row: the entries begin .. end-1.
-struct RowRange {
-  std::int32_t begin, end;
-};
-
-/// Rows that follow each other. @throw Error when a length is negative or there are more entries than an Index can name
-[[nodiscard]] std::vector<RowRange> rows_of_lengths(std::string_view entries, std::span<const index_t> lengths);
-
-/// How many of the pairs, whose first members these are, each row has. @throw Error when one names no row
-[[nodiscard]] std::vector<index_t> lengths_of_pairs(std::string_view entries, index_t rows,
-                                                    std::span<const index_t> row_of_pair);
-
-/// @throw Error when offsets do not begin with 0, ascend, and end with the number of entries
-[[nodiscard]] std::vector<index_t> lengths_of_offsets(std::string_view entries, std::span<const std::int32_t> offsets,
-                                                      std::size_t count);
-
-/// @pre `entries` are host records in Aos
-/// @throw Error when a row is no range of the entries, or an entry of a row does not name a target
-void check_rows(std::span<const RowRange> rows, const UntypedArray& entries, const RowTargets& targets);
-
-/// @throw Error when new numbers are not given for each target, or one exceeds the new count
-void check_new_targets(const UntypedArray& entries, const RowTargets& targets, std::span<const index_t> new_number,
-                       index_t count);
-
-/// Rows chosen from old ones, and which old entry each of theirs is.
-struct ChosenRows {
-  std::vector<RowRange> rows;
-  std::vector<index_t> entries;
-};
-
-/// Row i becomes the old row order[i] (-1: one without entries), less the entries that name a target without a new
-/// number. @param new_number of the targets; empty optional: they all keep theirs
-[[nodiscard]] ChosenRows choose_rows(std::span<const RowRange> rows, const UntypedArray& entries,
-                                     const std::string& field, std::span<const index_t> order,
-                                     std::optional<std::span<const index_t>> new_number);
-
-/// Record i of `to` becomes record numbers[i] of `from`. @pre both are host records in Aos, of one size
-void pick_records(const UntypedArray& to, const UntypedArray& from, std::span<const index_t> numbers);
-
-}  // namespace detail
 
 /// A row of entries for each object of one set; the entries name objects of another set, or of the same one. Every
 /// number has been checked against the size of the set that it indexes. Rows lie one behind the other, in order.

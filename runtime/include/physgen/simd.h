@@ -7,10 +7,10 @@
     "physgen/simd.h and parallel_for.h are for host translation units (.cpp); .cu: <physgen/cuda/parallel_for.h>, float, double"
 #endif
 
+#include <physgen/detail/simd_functions.h>
+#include <physgen/detail/simd_masks.h>
+#include <physgen/detail/simd_repairs.h>
 #include <physgen/math.h>
-#include <physgen/simd_functions.h>
-#include <physgen/simd_masks.h>
-#include <physgen/simd_repairs.h>
 
 #include <Eigen/Core>
 #include <type_traits>

@@ -1,9 +1,9 @@
 // What a kernel asks of its index, for packs: see lanes.h. Lanes outside the kernel's range have no say.
 #pragma once
 
+#include <physgen/detail/simd_casts.h>
 #include <physgen/lanes.h>
 #include <physgen/simd_access.h>
-#include <physgen/simd_casts.h>
 
 namespace physgen {
 

@@ -3,71 +3,15 @@
 #pragma once
 
 #include <physgen/array.h>
+#include <physgen/detail/array_sets.h>
 #include <physgen/object_numbers.h>
 
-#include <array>
-#include <concepts>
 #include <span>
-#include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 namespace physgen {
-
-namespace detail {
-
-/// The one size of all arrays. @throw Error naming all when they differ
-[[nodiscard]] index_t common_size(std::span<const UntypedArray> arrays);
-
-/// size + count. @throw Error when count is negative or the sum no number
-[[nodiscard]] index_t grown_size(std::span<const UntypedArray> arrays, index_t count);
-
-/// The names of all arrays, for messages.
-[[nodiscard]] std::string names(std::span<const UntypedArray> arrays);
-
-/// Waits for the default stream where one of the arrays lies in memory that it may work on.
-void wait_for(std::span<const UntypedArray> arrays);
-
-/// Object numbers where the host and, if an array lies there, the device can read them.
-struct Numbers {
-  std::span<const index_t> on_host;  ///< the caller's
-  Buffer on_device;
-
-  Numbers(std::span<const index_t> numbers, std::span<const UntypedArray> arrays);
-};
-
-/// Object i of `to` becomes object order[i] of `from`, as plain bytes. On CUDA ordered in the default stream.
-/// @pre both store the same records in the same space; to.size is the length of `order`, whose numbers are in range
-void pick(const UntypedArray& to, const UntypedArray& from, const Numbers& order);
-
-/// Object begin + i of `to` becomes object i of `from`, as plain bytes. On CUDA ordered in the default stream.
-/// @pre both store the same records in the same space; begin + from.size <= to.size
-void insert(const UntypedArray& to, index_t begin, const UntypedArray& from);
-
-/// Whether both are arrays of one object type.
-template <class A, class B>
-concept SameObject = std::same_as<typename A::Object, typename B::Object>;
-
-/// `other` in the layout, formats, precision and space of To: itself where it has them, else a converted copy.
-template <class To, class Other>
-std::conditional_t<std::same_as<To, Other>, const Other&, To> in_form_of(const Other& other) {
-  if constexpr (std::same_as<To, Other>) {
-    return other;
-  } else {
-    To converted(other.size());
-    copy(converted, other);
-    return converted;
-  }
-}
-
-/// The storages of a tuple of arrays.
-template <class Tuple>
-[[nodiscard]] auto storages(const Tuple& arrays) {
-  return std::apply([](const auto&... array) { return std::array{array.untyped()...}; }, arrays);
-}
-
-}  // namespace detail
 
 /// Arrays of one element set, such as all arrays over the tets of a mesh, that change together: object i of each
 /// describes the same element before and after. Object types, layouts, precisions and spaces may differ.

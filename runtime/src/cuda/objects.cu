@@ -18,7 +18,7 @@ using detail::Addressing;
 
 __global__ void fill_kernel(const Addressing array, const detail::Fill fill, index_t begin, index_t end) {
   const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
-  if (i < end) fill.run(array, i);
+  if (i < end) fill.apply(array, i);
 }
 
 __global__ void count_kernel(const Addressing from, const __grid_constant__ Moves moves, index_t begin, index_t end,

@@ -88,78 +88,109 @@ bool processor_converts(const UntypedArray& host, const UntypedArray& device) {
   return device.record_bytes < host.record_bytes && plain(host) && plain(device);
 }
 
-// One chunk of the host's form, pinned and on the device, and where the objects of chunk k lie in it.
+// Chunks of an array in CUDA memory that pass through pinned memory in some form: the array's own, or the host's, which
+// the device converts.
 struct Passage {
+  UntypedArray device;
   Chunks chunks;
-  UntypedArray pinned, part;
-  cuda::PinnedRing ring;
-  cuda::StreamMemory memory;
+  UntypedArray chunk;                        // in pinned memory; take_piece() says which
+  UntypedArray part;                         // the same in CUDA memory, where the device converts
+  std::optional<cuda::PinnedRing> ring;      // none for no objects
+  std::optional<cuda::StreamMemory> memory;  // of the part
+  Stream stream;
+  index_t at = -1;      // the chunk that is being filled or read
+  index_t ordered = 0;  // chunks whose way from the device has been ordered
 
-  Passage(const UntypedArray& host, index_t begin, index_t end, Stream stream)
-      : chunks(host, begin, end),
-        pinned(part_of(host, chunks.objects, SpaceKind::pinned)),
-        part(pinned),
-        ring(pinned.bytes()),
-        memory(part.bytes(), stream) {
+  Passage(const UntypedArray& device_, const UntypedArray& form, bool device_converts, index_t begin, index_t end,
+          Stream stream_)
+      : device(device_),
+        chunks(form, begin, end),
+        chunk(part_of(form, chunks.objects, SpaceKind::pinned)),
+        part(chunk),
+        stream(stream_) {
+    detail::refuse_capture(stream, "a transfer in chunks");
+    if (begin == end) return;
+    ring.emplace(chunk.bytes());
+    if (!device_converts) return;
+    memory.emplace(part.bytes(), stream);
     part.space = SpaceKind::cuda;
-    part.base = memory.data();
+    part.base = memory->data();
   }
-  [[nodiscard]] index_t in_part(index_t k) const { return chunks.first(k) - chunks.aligned(k); }
+
+  // The number of the object at the beginning of a chunk: what the device converts is in step with its tiles.
+  [[nodiscard]] index_t beginning(index_t k) const { return memory ? chunks.aligned(k) : chunks.first(k); }
   [[nodiscard]] index_t count(index_t k) const { return chunks.last(k) - chunks.first(k); }
-  [[nodiscard]] const UntypedArray& piece(index_t k) {
-    pinned.base = ring.piece(k);
-    return pinned;
+  void take_piece(index_t k) {
+    chunk.base = ring->piece(k);
+    chunk.size = chunks.last(k) - beginning(k);
+  }
+
+  void send(index_t k) {
+    const index_t first = chunks.first(k), lead = first - beginning(k);
+    take_piece(k);
+    detail::copy_plain(memory ? part : device, memory ? lead : first, chunk, lead, count(k), stream);
+    ring->used(k, stream);
+    if (memory) cuda::convert(device, 0, part, beginning(k), first, chunks.last(k), stream);
+  }
+  void fetch(index_t k) {
+    const index_t first = chunks.first(k), lead = first - beginning(k);
+    take_piece(k);
+    if (memory) cuda::convert(part, beginning(k), device, 0, first, chunks.last(k), stream);
+    detail::copy_plain(chunk, lead, memory ? part : device, memory ? lead : first, count(k), stream);
+    ring->used(k, stream);
+  }
+
+  // The chunk before is on its way when this returns, and the next one may be filled.
+  bool next_to_fill() {
+    if (at >= chunks.count()) return false;
+    if (at >= 0) send(at);
+    if (++at >= chunks.count()) return false;
+    ring->wait(at);
+    take_piece(at);
+    // Padding of records travels, too, and must not be what another transfer left.
+    const bool padded_records = detail::stored_bytes(device) < device.record_bytes;
+    if (!memory && padded_records) detail::clear_on_host(chunk.base, chunk.size * chunk.record_bytes);
+    return true;
+  }
+  // The next chunk has come, and those after it are on their way.
+  bool next_to_read() {
+    if (at >= chunks.count()) return false;
+    ++at;
+    for (; ordered < std::min(chunks.count(), at + cuda::PinnedRing::pieces); ++ordered) fetch(ordered);
+    if (at >= chunks.count()) return false;
+    take_piece(at);
+    ring->wait(at);
+    return true;
   }
 };
 
 // Pageable memory to the device.
 index_t upload(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
-  if (processor_converts(from, to)) {
-    ChunkedUpload chunks(to, begin, end, stream);
-    while (chunks.next()) {
-      const index_t first = chunks.begin();
-      detail::convert_on_host(chunks.chunk(), first, from, 0, first, first + chunks.chunk().size);
-    }
-    return (end - begin) * to.record_bytes;
+  const bool on_host = processor_converts(from, to);
+  const UntypedArray& form = on_host ? to : from;
+  Passage way(to, form, !on_host, begin, end, stream);
+  while (way.next_to_fill()) {
+    detail::convert_on_host(way.chunk, way.beginning(way.at), from, 0, way.chunks.first(way.at),
+                            way.chunks.last(way.at));
   }
-  Passage way(from, begin, end, stream);
-  for (index_t k = 0; k < way.chunks.count(); ++k) {
-    const index_t first = way.chunks.first(k), last = way.chunks.last(k), at = way.chunks.aligned(k);
-    way.ring.wait(k);
-    detail::convert_on_host(way.piece(k), at, from, 0, first, last);
-    detail::copy_plain(way.part, way.in_part(k), way.piece(k), way.in_part(k), way.count(k), stream);
-    way.ring.used(k, stream);
-    cuda::convert(to, 0, way.part, at, first, last, stream);
-  }
-  return (end - begin) * from.record_bytes;
+  return (end - begin) * form.record_bytes;
 }
 
 // The device to pageable memory.
 index_t download(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
-  if (processor_converts(to, from)) {
-    ChunkedDownload chunks(from, begin, end, stream);
-    while (chunks.next()) {
-      const index_t first = chunks.begin();
-      detail::convert_on_host(to, 0, chunks.chunk(), first, first, first + chunks.chunk().size);
-    }
-    return (end - begin) * from.record_bytes;
+  const bool on_host = processor_converts(to, from);
+  const UntypedArray& form = on_host ? from : to;
+  Passage way(from, form, !on_host, begin, end, stream);
+  while (way.next_to_read()) {
+    detail::convert_on_host(to, 0, way.chunk, way.beginning(way.at), way.chunks.first(way.at), way.chunks.last(way.at));
   }
-  Passage way(to, begin, end, stream);
-  const auto order = [&](index_t k) {
-    cuda::convert(way.part, way.chunks.aligned(k), from, 0, way.chunks.first(k), way.chunks.last(k), stream);
-    detail::copy_plain(way.piece(k), way.in_part(k), way.part, way.in_part(k), way.count(k), stream);
-    way.ring.used(k, stream);
-  };
-  const auto take = [&](index_t k) {
-    way.ring.wait(k);
-    detail::convert_on_host(to, 0, way.piece(k), way.chunks.aligned(k), way.chunks.first(k), way.chunks.last(k));
-  };
-  constexpr index_t ahead = cuda::PinnedRing::pieces - 1;
-  for (index_t k = 0; k < way.chunks.count() + ahead; ++k) {
-    if (k < way.chunks.count()) order(k);
-    if (k >= ahead) take(k - ahead);
-  }
-  return (end - begin) * to.record_bytes;
+  return (end - begin) * form.record_bytes;
+}
+
+const UntypedArray& checked_range(const UntypedArray& array, index_t begin, index_t end) {
+  if (array.space == SpaceKind::cuda && begin >= 0 && begin <= end && end <= array.size) return array;
+  throw Error("cannot transfer objects " + std::to_string(begin) + " up to " + std::to_string(end) + " of " +
+              detail::describe(array) + " in chunks: they must be objects of an array in cuda memory");
 }
 
 }  // namespace
@@ -182,100 +213,15 @@ index_t backend::convert(const UntypedArray& to, const UntypedArray& from, index
   return convert_pinned(to, from, begin, end, stream);
 }
 
-namespace {
-
-const UntypedArray& checked_range(const UntypedArray& array, index_t begin, index_t end) {
-  if (array.space == SpaceKind::cuda && begin >= 0 && begin <= end && end <= array.size) return array;
-  throw Error("cannot transfer objects " + std::to_string(begin) + " up to " + std::to_string(end) + " of " +
-              detail::describe(array) + " in chunks: they must be objects of an array in cuda memory");
-}
-
-}  // namespace
-
-struct ChunkedUpload::State {
-  UntypedArray to;
-  Chunks chunks;
-  UntypedArray chunk;
-  std::optional<cuda::PinnedRing> ring;  // none for no objects
-  Stream stream;
-  bool padded_records;   // their padding travels, too, and must not be what another transfer left
-  index_t filling = -1;  // the chunk that is being filled
-
-  State(const UntypedArray& to_, index_t begin, index_t end, Stream stream_)
-      : to(to_),
-        chunks(to_, begin, end),
-        chunk(part_of(to_, chunks.objects, SpaceKind::pinned)),
-        stream(stream_),
-        padded_records(detail::stored_bytes(to_) < to_.record_bytes) {
-    detail::refuse_capture(stream, "a transfer in chunks");
-    if (begin < end) ring.emplace(chunk.bytes());
-  }
+struct ChunkedTransfer::State : Passage {
+  using Passage::Passage;
 };
-
-ChunkedUpload::ChunkedUpload(const UntypedArray& to, index_t begin, index_t end, Stream stream)
-    : state_(std::make_unique<State>(checked_range(to, begin, end), begin, end, stream)) {}
-ChunkedUpload::~ChunkedUpload() = default;
-
-bool ChunkedUpload::next() {
-  State& s = *state_;
-  if (s.filling >= s.chunks.count()) return false;
-  if (s.filling >= 0) {
-    detail::copy_plain(s.to, begin(), s.chunk, 0, s.chunk.size, s.stream);
-    s.ring->used(s.filling, s.stream);
-  }
-  if (++s.filling >= s.chunks.count()) return false;
-  s.ring->wait(s.filling);
-  s.chunk.base = s.ring->piece(s.filling);
-  s.chunk.size = s.chunks.last(s.filling) - s.chunks.first(s.filling);
-  if (s.padded_records) detail::clear_on_host(s.chunk.base, s.chunk.size * s.chunk.record_bytes);
-  return true;
-}
-const UntypedArray& ChunkedUpload::chunk() const { return state_->chunk; }
-index_t ChunkedUpload::begin() const { return state_->chunks.first(state_->filling); }
-
-struct ChunkedDownload::State {
-  UntypedArray from;
-  Chunks chunks;
-  UntypedArray chunk;
-  std::optional<cuda::PinnedRing> ring;  // none for no objects
-  Stream stream;
-  index_t reading = -1;  // the chunk that is being read
-  index_t ordered = 0;   // chunks whose transfer has been ordered
-
-  State(const UntypedArray& from_, index_t begin, index_t end, Stream stream_)
-      : from(from_),
-        chunks(from_, begin, end),
-        chunk(part_of(from_, chunks.objects, SpaceKind::pinned)),
-        stream(stream_) {
-    detail::refuse_capture(stream, "a transfer in chunks");
-    if (begin < end) ring.emplace(chunk.bytes());
-  }
-
-  void place(index_t k) {
-    chunk.base = ring->piece(k);
-    chunk.size = chunks.last(k) - chunks.first(k);
-  }
-};
-
-ChunkedDownload::ChunkedDownload(const UntypedArray& from, index_t begin, index_t end, Stream stream)
-    : state_(std::make_unique<State>(checked_range(from, begin, end), begin, end, stream)) {}
-ChunkedDownload::~ChunkedDownload() = default;
-
-bool ChunkedDownload::next() {
-  State& s = *state_;
-  if (s.reading >= s.chunks.count()) return false;
-  ++s.reading;
-  for (; s.ordered < std::min(s.chunks.count(), s.reading + cuda::PinnedRing::pieces); ++s.ordered) {
-    s.place(s.ordered);
-    detail::copy_plain(s.chunk, 0, s.from, s.chunks.first(s.ordered), s.chunk.size, s.stream);
-    s.ring->used(s.ordered, s.stream);
-  }
-  if (s.reading >= s.chunks.count()) return false;
-  s.place(s.reading);
-  s.ring->wait(s.reading);
-  return true;
-}
-const UntypedArray& ChunkedDownload::chunk() const { return state_->chunk; }
-index_t ChunkedDownload::begin() const { return state_->chunks.first(state_->reading); }
+ChunkedTransfer::ChunkedTransfer(const UntypedArray& array, index_t begin, index_t end, Stream stream)
+    : state_(std::make_unique<State>(checked_range(array, begin, end), array, false, begin, end, stream)) {}
+ChunkedTransfer::~ChunkedTransfer() = default;
+const UntypedArray& ChunkedTransfer::chunk() const { return state_->chunk; }
+index_t ChunkedTransfer::begin() const { return state_->beginning(state_->at); }
+bool ChunkedUpload::next() { return state_->next_to_fill(); }
+bool ChunkedDownload::next() { return state_->next_to_read(); }
 
 }  // namespace physgen

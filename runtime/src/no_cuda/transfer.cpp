@@ -13,26 +13,16 @@ index_t backend::convert(const UntypedArray& /*to*/, const UntypedArray& /*from*
   throw Error(backend::reason);
 }
 
-struct ChunkedUpload::State {
+struct ChunkedTransfer::State {
   UntypedArray chunk;
 };
-ChunkedUpload::ChunkedUpload(const UntypedArray& /*to*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+ChunkedTransfer::ChunkedTransfer(const UntypedArray& /*array*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
   throw Error(backend::reason);
 }
-ChunkedUpload::~ChunkedUpload() = default;
+ChunkedTransfer::~ChunkedTransfer() = default;
+const UntypedArray& ChunkedTransfer::chunk() const { return state_->chunk; }
+index_t ChunkedTransfer::begin() const { return 0; }
 bool ChunkedUpload::next() { return false; }
-const UntypedArray& ChunkedUpload::chunk() const { return state_->chunk; }
-index_t ChunkedUpload::begin() const { return 0; }
-
-struct ChunkedDownload::State {
-  UntypedArray chunk;
-};
-ChunkedDownload::ChunkedDownload(const UntypedArray& /*from*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
-  throw Error(backend::reason);
-}
-ChunkedDownload::~ChunkedDownload() = default;
 bool ChunkedDownload::next() { return false; }
-const UntypedArray& ChunkedDownload::chunk() const { return state_->chunk; }
-index_t ChunkedDownload::begin() const { return 0; }
 
 }  // namespace physgen

@@ -3,14 +3,21 @@
 #include <fem/dynamics/explicit.h>
 #include <fem/dynamics/explicit_body.h>
 #include <fem/solver/host_points.h>
+#include <fem/solver/inertia_arrays.h>
 #include <fem/solver/linear_body.h>
 #include <fem/solver/node_vectors.h>
 #include <gtest/gtest.h>
+#include <implicit_dynamics.scene.h>
 #include <linear_elastic.scene.h>
 #include <physgen/executor.h>
 #include <scenes/explicit_dynamics.h>
+#include <scenes/implicit_dynamics.h>
 #include <scenes/linear_elastic.h>
 
+#include <algorithm>
+#include <cstring>
+
+#include "../solver/scene_groups.h"
 #include "moving.h"
 
 namespace physgen::fem {
@@ -30,7 +37,7 @@ TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
   const auto solver = make_explicit_solver(level, body.loading, settings);
   solver->set_positions(begin);
   scenes::explicit_dynamics_scene::Body<> scene;
-  fill_explicit_body(scene, level, body.loading, lumped_masses(level.mesh, level.rest, density));
+  fill_explicit_body(scene, level, body.loading, lumped_masses(level.mesh, level.rest, density), false);
   store_displacements(sum(begin, level.rest, -1), scene.displacements);
   store_displacements(sum(begin, level.rest, -1), scene.rounded);
   EXPECT_EQ(scene.bytes(), solver->bytes());
@@ -49,6 +56,60 @@ TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
   EXPECT_EQ(on.value(scene.measured).elastic, measured.elastic);
   EXPECT_EQ(plain_velocities(scene.velocities), solver->velocities());
   EXPECT_EQ(sum(plain_displacements(scene.displacements), level.rest), solver->positions());
+}
+
+TEST(Scenes, implicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_solver) {
+  namespace scene = scenes::implicit_dynamics_scene;
+  const Body body = make_truth_cube_body(8, true);
+  DynamicSettings settings = moving_settings("stable-neo-hookean", young, 0.45);
+  settings.solver.precision = TangentPrecision::float32;
+  settings.solver.newton.tolerance = 1e-6;
+  settings.solver.nested = false;
+  settings.damping = 3;
+  const auto start = random_vectors(body.levels[0].rest.size(), 0.05, 4);
+  const auto solver = make_implicit_solver(body.levels, body.loading, settings);
+  solver->set_velocities(start);
+
+  SceneGroups<scene::Body<>, scene::Patches<>, scene::Chunk<>, scene::Level<>, scene::Krylov<>> groups(body,
+                                                                                                       settings.solver);
+  ASSERT_GE(groups.levels.size(), 2U) << "else no coarser level has inertia";
+  std::vector<double> masses = lumped_masses(body.levels[0].mesh, body.levels[0].rest, density);
+  const double largest_mass = std::ranges::max(masses), dt = 2e-3;
+  std::vector<scene::Inertia<>> inertia;
+  for (std::size_t l = 0; l < groups.levels.size(); ++l) {
+    inertia.push_back(InertiaOver<scene::Inertia<>>(masses, l == 0));
+    if (l + 1 < groups.levels.size()) {
+      masses = coarsened_masses(masses, body.levels[l].parents, body.levels[l + 1].mesh.nodes);
+    }
+  }
+  store_velocities(start, inertia[0].velocities);
+  inertia[0].measured.view()[0].elastic() = 0;
+  groups.facts.node_stiffness =
+      node_stiffness(settings.solver, false, groups.spacing) + largest_mass * (1 / dt + settings.damping) / dt;
+
+  HostExecutor on;
+  const auto material = StableNeoHookean<double>::from(young, 0.45);
+  for (int k = 1; k <= 3; ++k) {
+    const TimeStep step{dt, 0.02 * k, settings.damping};
+    const NewtonResult expected = solver->step(step.length, step.load);
+    ASSERT_EQ(expected.status, NewtonStatus::converged);
+    const NewtonResult found =
+        scenes::implicit_dynamics::program(on, groups.body, groups.patches, groups.chunk, groups.levels, inertia,
+                                           groups.krylov, material, settings.solver, groups.facts, step);
+    EXPECT_EQ(found.steps, expected.steps);
+    EXPECT_EQ(found.iterations, expected.iterations);
+    EXPECT_GT(found.iterations, 0);
+    settings.solver.newton.start_load = step.load;
+    settings.solver.newton.last_reaction = found.reaction;
+  }
+  EXPECT_EQ(plain_velocities(inertia[0].velocities), solver->velocities());
+  const auto positions = solver->positions();
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Eigen::Vector3d x = groups.body.positions.view()[index_t(n)].x();
+    ASSERT_EQ(std::memcmp(x.data(), positions[n].data(), sizeof positions[n]), 0) << n;
+  }
+  EXPECT_EQ(double{inertia[0].measured.view()[0].kinetic()}, solver->measure().kinetic);
+  EXPECT_GT(solver->measure().kinetic, 0);
 }
 
 TEST(Scenes, linear_elastic_over_its_generated_arrays_gives_the_bits_of_the_solver) {

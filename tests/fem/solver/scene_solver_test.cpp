@@ -1,53 +1,26 @@
 // The solver on the arrays of the scene quasistatic, which have the fields alone that its program needs, against the
 // solver that is shipped, whose arrays have all.
-#include <fem/mesh/mesh_arrays.h>
-#include <fem/solver/make_linear_levels.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
 #include <quasistatic.scene.h>
 #include <scenes/quasistatic.h>
 
 #include <cstring>
-#include <vector>
 
-#include "bodies.h"
+#include "scene_groups.h"
 
 namespace physgen::fem {
 namespace {
 
 namespace scene = scenes::quasistatic_scene;
-using Mesh = EquilibriumOver<float, scene::Body<>, PatchesOver<scene::Patches<>>, NoArrays, scene::Chunk<>>;
-using Level = LevelOver<float, Host, StoredAsComputed, AssembledOnMeshes, scene::Level<>, NoArrays, NoArrays, NoArrays>;
 
-/// The groups of the scene, filled as the shipped solver fills its own.
-struct Groups {
-  scene::Body<> body;
-  scene::Patches<> patches;
-  scene::Chunk<> chunk;
-  std::vector<scene::Level<>> levels;
-  scene::Krylov<> krylov;
+/// With room for stresses, which have no values yet.
+struct Groups : SceneGroups<scene::Body<>, scene::Patches<>, scene::Chunk<>, scene::Level<>, scene::Krylov<>> {
   scene::Stresses<> stresses;
-  MeshFacts facts;
 
-  Groups(const Body& given, const SolverSettings& settings) {
-    const LevelsInUse used = levels_in_use(given.levels, settings);
-    const MeshLevel& finest = used.levels.front();
-    Mesh mesh(finest, used.graphs.front(), false, TangentLists::of_edges, nullptr);
-    store_loading(mesh, finest, given.loading.motion, given.loading.forces);
-    facts.chunks = mesh.chunks;
-    facts.rounding_force = rounding_force(settings, finest, given.loading.motion, false, mesh.spacing);
-    facts.moves = true;
-    body = std::move(mesh);
-    patches = std::move(*mesh.patches);
-    chunk = std::move(*mesh.chunk_arrays);
-    for (auto& level : make_linear_levels<Level>(used, settings)) {
-      facts.sums.push_back(std::move(level->sums));
-      levels.push_back(std::move(*level));
-    }
-    krylov.allocate({.node = body.rest.size()});
+  Groups(const Body& given, const SolverSettings& settings) : SceneGroups(given, settings) {
     stresses.allocate({.tet = body.tets.size()});
     start_without_values(stresses.of_tets.untyped(), {"P"});
-    start_without_values(body.forces.untyped(), {"f"});
   }
 };
 

@@ -194,7 +194,8 @@ def extended(arguments):
         sources += [source for source in sorted((copy / "generator" / part).rglob("*.cpp")) if source.stem != "json"]
     for source in [*sources, arguments.root / "tests/generator/catalog/everything.cpp"]:
         objects.append(arguments.folder / f"{len(objects)}_{source.stem}.o")
-        run([*arguments.compiler, f"-I{copy}/generator", f"-I{copy}/tools/physgen", "-c", source, "-o", objects[-1]])
+        folders = [f"-I{copy}/{folder}" for folder in ("generator", "tools/physgen", "runtime/include")]
+        run([*arguments.compiler, *folders, "-DPHYSGEN_ANY_MODE", "-c", source, "-o", objects[-1]])
     everything = arguments.folder / "everything"
     run([*arguments.compiler, *objects, *arguments.link, "-o", everything])
     drawing = values_come_back(arguments, everything, copy / "runtime/include",

@@ -116,7 +116,7 @@ TEST_F(Checkpoints, that_are_other_files_are_refused) {
   testing::put_text(path, std::string(5000, 'x'));
   expect_refused("damaged, or no checkpoint");
   H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-  expect_refused("is no checkpoint of truthcube");
+  expect_refused("this is not a checkpoint of truthcube");
 }
 
 TEST_F(Checkpoints, that_are_cut_off_are_refused) {

@@ -140,7 +140,7 @@ TEST_F(RunJson, files_that_are_none_are_refused) {
   expect_error(read, path.string(), "cannot be opened");
   for (const char* text : {"", "{", "[]", R"({"nodes": "many"})"}) {
     testing::put_text(path, text);
-    expect_error(read, path.string(), "is no run.json");
+    expect_error(read, path.string(), "this is not a run.json");
   }
   write_run_json(path, record_of(1));
   Json run = Json::parse(read_text(path));

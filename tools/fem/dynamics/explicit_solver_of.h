@@ -65,7 +65,8 @@ class ExplicitSolverOf final : public DynamicSolver {
         rest_(level.rest),
         on_(make_executor<On>(index_t(level.mesh.tets.size()))),
         steps_(make_explicit_steps<On, Body>(settings.solver)) {
-    fill_explicit_body(body_, level, loading, lumped_masses(level.mesh, level.rest, settings.density));
+    fill_explicit_body(body_, level, loading, lumped_masses(level.mesh, level.rest, settings.density),
+                       settings.fixed_order);
   }
 
   NewtonResult step(double length, double load) override {

@@ -3,15 +3,12 @@
 #pragma once
 
 #include <elasticity.physgen.h>
-#include <fem/kernels/compute_svd.h>
-#include <fem/kernels/displaced_gradient.h>
-#include <fem/kernels/elastic_force.h>
-#include <fem/kernels/stress.h>
+#include <fem/kernels/groups.h>
 #include <fem/numerics/scalar.h>
 #include <fem/solver/time_step.h>
-#include <physgen/fuse.h>
 #include <physgen/reduce.h>
 #include <physgen/rows.h>
+#include <physgen/space.h>
 
 namespace physgen::fem {
 
@@ -84,35 +81,64 @@ struct StoreElastic {
 template <class View>
 StoreElastic(View) -> StoreElastic<View>;
 
+/// From displacements to first Piola-Kirchhoff stresses.
+/// @param tets elasticity::Tet @param displacements elasticity::NodeDisplacement @param rest elasticity::RestShape
+/// @param stresses elasticity::Stress, written
+template <class Material, class TetView, class DisplacementView, class RestView, class StressView>
+[[nodiscard]] auto fuse_stresses(const Material& material, const TetView& tets, const DisplacementView& displacements,
+                                 const RestView& rest, const StressView& stresses) {
+  using Real = typename RestView::Precision;
+  constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
+  constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
+  return fuse(locals(F, svd), gradient_step(tets, displacements, rest, F), ComputeSvd{F, svd},
+              ComputeStress{material, svd, stresses});
+}
+
+/// From displacements to the elastic energies of tets [J], which the last step gives.
+template <class Material, class TetView, class DisplacementView, class RestView>
+[[nodiscard]] auto fuse_energies(const Material& material, const TetView& tets, const DisplacementView& displacements,
+                                 const RestView& rest) {
+  using Real = typename RestView::Precision;
+  constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
+  constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
+  return fuse(locals(F, svd), gradient_step(tets, displacements, rest, F), ComputeSvd{F, svd},
+              StretchEnergy{material, rest, svd});
+}
+
 /// First Piola-Kirchhoff stress of all tets.
 /// @param body arrays by the names of the scene explicit_dynamics
 /// @param stresses an array of elasticity::Stress, one per tet
 template <class On, class Body, class Material, class Stresses>
 void compute_stresses(On& on, Body& body, const Material& material, Stresses& stresses) {
-  using Real = typename Material::Scalar;
-  const auto F = local<elasticity::DeformationGradientObject, Real>();
-  const auto svd = local<elasticity::DeformationSvdObject, Real>();
-  on.run(body.tets.size(),
-         fuse(locals(F, svd),
-              ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), body.rest.const_view(), F},
-              ComputeSvd{F, svd}, ComputeStress{material, svd, stresses.view()}));
+  on.run(body.tets.size(), fuse_stresses(material, body.tets.const_view(), body.rounded.const_view(),
+                                         body.rest.const_view(), stresses.view()));
 }
 
-/// Elastic forces on all nodes: what the tets' kernels hand on to each other is in no array.
+/// Elastic forces on all nodes: what the tets' kernels hand on to each other is in no array. On the CPU nodes gather
+/// corner forces; on CUDA tets add to nodes, or, where the body has room for placed forces, store in the nodes' rows
+/// what is then summed, with the same bits on every run.
 template <class On, class Body, class Material>
 void compute_forces(On& on, Body& body, const Material& material) {
-  using Real = typename Material::Scalar;
-  const auto F = local<elasticity::DeformationGradientObject, Real>();
-  const auto svd = local<elasticity::DeformationSvdObject, Real>();
-  const auto stress = local<elasticity::StressObject, Real>();
+  const index_t tet_count = body.tets.size(), nodes = body.velocities.size();
+  const auto tets = body.tets.const_view();
+  const auto displacements = body.rounded.const_view();
   const auto rest = body.rest.const_view();
-  on.run(body.tets.size(),
-         fuse(locals(F, svd, stress),
-              ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), rest, F}, ComputeSvd{F, svd},
-              ComputeStress{material, svd, stress}, ComputeCornerForces{rest, stress, body.corners.view()}));
-  on.run(body.velocities.size(),
-         GatherForces{Rows(body.node_tet_ranges.const_view(), body.node_tets.const_view(), body.tets.size()),
-                      body.corners.const_view(), body.forces.view()});
+  const auto forces = body.forces.view();
+  if constexpr (RunsIn<On, Cuda>) {
+    if (body.placed.size() > 0) {
+      on.run(tet_count,
+             fuse_placed_forces(material, tets, displacements, rest, body.places.const_view(), body.placed.view()));
+      const SumRowForces sum{body.node_tet_ranges.const_view(), body.placed.const_view(), forces};
+      on.run(sum.size(), sum);
+    } else {
+      on.run(nodes, ClearNodes{forces});
+      on.run(tet_count, fuse_added_forces(material, tets, displacements, rest, forces));
+    }
+  } else {
+    on.run(tet_count, fuse_corner_forces(material, tets, displacements, rest, body.corners.view()));
+    on.run(nodes, GatherForces{Rows(body.node_tet_ranges.const_view(), body.node_tets.const_view(), tet_count),
+                               body.corners.const_view(), forces});
+  }
 }
 
 /// Leaves the energies and the momentum of a body in body.measured.
@@ -120,14 +146,9 @@ template <class On, class Body, class Material>
 void measure_explicit_motion(On& on, Body& body, const Material& material) {
   on.reduce(body.velocities.size(), NodeMotion{body.masses.const_view(), body.velocities.const_view()}, Sum{},
             StoreMotion{body.measured.view()});
-  using Real = typename Material::Scalar;
-  const auto F = local<elasticity::DeformationGradientObject, Real>();
-  const auto svd = local<elasticity::DeformationSvdObject, Real>();
-  const auto rest = body.rest.const_view();
   on.reduce(body.tets.size(),
-            fuse(locals(F, svd), ComputeDisplacedGradient{body.tets.const_view(), body.rounded.const_view(), rest, F},
-                 ComputeSvd{F, svd}, StretchEnergy{material, rest, svd}),
-            Sum{}, StoreElastic{body.measured.view()});
+            fuse_energies(material, body.tets.const_view(), body.rounded.const_view(), body.rest.const_view()), Sum{},
+            StoreElastic{body.measured.view()});
 }
 
 /// One time step.

@@ -5,6 +5,7 @@
 #include <elasticity.physgen.h>
 #include <fem/kernels/compute_svd.h>
 #include <fem/kernels/deformation_gradient.h>
+#include <fem/kernels/displaced_gradient.h>
 #include <fem/kernels/elastic_force.h>
 #include <fem/kernels/force_differential.h>
 #include <fem/kernels/keep_directions.h>
@@ -15,9 +16,24 @@
 
 namespace physgen::fem {
 
+// Groups that begin at nodes take views of elasticity::NodePosition, or of elasticity::NodeDisplacement from rest: near
+// rest F - 1 then keeps its digits in float.
+template <class TetView, class Real, class Layout, class Formats, class Space, class RestView, class GradientView>
+[[nodiscard]] auto gradient_step(const TetView& tets,
+                                 const View<elasticity::NodePositionObject, Real, Layout, Formats, Space>& nodes,
+                                 const RestView& rest, const GradientView& gradients) {
+  return ComputeDeformationGradient{tets, nodes, rest, gradients};
+}
+template <class TetView, class Real, class Layout, class Formats, class Space, class RestView, class GradientView>
+[[nodiscard]] auto gradient_step(const TetView& tets,
+                                 const View<elasticity::NodeDisplacementObject, Real, Layout, Formats, Space>& nodes,
+                                 const RestView& rest, const GradientView& gradients) {
+  return ComputeDisplacedGradient{tets, nodes, rest, gradients};
+}
+
 namespace detail {
 
-/// Corner forces from positions; then a step that they are given to, last(corner forces).
+/// Corner forces from nodes; then a step that they are given to, last(corner forces).
 template <class Model, class TetView, class PositionView, class RestView, class MakeLast>
 auto fused_forces(const Model& material, const TetView& tets, const PositionView& positions, const RestView& rest,
                   const MakeLast& last) {
@@ -26,7 +42,7 @@ auto fused_forces(const Model& material, const TetView& tets, const PositionView
   constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
   constexpr auto P = local<elasticity::StressObject, Real>();
   constexpr auto G = local<elasticity::CornerForcesObject, Real>();
-  return fuse(locals(F, svd, P, G), ComputeDeformationGradient{tets, positions, rest, F}, ComputeSvd{F, svd},
+  return fuse(locals(F, svd, P, G), gradient_step(tets, positions, rest, F), ComputeSvd{F, svd},
               ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, G}, last(G));
 }
 
@@ -61,7 +77,7 @@ template <class Model, class TetView, class PositionView, class RestView, class 
   constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
   constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
   constexpr auto P = local<elasticity::StressObject, Real>();
-  return fuse(locals(F, svd, P), ComputeDeformationGradient{tets, positions, rest, F}, ComputeSvd{F, svd},
+  return fuse(locals(F, svd, P), gradient_step(tets, positions, rest, F), ComputeSvd{F, svd},
               ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, corners});
 }
 
@@ -78,7 +94,7 @@ template <class Model, class TetView, class PositionView, class RestView, class 
   constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
   constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
   constexpr auto P = local<elasticity::StressObject, Real>();
-  return fuse(locals(F, svd, P), ComputeDeformationGradient{tets, positions, rest, F}, ComputeSvd{F, svd},
+  return fuse(locals(F, svd, P), gradient_step(tets, positions, rest, F), ComputeSvd{F, svd},
               KeepDirections{svd, directions}, ComputeStressDerivative{material, svd, derivatives, ClampEigenvalues{}},
               ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, corners});
 }

@@ -192,7 +192,7 @@ std::vector<std::string> MeshReport::errors(Tags node_tags, Tags tet_tags) const
   }
   if (tets == 0) lines.emplace_back("the mesh has no tetrahedra; mesh the volume, not only its surface");
   tell(out_of_range, "element", "with a node that does not exist", "write the mesh again, with all its nodes");
-  tell(not_finite, "node", "with a coordinate that is no finite number", "correct the coordinates or mesh again");
+  tell(not_finite, "node", "with a coordinate that is not a finite number", "correct the coordinates or mesh again");
   tell(flat, "element", "without volume", "improve the mesh's quality there, or take the elements out");
   tell(inverted, "element", "of negative volume",
        inverted.count == tets ? "all are: the file numbers corners left-handed; exchange two corners of each element"

@@ -1,4 +1,4 @@
-// What the solver's structs of arrays share.
+// What those who fill and read the solver's arrays share.
 #pragma once
 
 #include <elasticity.physgen.h>
@@ -9,10 +9,6 @@
 #include <quasistatic.physgen.h>
 
 namespace physgen::fem {
-
-/// The layout that the schema gives an object type in a space.
-template <class Array>
-using LayoutOf = typename Array::View::Layout;
 
 /// An array in another space, with the same objects.
 template <class Array, class From>
@@ -35,12 +31,6 @@ template <class Ranges, class Entries, class Rows>
 void put_rows(Ranges& ranges, Entries& entries, const Rows& from) {
   put(ranges, from.ranges());
   put(entries, from.entries());
-}
-
-/// Bytes of arrays, padding included.
-template <class... Arrays>
-[[nodiscard]] index_t bytes_of(const Arrays&... arrays) {
-  return (index_t{0} + ... + arrays.bytes());
 }
 
 /// By which lists the parts of the tangent that patches and tets have are summed, beside the tets of each node.

@@ -23,7 +23,8 @@ struct EachGroup<std::vector<Group>> {
 }  // namespace detail
 
 /// References to the groups of arrays of a scene, or to NoArrays; solver_groups.h says what is in each. Levels are one
-/// group, or a vector of them, finest first, on the first of which equilibrium is solved.
+/// group, or a vector of them, finest first, on the first of which equilibrium is solved; so is inertia, which then has
+/// a group for each level.
 template <class Body_, class Patches_, class Rings_, class Chunk_, class Level_, class Schwarz_, class Planes_,
           class Inertia_, class Krylov_>
 struct SolverGroups {
@@ -35,7 +36,8 @@ struct SolverGroups {
   using Level = typename detail::EachGroup<Level_>::type;
   using Schwarz = Schwarz_;
   using Planes = Planes_;
-  using Inertia = Inertia_;
+  using Inertias = Inertia_;
+  using Inertia = typename detail::EachGroup<Inertia_>::type;
   using Krylov = Krylov_;
   Body& body;
   Patches& patches;
@@ -44,7 +46,7 @@ struct SolverGroups {
   Levels& levels;
   Schwarz& schwarz;
   Planes& planes;
-  Inertia& inertia;
+  Inertias& inertia;
   Krylov& krylov;
 };
 template <class... Groups>
@@ -83,7 +85,7 @@ struct MeshFacts {
   bool moves = false, all_prescribed = false;  ///< any component or plane is moved by the load; every component is
 };
 
-/// Takes the arrays of the groups, and gives them back when it ends.
+/// Takes the arrays of the groups and the sums of the facts, and gives them back when it ends.
 template <class On, class Types, class Groups>
 class SolverProgram : private NestedNewton<On, Types> {
   using Nested = NestedNewton<On, Types>;
@@ -101,7 +103,7 @@ class SolverProgram : private NestedNewton<On, Types> {
                                                                      averages<typename Groups::Rings>(groups.rings)),
             1),
         groups_(groups),
-        stiffness_(facts.node_stiffness) {
+        facts_(facts) {
     arrays_.push_back(std::make_unique<typename Types::Arrays>(std::move(groups.body)));
     auto& a = *arrays_.front();
     a.chunks = facts.chunks;
@@ -122,7 +124,7 @@ class SolverProgram : private NestedNewton<On, Types> {
     });
     take(level.planes, groups.planes);
     where(level.planes, [&](auto& planes) { planes.per_area = facts.plane_stiffness; });
-    take(level.inertia, groups.inertia);
+    for_each_inertia([](auto& over, auto& group) { take(over, group); });
     vectors_.push_back(std::make_unique<typename Types::Vectors>(std::move(groups.krylov)));
     this->loops_.emplace_back();
     this->rounding_forces_.push_back(facts.rounding_force);
@@ -141,10 +143,13 @@ class SolverProgram : private NestedNewton<On, Types> {
     give_back(a.rings, groups_.rings);
     groups_.chunk = std::move(*a.chunk_arrays);
     std::size_t l = 0;
-    for_each_level([&](auto& group) { group = std::move(static_cast<typename Groups::Level&>(*linear_[l++])); });
+    for_each_level([&](auto& group) {
+      if (linear_[l]->assembled) facts_.sums[l] = std::move(linear_[l]->sums);
+      group = std::move(static_cast<typename Groups::Level&>(*linear_[l++]));
+    });
     give_back(level.schwarz, groups_.schwarz);
     give_back(level.planes, groups_.planes);
-    give_back(level.inertia, groups_.inertia);
+    for_each_inertia([](auto& over, auto& group) { give_back(over, group); });
     groups_.krylov = std::move(*vectors_.front());
   }
 
@@ -157,7 +162,7 @@ class SolverProgram : private NestedNewton<On, Types> {
   NewtonResult step(const TimeStep& step) {
     auto& newton = this->settings_.newton;
     const double farthest = largest_coordinate(*on_, *arrays_.front(), *linear_.front());
-    newton.rounding_force = rounding_force(stiffness_, farthest, std::size_t(arrays_.front()->nodes()));
+    newton.rounding_force = rounding_force(facts_.node_stiffness, farthest, std::size_t(arrays_.front()->nodes()));
     return implicit_step(*on_, this->loops_.front(), *arrays_.front(), linear_, *vectors_.front(), *this->evaluator_,
                          this->settings_.newton, step, this->moves_.front());
   }
@@ -177,6 +182,14 @@ class SolverProgram : private NestedNewton<On, Types> {
       for (auto& group : groups_.levels) body(group);
     }
   }
+  template <class Body>
+  void for_each_inertia(const Body& body) const {
+    if constexpr (std::is_same_v<typename Groups::Inertias, typename Groups::Inertia>) {
+      body(linear_.front()->inertia, groups_.inertia);
+    } else {
+      for (std::size_t l = 0; l < groups_.inertia.size(); ++l) body(linear_[l]->inertia, groups_.inertia[l]);
+    }
+  }
   template <class Over, class Group>
   static void take(std::unique_ptr<Over>& to, Group& from) {
     to = std::make_unique<Over>(std::move(from));
@@ -189,7 +202,7 @@ class SolverProgram : private NestedNewton<On, Types> {
   static void give_back(NoArrays& /*from*/, NoArrays& /*to*/) {}
 
   Groups groups_;
-  double stiffness_;
+  MeshFacts& facts_;
 };
 
 /// @tparam Real of tangents

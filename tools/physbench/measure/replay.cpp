@@ -32,7 +32,7 @@ Real read_number(const std::string& word, const std::string& expected) {
     value = std::strtod(word.c_str(), &end);
   }
   const bool wanted_infinity = word.find_first_of("iI") != std::string::npos;
-  if (end == word.c_str() || *end != '\0') throw Error(expected + "; '" + word + "' is no number");
+  if (end == word.c_str() || *end != '\0') throw Error(expected + "; '" + word + "' is not a number");
   if (std::isinf(value) && !wanted_infinity) {
     throw Error(expected + "; " + word + " is out of the range of " + storage_name<Real>());
   }

@@ -86,6 +86,23 @@ def lines(content, name):
     return ["cells", "nu, volume by", ratio, "with set-up", *named, "residual", "device"], table
 
 
+def iterations(content, name):
+    """Header and rows of the table of multigrid's iterations: a column for each cube, a row for each body and norm; the
+    spread is how many more the worst cube takes than the best, from 16^3 cells on."""
+    present = [group["multigrid"] for group in groups(content, name)]
+    cells = sorted({row["cells"] for row in present})
+    found = {}
+    for row in present:
+        key = (f"{row['poisson']:g}, {row['volume']}", row.get("norm", ""))
+        found.setdefault(key, {})[row["cells"]] = row["iterations"]
+    table = []
+    for (body, norm), counts in sorted(found.items()):
+        of_size = [count for of, count in counts.items() if of >= 16]
+        spread = f"{100 * (max(of_size) / min(of_size) - 1):.0f} %" if of_size else "–"
+        table.append([body, norm, *(str(counts.get(of, "–")) for of in cells), spread])
+    return ["nu, volume by", "norm", *(f"{of}³" for of in cells), "spread from 16³"], table
+
+
 def _ratios(group, methods, seconds):
     least = seconds(group["multigrid"])
     return " : ".join(

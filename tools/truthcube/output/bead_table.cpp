@@ -70,7 +70,7 @@ double read_number(std::string_view cell, std::string_view column, const std::st
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-    throw Error(place + "\"" + std::string(cell) + "\" in column " + std::string(column) + " is no finite number");
+    throw Error(place + "\"" + std::string(cell) + "\" in column " + std::string(column) + " is not a finite number");
   }
   return value;
 }

@@ -33,7 +33,7 @@ std::uint64_t checksum(const Checkpoint& c) {
 
 Json parse_settings(const std::string& text, const std::string& where) {
   Json settings = Json::parse(text, nullptr, false);
-  if (!settings.is_object()) throw Error(where + ": the settings are no JSON object: " + text);
+  if (!settings.is_object()) throw Error(where + ": the settings are not a JSON object: " + text);
   return settings;
 }
 
@@ -65,13 +65,13 @@ struct Unusable : Error {
   using Error::Error;
 };
 
-// What the file says, unchecked but for its version and checksum.
+// The contents of the file, unchecked but for its version and checksum.
 Checkpoint read_all(const std::filesystem::path& path) {
   const std::string name = path.string();
   try {
     const h5::File file = h5::File::open(path, false);
     if (!file.has_attribute("/", "format") || file.read_text_attribute("/", "format") != format) {
-      throw Unusable(name + ": is no checkpoint of truthcube");
+      throw Unusable(name + ": this is not a checkpoint of truthcube");
     }
     const auto version = file.read_attribute<std::int32_t>("/", "version");
     if (version != current_version) {

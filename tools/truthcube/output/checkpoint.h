@@ -19,7 +19,7 @@ struct Checkpoint {
 };
 
 /// Writes a checkpoint in the place of an old one, which stays until the new one is complete on the disk.
-/// @throws Error when the settings are no JSON object, the disk is too full (the bytes needed and free are said), or
+/// @throws Error when the settings are not a JSON object, the disk is too full (the bytes needed and free are said), or
 /// writing fails; an old checkpoint is then as it was
 void write_checkpoint(const std::filesystem::path& file, const Checkpoint& checkpoint);
 

@@ -69,7 +69,7 @@ void write_run_json(const std::filesystem::path& file, const RunRecord& record) 
   visit_run(record, [&run](const char* key, const auto& value) { run[key] = value; });
   run["settings"] = Json::parse(record.settings, nullptr, false);
   if (!run["settings"].is_object())
-    throw Error(file.string() + ": the settings are no JSON object: " + record.settings);
+    throw Error(file.string() + ": the settings are not a JSON object: " + record.settings);
   run["steps"] = Json::array();
   for (const StepRecord& step : record.steps) {
     Json entry;
@@ -102,7 +102,7 @@ RunRecord read_run_json(const std::filesystem::path& file) {
     }
     return record;
   } catch (const Json::exception& error) {
-    throw Error(file.string() + ": is no run.json of truthcube: " + error.what());
+    throw Error(file.string() + ": this is not a run.json of truthcube: " + error.what());
   }
 }
 

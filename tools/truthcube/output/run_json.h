@@ -52,7 +52,7 @@ struct RunRecord {
 
 /// Writes all of the record; the file is complete at any time. Numbers keep all digits, and those that are not finite
 /// are null, since JSON has no others.
-/// @throws Error when the settings are no JSON object or writing fails
+/// @throws Error when the settings are not a JSON object or writing fails
 void write_run_json(const std::filesystem::path& file, const RunRecord& record);
 
 /// Reads what write_run_json() wrote, for a run that is continued; null gives NaN.

@@ -3,7 +3,7 @@
 
 #include <physgen/add.h>
 #include <physgen/cuda/check.h>
-#include <physgen/host_loop.h>
+#include <physgen/detail/host_loop.h>
 #include <physgen/lanes.h>
 #include <physgen/space.h>
 

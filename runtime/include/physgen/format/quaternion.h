@@ -1,7 +1,7 @@
 // Rotations stored as unit quaternions w, x, y, z, each component in a format of its own: 4 elements instead of 9.
 #pragma once
 
-#include <physgen/format/from_library.h>
+#include <physgen/detail/from_library.h>
 #include <physgen/format/native.h>
 #include <physgen/format/nothing.h>
 #include <physgen/format/snorm16.h>

@@ -1,10 +1,10 @@
 // Numbers in another unit or around another zero than those that code computes with, in any stored type.
 #pragma once
 
-#include <physgen/format/from_library.h>
+#include <physgen/detail/from_library.h>
+#include <physgen/detail/rounding.h>
 #include <physgen/format/native.h>
 #include <physgen/format/nothing.h>
-#include <physgen/format/rounding.h>
 
 #include <type_traits>
 

@@ -8,8 +8,9 @@
 //   lanes     | 0  1  2  3  | 0  1  2  3  | 0  1  2  3  | 0  1  2  3  |
 //   objects   | 0  1  2  3  | 0  1  2  3  | 4  5  6  7  | 4  5  6  7  |
 //
-// A record takes `record_bytes` bytes, and so a tile takes pitch * record_bytes. Of an element of `size` bytes that lies
-// `offset` bytes into the record, the channel begins at offset * pitch of its tile, and object i has lane i % pitch:
+// A record takes `record_bytes` bytes, and so a tile takes pitch * record_bytes. Of an element of `size` bytes that
+// lies `offset` bytes into the record, the channel begins at offset * pitch of its tile, and object i has lane i %
+// pitch:
 //
 //   address(i, offset) = base + (i / pitch) * pitch * record_bytes + offset * pitch + (i % pitch) * size
 //
@@ -38,12 +39,12 @@ namespace physgen::law {
 [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t lane_begin(index_t lane, index_t size) { return lane * size; }
 
 /// The law: the address of an element of object i.
-/// @param base the array's first byte
+/// @param base the array's first byte; or the number of a byte, 0 for the distance from the beginning of the array
 /// @param pitch StaticPitch, WholePitch or another type with their functions
 /// @param offset of the element in the record [bytes]
 /// @param size of the element [bytes]
-template <class Byte, class Pitch>
-[[nodiscard]] PHYSGEN_FUNCTION constexpr Byte* element(Byte* base, const Pitch& pitch, index_t record_bytes, index_t i,
+template <class Start, class Pitch>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr Start element(Start base, const Pitch& pitch, index_t record_bytes, index_t i,
                                                        index_t offset, index_t size) {
   return base + tile_begin(pitch.tile(i), tile_bytes(pitch.value(), record_bytes)) +
          channel_begin(offset, pitch.value()) + lane_begin(pitch.lane(i), size);

@@ -20,7 +20,7 @@ using cuda::for_each_part;
 using cuda::move_records;
 using cuda::Moves;
 using cuda::moves_per_launch;
-using cuda::Place;
+using cuda::ObjectElements;
 using cuda::read;
 using cuda::Staged;
 using cuda::threads;
@@ -37,7 +37,8 @@ struct Block {
 
 // Elements that only move, as words of type T.
 template <class T, bool kFromStaged, bool kToStaged>
-__device__ void move_words(const Moves& moves, const Place<kFromStaged>& from, const Place<kToStaged>& to) {
+__device__ void move_words(const Moves& moves, const ObjectElements<kFromStaged>& from,
+                           const ObjectElements<kToStaged>& to) {
   constexpr int batch = 16;  // loads in flight
   constexpr int size = sizeof(T);
   for (int first = 0; first < moves.elements; first += batch) {
@@ -56,8 +57,8 @@ __device__ void move_words(const Moves& moves, const Place<kFromStaged>& from, c
 
 // Between floats and 16 bits of one encoding: kNarrow to 16 bits, else from them.
 template <bool kNarrow, class Codec, bool kFromStaged, bool kToStaged>
-__device__ void convert_by(const Codec& codec, const Moves& moves, const Place<kFromStaged>& from,
-                           const Place<kToStaged>& to) {
+__device__ void convert_by(const Codec& codec, const Moves& moves, const ObjectElements<kFromStaged>& from,
+                           const ObjectElements<kToStaged>& to) {
   using From = std::conditional_t<kNarrow, float, unsigned short>;
   constexpr int batch = 16;  // loads in flight
   constexpr int from_size = sizeof(From), to_size = kNarrow ? 2 : 4;
@@ -81,13 +82,15 @@ __device__ void convert_by(const Codec& codec, const Moves& moves, const Place<k
   }
 }
 template <bool kNarrow, bool kFromStaged, bool kToStaged>
-__device__ void convert_uniform(const Moves& moves, const Place<kFromStaged>& from, const Place<kToStaged>& to) {
+__device__ void convert_uniform(const Moves& moves, const ObjectElements<kFromStaged>& from,
+                                const ObjectElements<kToStaged>& to) {
   const detail::Encoding& encoding = kNarrow ? moves.element[0].to : moves.element[0].from;
   detail::with_codec<float>(encoding, [&](const auto& codec) { convert_by<kNarrow>(codec, moves, from, to); });
 }
 
 template <bool kFromStaged, bool kToStaged>
-__device__ void convert_elements(const Moves& moves, const Place<kFromStaged>& from, const Place<kToStaged>& to) {
+__device__ void convert_elements(const Moves& moves, const ObjectElements<kFromStaged>& from,
+                                 const ObjectElements<kToStaged>& to) {
   constexpr int batch = 4;  // loads in flight
   for (int first = 0; first < moves.elements; first += batch) {
     unsigned long long bits[batch];
@@ -143,11 +146,11 @@ __global__ void convert_kernel(const Addressing to, const Addressing from, const
     }
   }
   if (kFromStaged || block.clear) __syncthreads();
-  const int slot = static_cast<int>(threadIdx.x);
-  if (slot >= lo && slot < hi) {
-    const index_t i = block_begin + slot;
-    const Place<kFromStaged> source(from, block.from, from_shared, i, slot);
-    const Place<kToStaged> target(to, block.to, to_shared, i, slot);
+  const int thread = static_cast<int>(threadIdx.x);
+  if (thread >= lo && thread < hi) {
+    const index_t i = block_begin + thread;
+    const ObjectElements<kFromStaged> source(from, block.from, from_shared, i, thread);
+    const ObjectElements<kToStaged> target(to, block.to, to_shared, i, thread);
     if constexpr (kKind == Kind::words4) {
       move_words<unsigned>(moves, source, target);
     } else if constexpr (kKind == Kind::words2) {
@@ -169,7 +172,7 @@ __global__ void convert_rotations(const Addressing to, const Addressing from, co
                                   index_t begin, index_t end) {
   const index_t i = begin + blockIdx.x * index_t{blockDim.x} + threadIdx.x;
   if (i >= end) return;
-  for (int r = 0; r < moves.rotations; ++r) moves.rotation[r].run(to, from, i);
+  for (int r = 0; r < moves.rotations; ++r) moves.rotation[r].apply(to, from, i);
 }
 
 [[nodiscard]] Kind kind_of(const Moves& moves) {

@@ -25,7 +25,7 @@ struct Staged {
                                          static_cast<unsigned>(result.words));
     return result;
   }
-  [[nodiscard]] __device__ int place(int word) const {
+  [[nodiscard]] __device__ int index_of(int word) const {
     const int record = words == 1 ? word : static_cast<int>(__umulhi(static_cast<unsigned>(word), magic));
     return word + record * (stride - words);
   }
@@ -42,20 +42,20 @@ __device__ void move_records(const Staged& staged, unsigned* shared, std::byte* 
     auto* wide = reinterpret_cast<uint4*>(words + w);
     if constexpr (kIn) {
       const uint4 four = *wide;
-      shared[staged.place(w)] = four.x;
-      shared[staged.place(w + 1)] = four.y;
-      shared[staged.place(w + 2)] = four.z;
-      shared[staged.place(w + 3)] = four.w;
+      shared[staged.index_of(w)] = four.x;
+      shared[staged.index_of(w + 1)] = four.y;
+      shared[staged.index_of(w + 2)] = four.z;
+      shared[staged.index_of(w + 3)] = four.w;
     } else {
-      *wide = {shared[staged.place(w)], shared[staged.place(w + 1)], shared[staged.place(w + 2)],
-               shared[staged.place(w + 3)]};
+      *wide = {shared[staged.index_of(w)], shared[staged.index_of(w + 1)], shared[staged.index_of(w + 2)],
+               shared[staged.index_of(w + 3)]};
     }
   }
   const auto single = [&](int w) {
     if constexpr (kIn) {
-      shared[staged.place(w)] = words[w];
+      shared[staged.index_of(w)] = words[w];
     } else {
-      words[w] = shared[staged.place(w)];
+      words[w] = shared[staged.index_of(w)];
     }
   };
   const int before = min(whole_begin, words_end);
@@ -66,13 +66,14 @@ __device__ void move_records(const Staged& staged, unsigned* shared, std::byte* 
 
 /// Where the elements of one object lie: in memory, or in its record in shared memory.
 template <bool kStaged>
-struct Place {
+struct ObjectElements {
   std::byte* object;
   index_t pitch;
   index_t lane;
-  __device__ Place(const detail::Addressing& array, const Staged& staged, unsigned* shared, index_t i, int slot) {
+  __device__ ObjectElements(const detail::Addressing& array, const Staged& staged, unsigned* shared, index_t i,
+                            int record) {
     if constexpr (kStaged) {
-      object = reinterpret_cast<std::byte*>(shared + slot * staged.stride);
+      object = reinterpret_cast<std::byte*>(shared + record * staged.stride);
       pitch = 1;
       lane = 0;
     } else {

@@ -46,7 +46,7 @@ struct Shared {
   static constexpr int stride = words | 1;
   static constexpr int vectors = words * block_objects / 4;  // of 16 bytes, in a block
 
-  [[nodiscard]] __device__ static int place(int word) { return word + word / words * (stride - words); }
+  [[nodiscard]] __device__ static int index_of(int word) { return word + word / words * (stride - words); }
 };
 
 template <class T, int N>
@@ -68,10 +68,10 @@ __global__ void __launch_bounds__(block_objects)
   for (int r = 0; r < rounds; ++r) {
     const int word = (r * block_objects + t) * 4;
     if (word >= Records::vectors * 4) continue;
-    shared[Records::place(word)] = loaded[r].x;
-    shared[Records::place(word + 1)] = loaded[r].y;
-    shared[Records::place(word + 2)] = loaded[r].z;
-    shared[Records::place(word + 3)] = loaded[r].w;
+    shared[Records::index_of(word)] = loaded[r].x;
+    shared[Records::index_of(word + 1)] = loaded[r].y;
+    shared[Records::index_of(word + 2)] = loaded[r].z;
+    shared[Records::index_of(word + 3)] = loaded[r].w;
   }
   __syncthreads();
   const Channels target(to, block_begin + t, sizeof(T));
@@ -110,8 +110,8 @@ __global__ void __launch_bounds__(block_objects) to_records(const Addressing to,
   auto* records = reinterpret_cast<uint4*>(to.base + law::tile_begin(block_begin - to.first, index_t{N * sizeof(T)}));
 #pragma unroll
   for (int v = t; v < Records::vectors; v += block_objects) {
-    records[v] = {shared[Records::place(4 * v)], shared[Records::place(4 * v + 1)], shared[Records::place(4 * v + 2)],
-                  shared[Records::place(4 * v + 3)]};
+    records[v] = {shared[Records::index_of(4 * v)], shared[Records::index_of(4 * v + 1)],
+                  shared[Records::index_of(4 * v + 2)], shared[Records::index_of(4 * v + 3)]};
   }
 }
 

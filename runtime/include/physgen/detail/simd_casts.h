@@ -2,7 +2,7 @@
 // compared in one type and select or are joined in another.
 #pragma once
 
-#include <physgen/lanewise.h>
+#include <physgen/detail/lanewise.h>
 #include <physgen/simd_access.h>
 
 #include <cstdint>
@@ -63,12 +63,12 @@ template <class T, class A>
   if constexpr (sizeof(Register) < 16) {
     return Mask(static_cast<Register>(bits));
   } else {
-    using Lanes = xsimd::batch<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, A>;
-    using Lane = typename Lanes::value_type;
+    using Integers = xsimd::batch<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, A>;
+    using Lane = typename Integers::value_type;
     alignas(64) std::array<Lane, Mask::size> of_lane;
     for (std::size_t l = 0; l < Mask::size; ++l) of_lane[l] = Lane{1} << l;
-    const Lanes own = Lanes::load_aligned(of_lane.data());
-    return Mask(std::bit_cast<Register>(((Lanes(static_cast<Lane>(bits)) & own) == own).data));
+    const Integers own = Integers::load_aligned(of_lane.data());
+    return Mask(std::bit_cast<Register>(((Integers(static_cast<Lane>(bits)) & own) == own).data));
   }
 }
 

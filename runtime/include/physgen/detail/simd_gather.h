@@ -1,8 +1,8 @@
 // The cursor of W objects named by an index batch. Included by host translation units only.
 #pragma once
 
+#include <physgen/detail/simd_cursor.h>
 #include <physgen/error.h>
-#include <physgen/simd_cursor.h>
 
 #include <string>
 

@@ -1,6 +1,6 @@
-// Which objects of a mirror are newer on which side.
+// See physgen/detail/changed_objects.h.
+#include <physgen/detail/changed_objects.h>
 #include <physgen/error.h>
-#include <physgen/mirror.h>
 
 #include <algorithm>
 #include <iterator>

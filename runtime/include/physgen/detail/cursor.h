@@ -2,9 +2,9 @@
 // into addresses by the law (layout/address.h); generated accessors and kernels only use it.
 #pragma once
 
+#include <physgen/detail/count_losses.h>
 #include <physgen/field_ref.h>
 #include <physgen/layout/address.h>
-#include <physgen/losses.h>
 #include <physgen/pack.h>
 
 #include <atomic>

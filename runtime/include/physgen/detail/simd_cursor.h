@@ -2,7 +2,7 @@
 // lane. Included by host translation units only.
 #pragma once
 
-#include <physgen/cursor.h>
+#include <physgen/detail/cursor.h>
 #include <physgen/simd.h>
 
 #include <array>

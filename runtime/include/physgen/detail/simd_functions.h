@@ -3,7 +3,7 @@
 // library's function. As with fma() in simd.h, these overloads are more special than xsimd's own.
 #pragma once
 
-#include <physgen/simd_masks.h>
+#include <physgen/detail/simd_masks.h>
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,56 @@
+// How the entries of rows are visited and summed.
+#pragma once
+
+#include <physgen/view.h>
+
+#include <type_traits>
+
+namespace physgen::detail {
+
+/// How the entries of the row(s) at an index of type I are visited. simd_rows.h has the form for packs.
+template <class I>
+struct RowVisit {
+  static_assert(std::is_integral_v<I>, "rows of packs need <physgen/parallel_for.h>; a gathered index has no rows");
+
+  /// @tparam Index I, or an Own that holds one
+  template <class T, class Ranges, class Entries, class Index, class Body>
+  [[gnu::flatten]] PHYSGEN_FUNCTION static void each(const Ranges& ranges, const Entries& entries, const Index& i,
+                                                     const Body& body) {
+    const auto range = ranges[i];
+    const index_t begin = range.begin(), end = range.end();
+    for (index_t k = begin; k < end; ++k) body(entries[k], true);
+  }
+};
+
+/// The same objects, to be read.
+template <class Object, class Real, class Layout, class Formats, class Space>
+[[nodiscard]] PHYSGEN_FUNCTION View<Object, const Real, Layout, Formats, Space> read_only(
+    const View<Object, Real, Layout, Formats, Space>& view) {
+  return view;
+}
+
+/// What is summed: a number, or a matrix of numbers. Eigen's expressions, such as Zero(), stand for one.
+template <class Value>
+struct Summand {
+  using type = Value;
+  using Scalar = Value;
+};
+template <class Value>
+  requires requires { typename Value::PlainObject; }
+struct Summand<Value> {
+  using type = typename Value::PlainObject;
+  using Scalar = typename Value::Scalar;
+};
+
+/// What a fold over a row forms next is of the type of its total.
+template <class Sum, class Next>
+[[nodiscard]] PHYSGEN_FUNCTION Sum next_total(const Next& next) {
+  static_assert(!std::is_arithmetic_v<Next> || std::is_same_v<Next, Sum>,
+                "rows.fold(): `step` returns another type than that of `total`, to which it would be cut down");
+  return next;
+}
+
+/// @throw Error when rows that `of` names are not `size` rows of entries that name `targets` objects
+void require_rows(const char* of, index_t rows, index_t row_targets, index_t size, index_t targets);
+
+}  // namespace physgen::detail

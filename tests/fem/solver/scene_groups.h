@@ -1,0 +1,49 @@
+// The groups of arrays of the solver's scenes, filled as the shipped solver fills its own.
+#pragma once
+
+#include <fem/mesh/mesh_arrays.h>
+#include <fem/solver/make_linear_levels.h>
+#include <fem/solver/solver_program.h>
+
+#include <utility>
+#include <vector>
+
+#include "bodies.h"
+
+namespace physgen::fem {
+
+/// Those of a scene whose tangents are assembled and whose volumes are averaged over patches.
+template <class BodyGroup, class Patches, class Chunk, class LevelGroup, class Krylov>
+struct SceneGroups {
+  BodyGroup body;
+  Patches patches;
+  Chunk chunk;
+  std::vector<LevelGroup> levels;
+  Krylov krylov;
+  MeshFacts facts;
+  double spacing = 0;  ///< of the finest mesh [m]
+
+  SceneGroups(const Body& given, const SolverSettings& settings) {
+    using Mesh = EquilibriumOver<float, BodyGroup, PatchesOver<Patches>, NoArrays, Chunk>;
+    using Level = LevelOver<float, Host, StoredAsComputed, AssembledOnMeshes, LevelGroup, NoArrays, NoArrays, NoArrays>;
+    const LevelsInUse used = levels_in_use(given.levels, settings);
+    const MeshLevel& finest = used.levels.front();
+    Mesh mesh(finest, used.graphs.front(), false, TangentLists::of_edges, nullptr);
+    store_loading(mesh, finest, given.loading.motion, given.loading.forces);
+    facts.chunks = mesh.chunks;
+    facts.rounding_force = rounding_force(settings, finest, given.loading.motion, false, mesh.spacing);
+    facts.moves = true;
+    spacing = mesh.spacing;
+    body = std::move(mesh);
+    patches = std::move(*mesh.patches);
+    chunk = std::move(*mesh.chunk_arrays);
+    for (auto& level : make_linear_levels<Level>(used, settings)) {
+      facts.sums.push_back(std::move(level->sums));
+      levels.push_back(std::move(*level));
+    }
+    krylov.allocate({.node = body.rest.size()});
+    start_without_values(body.forces.untyped(), {"f"});
+  }
+};
+
+}  // namespace physgen::fem

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Tests of the command truthcube with meshes in the place of the cube: mesh_test.sh RULE PROGRAM FOLDER [LAYOUT]
+set -euo pipefail
+rule=$1 program=$2 folder=$3/$1 built=${4:-schema} # the layout
+here=$(cd "$(dirname "$0")" && pwd)
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder"
+export OMP_NUM_THREADS=1
+
+. "$here/command_helpers.sh"
+# A box of N^3 cells and 0.08 m in Gmsh's format, version 2.2; tet number $2, if given, has two corners exchanged.
+write_mesh() {
+  awk -v n="$1" -v inverted="${2:-0}" 'BEGIN {
+    print "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" (n + 1) ^ 3
+    for (z = 0; z <= n; ++z) for (y = 0; y <= n; ++y) for (x = 0; x <= n; ++x)
+      printf "%d %.17g %.17g %.17g\n", ++nodes, .08 * x / n, .08 * y / n, .08 * z / n
+    print "$EndNodes\n$Elements\n" 6 * n ^ 3
+    count = split("0137 0267 0457 0327 0517 0647", path, " ")
+    for (z = 0; z < n; ++z) for (y = 0; y < n; ++y) for (x = 0; x < n; ++x) for (p = 1; p <= count; ++p) {
+      for (c = 1; c <= 4; ++c) {
+        k = substr(path[p], c, 1)
+        corner[c] = 1 + x + k % 2 + (n + 1) * (y + int(k / 2) % 2 + (n + 1) * (z + int(k / 4)))
+      }
+      if (++tets == inverted) { swap = corner[1]; corner[1] = corner[2]; corner[2] = swap }
+      print tets, 4, 2, 0, 1, corner[1], corner[2], corner[3], corner[4]
+    }
+    print "$EndElements"
+  }'
+}
+small=(--cells 4 --threads 1)
+
+case $rule in
+  a_mesh_takes_the_place_of_the_cube)
+    write_mesh 5 >m.msh
+    expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --out o
+    expect out '750 tets, 216 nodes, 2 levels'
+    [[ -s o/cube.vtkhdf && ! -e o/beads.csv ]] || fail 'other files'
+    expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --dry-run
+    ((10 * $(sed -nE 's/^solver: ([0-9]+) bytes.*/\1/p' out) - 10 * $(number_of bytes o/run.json) == 0)) || fail 'other bytes'
+    # The cube is that mesh: in both, tets give the same equilibrium.
+    flags=(--threads 1 --volume tets --compress 0.05 --tolerance 1e-10 --precision double)
+    expect_exit 0 --mesh m.msh "${flags[@]}" --out a
+    expect_exit 0 --cells 5 "${flags[@]}" --out b
+    awk -v a="$(number_of reaction a/run.json)" -v b="$(number_of reaction b/run.json)" \
+      'BEGIN { exit !(a < 0 && (a - b) ^ 2 < 1e-14 * a * a) }' || fail 'another reaction' ;;
+  a_mesh_by_itself_has_multigrid_over_a_background_grid)
+    write_mesh 9 >m.msh
+    expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --out a
+    expect out 'note: multigrid over a background grid of 4 x 4 x 4 cells, and load steps: nested ones need .* --refine'
+    expect out '4374 tets, 1000 nodes, 2 levels'
+    expect a/run.json 'stepping.*loads'
+    expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --preconditioner block-jacobi --out b
+    expect_no out 'note'
+    expect out '4374 tets, 1000 nodes, 1 levels'
+    ((4 * $(number_of pcg_iterations a/run.json | head -1) < $(number_of pcg_iterations b/run.json | head -1))) ||
+      fail 'many iterations'
+    for flags in "" "--volume tets --precision double" "--refine 1 --precision float"; do
+      # shellcheck disable=SC2086
+      expect_exit 0 --mesh m.msh --threads 1 --compress 0.01 --out o $flags
+      # shellcheck disable=SC2086
+      expect_exit 0 --mesh m.msh --threads 1 --compress 0.01 --dry-run $flags
+      said=$(sed -nE 's/^solver: ([0-9]+) bytes.*/\1/p' out)
+      took=$(number_of bytes o/run.json)
+      ((said == took)) || fail "$flags: $said bytes said, $took taken"
+    done ;;
+  a_refined_mesh_has_multigrid)
+    write_mesh 2 >m.msh
+    expect_exit 0 --mesh m.msh --refine 2 --threads 1 --compress 0.05
+    expect out '3072 tets, 729 nodes, 3 levels'
+    expect_no out 'block Jacobi' ;;
+  a_mesh_that_is_not_sound_is_refused_with_places)
+    write_mesh 2 7 >m.msh
+    expect_exit 1 --mesh m.msh
+    expect err 'm.msh cannot be used'
+    expect err 'negative volume [(]element 7[)]'
+    expect_exit 1 --mesh absent.msh
+    expect err 'absent.msh'
+    echo 'no mesh' >text.msh
+    expect_exit 1 --mesh text.msh
+    expect err 'text.msh' ;;
+  *) fail 'no such rule' ;;
+esac
