@@ -120,7 +120,7 @@ struct PHYSGEN_SCENE() hidden {
   template <class On, class Body>
   static void program(On& on, Body& body) {
     on.run(body.in.size(), ::hidden::Kernel{body.in.view(), body.out.view()});
-    if constexpr (requires { body.in.storage(); }) on.run(1, ::hidden::Kernel{body.in.view(), body.out.view()});  // depends
+    if constexpr (requires { body.in.untyped(); }) on.run(1, ::hidden::Kernel{body.in.view(), body.out.view()});  // depends
   }
 };
 
