@@ -209,6 +209,9 @@ TEST(UniformArray, refuses_a_negative_size_and_keeps_its_record_otherwise) {
   EXPECT_EQ(rest.size(), 1000);
   EXPECT_EQ(rest.view()[index_t{999}].volume(), 3.F);
   EXPECT_THROW(rest.resize(-1), Error);
+  rest.resize(0);
+  rest.resize(2);
+  EXPECT_EQ(rest.view()[index_t{1}].volume(), 3.F);
 }
 
 // ---- Fields that begin without values -------------------------------------------------------------------------------
@@ -242,6 +245,22 @@ TEST(StartWithoutValues, is_what_allocate_does_in_checked_builds_with_fields_tha
   state.allocate({.tet = tets});
   EXPECT_EQ(std::isnan(state.svds.view()[index_t{tets - 1}].s().get()[2]), checked_build);
   EXPECT_EQ(body.positions.view()[index_t{3}].x().get(), Eigen::Vector3f(0, 0, 0)) << "an input keeps initial values";
+}
+
+TEST(StartWithoutValues, gives_integers_the_lowest_and_reaches_the_record_of_a_uniform_array) {
+  elasticity::TetArray<float> tets_of_nodes(3);
+  start_without_values(tets_of_nodes.untyped(), {"nodes"});
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(tets_of_nodes.getdata(2, k), -2147483648.0);
+  UniformArray<elasticity::RestShapeArray<float>> rest;
+  allocate(rest, 7, {"volume"});
+  EXPECT_EQ(std::isnan(rest.view()[index_t{6}].volume()), checked_build);
+}
+
+TEST(StartWithoutValues, means_all_entries_of_a_fixed_array_of_nested_objects_by_one_name) {
+  EXPECT_TRUE(detail::is_named("points[0].x", "points.x") && detail::is_named("points[12].x", "points.x"));
+  EXPECT_TRUE(detail::is_named("x", "x") && detail::is_named("svd.U", "svd.U"));
+  EXPECT_FALSE(detail::is_named("points[0].xy", "points.x") || detail::is_named("points[0].x", "points.xy"));
+  EXPECT_FALSE(detail::is_named("point[0].x", "points.x") || detail::is_named("", "x"));
 }
 
 TEST(StartWithoutValues, names_a_field_that_there_is_not) {
