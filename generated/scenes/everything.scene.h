@@ -742,6 +742,7 @@ struct Inertia {
   /// dynamics::NodeMass, per node: mass
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::inertia::masses, ::dynamics::NodeMassArray<double,
       Space>>> masses;
+  /// Before the first time step they do nothing, but are read.
   /// elasticity::NodePosition, per moving_node: x
   physgen::StoredArray<Stored, tags::inertia::centres, ::elasticity::NodePositionArray<double, Space>> centres;
   /// dynamics::NodeVelocity, per moving_node: v
@@ -755,7 +756,7 @@ struct Inertia {
   /// @throw physgen::Error when a count is negative or the memory cannot be had
   void allocate(const Counts& counts) {
     physgen::allocate(masses, counts.node);
-    physgen::allocate(centres, counts.moving_node, {"x"});
+    physgen::allocate(centres, counts.moving_node);
     physgen::allocate(velocities, counts.moving_node);
     physgen::allocate(measured, counts.measure, {"kinetic", "momentum", "farthest"});
   }

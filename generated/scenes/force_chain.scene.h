@@ -2,6 +2,7 @@
 // and the kernels that it runs: change these, not this file.
 #pragma once
 
+#include <physgen/local_array.h>
 #include <physgen/scene_arrays.h>
 
 #include <elasticity.physgen.h>
@@ -55,12 +56,15 @@ struct Body {
   /// elasticity::Incidence, per corner: element, local
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::node_tets, ::elasticity::IncidenceArray<Real,
       Space>>> node_tets;
-  /// elasticity::DeformationGradient, per tet: F
-  physgen::StoredArray<Stored, tags::body::gradients, ::elasticity::DeformationGradientArray<Real, Space>> gradients;
-  /// elasticity::DeformationSvd, per tet: U, V, s
-  physgen::StoredArray<Stored, tags::body::svds, ::elasticity::DeformationSvdArray<Real, Space>> svds;
-  /// elasticity::Stress, per tet: P
-  physgen::StoredArray<Stored, tags::body::stresses, ::elasticity::StressArray<Real, Space>> stresses;
+  /// elasticity::DeformationGradient, per tet: F; local to steps that are one, so it holds no memory
+  physgen::LocalArray<physgen::StoredArray<Stored, tags::body::gradients, ::elasticity::DeformationGradientArray<Real,
+      Space>>, tags::body::gradients> gradients;
+  /// elasticity::DeformationSvd, per tet: U, V, s; local to steps that are one, so it holds no memory
+  physgen::LocalArray<physgen::StoredArray<Stored, tags::body::svds, ::elasticity::DeformationSvdArray<Real, Space>>,
+      tags::body::svds> svds;
+  /// elasticity::Stress, per tet: P; local to steps that are one, so it holds no memory
+  physgen::LocalArray<physgen::StoredArray<Stored, tags::body::stresses, ::elasticity::StressArray<Real, Space>>,
+      tags::body::stresses> stresses;
   /// elasticity::CornerForces, per tet: G
   physgen::StoredArray<Stored, tags::body::corner_forces, ::elasticity::CornerForcesArray<Real, Space>> corner_forces;
   /// elasticity::NodeForce, per node: f
@@ -75,9 +79,9 @@ struct Body {
     physgen::allocate(rest, counts.tet);
     physgen::allocate(node_ranges, counts.node);
     physgen::allocate(node_tets, counts.corner);
-    physgen::allocate(gradients, counts.tet, {"F"});
-    physgen::allocate(svds, counts.tet, {"U", "V", "s"});
-    physgen::allocate(stresses, counts.tet, {"P"});
+    physgen::allocate(gradients, counts.tet);
+    physgen::allocate(svds, counts.tet);
+    physgen::allocate(stresses, counts.tet);
     physgen::allocate(corner_forces, counts.tet, {"G"});
     physgen::allocate(forces, counts.node, {"f"});
   }

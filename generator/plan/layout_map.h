@@ -55,7 +55,7 @@ struct Segment {
   bool operator==(const Segment&) const = default;
 };
 
-/// What stands at an address: bytes [begin, end) hold one element of one object, or nothing.
+/// A part of memory: its bytes [begin, end) hold one element of one object, or nothing.
 struct Cell {
   long long begin = 0;
   long long end = 0;

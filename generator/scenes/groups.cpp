@@ -144,7 +144,9 @@ class Joiner {
   void others() {
     if (!program_.cause.empty()) needs_.not_joined.push_back("no step is looked at: " + program_.cause);
     std::map<std::string, Reasons> by_function;
-    for (const auto& [step, function] : program_.elsewhere) by_function[function].push_back(short_name(step));
+    for (const auto& [step, function] : program_.elsewhere)
+      if (auto& steps = by_function[function]; steps.empty() || steps.back() != short_name(step))
+        steps.push_back(short_name(step));
     for (const auto& [function, steps] : by_function)
       needs_.not_joined.push_back(function + " runs " + listed(steps) + ", not the text of the program");
   }

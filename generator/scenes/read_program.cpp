@@ -41,6 +41,16 @@ bool has_word(const std::string& text, const std::string& word) {
   return false;
 }
 
+/// "physgen::fem::assemble": of a function, whatever it is instantiated for, and of a lambda in it.
+std::string plain_name(const clang::DeclContext* scope) {
+  if (scope == nullptr || scope->isTranslationUnit()) return {};
+  std::string outer = plain_name(scope->getParent());
+  const auto* named = llvm::dyn_cast<clang::NamedDecl>(scope);
+  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(scope);
+  if (named == nullptr || named->getIdentifier() == nullptr || (record != nullptr && record->isLambda())) return outer;
+  return (outer.empty() ? outer : outer + "::") + named->getName().str();
+}
+
 class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
  public:
   ProgramReader(clang::ASTContext& context, const Scene& scene, const std::vector<std::string>& folders)
@@ -59,7 +69,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     while (!queue_.empty()) {  // functions that the program calls
       const auto* function = queue_.back();
       queue_.pop_back();
-      where_ = function->getQualifiedNameAsString() + "()";
+      where_ = plain_name(function) + "()";
       TraverseStmt(function->getBody());
     }
     return std::move(result_);
@@ -72,7 +82,8 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
   bool VisitCallExpr(clang::CallExpr* call) {
     if (const std::string what = asked(*call); !what.empty()) {
       const auto* method = call->getDirectCallee();
-      if (what == "run" && known_.count(call) == 0) result_.elsewhere.try_emplace(step_of(*method), place_of_rest());
+      if (const std::string step = step_of(*method); what == "run" && known_.count(call) == 0 && !step.empty())
+        result_.elsewhere.try_emplace(step, where_.empty() ? "a statement of its own" : where_);
     } else {
       follow(call->getDirectCallee());
     }
@@ -130,8 +141,6 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     if (definition->getBody() != nullptr && seen_.insert(definition->getCanonicalDecl()).second)
       queue_.push_back(definition);
   }
-
-  [[nodiscard]] std::string place_of_rest() const { return where_.empty() ? "a statement of its own" : where_; }
 
   /// The name of the step that an executor's function is instantiated for.
   std::string step_of(const clang::FunctionDecl& method) {

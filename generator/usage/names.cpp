@@ -67,7 +67,8 @@ Place Names::place(clang::SourceLocation location) const {
 bool Names::is_library(clang::SourceLocation location) const {
   if (location.isInvalid() || sources_.isInSystemHeader(sources_.getFileLoc(location))) return true;
   const std::string file = place(location).file;
-  return file.starts_with("physgen/") || file.ends_with(".physgen.h");
+  // Fields' values are Eigen's, whether or not its folder is one of the system's.
+  return file.starts_with("physgen/") || file.starts_with("Eigen/") || file.ends_with(".physgen.h");
 }
 
 const clang::DeclContext* Names::space(std::initializer_list<llvm::StringRef> path) const {

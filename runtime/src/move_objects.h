@@ -8,14 +8,11 @@
 
 namespace physgen::detail {
 
-/// A list of object numbers, or the consecutive ones from `begin` on.
+/// A list of object numbers, or all numbers in their order.
 struct Picked {
-  const index_t* numbers;  ///< null: consecutive
-  index_t begin;
+  const index_t* numbers;  ///< null: all
 
-  [[nodiscard]] PHYSGEN_FUNCTION index_t operator[](index_t i) const {
-    return numbers != nullptr ? numbers[i] : begin + i;
-  }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t operator[](index_t i) const { return numbers != nullptr ? numbers[i] : i; }
 };
 
 /// Elements of one size that follow each other in a record, whatever their type.

@@ -140,18 +140,18 @@ void pick(const UntypedArray& to, const UntypedArray& from, const Numbers& order
   if (to.size == 0 || to.record_bytes == 0) return;
   if (to.space == SpaceKind::cuda) {
     const auto* numbers = reinterpret_cast<const index_t*>(order.on_device.data());
-    backend::pick(to, 0, from, Picked{numbers, 0}, to.size, nullptr);
+    backend::pick(to, 0, from, Picked{numbers}, to.size, nullptr);
   } else {
-    pick_on_host(to, 0, from, Picked{order.on_host.data(), 0}, to.size);
+    pick_on_host(to, 0, from, Picked{order.on_host.data()}, to.size);
   }
 }
 
 void insert(const UntypedArray& to, index_t begin, const UntypedArray& from) {
   if (from.size == 0 || to.record_bytes == 0) return;
   if (to.space == SpaceKind::cuda) {
-    backend::pick(to, begin, from, Picked{nullptr, 0}, from.size, nullptr);
+    backend::pick(to, begin, from, Picked{nullptr}, from.size, nullptr);
   } else {
-    pick_on_host(to, begin, from, Picked{nullptr, 0}, from.size);
+    pick_on_host(to, begin, from, Picked{nullptr}, from.size);
   }
 }
 

@@ -15,6 +15,11 @@ template <class L>
 class ArrayIn : public ::testing::Test {};
 TYPED_TEST_SUITE(ArrayIn, AllLayouts, LayoutName);
 
+// Tiles of 4 objects whose records take 8 bytes: object 6 lies in tile 1 as lane 2, and its second float in channel 4.
+static_assert(law::element(index_t{0}, StaticPitch<4>(4), 8, 6, 4, 4) == 32 + 4 * 4 + 2 * 4);
+static_assert(law::element(index_t{0}, AnyPitch{4}, 8, 6, 4, 4) == 32 + 4 * 4 + 2 * 4);
+static_assert(law::element(index_t{0}, WholePitch(96), 8, 6, 4, 4) == 4 * 96 + 6 * 4);
+
 TYPED_TEST(ArrayIn, puts_every_element_where_the_law_of_addresses_says) {
   for (const index_t n : {1, 32, 33, 1000}) {
     DeformationSvdArray<float, Host, TypeParam> array(n);

@@ -1,4 +1,4 @@
-// What the command physgen does: read its arguments, parse the schemas, and only then write.
+// The command physgen: it reads its arguments, parses the schemas, and only then writes.
 #pragma once
 
 #include <iosfwd>

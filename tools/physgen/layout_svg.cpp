@@ -116,7 +116,7 @@ std::vector<Part> parts_of(const LayoutMap& map, long long row) {
   return parts;
 }
 
-/// What stands above neighbouring cells: their object where records are whole, else their element.
+/// The text above neighbouring cells: their object where records are whole, else their element.
 std::vector<std::string> group_names(const LayoutMap& map, const Cell& cell) {
   if (map.is_aos()) return {"object " + std::to_string(cell.object), std::to_string(cell.object)};
   if (cell.accessor < 0) return {"padding", ""};
@@ -125,7 +125,7 @@ std::vector<std::string> group_names(const LayoutMap& map, const Cell& cell) {
           accessor.field.name};
 }
 
-/// What stands in a cell: the other of the two.
+/// The text in a cell: the other of the two.
 std::vector<std::string> cell_names(const LayoutMap& map, const Cell& cell) {
   if (cell.accessor < 0) return {""};
   if (!map.is_aos()) return {std::to_string(cell.object), ""};

@@ -30,13 +30,13 @@ struct LayoutError : std::runtime_error {
 /// standard layout: "aosoa" is aosoa(16) on the host and aosoa(32) on CUDA. @throws LayoutError
 [[nodiscard]] model::Layout read_layout(const std::string& word, model::Space space);
 
-/// What this takes, for messages: "aos, aos_padded, soa, aosoa or 'aosoa(32)'".
+/// The words that this takes, for messages: "aos, aos_padded, soa, aosoa or 'aosoa(32)'".
 [[nodiscard]] std::string layout_choices_of_a_space();
 
 /// "host, cuda or both".
 [[nodiscard]] std::string space_choices();
 
-/// What read_layout() takes, and "all", for messages: "aos, aos_padded, soa, 'aosoa(32)' or all".
+/// The words that read_layout() takes, and "all", for messages: "aos, aos_padded, soa, 'aosoa(32)' or all".
 [[nodiscard]] std::string layout_choices();
 
 /// "host", "cuda", "host and cuda".
@@ -58,7 +58,7 @@ struct LayoutError : std::runtime_error {
 /// "F(0,0)..(2,2)": all elements of a run, by its first and last.
 [[nodiscard]] std::string run_name(const Accessor& accessor, int run);
 
-/// What a request costs: "4", "12-13".
+/// The sectors that a request costs: "4", "12-13".
 [[nodiscard]] std::string sectors_words(const Sectors& sectors);
 
 /// Number with so many decimals.

@@ -23,7 +23,7 @@ using ::physgen::usage::Side;
 
 constexpr int done = 0, errors = 1;
 
-/// What is analysed for a file.
+/// The source that is analysed for a file.
 struct Unit {
   std::string name;          // of the program
   std::string file;          // for messages

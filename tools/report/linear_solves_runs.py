@@ -15,7 +15,7 @@ import tempfile
 sys.dont_write_bytecode = True
 import sources  # noqa: E402
 
-# What the figures depend on.
+# Folders and files that the figures depend on.
 MEASURED = ("runtime", "generated", "tools/fem", "tools/truthcube")
 # Poisson's ratios with the treatment of the volume: those of one volume share their mesh.
 BODIES = (("tets", ["0.45"]), ("patches", ["0.49", "0.499"]))

@@ -27,7 +27,7 @@ RESULTS = "tools/report/results"
 BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w./]+) -->\n")
 END = "<!-- end of figures -->\n"
 NUMBER = r"(\d+(?:,\d{3})*(?:\.\d+)?(?:e[-+]?\d+)?)"
-# What looks measured: decimals, large counts, and numbers before a unit.
+# Numbers that look measured: decimals, large counts, and numbers before a unit.
 LOOKS_MEASURED = re.compile(r"\d+\.\d+(?:e[-+]?\d+)?|\d{1,3}(?:,\d{3})+|\d+(?= (?:ms|µs|eps|million)\b)")
 
 

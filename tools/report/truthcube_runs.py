@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True
 import sources  # noqa: E402
 from truthcube import beads, records  # noqa: E402
 
-# What the figures depend on.
+# Folders and files that the figures depend on.
 MEASURED = ("runtime", "generated", "tools/fem", "tools/truthcube")
 # Poisson's ratio and the treatment of the volume, for the table.
 BODIES = (("0.45", "tets"), ("0.49", "patches"), ("0.499", "patches"))

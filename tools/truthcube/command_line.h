@@ -1,5 +1,5 @@
-// What command lines of truthcube's programs share: choices by name, and flags that do not exist. Includes CLI11, which
-// is much to compile.
+// The part that the command lines of truthcube's programs share: choices by name, and flags that do not exist. Includes
+// CLI11, which is much to compile.
 #pragma once
 
 #include <physgen/error.h>

@@ -1,4 +1,4 @@
-// What is drawn of a state: stress, its measures, and the change of volume.
+// The fields of a state that are drawn: stress, its measures, and the change of volume.
 #pragma once
 
 #include <fem/mesh/mesh.h>

@@ -6,7 +6,7 @@
 
 namespace physgen::truthcube {
 
-/// Of the host: all that the machine has, or as much of it as this process may have.
+/// Memory of the host: all that the machine has, or as much of it as this process may have.
 [[nodiscard]] std::int64_t host_memory();
 
 /// Free in the GPU that would be used. @throw Error when there is none, or this build has no CUDA

@@ -43,7 +43,7 @@ double longest_step(const Options& options, const Scene& scene) {
   throw Error(text.data());
 }
 
-/// What the time steps of a state came to.
+/// The sums over the time steps of a state.
 struct Effort {
   int steps = 0, newton = 0, iterations = 0;
   double residual = 0;

@@ -18,7 +18,7 @@ namespace physgen::truthcube {
 /// @throw Error when a time step is longer than what is stable, and as the solvers' makers do
 [[nodiscard]] std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, const Scene& scene);
 
-/// What the plate has travelled over the height at a time: 0 to `compression` in the first half of the duration, with
+/// The travel of the plate over the height at a time: 0 to `compression` in the first half of the duration, with
 /// velocity and acceleration 0 at both ends.
 [[nodiscard]] double compression_at(double time, double duration, double compression);
 

@@ -11,10 +11,10 @@ namespace physgen::truthcube {
 
 enum class VolumeTreatment { tets, patches, nodes };
 enum class TopPlate { bonded, frictionless };
-/// What plates do to the sides of the body: nothing, or they push back what reaches them.
+/// How plates treat the sides of the body: they ignore them, or push back those that reach them.
 enum class Plates { held, contact };
 
-/// What is solved; see scene_choice.h.
+/// The problem that is solved; see scene_choice.h.
 enum class SceneKind {
   everything,
   quasistatic,
@@ -25,7 +25,7 @@ enum class SceneKind {
   linear_elastic
 };
 
-/// Of scenes that move.
+/// Settings of scenes that move.
 struct MotionOptions {
   double time_step = 0;   ///< at most [s]; 0: a hundredth of the duration, or half of what is stable
   double duration = 0.4;  ///< [s]
@@ -58,7 +58,7 @@ struct Options {
   [[nodiscard]] bool moves() const {
     return scene == SceneKind::implicit_dynamics || scene == SceneKind::explicit_dynamics;
   }
-  /// What a run that is continued must not change, as a JSON object.
+  /// The settings that a run that is continued must not change, as a JSON object.
   [[nodiscard]] std::string settings_json() const;
 };
 

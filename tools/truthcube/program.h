@@ -1,4 +1,4 @@
-// What truthcube's programs do around their work: read the command line, and turn errors into text and an exit status.
+// The frame of truthcube's programs: they read the command line, and turn errors into text and an exit status.
 #pragma once
 
 #include <omp.h>
@@ -11,7 +11,7 @@
 
 namespace physgen::truthcube {
 
-/// What an error says to a user: without the library's name before it.
+/// The text of an error for a user: without the library's name before it.
 [[nodiscard]] inline std::string text_of(const std::exception& error) {
   const std::string text = error.what(), prefix = "physgen: ";
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;

@@ -49,7 +49,7 @@ struct RunBytes {
 [[nodiscard]] RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
                                     std::int64_t planes, SceneKind scene = SceneKind::everything);
 
-/// What a mesh of a level takes in the host's memory.
+/// The bytes that a mesh of a level takes in the host's memory.
 [[nodiscard]] std::int64_t bytes_of_mesh(const LevelCounts& level);
 
 }  // namespace physgen::truthcube

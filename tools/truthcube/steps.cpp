@@ -61,7 +61,7 @@ class LastEquilibrium {
     now_.smallest_J = step.smallest_J;
   }
 
-  /// Of solver.load(); nothing where that is the load at the beginning.
+  /// The result of solver.load(); nothing where that is the load at the beginning.
   [[nodiscard]] const std::optional<fem::NewtonResult>& result() {
     look();
     return last_;

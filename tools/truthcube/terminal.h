@@ -1,4 +1,4 @@
-// What a run says on standard output: nothing where it is quiet.
+// The text that a run prints on standard output: nothing where it is quiet.
 #pragma once
 
 #include <fem/solver/settings.h>

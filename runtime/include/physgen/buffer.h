@@ -29,7 +29,6 @@ class Buffer {
 
   [[nodiscard]] std::byte* data() const { return data_; }
   [[nodiscard]] index_t bytes() const { return bytes_; }
-  [[nodiscard]] SpaceKind space() const { return space_; }
 
   void swap(Buffer& other) noexcept {
     std::swap(data_, other.data_);

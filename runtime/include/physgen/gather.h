@@ -20,7 +20,8 @@ namespace physgen {
 /// @param object_of index_t -> Value of one object; called on several threads at once. Where it is noexcept, a CUDA
 ///        array that has the size already is filled in place, which saves its allocation
 /// @throw Error when the memory cannot be had, and in checked builds when a format cannot hold a value; what object_of
-///        throws. The array is then unchanged
+///        throws. The array is then unchanged; only where it is filled in place and CUDA fails can some of its
+///        objects be new
 template <class Object, class Real, class Space, class Layout, class Formats, class ObjectOf>
 void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array, const ObjectOf& object_of,
                Stream stream = nullptr) {
@@ -50,7 +51,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
       detail::host_loop(chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
       losses.add(of_chunk, begin);
     }
-    synchronize(stream);  // what failed shows here, while the array is as it was
+    synchronize(stream);  // what failed shows here, before a fresh array takes the place of the old one
     throw_if_falsified(losses, target);
     if (!in_place) array = std::move(fresh);
   }

@@ -170,8 +170,13 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
       check_range(static_cast<index_t>(i), static_cast<index_t>(i) + 1);
     } else if constexpr (requires { I::width; }) {
       const LaneRange range = lane_range(i);
-      const index_t begin = i.begin % I::width == 0 ? i.begin : -1;  // a pack begins at a multiple of its width
-      check_range(begin + range.first, begin + range.last);
+#ifndef __CUDA_ARCH__  // where there are no packs
+      if (i.begin % I::width != 0) {
+        throw Error(std::string(Object::name) + ": a pack of " + std::to_string(I::width) +
+                    " objects begins at object " + std::to_string(i.begin) + ", which is not a multiple of its width");
+      }
+#endif
+      check_range(i.begin + range.first, i.begin + range.last);
     } else {
       for (std::size_t l = 0; l < I::size; ++l) {
         const auto object = static_cast<index_t>(i.get(l));

@@ -1,4 +1,4 @@
-// What the solver's structs of arrays share.
+// What those who fill and read the solver's arrays share.
 #pragma once
 
 #include <elasticity.physgen.h>
@@ -9,10 +9,6 @@
 #include <quasistatic.physgen.h>
 
 namespace physgen::fem {
-
-/// The layout that the schema gives an object type in a space.
-template <class Array>
-using LayoutOf = typename Array::View::Layout;
 
 /// An array in another space, with the same objects.
 template <class Array, class From>

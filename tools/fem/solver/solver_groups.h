@@ -175,7 +175,8 @@ struct OfInertia {
   struct Inertia {
     PHYSGEN_ARRAY(per("node"), input()) Array<dynamics::NodeMassObject, double> masses;
     // None where equilibrium is not solved.
-    PHYSGEN_ARRAY(per("moving_node")) Array<elasticity::NodePositionObject, double> centres;
+    /// Before the first time step they do nothing, but are read.
+    PHYSGEN_ARRAY(per("moving_node"), input()) Array<elasticity::NodePositionObject, double> centres;
     PHYSGEN_ARRAY(per("moving_node"), input(), output()) Array<dynamics::NodeVelocityObject, double> velocities;
     /// Without elastic energy, which stands in the body's state: here it stays what it is at the beginning.
     PHYSGEN_ARRAY(per("measure"), input("elastic")) Array<dynamics::MotionObject, double> measured;

@@ -1,4 +1,4 @@
-// What was measured on: for the end of the table and the context of the results' JSON.
+// The machine that was measured on: for the end of the table and the context of the results' JSON.
 #pragma once
 
 #include <string>

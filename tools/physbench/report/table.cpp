@@ -9,7 +9,7 @@ namespace physgen::bench {
 
 namespace {
 
-// What a row is computed in. Storage schemes are of floats.
+// The type that a row computes in; storage schemes compute in float.
 std::string precision(const Row& row) { return row.storage == "double" ? "double" : "float"; }
 
 // The layout, and the scheme where there is one.
@@ -82,7 +82,7 @@ void TableReporter::print_row(const Row& row, const Row* before, const Numbers& 
   const double ms = counters.at(counter::median_ms);
   std::ostream& out = GetOutputStream();
   const bool first = before == nullptr || before->kernel != row.kernel || before->set != row.set;
-  // What is as in the row before is not said again.
+  // A cell that equals the one of the row before stays empty.
   const double bytes = counters.at(counter::bytes_per_object);
   out << format("%-26s ", first ? (row.kernel + (row.set.empty() ? "" : " " + row.set)).c_str() : "")
       << (first || before->objects != row.objects ? format("%9lld ", static_cast<long long>(row.objects))

@@ -34,7 +34,7 @@ def cut(points, tets, axis, place):
     for count in (3, 4):
         of = np.flatnonzero(cutting.sum(axis=1) == count)
         corners = ends[of][cutting[of]].reshape(len(of), count, 2)
-        # Of four corners, in the order of _EDGES, the first and the last have no common face: they are opposite.
+        # The first and the last of four corners, in the order of _EDGES, have no common face: they are opposite.
         for chosen in ([0, 1, 2],) if count == 3 else ([0, 1, 3], [0, 2, 3]):
             triangles.append(corners[:, chosen])
     corners = np.sort(np.concatenate(triangles).reshape(-1, 2), axis=1)

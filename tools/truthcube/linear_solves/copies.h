@@ -6,7 +6,7 @@
 
 namespace physgen::truthcube {
 
-/// Of a copy that reads and writes `bytes` together, half of them each; the median of several, after a first [s].
+/// Times a copy that reads and writes `bytes` together, half of them each. @return the median after a first [s]
 /// @throw Error when the memory cannot be had, or the copy fails
 [[nodiscard]] double seconds_of_copy(fem::Device device, index_t bytes);
 

@@ -50,7 +50,7 @@ Buffer on_device(const std::vector<T>& values, const char* what) {
 
 // NOLINTBEGIN(clang-analyzer-core.CallAndMessage): where functions are missing, nobody makes a product
 
-/// What all ways share: the matrix in device memory, and cuSPARSE's handle.
+/// The part that all ways share: the matrix in device memory, and cuSPARSE's handle.
 class Product : public CusparseProduct {
  public:
   Product(const BlockMatrix& matrix, BlockOrder order, float* x, float* y, cudaStream_t stream)
@@ -160,7 +160,7 @@ class Bsrmv final : public Product {
 };
 // NOLINTEND(clang-analyzer-core.CallAndMessage)
 
-/// Of one product, of several in a row.
+/// The time of one product, among several in a row.
 double seconds_of(CusparseProduct& product, cudaStream_t stream) {
   constexpr int products = 20;
   product.run();

@@ -34,9 +34,9 @@ class CusparseProduct {
   void forget_error();
   /// Such as "cusparseSpMV, blocks by columns".
   [[nodiscard]] virtual std::string name() const = 0;
-  /// Of the matrix, and of both vectors.
+  /// Bytes of the matrix and of both vectors.
   [[nodiscard]] virtual index_t bytes() const = 0;
-  /// Of one product, as it was measured [s].
+  /// The measured time of one product [s].
   double seconds = 0;
 };
 

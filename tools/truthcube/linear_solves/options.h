@@ -10,7 +10,7 @@
 
 namespace physgen::truthcube {
 
-/// What is measured, a row each.
+/// The methods that are measured, a row each.
 enum class Method {
   multigrid,     ///< conjugate gradients with the solver's V-cycle
   schwarz,       ///< the same with the multilevel Schwarz preconditioner

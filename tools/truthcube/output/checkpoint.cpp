@@ -65,7 +65,7 @@ struct Unusable : Error {
   using Error::Error;
 };
 
-// What the file says, unchecked but for its version and checksum.
+// The contents of the file, unchecked but for its version and checksum.
 Checkpoint read_all(const std::filesystem::path& path) {
   const std::string name = path.string();
   try {

@@ -1,4 +1,4 @@
-// What every file of a run needs from the file system: room for what will be written, and replacement in one step, so
+// Services of the file system that every file of a run needs: room for its contents, and replacement in one step, so
 // that a full disk or a kill leaves what was there before.
 #pragma once
 

@@ -21,7 +21,7 @@ std::string this_process() {
   return "process " + std::to_string(::getpid()) + " on " + machine.data();
 }
 
-/// What the holder wrote; it may be about to.
+/// The text that the holder wrote; it may be about to write it.
 std::string holder(int id) {
   std::array<char, 300> text{};
   const ssize_t length = ::pread(id, text.data(), text.size(), 0);

@@ -116,7 +116,7 @@ std::vector<hsize_t> File::shape(const std::string& name) const {
   return extent;
 }
 
-// What the writers use.
+// Instantiations that the writers use.
 template void File::write_dataset<double>(const std::string&, std::span<const double>, hsize_t);
 template void File::write_dataset<std::int64_t>(const std::string&, std::span<const std::int32_t>, hsize_t);
 template void File::write_dataset<std::int64_t>(const std::string&, std::span<const std::int64_t>, hsize_t);

@@ -9,8 +9,8 @@ namespace physgen {
 struct Soa {
   using Pitch = WholePitch;
   static constexpr const char* name = "soa";
-  /// A pitch of whole pages would put all channels of an object into one set of a cache, so such a pitch grows by a
-  /// line or two.
+  /// A pitch of whole pages would put all channels of an object into one set of a cache, so such a pitch grows by
+  /// padding_objects: one to four lines.
   [[nodiscard]] static constexpr index_t padded(index_t objects) {
     const index_t whole = align_up(objects, padding_objects);
     return whole > 0 && whole % 512 == 0 ? whole + padding_objects : whole;
