@@ -4,6 +4,7 @@
 #include <cuda_runtime_api.h>
 #include <physgen/buffer.h>
 #include <physgen/cuda/check.h>
+#include <physgen/device.h>
 
 #include <memory>
 
