@@ -72,6 +72,9 @@ void walk(Walk<action>& w, const Ref& ref, tissue::model::Names<Real>& value) {
   w.one(ref.element(), value.element);
   w.one(ref.nested(), value.nested);
   for (int e = 0; e < 2; ++e) w.one(ref.self(e), value.self[e]);
+  w.one(ref.assign(), value.assign);
+  w.one(ref.texts(), value.texts);
+  w.one(ref.Inner(), value.Inner);
   w.many(Full{}, ref.tissue(), value.tissue, 2);
 }
 

@@ -11,7 +11,7 @@ headers() { # headers FOLDER PATTERN: as they are included
 accepts() { # accepts HEADER...: twice, since a header may be included twice
   printf '#include <%s>\n' "$@" "$@" |
     "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wno-unknown-pragmas -Werror \
-      "-I$root/runtime/include" "-I$root/generated" "-I$root/schemas" "-I$root/tools" "${flags[@]}" -x c++ -
+      "-I$root/runtime/include" "-I$root/generated" "-I$root/generated/scenes" "-I$root/schemas" "-I$root/tools" "${flags[@]}" -x c++ -
 }
 first_included() { # first_included HEADER...: the header that each has before any other code, where it is one of the runtime
   local header

@@ -100,13 +100,13 @@ TEST_F(Checkpoints, of_other_settings_are_refused_with_each_key_that_differs) {
                "settings: poisson: 0.49 in the checkpoint, 0.45 in this run; "
                R"(top: not set in the checkpoint, "bonded" in this run; )"
                R"(volume: "patches" in the checkpoint, not set in this run)");
-  expect_error(read_with("no JSON"), "no JSON object");
+  expect_error(read_with("no JSON"), "not a JSON object");
 }
 
 TEST_F(Checkpoints, with_settings_that_are_no_object_are_not_written) {
   Checkpoint c = checkpoint_of(1);
   c.settings = "[]";
-  expect_error([&] { write_checkpoint(path, c); }, path.string(), "no JSON object");
+  expect_error([&] { write_checkpoint(path, c); }, path.string(), "not a JSON object");
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 

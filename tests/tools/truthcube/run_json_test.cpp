@@ -130,7 +130,7 @@ TEST_F(RunJson, settings_that_are_no_object_are_refused) {
   for (const char* settings : {"", "{", "[1]", "7"}) {
     RunRecord run = record_of(0);
     run.settings = settings;
-    expect_error([&] { write_run_json(path, run); }, path.string(), "no JSON object");
+    expect_error([&] { write_run_json(path, run); }, path.string(), "not a JSON object");
   }
   EXPECT_FALSE(std::filesystem::exists(path));
 }
