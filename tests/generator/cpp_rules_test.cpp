@@ -121,7 +121,7 @@ TEST(Rules, refuse_objects_of_too_many_fields_of_their_own) {
   schema.imported.swap(schema.objects);  // somebody else's header
   schema.objects = {with({nested("a", "m::A")}).objects[0]};
   schema.objects[0].name = "B";
-  EXPECT_NE(issues(schema).find("'B' would have 10000 fields, and the limit is 8192; "), std::string::npos);
+  EXPECT_NE(issues(schema).find("'B' would have 10000 fields, and the limit is 4000; "), std::string::npos);
   schema.objects[0].fields = {scalar("x")};
   EXPECT_EQ(issues(schema), "");
 }

@@ -15,7 +15,7 @@ inline constexpr double max_object_bytes = 2 << 20;
 inline constexpr double max_header_bytes = 8 << 20;
 
 /// Most fields of one object, those of nested objects one by one.
-inline constexpr double max_object_fields = 8192;
+inline constexpr double max_object_fields = 4000;
 
 struct ObjectSize {
   double bytes = 0;   ///< of generated code; at most a quarter less, and half more, than the emitter will write

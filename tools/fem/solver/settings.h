@@ -46,7 +46,7 @@ struct NewtonSettings {
   int most_steps = 60;            ///< of Newton's method, in one load increment
   int most_iterations = 20000;    ///< of conjugate gradients, in one step
   double least_forcing = 1e-3;    ///< tolerance of linear solves, from here while convergence is quadratic
-  double most_forcing = 1e-2;     ///< to here
+  double most_forcing = 1e-2;     ///< to here; looser in the last step, as far as the tolerance allows
   bool line_search = true;
   int most_halvings = 12;  ///< of a step, until the energy falls
   /// A full step may raise the energy, if no tet is inverted and the next makes up for it.

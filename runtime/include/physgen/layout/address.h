@@ -1,4 +1,5 @@
-// The law of addresses. It stands here alone: cursors, conversions, copies and drawings of layouts call it.
+// The law of addresses, which cursors, conversions, copies and drawings of layouts call. One expression of
+// detail/cursor.h writes its last two terms out, for the sake of nvcc.
 //
 // An array is cut into tiles of `pitch` objects, and a tile into one channel for each element of a record: the same
 // element of all objects of the tile, side by side. Here with a pitch of 4 and records of two elements, x and y:
