@@ -1,6 +1,8 @@
 // Runs of bytes between arrays that store the same records.
 #include "plain_copy.h"
 
+#include <physgen/detail/changed_objects.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -34,11 +36,8 @@ void copy_rows(const Rows& rows, bool on_host, Stream stream) {
 }  // namespace
 
 bool same_records(const UntypedArray& a, const UntypedArray& b) {
-  if (a.record_bytes != b.record_bytes) return false;
-  return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
-                    [](const FieldInfo& x, const FieldInfo& y) {
-                      return encoding_of(x) == encoding_of(y) && x.offset == y.offset && x.quaternion == y.quaternion;
-                    });
+  return a.record_bytes == b.record_bytes && same_formats(a, b) &&
+         std::ranges::equal(a.fields, b.fields, {}, &FieldInfo::offset, &FieldInfo::offset);
 }
 
 bool same_runs(const UntypedArray& a, const UntypedArray& b) {

@@ -69,7 +69,7 @@ class Array {
   /// Bytes of memory held, padding included.
   [[nodiscard]] index_t bytes() const { return buffer_.bytes(); }
 
-  /// What kernels are given. Valid until the array is resized, moved from or destroyed.
+  /// The view that kernels are given. Valid until the array is resized, moved from or destroyed.
   [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), losses()}; }
   [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch()}; }
   [[nodiscard]] ConstView const_view() const { return view(); }
@@ -80,8 +80,8 @@ class Array {
             record_bytes,   Space::kind, Object::name,          Object::template fields<Real, Formats>};
   }
 
-  /// What formats could not hold of what kernels stored here since this was last asked; all zero in builds that are not
-  /// checked. On CUDA it waits for the device. See throw_if_falsified().
+  /// Counts of the values that formats could not hold when kernels stored here, since this was last called; all zero in
+  /// builds that are not checked. On CUDA it waits for the device. See throw_if_falsified().
   [[nodiscard]] Losses take_losses() {
     return checked_build && size_ > 0 ? physgen::take_losses(*losses(), size_, Space::kind) : Losses();
   }

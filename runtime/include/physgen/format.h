@@ -3,7 +3,7 @@
 // The library's are Native, Float32, Float64, Half<k>, Bfloat16, Snorm16<Interval{low, high}>, Scaled<Base,
 // Affine{scale, centre}>, and Quaternion<Component> for rotations. Their meaning is data, so that they are converted
 // everywhere: by accessors, packs, kernels and copies, on the host and on the device. Nothing and Pruned<Scene, Array,
-// Field> store no bytes: for fields that a program does not read. What is a unit or an offset needs no more:
+// Field> store no bytes: for fields that a program does not read. A unit or an offset needs no more:
 //
 //   using Kilometres = physgen::format::Scaled<physgen::format::Float32, physgen::format::Affine{.scale = 1000}>;
 //

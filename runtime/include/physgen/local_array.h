@@ -28,7 +28,7 @@ class LocalArray<Array<Object_, Real, Space, Layout, Formats_>, Tag> {
 
   [[nodiscard]] index_t size() const { return size_; }
   [[nodiscard]] static constexpr index_t bytes() { return 0; }
-  /// Of which so many objects are none.
+  /// The records that hold so many objects: none.
   [[nodiscard]] static constexpr index_t records(index_t /*objects*/) { return 0; }
   [[nodiscard]] View view() const { return {}; }
   [[nodiscard]] ConstView const_view() const { return {}; }

@@ -48,7 +48,7 @@ template <class Object_, class Real_>
 struct Array {
   using Object = Object_;
   using Real = Real_;
-  /// What physgen reads of its objects.
+  /// The fields of its objects, which physgen reads.
   static constexpr auto fields = Object::template fields<Real, typename Object::template Formats<Host>>;
   static_assert(fields.size() > 0);
 };
@@ -80,8 +80,8 @@ template <class... Text>
 }
 }  // namespace detail
 
-/// How many objects there are: as many as the set has that the text names, such as "tet" or "node". Whoever allocates
-/// the group says how many these are.
+/// As many objects as the set has that the text names, such as "tet" or "node". Whoever allocates the group says how
+/// many these are.
 [[nodiscard]] constexpr detail::Per per(const char* set) { return {set, 0}; }
 /// The same number always: per(1) is for the numbers that a program keeps once.
 [[nodiscard]] constexpr detail::Per per(int count) { return {nullptr, count}; }

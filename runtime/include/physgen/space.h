@@ -50,7 +50,7 @@ concept RunsIn = std::same_as<typename On::Space, Space>;
   return "?";
 }
 
-/// A CUDA stream (cudaStream_t); null is the default stream. What order it gives: device.h.
+/// A CUDA stream (cudaStream_t); null is the default stream. device.h says what order it gives.
 using Stream = CUstream_st*;
 
 }  // namespace physgen

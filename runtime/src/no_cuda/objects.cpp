@@ -7,7 +7,7 @@
 
 namespace physgen::backend {
 
-void fill(const UntypedArray& /*storage*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
+void fill(const UntypedArray& /*array*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
   throw Error(reason);
 }
 

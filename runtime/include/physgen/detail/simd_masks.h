@@ -1,5 +1,5 @@
-// Masks of SIMD packs that no `if` and no `?:` takes. Of xsimd 8.1, those for AVX-512 convert to an integer, so that
-// `if (a > b)` would compile and mean "in any lane"; on other instruction sets it does not compile. Here their
+// Makes masks of SIMD packs that no `if` and no `?:` takes. Those of xsimd 8.1 for AVX-512 convert to an integer, so
+// that `if (a > b)` would compile and mean "in any lane"; on other instruction sets it does not compile. Here their
 // conversion is narrowed to what xsimd's own code needs. Included before the rest of xsimd.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What probes have found in a program, for compilers that are asked by running it. Every use of a probe makes an object
-// before main() begins, whether the code that uses it ever runs or not.
+// Holds what probes have found in a program, for compilers that are asked by running it. Every use of a probe makes an
+// object before main() begins, whether the code that uses it ever runs or not.
 #pragma once
 
 #include <physgen/object_info.h>
@@ -12,7 +12,7 @@
 
 namespace physgen::probe {
 
-/// What the code of a program does to a field of an array.
+/// The uses that a program's code makes of a field of an array.
 struct FieldAccess {
   std::string array;   ///< ArrayTag::name
   std::string object;  ///< "elasticity::Tet"
@@ -95,9 +95,9 @@ struct DeviceArray {
   return rows;
 }
 
-/// What registered() knows nothing of, since compilers of the host do not read code for devices: steps by perform() on
-/// CUDA, as texts that name their types; and the names of arrays of CUDA of which it has not found a use, as where all
-/// kernels over them are __device__ functions. Where there are any, ask `physgen usage`.
+/// The steps and arrays of which registered() knows nothing, since compilers of the host do not read code for devices:
+/// steps by perform() on CUDA, as texts that name their types; and the names of arrays of CUDA of which it has not
+/// found a use, as where all kernels over them are __device__ functions. Where there are any, ask `physgen usage`.
 [[nodiscard]] inline std::vector<std::string> unseen() {
   std::vector<std::string> names;
   const std::vector<FieldAccess> found = registered();
