@@ -1,4 +1,4 @@
-// What formats cannot hold of whole arrays, and the counters of arrays.
+// Counts values of whole arrays that formats cannot hold, and keeps the counters of arrays.
 #include <physgen/array_losses.h>
 #include <physgen/buffer.h>
 #include <physgen/chunked_transfer.h>

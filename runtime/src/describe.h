@@ -1,4 +1,4 @@
-// How messages name an array, and what they say where it does not store a field.
+// Words of messages: the name of an array, and that it does not store a field.
 #pragma once
 
 #include <physgen/error.h>

@@ -61,7 +61,7 @@ index_t first_not_renumbered_on_host(const detail::Renumbering& renumbering, ind
   return first;
 }
 
-// Says which index of object i it is that has no new number.
+// Names the index of object i that has no new number.
 [[noreturn]] void refuse_index(const UntypedArray& array, const FieldInfo& field, index_t i,
                                std::span<const index_t> new_number) {
   int element = 0;  // the field's first

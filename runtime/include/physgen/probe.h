@@ -7,7 +7,7 @@
 //   ProbeOf<elasticity::TetArray<float>, Tets> tets;                        // in place of elasticity::TetArray<float>
 //   ProbeExecutor<Host> on;                                                 // in place of HostExecutor
 //   program(on, tets, ...);
-//   for (const probe::FieldAccess& row : probe::registered()) ...           // {"tets", ..., "nodes", ...}
+//   for (const probe::FieldAccess& use : probe::registered()) ...           // {"tets", ..., "nodes", ...}
 //
 // Rules:
 // - A field is `read` where code that the program is made of can convert it to a value, `written` where code can store

@@ -1,4 +1,4 @@
-// Objects in CUDA memory in a build without CUDA: there are none.
+// A build without CUDA has no objects in CUDA memory.
 #include "../backend/objects.h"
 
 #include <physgen/error.h>

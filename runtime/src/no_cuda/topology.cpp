@@ -1,4 +1,4 @@
-// Changes of topology in a build without CUDA: there is no array that could ask for them.
+// A build without CUDA has no arrays in CUDA memory whose topology could change.
 #include "../backend/topology.h"
 
 #include <physgen/error.h>
