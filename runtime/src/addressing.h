@@ -1,4 +1,4 @@
-// The law of addresses over an array without its types, with what a loop would compute again for each object prepared.
+// The law of addresses over an array without its types, prepared for loops over its objects.
 #pragma once
 
 #include <physgen/layout/address.h>
@@ -6,8 +6,8 @@
 
 namespace physgen::detail {
 
-/// The places of the objects of an array, or of a part of one. Its pitch is a power of two or the whole array, so that a
-/// shift finds the tile; of a whole array it always finds tile 0.
+/// The places of the objects of an array, or of a part of one. Its pitch is a power of two or the whole array, so that
+/// a shift finds the tile; of a whole array it always finds tile 0.
 struct Addressing {
   std::byte* base;
   index_t pitch;

@@ -43,7 +43,7 @@ struct RotationMove {
   }
 };
 
-/// All of a conversion. Fields of which one side stores nothing are left out.
+/// All moves of a conversion. Fields of which one side stores nothing are left out.
 struct Conversion {
   std::vector<ElementMove> elements;
   std::vector<RotationMove> rotations;
@@ -97,7 +97,7 @@ struct Fill {
     value = stored(rotation ? 0.0 : field.initial);
     if (rotation) one = stored(1.0);
   }
-  /// Whether cleared memory is what it would write.
+  /// Whether it would write what cleared memory holds.
   [[nodiscard]] bool is_zero() const { return value == 0 && one == 0; }
   PHYSGEN_FUNCTION void apply(const Addressing& array, index_t i) const {
     for (int k = 0; k < count; ++k) {

@@ -1,4 +1,4 @@
-// Rows without the types of their arrays: what they must obey, and which entries are left when objects change.
+// Checks and changes of rows without the types of their arrays.
 #include <physgen/error.h>
 #include <physgen/row_arrays.h>
 

@@ -123,7 +123,7 @@ class ElementRef {
       delete;
   detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator=(const Value&) & = delete;
 
-  /// The address of an element, of a probe alone: what any code may read and write. Nothing lies there.
+  /// The address of a probe's element, which any code may read and write. Nothing lies there.
   PHYSGEN_FUNCTION auto operator&() const&&
     requires(format::is_probe<Format>)
   {

@@ -26,7 +26,7 @@
 //   struct Compact : model::RodFormats<physgen::Host> { using length = Rooted; };
 //   model::RodArray<float, physgen::Host, physgen::Soa, Compact> rods(n);
 //
-// Its two functions are all that counts: accessors, packs and kernels call them, on the device too where they are
+// Only its two functions count: accessors, packs and kernels call them, on the device too where they are
 // marked PHYSGEN_FUNCTION; copies between host arrays, to the device and from there, getdata(), putdata() and initial
 // values call them on the host. Only a copy from one array in CUDA memory to another that must change such a field is
 // refused, by an Error that names the field. `type` gives the size of what is stored, and the precision that checked

@@ -1,5 +1,5 @@
-// Several kernels as one, which stores nothing of what only they share: `fuse(locals(F, svd), first, second, third)`.
-// A local takes the place of an array: it lies in registers of a CUDA thread, or in a tile of W objects on the
+// Several kernels as one, which stores none of the objects that only they share: `fuse(locals(F, svd), first, second,
+// third)`. A local takes the place of an array: it lies in registers of a CUDA thread, or in a tile of W objects on the
 // stack of a CPU's thread. Kernels are the same as over arrays, and their results have the same bits (where compilers
 // contract no products with sums across them: -ffp-contract=off, --fmad=false).
 //

@@ -73,7 +73,7 @@ template <std::integral I, class T>
   return value;
 }
 
-// In a fused kernel: what the index that it holds says.
+// The index of a fused kernel answers as the one that it holds.
 template <class T, class I, class Frame>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr auto wanted(const Own<I, Frame>& i) {
   return wanted<T>(i.index);

@@ -17,7 +17,7 @@ struct Losses {
     unsigned int busy = 0;             ///< a thread is writing the others
     int offset = 0;                    ///< of the element in the record [bytes]
     index_t object = 0;                ///< the object's number
-    double value = 0;                  ///< what was to be stored; of a matrix, the largest deviation from a rotation
+    double value = 0;                  ///< the value to be stored; of a matrix, the largest deviation from a rotation
 
     [[nodiscard]] PHYSGEN_FUNCTION bool known() const { return order != ~0ULL; }
     /// Object and offset in one number; of places that it cannot tell apart, those beyond 2^40 objects or 8 MiB of a
@@ -36,14 +36,14 @@ struct Losses {
   Place first;                            ///< of the upper three
   Place first_imprecise;
   unsigned long long worst = 0;  ///< see worst_relative_error()
-  index_t objects = 0;           ///< of the array; what kernels store behind them, in padding, does not count
+  index_t objects = 0;           ///< of the array; stores behind them, in padding, do not count
 
   /// The number of values that are wrong, not only imprecise.
   [[nodiscard]] unsigned long long falsified() const { return out_of_range + not_a_number + not_a_rotation; }
   /// The worst error of the imprecise values; 1 where one became 0.
   [[nodiscard]] double worst_relative_error() const { return std::bit_cast<double>(worst); }
 
-  /// Adds what was counted elsewhere. @param further added to object numbers of `other`
+  /// Adds counts made elsewhere. @param further added to object numbers of `other`
   void add(const Losses& other, index_t further = 0) {
     out_of_range += other.out_of_range;
     not_a_number += other.not_a_number;

@@ -1,4 +1,4 @@
-// The same objects on the host and on the device, of which a round trip moves only those that changed.
+// The same objects on the host and on the device; a round trip moves only those that changed.
 #pragma once
 
 #include <physgen/array.h>

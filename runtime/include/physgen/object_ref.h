@@ -1,4 +1,4 @@
-// References to objects of an array: what all of them have in common. Generated code adds the accessors of the fields.
+// The common part of all references to objects of an array. Generated code adds the accessors of the fields.
 #pragma once
 
 #include <physgen/config.h>

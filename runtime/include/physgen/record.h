@@ -112,7 +112,7 @@ struct FieldText {
 
 namespace detail {
 
-/// Appends what the runtime knows of fields, with the next texts, to `out`.
+/// Appends the FieldInfo of fields, with the next texts, to `out`.
 struct FieldInfos {
   const FieldText* text;
   FieldInfo* out;

@@ -1,6 +1,6 @@
-// Folds of what a kernel returns for each object into one value: sums, extrema, conditions and counts, and the order in
-// which they are formed, which is the same everywhere. parallel_reduce.h runs them on the CPU, cuda/parallel_reduce.h
-// on a device.
+// Folds the terms that a kernel returns for each object into one value: sums, extrema, conditions and counts, and the
+// order in which they are formed, which is the same everywhere. parallel_reduce.h runs them on the CPU,
+// cuda/parallel_reduce.h on a device.
 #pragma once
 
 #include <physgen/detail/reduction.h>
@@ -19,7 +19,7 @@ namespace physgen {
 
 // A fold is a type with these members, of which a fold of your own has all, too; Number is the type of one object's
 // term: float, double, std::int32_t or bool. Folds of several terms (std::array, Eigen vectors and matrices) fold each.
-//   template <class Number> using Value         of what type the result is: trivially copyable, up to 64 bytes
+//   template <class Number> using Value         the type of the result: trivially copyable, up to 64 bytes
 //   template <class Number> identity()          the Value of no objects
 //   template <class Number> value(term, i)      the Value of object i alone
 //   join(a, b)                                  of two Values; the order above is all that is known of a and b

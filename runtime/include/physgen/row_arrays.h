@@ -111,7 +111,7 @@ class RowArrays {
   [[nodiscard]] ConstView view() const { return const_view(); }
   [[nodiscard]] ConstView const_view() const { return {ranges_.const_view(), entries_.const_view(), targets_.count}; }
 
-  /// Checks all rows anew, after a kernel has written entries.
+  /// Checks all rows again, after a kernel has written entries.
   /// @throw Error naming row, entry and number when a row is not a range of the entries, or an entry names no target
   void check() const { detail::check_rows(rows_on_host(), on_host(entries_).untyped(), targets_); }
 
@@ -156,7 +156,7 @@ class RowArrays {
   template <class Given>
   [[nodiscard]] static HostForm<Given> on_host(const Given& array) {
     HostForm<Given> host(array.size());
-    if constexpr (device_accessible(Space::kind)) synchronize();  // what was ordered before may still write it
+    if constexpr (device_accessible(Space::kind)) synchronize();  // work that was ordered before may still write it
     copy(host, array);
     if constexpr (device_accessible(Space::kind)) synchronize();
     return host;

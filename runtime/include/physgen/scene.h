@@ -1,6 +1,6 @@
-// The words a scene is declared in: which arrays a program works on, what it is given and what is wanted of it. physgen
-// instantiates the program, finds which fields of which arrays it reads and writes, and writes a header with exactly
-// those. To other compilers the macros are empty and arrays are plain markers.
+// The words in which a scene is declared: the arrays of a program, those that it is given and those that are wanted.
+// physgen instantiates the program, finds which fields of which arrays it reads and writes, and writes a header with
+// exactly those. To other compilers the macros are empty and arrays are plain markers.
 //
 //   #include <physgen/scene.h>
 //   #include <elasticity.physgen.h>
@@ -99,7 +99,7 @@ template <class... Text>
   return {detail::names(fields...)};
 }
 
-/// One record for all objects: what is the same for each of them. The program only reads it.
+/// One record for all objects, which are all the same. The program only reads it.
 [[nodiscard]] constexpr detail::Uniform uniform() { return {}; }
 
 }  // namespace physgen::scene

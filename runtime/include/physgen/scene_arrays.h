@@ -73,7 +73,7 @@ class ReadOnlyArray : public Array {
   using Array::Array;
 
   [[nodiscard]] View view() const { return this->const_view(); }
-  /// The array as whoever fills it sees it.
+  /// The array, to be filled.
   [[nodiscard]] Array& contents() { return *this; }
 };
 
@@ -100,7 +100,7 @@ class UniformArray<Array<Object_, Real, Space, Layout, Formats_>> {
   [[nodiscard]] static constexpr index_t records(index_t objects) { return std::min(objects, index_t{1}); }
   [[nodiscard]] View view() const { return {record_.untyped().base, size_, 1}; }
   [[nodiscard]] View const_view() const { return view(); }
-  /// The record, as an array of one object, or of none before there were objects: for whoever fills it.
+  /// The record, to be filled: an array of one object, or of none before there were objects.
   [[nodiscard]] Record& contents() { return record_; }
 
   /// The record keeps its values, also while there are no objects.

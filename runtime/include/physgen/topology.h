@@ -51,7 +51,7 @@ class ArraySet {
     const index_t old_size = size();
     const auto given = detail::untyped(std::tie(others...));
     const index_t new_size = detail::grown_size(detail::untyped(arrays_), detail::common_size(given));
-    detail::wait_for(given);  // of which those that lie in pinned memory are read at once
+    detail::wait_for(given);  // those that lie in pinned memory are read at once
     const std::tuple<decltype(detail::in_form_of<Arrays>(others))...> same(detail::in_form_of<Arrays>(others)...);
     const auto added = detail::untyped(same);
     replace(new_size, [&](std::size_t a, const UntypedArray& to, const UntypedArray& from) {
@@ -98,7 +98,7 @@ class ArraySet {
     const auto from = detail::untyped(arrays_);
     detail::wait_for(from);
     for (std::size_t a = 0; a < to.size(); ++a) fill(a, to[a], from[a]);
-    detail::wait_for(to);  // what failed on the device shows here, while the old arrays are still in place
+    detail::wait_for(to);  // failures on the device show here, while the old arrays are still in place
     [&]<std::size_t... a>(std::index_sequence<a...>) {
       (std::get<a>(replacements).inherit_losses(std::get<a>(arrays_)), ...);
       (std::get<a>(arrays_).swap(std::get<a>(replacements)), ...);
@@ -108,7 +108,7 @@ class ArraySet {
   std::tuple<Arrays&...> arrays_;
 };
 
-/// The changes of one array: those of an ArraySet of it alone, where their contracts stand.
+/// Changes of one array, with the contracts of an ArraySet of it alone.
 template <class Object, class Real, class Space, class Layout, class Formats>
 void append(Array<Object, Real, Space, Layout, Formats>& array, index_t count) {
   ArraySet(array).append(count);

@@ -1,4 +1,4 @@
-// A view: what a kernel holds of an array. A trivially copyable value of two words and, for Soa, the pitch.
+// A kernel holds a view of an array: a trivially copyable value of two words and, for Soa, the pitch.
 #pragma once
 
 #include <physgen/detail/cursor.h>

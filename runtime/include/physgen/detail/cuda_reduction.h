@@ -37,7 +37,7 @@ __device__ Value from_lane(const Value& value, int step) {
   return other;
 }
 
-/// The range, and what is known of its blocks.
+/// The range, and the number of its blocks.
 struct Blocks {
   index_t begin, end;
   index_t count;

@@ -29,7 +29,7 @@ class LossSink {
   template <class Format, class T>
   PHYSGEN_FUNCTION void count(int offset, const T& value, typename Format::template Stored<T> stored,
                               index_t further = 0) const {
-    if constexpr (!format::is_probe<Format>) {  // of which this would be a read
+    if constexpr (!format::is_probe<Format>) {  // counting would read one
       constexpr ElementType type = Format::template type<T>;
       if (losses_ == nullptr || object_ + further >= losses_->objects) return;
       detail::count_loss(*losses_, type, Format::scale, static_cast<double>(value),
@@ -84,7 +84,7 @@ template <RecordSize kRecord>
   return offset % 16 == 0 && (bytes % 16 == 0 || offset + bytes == kRecord.content);
 }
 
-/// Adds `value` to what several threads may add to.
+/// Adds `value` to an element that several threads may add to.
 template <class T>
 PHYSGEN_FUNCTION inline void add_atomically(T& to, T value) {
 #ifdef __CUDA_ARCH__

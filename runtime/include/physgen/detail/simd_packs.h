@@ -10,7 +10,7 @@ namespace physgen {
 
 namespace detail {
 
-/// On W consecutive objects: what the cursors of whole and of partial packs share.
+/// The common base of the cursors of whole and of partial packs, which stand on W consecutive objects.
 template <class Derived, class Byte, class Layout, RecordSize kRecord, int W>
 class ConsecutiveCursor : public SimdCursor<Derived, W> {
  protected:

@@ -77,7 +77,7 @@ struct DeviceArray {
 }  // namespace detail
 
 /// All fields that the program's code reads or writes, one access for each field of each array, ascending. Code is
-/// found that was compiled by a compiler of the host: see unseen() for what is not.
+/// found that was compiled by a compiler of the host: see unseen() for the rest.
 [[nodiscard]] inline std::vector<FieldAccess> registered() {
   std::vector<FieldAccess> accesses;
   for (const detail::Use* use = detail::Use::last; use != nullptr; use = use->next) {

@@ -1,6 +1,6 @@
 // The steps of a program, as calls that compilers read and programs never make. A specialisation of step(),
-// reduce_step(), perform_step(), root() or host_reads() is what `physgen usage` begins at: what is reached from there
-// is what the step reads and writes.
+// reduce_step(), perform_step(), root() or host_reads() is where `physgen usage` begins: the step reads and writes what
+// is reached from there.
 #pragma once
 
 #include <physgen/lanes.h>
