@@ -140,6 +140,16 @@ class Array {
   index_t size_ = 0;
 };
 
+namespace detail {
+
+/// The size of an array that holds no object of its own. @throw Error when it is negative
+inline index_t checked_size(const char* object, index_t size) {
+  if (size >= 0) return size;
+  throw Error(std::string(object) + ": an array of " + std::to_string(size) + " objects cannot exist; 0 or more can");
+}
+
+}  // namespace detail
+
 /// Bytes of memory that arrays hold, padding included.
 template <class... Arrays>
 [[nodiscard]] index_t bytes_of(const Arrays&... arrays) {

@@ -105,11 +105,7 @@ class UniformArray<Array<Object_, Real, Space, Layout, Formats_>> {
 
   /// The record keeps its values, also while there are no objects.
   void resize(index_t size) {
-    if (size < 0) {
-      throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) +
-                  " objects cannot exist; 0 or more can");
-    }
-    if (size > 0) record_.resize(1);
+    if (detail::checked_size(Object::name, size) > 0) record_.resize(1);
     size_ = size;
   }
 
