@@ -4,7 +4,8 @@
 A case begins with a line `/// refused NAME: words` and ends where the next one begins, or at a line `// ---- ...`. At
 least one error in it, or in a template that it instantiates, must have the words; errors elsewhere are faults. A case
 `/// refused with AVX-512 NAME: words` must be refused only where the flags ask for AVX-512. `|` stands between words of
-which one must be there.
+which one must be there. A line `/// naming A; B` behind it asks for more: what g++ says around one of these errors names
+A and B, such as a step, an array and a field.
 """
 import re
 import subprocess
@@ -14,7 +15,7 @@ source, command = sys.argv[1], sys.argv[2:]
 lines = open(source, encoding="utf-8").read().splitlines()
 wide = "-march=x86-64-v4" in command
 
-cases, case_at, present = {}, {}, None  # words of a case; the case at each line
+cases, names, case_at, present = {}, {}, {}, None  # words of a case, what it names; the case at each line
 for number, text in enumerate(lines, 1):
     begins = re.match(r"/// refused( with AVX-512)? (\w+): (.*)$", text)
     if begins:
@@ -24,6 +25,8 @@ for number, text in enumerate(lines, 1):
         cases[present] = begins[3].split("|") if wide or not begins[1] else []
     elif text.startswith("// ----"):
         present = None
+    elif text.startswith("/// naming "):
+        names[present] = text[len("/// naming "):].split("; ")
     case_at[number] = present
 if not cases:
     sys.exit(f"FAILED: {source} has no cases")
@@ -43,7 +46,7 @@ def case_named(places):
 done = subprocess.run([*command, source], capture_output=True, text=True, check=False)
 output = done.stderr.splitlines()
 errors = [number for number, text in enumerate(output) if re.search(r": (fatal )?error: ", text)]
-found, faults, case = set(), [], None
+found, named, faults, case = set(), set(), [], None
 for begin, number in zip([-1, *errors], errors):
     # g++ says before an error what has led there, from its last `In ...` on, and says it once for several errors.
     around = output[begin + 1 : number]
@@ -54,6 +57,9 @@ for begin, number in zip([-1, *errors], errors):
         faults.append(f"outside of all cases: {output[number]}")
     elif any(words in output[number] for words in cases[case]):
         found.add(case)
+        if all(name in "\n".join([*context, output[number]]) for name in names.get(case, [])):
+            named.add(case)
+faults += [f"{case}: no such error names {' and '.join(names[case])}" for case in names if case in found - named]
 faults += [f"{case}: no error has the words \"{'|'.join(words)}\"" for case, words in cases.items() if words and case not in found]
 if faults:
     sys.exit("FAILED:\n" + "\n".join(faults))

@@ -74,8 +74,14 @@ class Joiner {
   }
 
   void not_joined(const ProgramSteps& list, std::size_t k, Reasons why) {
-    const ProgramStep& second = list.steps[k + 1];
-    needs_.apart.push_back({list.steps[k].step, second.step, second.place, std::move(why)});
+    const ProgramStep &first = list.steps[k], &second = list.steps[k + 1];
+    std::vector<std::string> between;
+    if (const auto *a = uses_.of(first.step), *b = uses_.of(second.step); a != nullptr && b != nullptr)
+      for (const auto& one : a->fields)
+        if (writes(one) && std::any_of(b->fields.begin(), b->fields.end(),
+                                       [&](const auto& other) { return name_of(one) == name_of(other); }))
+          between.push_back(text_of(name_of(one)));
+    needs_.apart.push_back({first.step, second.step, second.place, std::move(why), std::move(between)});
   }
 
   // ---- Why a step cannot be joined to those before it --------------------------------------------------------------

@@ -58,8 +58,9 @@ struct StepGroup {
 /// Neighbouring steps that are not joined.
 struct StepsApart {
   std::string first, second;
-  usage::Place place;            ///< where the second is run
-  std::vector<std::string> why;  ///< one at least
+  usage::Place place;                ///< where the second is run
+  std::vector<std::string> why;      ///< one at least
+  std::vector<std::string> between;  ///< fields that the first writes and the second uses: "body.corner_forces.G"
   bool operator==(const StepsApart&) const = default;
 };
 

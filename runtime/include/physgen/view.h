@@ -10,6 +10,10 @@
 #include <cstdio>
 #include <string>
 
+#if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
+#include <physgen/detail/fused_accesses.h>
+#endif
+
 #ifdef __CUDACC__
 // Defined nowhere: its name is what the linker of device code prints. (A static_assert would also refuse host code of
 // the same file, which nvcc's device pass reads, too.)
@@ -155,6 +159,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> at(const detail::Bare<I>& i) const {
     check(i);
+#if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
+    if constexpr (!std::is_integral_v<detail::Bare<I>>) detail::watch_array<View>(losses_, size_);
+#endif
     return Ref<I>(CursorAt<detail::Bare<I>>(base_, *this, i, losses()));
   }
 
