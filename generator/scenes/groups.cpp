@@ -95,7 +95,7 @@ class Joiner {
       why.push_back("they are run in different words, '" + head(before) + "' and '" + head(step) + "'");
     if (step.runs.empty() || before.runs.empty())
       why.push_back(short_name(step.runs.empty() ? step.step : before.step) +
-                    " runs over a number of objects that is no array's size()");
+                    " runs over a number of objects that is not the size() of an array");
     else if (step.runs != before.runs)
       why.push_back("they run over different objects, " + before.runs + " and " + step.runs);
     for (const ProgramStep* one : {&before, &step}) alone(*one, why);

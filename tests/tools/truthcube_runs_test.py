@@ -183,7 +183,7 @@ class RunsTest(unittest.TestCase):
         refused(self.rows(residual=9e-3), "64 cells, nu 0.49, patches on A GPU: residuals from .* are not equal ones")
         refused(self.rows(method="multigrid"), r"rows\[1\]: 'multigrid' of this body is there already")
         refused(self.rows()[:1], "no solve by multigrid")
-        refused(self.rows(solve_seconds=0), r"rows\[0\]: 'solve_seconds' is 0, which is no positive number")
+        refused(self.rows(solve_seconds=0), r"rows\[0\]: 'solve_seconds' is 0, which is not a positive number")
         refused(self.rows(iterations="many"), r"rows\[0\]: 'iterations' is \"many\"")
 
     def test_iterations_stand_by_cube_with_their_spread_from_16_cells(self):
@@ -215,7 +215,7 @@ class RunsTest(unittest.TestCase):
                 layouts.lines({"bodies": bodies}, "a.json")
 
         refused([], "a.json: no list of 'bodies'; measure again with tools/report/layout_runs.py")
-        refused([[ours]], r"bodies\[0\] is no pair of builds")
+        refused([[ours]], r"bodies\[0\] is not a pair of builds")
         refused([[other, ours]], r"bodies\[0\] has the layouts aos and schema, not schema and another")
         refused([[ours, other], [ours, build("soa", 1, 1)]], "the layouts aos and soa are not in one table")
         refused([[ours, build("aos", None, 1)]], "a run without repeated solves")

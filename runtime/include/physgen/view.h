@@ -115,16 +115,12 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
     requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
-    return at<I>(i);
+    return at<I>(detail::bare(i));
   }
   /// The object(s) at indices that another array holds: `nodes[tets[i].nodes()[0]]`.
   template <detail::ElementReference I>
   [[nodiscard]] PHYSGEN_FUNCTION auto operator[](I&& i) const {
     return (*this)[detail::operand(std::forward<I>(i))];
-  }
-  template <class I, class Frame>
-  [[nodiscard]] PHYSGEN_FUNCTION Ref<Own<I, Frame>> operator[](const Own<I, Frame>& i) const {
-    return at<Own<I, Frame>>(detail::bare(i));
   }
   /// All fields of object(s) i, by value.
   template <class I>
