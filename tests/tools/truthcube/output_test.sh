@@ -184,7 +184,9 @@ case $rule in
     expect_exit 1 "${small[@]}" --beads moved.csv
     expect err 'moved.csv:3: .*wrong'
     expect_exit 1 "${small[@]}" --beads absent.csv
-    expect err 'absent.csv'
+    expect err 'absent.csv: cannot be read as a bead table: No such file'
+    expect_exit 1 "${small[@]}" --beads .
+    expect err 'cannot be read as a bead table: it is a folder'
     expect_no out 'solved' ;;
   *) fail 'no such rule' ;;
 esac
