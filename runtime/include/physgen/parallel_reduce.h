@@ -18,13 +18,7 @@ namespace physgen {
 template <int kLanes = 0, class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
 auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& kernel, Fold /*fold*/) {
-  constexpr int width = [] {
-    if constexpr (kLanes == 0) {
-      return detail::default_lanes<Kernel>();
-    } else {
-      return kLanes;
-    }
-  }();
+  constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
   static_assert(
       width > 0 && detail::reduce_lanes % width == 0,
       "parallel_reduce<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes, so that sums have the same order for all");
