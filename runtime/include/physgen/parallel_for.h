@@ -41,7 +41,8 @@ template <class Real, class Body>
 template <int kLanes = 0, class Kernel>
 void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kernel) {
   constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
-  static_assert(padding_objects % width == 0);
+  static_assert(width > 0 && padding_objects % width == 0,
+                "parallel_for<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes, so that each lies in the padding of arrays");
   detail::check_range_of_launch(begin);
   if (begin >= end) return;
   const detail::RunLanes outer({});  // where a kernel calls this

@@ -19,7 +19,9 @@ template <int kLanes = 0, class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
 auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& kernel, Fold /*fold*/) {
   constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
-  static_assert(detail::reduce_lanes % width == 0);
+  static_assert(
+      width > 0 && detail::reduce_lanes % width == 0,
+      "parallel_reduce<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes, so that sums have the same order for all");
   using Index = std::conditional_t<width == 1, index_t, Pack<width>>;
   using Types = detail::Reduction<Kernel, Fold, Index>;
   using Value = typename Types::Value;

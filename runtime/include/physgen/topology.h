@@ -23,7 +23,7 @@ namespace physgen {
 /// @pre work on the arrays in other streams is done (see synchronize())
 template <class... Arrays>
 class ArraySet {
-  static_assert(sizeof...(Arrays) > 0);
+  static_assert(sizeof...(Arrays) > 0, "an ArraySet has at least one array");
 
  public:
   /// @param arrays must outlive the set
