@@ -181,9 +181,9 @@ void allocate(Array& array, index_t size, [[maybe_unused]] std::initializer_list
     if (written_first.size() == 0) return;
     if constexpr (requires { array.untyped(); }) {
       start_without_values(array.untyped(), written_first);
-    } else {
+    } else if constexpr (requires { array.contents(); }) {
       start_without_values(array.contents().untyped(), written_first);
-    }
+    }  // a LocalArray holds nothing: each call of the fused kernel begins so
   }
 }
 
