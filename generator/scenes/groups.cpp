@@ -148,7 +148,8 @@ class Joiner {
       if (auto& steps = by_function[function]; steps.empty() || steps.back() != short_name(step))
         steps.push_back(short_name(step));
     for (const auto& [function, steps] : by_function)
-      needs_.not_joined.push_back(function + " runs " + listed(steps) + ", not the text of the program");
+      needs_.not_joined.push_back(function + " runs " + listed(steps) +
+                                  ": only neighbouring statements of the program's own text are joined");
   }
 
   StepUses uses_;

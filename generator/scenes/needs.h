@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/issue.h"
 #include "scenes/scene.h"
 #include "usage/usage.h"
 
@@ -43,13 +44,6 @@ struct ArrayNeed {
 
   /// Whether nothing of it is kept.
   [[nodiscard]] bool left_out() const;
-};
-
-struct Issue {
-  enum class Kind { error, note } kind = Kind::error;
-  Location place;
-  std::string message;  ///< what is wrong and what to write instead, one line without a full stop
-  bool operator==(const Issue&) const = default;
 };
 
 /// Neighbouring steps that become one: those from `first` to `last` of ProgramText::lists[list].
@@ -88,8 +82,5 @@ struct Needs {
 
 /// The same with every field kept, which is what needs are compared with.
 [[nodiscard]] Needs everything(Needs needs);
-
-/// "physgen::fem::ComputeSvd(body.gradients, body.svds)"
-[[nodiscard]] std::string name_of(const usage::StepUse& step);
 
 }  // namespace physgen::scenes

@@ -1,4 +1,4 @@
-// Lists of object numbers: what they must obey, and what follows from them.
+// Checks of lists of object numbers, and lists that follow from them.
 #include <physgen/error.h>
 #include <physgen/object_numbers.h>
 

@@ -245,7 +245,9 @@ TEST(Groups, store_what_a_step_uses_that_is_run_elsewhere_too) {
   chain.program.runs[chain.second().step] = 1;
   chain.program.elsewhere[chain.second().step] = "helper()";
   EXPECT_EQ(chain.why(), "body.svd is stored: Force is also run by helper()");
-  EXPECT_EQ(chain.needs().not_joined, std::vector<std::string>{"helper() runs Force, not the text of the program"});
+  EXPECT_EQ(chain.needs().not_joined,
+            std::vector<std::string>{
+                "helper() runs Force: only neighbouring statements of the program's own text are joined"});
 }
 
 TEST(Groups, are_not_of_steps_that_share_nothing) {

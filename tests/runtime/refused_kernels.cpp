@@ -84,7 +84,7 @@ void adding_to_a_half_of_one_object(const Given& g) { add(index_t{0}, g.halves[0
 void adding_a_pack_to_one_object(const Given& g) { add(g.i, g.nodes[0].f(), Eigen::Vector3f(1, 2, 3)); }
 /// refused adding_a_pack_to_one_element: there is one sum for W values
 void adding_a_pack_to_one_element(const Given& g) { add(g.i, g.view[0].x1111(), 1.0F); }
-/// refused adding_a_float_to_an_integer: the field holds integers, the value is none
+/// refused adding_a_float_to_an_integer: the field holds integers, the value is not an integer
 void adding_a_float_to_an_integer(const Given& g) { add(index_t{0}, g.tets[0].nodes()[0], 0.5F); }
 /// refused adding_to_a_named_element: a_named_reference_is_not_assigned
 void adding_to_a_named_element(const Given& g) {

@@ -155,7 +155,7 @@ void an_empty_value(const Given& g) { g.nodes[0].f() = {}; }
 float an_element_of_a_quaternion(const View<elasticity::DeformationSvdObject, float, Soa, Quaternions, Host>& svds) {
   return svds[0].U()[0];
 }
-/// refused a_sum_of_rotations: the sum of two rotations is none
+/// refused a_sum_of_rotations: the sum of two rotations is not a rotation
 void a_sum_of_rotations(const Svds::View& svds) { add(index_t{0}, svds[0].U(), Eigen::Matrix3f()); }
 
 // ---- Integers ----

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "arrays.h"
+#include "choices.h"
 #include "command_line.h"
 #include "scene_choice.h"
 #include "sizes.h"
@@ -43,31 +44,6 @@ Built: every material, precision and treatment of volume, on the CPU)"
     "; without Gmsh's library, so --mesh is refused"
 #endif
     ".\nAnother layout is another build: cmake -DPHYSGEN_LAYOUT=schema, aos, aos_padded, soa or aosoa.";
-
-const Names<VolumeTreatment> volumes{
-    {"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}, {"nodes", VolumeTreatment::nodes}};
-const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};
-const Names<Plates> plate_kinds{{"held", Plates::held}, {"contact", Plates::contact}};
-const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
-#ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
-                                 {"cuda", fem::Device::cuda}
-#endif
-};
-const Names<fem::TangentPrecision> precisions{{"half", fem::TangentPrecision::half},
-                                              {"float", fem::TangentPrecision::float32},
-                                              {"double", fem::TangentPrecision::float64}};
-const Names<fem::Preconditioner> preconditioners{{"multigrid", fem::Preconditioner::multigrid},
-                                                 {"schwarz", fem::Preconditioner::schwarz},
-                                                 {"block-jacobi", fem::Preconditioner::block_jacobi},
-                                                 {"none", fem::Preconditioner::none}};
-const Names<bool> steppings{{"nested", true}, {"loads", false}};  // whether nested
-const Names<fem::Product> products{{"assembled", fem::Product::assembled}, {"matrix-free", fem::Product::matrix_free}};
-
-Names<std::string> materials() {
-  Names<std::string> names;
-  for (const std::string& name : fem::material_names()) names.emplace_back(name, name);
-  return names;
-}
 
 /// @throw Error for a layout that the solver was not compiled for
 void require_built(const std::string& layout) {
@@ -139,13 +115,14 @@ std::string built_layout() { return PHYSGEN_TRUTHCUBE_LAYOUT; }
 std::string Options::settings_json() const {
   nlohmann::json json;
   json["scene"] = name_of(scene_kinds, scene);
-  json["arrays"] = arrays_of(scene, solver);
+  json["arrays"] = arrays_of(*this);
   if (moves()) {
     json["time_step"] = motion.time_step;
     json["duration"] = motion.duration;
     json["density"] = motion.density;
     json["damping"] = motion.damping;
     json["frames"] = motion.frames;
+    if (scene == SceneKind::explicit_dynamics) json["fixed_order"] = motion.fixed_order;
   }
   if (is_cube()) {
     json["cells"] = cells;
@@ -193,7 +170,8 @@ Options parse(const std::vector<std::string>& arguments) {
       "what is solved: equilibria by Newton's method with any of the choices below (everything); the same over arrays "
       "of the one scene alone, in float, of stable Neo-Hookean bodies (quasistatic), also without blocks of edges "
       "(matrix-free), or of fixed corotated ones (fixed-corotated); motion in time by backward Euler "
-      "(implicit-dynamics) or symplectic Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
+      "(implicit-dynamics; of stable Neo-Hookean bodies in float where --material and --precision say nothing else) or "
+      "symplectic Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
   add_choice(app, "--material", options.solver.material, materials(), "material", "law of elasticity");
   app.add_option("--young", options.solver.youngs_modulus, "Young's modulus [Pa]")->type_name("E");
   app.add_option("--poisson", options.solver.poissons_ratio, "Poisson's ratio, above -1 and below 0.5")
@@ -226,6 +204,9 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_option("--damping", options.motion.damping,
                  "damping of a body that moves [1/s]: the force -D m v on each node")
       ->type_name("D");
+  app.add_flag("--fixed-order", options.motion.fixed_order,
+               "explicit-dynamics on CUDA: forces on nodes are summed in a fixed order, so that a motion has the same "
+               "bits on every run; it takes longer, and 80 bytes more per tet in float. On the CPU it is always so");
   add_choice(app, "--device", options.solver.device, devices, "device", "device that solves");
   auto* precision =
       add_choice(app, "--precision", options.solver.precision, precisions, "precision",

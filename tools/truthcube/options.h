@@ -27,11 +27,12 @@ enum class SceneKind {
 
 /// Settings of scenes that move.
 struct MotionOptions {
-  double time_step = 0;   ///< at most [s]; 0: a hundredth of the duration, or half of what is stable
-  double duration = 0.4;  ///< [s]
-  double density = 1000;  ///< [kg/m^3]
-  double damping = 0;     ///< [1/s]
-  int frames = 20;        ///< how many states are written, evenly in time
+  double time_step = 0;      ///< at most [s]; 0: a hundredth of the duration, or half of what is stable
+  double duration = 0.4;     ///< [s]
+  double density = 1000;     ///< [kg/m^3]
+  double damping = 0;        ///< [1/s]
+  int frames = 20;           ///< how many states are written, evenly in time
+  bool fixed_order = false;  ///< of the sums at nodes of explicit steps on CUDA
 };
 
 struct Options {

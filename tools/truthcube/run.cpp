@@ -83,7 +83,10 @@ Outcome run(Options options, const std::string& command) {
   append(notes, options.notes);
   append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
-  const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0, options.scene);
+  const std::string arrays = arrays_of(options);
+  const RunBytes bytes =
+      bytes_of_run(counts, options.solver,
+                   {options.scene, arrays, options.plates == Plates::contact ? 2 : 0, options.motion.fixed_order});
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;
@@ -133,10 +136,10 @@ Outcome run(Options options, const std::string& command) {
   std::unique_ptr<fem::DynamicSolver> dynamic;
   if (options.moves()) {
     dynamic = make_dynamic_solver(options, scene);
-  } else if (const std::string arrays = arrays_of(options.scene, options.solver); arrays != "everything") {
-    solver = fem::make_scene_solver(arrays, scene.levels, scene.loading, options.solver);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
+  } else if (arrays != "everything") {
+    solver = fem::make_scene_solver(arrays, scene.levels, scene.loading, options.solver);
   } else {
     solver = fem::make_solver(scene.levels, scene.loading, options.solver);
   }

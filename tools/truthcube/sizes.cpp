@@ -143,9 +143,9 @@ std::int64_t bytes_of_mesh(const LevelCounts& c) {
   return bytes;
 }
 
-RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
-                      SceneKind scene) {
-  RunBytes bytes = solver_bytes(levels, settings, planes, scene);
+RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
+                      const RunArrays& arrays) {
+  RunBytes bytes = solver_bytes(levels, settings, arrays);
   const bool assembled = settings.newton.product == fem::Product::assembled;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     // The solver copies the meshes, and its graphs stay until all arrays are made.
@@ -153,7 +153,7 @@ RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverS
     bytes.lists += 2 * bytes_of_mesh(levels[l]) + bytes_of_graph(levels[l], coarser, assembled);
   }
   const LevelCounts& finest = levels.front();
-  if (scene == SceneKind::explicit_dynamics) return bytes;                    // whose lists are those of the mesh
+  if (arrays.scene == SceneKind::explicit_dynamics) return bytes;             // whose lists are those of the mesh
   if (settings.newton.preconditioner.kind == fem::Preconditioner::schwarz) {  // its slots, edges and terms
     bytes.lists += 2 * index_bytes * (2 * finest.nodes + 2 * finest.edges);
   }

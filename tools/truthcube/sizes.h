@@ -6,6 +6,7 @@
 #include <fem/solver/settings.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "options.h"
@@ -45,9 +46,15 @@ struct RunBytes {
   std::int64_t stresses = 0;         ///< in the same memory while a step is written
   std::int64_t lists = 0;            ///< meshes and graphs in the host's memory while the solver is set up
 };
-/// @param planes fem::Loading::planes, their number
+/// What decides of a run's arrays beside its settings.
+struct RunArrays {
+  SceneKind scene = SceneKind::everything;
+  std::string names = "everything";  ///< arrays_of()
+  std::int64_t planes = 0;           ///< fem::Loading::planes, their number
+  bool fixed_order = false;          ///< fem::DynamicSettings::fixed_order
+};
 [[nodiscard]] RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
-                                    std::int64_t planes, SceneKind scene = SceneKind::everything);
+                                    const RunArrays& arrays = {});
 
 /// The bytes that a mesh of a level takes in the host's memory.
 [[nodiscard]] std::int64_t bytes_of_mesh(const LevelCounts& level);

@@ -10,8 +10,8 @@
 
 namespace physgen::truthcube {
 
-/// All of RunBytes but what lies in lists. @param planes fem::Loading::planes, their number
+/// All of RunBytes but what lies in lists.
 [[nodiscard]] RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
-                                    std::int64_t planes, SceneKind scene);
+                                    const RunArrays& arrays);
 
 }  // namespace physgen::truthcube

@@ -9,7 +9,7 @@
 
 namespace physgen {
 
-/// What both directions have in common.
+/// A transfer in either direction.
 class ChunkedTransfer {
  public:
   ChunkedTransfer(const ChunkedTransfer&) = delete;

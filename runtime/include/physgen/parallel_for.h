@@ -40,13 +40,7 @@ template <class Real, class Body>
 /// @throw what a call throws (the first to be caught), after all other calls have been made
 template <int kLanes = 0, class Kernel>
 void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kernel) {
-  constexpr int width = [] {
-    if constexpr (kLanes == 0) {
-      return detail::default_lanes<Kernel>();
-    } else {
-      return kLanes;
-    }
-  }();
+  constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
   static_assert(padding_objects % width == 0);
   detail::check_range_of_launch(begin);
   if (begin >= end) return;

@@ -18,13 +18,7 @@ namespace physgen {
 template <int kLanes = 0, class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
 auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& kernel, Fold /*fold*/) {
-  constexpr int width = [] {
-    if constexpr (kLanes == 0) {
-      return detail::default_lanes<Kernel>();
-    } else {
-      return kLanes;
-    }
-  }();
+  constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
   static_assert(detail::reduce_lanes % width == 0);
   using Index = std::conditional_t<width == 1, index_t, Pack<width>>;
   using Types = detail::Reduction<Kernel, Fold, Index>;

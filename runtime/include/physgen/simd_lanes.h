@@ -1,4 +1,4 @@
-// What a kernel asks of its index, for packs: see lanes.h. Lanes outside the kernel's range have no say.
+// Questions that a kernel asks of its index, for packs: see lanes.h. Lanes outside the kernel's range have no say.
 #pragma once
 
 #include <physgen/detail/simd_casts.h>

@@ -1,4 +1,4 @@
-// A view: what a kernel holds of an array. A trivially copyable value of two words and, for Soa, the pitch.
+// A kernel holds a view of an array: a trivially copyable value of two words and, for Soa, the pitch.
 #pragma once
 
 #include <physgen/detail/cursor.h>
@@ -94,7 +94,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
        format::detail::this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_views = {}) = delete;
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
-  /// The memory. Neither of a probed array nor of one with pruned fields: who reads it reads all fields.
+  /// The memory. Probed arrays and arrays with pruned fields do not give it: whoever reads it reads all fields.
   [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const {
     static_assert(!format::are_probes<Formats>,
                   "data(): a probed array has no raw memory, so read and write its fields, view[i].field()");
@@ -104,7 +104,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     return base_;
   }
   [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
-  /// Where the objects lie.
+  /// The space in which the objects lie.
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr SpaceKind space() { return Space::kind; }
 
   /// The object at index i; for a Pack or a SIMD batch of indices, the objects at them.
@@ -138,7 +138,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     (*this)[std::forward<I>(i)].put(value);
   }
 
-  /// What checked builds count for these objects; null in others.
+  /// The counters of checked builds for these objects; null in others.
   [[nodiscard]] PHYSGEN_FUNCTION Losses* losses() const {
 #ifdef PHYSGEN_CHECKED
     return losses_;

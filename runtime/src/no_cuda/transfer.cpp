@@ -1,4 +1,4 @@
-// Transfers in a build without CUDA: there is nowhere to transfer to.
+// A build without CUDA has nowhere to transfer objects to.
 #include "../backend/transfer.h"
 
 #include <physgen/chunked_transfer.h>

@@ -77,8 +77,8 @@ template <class Model, class TetView, class PositionView, class RestView, class 
               ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, corners});
 }
 
-/// What a step of Newton's method has of positions: corner forces, and for the force differential the principal
-/// directions and the derivative without negative eigenvalues.
+/// Computes what a step of Newton's method needs of positions: corner forces, and for the force differential the
+/// principal directions and the derivative without negative eigenvalues.
 /// @param directions elasticity::PrincipalDirections, written @param derivatives elasticity::StressDerivative, written
 /// @param corners elasticity::CornerForces, written
 template <class Model, class TetView, class PositionView, class RestView, class DirectionView, class DerivativeView,

@@ -93,7 +93,7 @@ PHYSGEN_FUNCTION inline auto cast_matrix(const Matrix3<S>& A) {
 
 namespace detail {
 
-/// What the kernels of a tet begin with: its shape at rest, and the SVD of F.
+/// The beginning of the kernels of a tet: its shape at rest, and the SVD of F.
 template <class S>
 struct DeformedTet {
   TetShape<S> shape;

@@ -1,4 +1,4 @@
-// What the graph of a background grid's level consists of: which of its nodes the stiffness connects, and from which
+// The graph of a background grid's level: which of its nodes the stiffness connects, and from which
 // blocks of the finer level. For hierarchy.cpp.
 #pragma once
 

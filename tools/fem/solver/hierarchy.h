@@ -1,5 +1,5 @@
-// What the solver must know of its meshes, as plain lists on the host: the graph of nodes and edges of each level, how
-// a level hangs on the next coarser one, and what each coarse block of stiffness consists of.
+// The lists that the solver needs of its meshes, plain ones on the host: the graph of nodes and edges of each level,
+// how a level hangs on the next coarser one, and what each coarse block of stiffness consists of.
 #pragma once
 
 #include <fem/mesh/mesh.h>
@@ -56,7 +56,7 @@ struct LevelGraph {
   IncidenceList edge_terms;
 };
 
-/// What the edges of the finest level, or of any level on which equilibrium is solved, are summed from.
+/// The terms of the edges of the finest level, or of any level on which equilibrium is solved.
 struct EdgeParts {
   IncidenceList edge_tets;     ///< per edge: tet, local edge + 6 if it runs from n to m
   IncidenceList edge_patches;  ///< per edge: patch, slot of m + 8 slot of n

@@ -64,7 +64,7 @@ class NestedNewton : protected SolverParts<On, Types> {
     return total;
   }
 
-  /// What a solve that has nothing to do would say.
+  /// The result of a solve that has nothing to do.
   [[nodiscard]] NewtonResult state_now() {
     const auto state = evaluate_now(0, load_);
     NewtonResult result;

@@ -1,4 +1,4 @@
-// What solvers refuse of what they are given.
+// Checks of what solvers are given.
 #pragma once
 
 #include <fem/solver/dynamic_solver.h>

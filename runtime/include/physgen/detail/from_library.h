@@ -1,4 +1,4 @@
-// Which formats are the library's own: copies know those by their numbers alone.
+// Tells the library's own formats, which copies know by their numbers alone.
 #pragma once
 
 #include <type_traits>

@@ -1,4 +1,4 @@
-// What a fused kernel is made of: the memory of its locals, and its steps in their order.
+// The parts of a fused kernel: the memory of its locals, and its steps in their order.
 #pragma once
 
 #include <physgen/array.h>
@@ -112,7 +112,7 @@ inline constexpr bool has_local<Own<I, Frame>, Local> = Frame::template has<Loca
 template <class Step, class Index>
 PHYSGEN_FUNCTION constexpr void check_step() {
   static_assert(std::invocable<const Step&, const Index&>,
-                "fuse(): this step takes no packs, since its call operator is no template over the index; run it by "
+                "fuse(): this step takes no packs, since its call operator is not a template over the index; run it by "
                 "itself, over an array in the place of each local");
 }
 

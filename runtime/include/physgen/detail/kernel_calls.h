@@ -1,4 +1,4 @@
-// How kernels are called on the CPU: in packs of which width, and what their calls throw.
+// Calls kernels on the CPU: chooses the width of their packs and keeps what they throw.
 #pragma once
 
 #include <physgen/detail/host_loop.h>
@@ -33,6 +33,16 @@ constexpr int default_lanes() {
     }
   }
   return 1;
+}
+
+/// kLanes, or where that is 0 the lanes that suit the kernel.
+template <int kLanes, class Kernel>
+constexpr int lanes_of_calls() {
+  if constexpr (kLanes == 0) {
+    return default_lanes<Kernel>();
+  } else {
+    return kLanes;
+  }
 }
 
 /// In place of RunLanes where all lanes run.

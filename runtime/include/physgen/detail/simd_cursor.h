@@ -1,5 +1,5 @@
-// What the cursors of packs and of gathered objects share: batches in place of numbers, formats, loads and stores by
-// lane. Included by host translation units only.
+// The common base of the cursors of packs and of gathered objects: batches in place of numbers, formats, loads and
+// stores by lane. Host translation units alone include it.
 #pragma once
 
 #include <physgen/detail/cursor.h>
@@ -123,8 +123,7 @@ class RunLanes {
   RunningLanes before_;
 };
 
-/// What the SIMD cursors share: references to fields and elements, and formats, from read and write of the derived
-/// cursor.
+/// Makes references to fields and elements, and applies their formats, by read and write of the derived cursor.
 template <class Derived, int W>
 class SimdCursor : protected LossSink {
  public:
@@ -217,6 +216,21 @@ class SimdCursor : protected LossSink {
       this->count_rotation(one, self().further(l));
     }
 #endif
+  }
+
+ protected:
+  // Lane by lane, by way of memory; the cursor of whole packs has read() and write() of its own.
+  template <class T>
+  [[nodiscard]] batch_t<T, W> read(int offset) const {
+    alignas(64) std::array<T, W> lanes;
+    self().read_lanes(offset, lanes);
+    return batch_t<T, W>::load_aligned(lanes.data());
+  }
+  template <class T>
+  void write(int offset, const batch_t<T, W>& value) const {
+    alignas(64) std::array<T, W> lanes;
+    value.store_aligned(lanes.data());
+    self().write_some_lanes(offset, lanes, self().written());
   }
 
  private:
