@@ -1,4 +1,4 @@
-// Which arrays `physgen layout` draws. See layout_picture.h.
+// Chooses the arrays that `physgen layout` draws. See layout_picture.h.
 #include "layout_picture.h"
 
 #include <algorithm>
