@@ -64,7 +64,7 @@ using StoredArray = typename Stored::template Of<Tag, Array>;
 template <class Array, template <class Formats> class Pruning>
 using PrunedArray = WithFormats<Array, Pruning<typename Array::Formats>>;
 
-/// An array that programs read and do not write: its views are read-only. Who fills it copies to it, or takes
+/// An array that programs read and do not write: its views are read-only. It is filled by copies, or through
 /// contents().
 template <class Array>
 class ReadOnlyArray : public Array {
