@@ -5,7 +5,8 @@ else. The places of the static_asserts that fail are written to the file HITS.
 A case begins with a line `/// refused NAME: words` and ends where the next one begins, or at a line `// ---- ...`. At
 least one error in it, or in a template that it instantiates, must have the words; errors elsewhere are faults. A case
 `/// refused with AVX-512 NAME: words` must be refused only where the flags ask for AVX-512. `|` stands between words of
-which one must be there, as where compilers say the same in other words.
+which one must be there, as where compilers say the same in other words. A line `/// naming A; B` behind it asks for
+more: what g++ says around one of these errors names A and B, such as a step, an array and a field.
 """
 import re
 import sys
@@ -15,8 +16,8 @@ import compiler_errors  # noqa: E402
 
 
 def cases_of(source, wide):
-    """@return {case: its words}, none where it need not be refused; and the case at each line"""
-    cases, case_at, present = {}, {}, None
+    """@return {case: its words}, none where it need not be refused; {case: what it names}; and the case at each line"""
+    cases, names, case_at, present = {}, {}, {}, None
     for number, text in enumerate(open(source, encoding="utf-8").read().splitlines(), 1):
         begins = re.match(r"/// refused( with AVX-512)? (\w+): (.*)$", text)
         if begins:
@@ -26,15 +27,17 @@ def cases_of(source, wide):
             cases[present] = begins[3].split("|") if wide or not begins[1] else []
         elif text.startswith("// ----"):
             present = None
+        elif text.startswith("/// naming "):
+            names[present] = text[len("/// naming ") :].split("; ")
         case_at[number] = present
     if not cases:
         sys.exit(f"FAILED: {source} has no cases")
-    return cases, case_at
+    return cases, names, case_at
 
 
 def main(compiler, hits, source, *command):
-    cases, case_at = cases_of(source, "-march=x86-64-v4" in command)
-    found, faults, case = set(), [], None
+    cases, names, case_at = cases_of(source, "-march=x86-64-v4" in command)
+    found, named, faults, case = set(), set(), [], None
     for error in compiler_errors.compile_source(compiler, command, source, hits):
         places = error.lines_of(source)
         if places:  # of which the nearest may be in what several cases share
@@ -47,6 +50,10 @@ def main(compiler, hits, source, *command):
             faults.append(f"outside of all cases: {error.line}")
         elif any(words in error.words for words in cases[case]):
             found.add(case)
+            if all(name in "\n".join([error.line, *error.context]) for name in names.get(case, [])):
+                named.add(case)
+    if compiler == "gnu":
+        faults += [f"{case}: no such error names {' and '.join(names[case])}" for case in names if case in found - named]
     faults += [
         f"{case}: no error has the words \"{'|'.join(words)}\"" for case, words in cases.items() if words and case not in found
     ]

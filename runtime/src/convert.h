@@ -103,14 +103,7 @@ struct Fill {
     for (int k = 0; k < count; ++k) {
       const bool is_one = rotation && (quaternion ? k % 4 == 0 : k % 9 % 4 == 0);  // w, or the diagonal
       const std::uint64_t bits = is_one ? one : value;
-      std::byte* to = array.address(i, offset + k * size, size);
-      if (size == 8) {
-        *reinterpret_cast<std::uint64_t*>(to) = bits;
-      } else if (size == 4) {
-        *reinterpret_cast<std::uint32_t*>(to) = static_cast<std::uint32_t>(bits);
-      } else {
-        *reinterpret_cast<std::uint16_t*>(to) = static_cast<std::uint16_t>(bits);
-      }
+      move_bits(array.address(i, offset + k * size, size), reinterpret_cast<const std::byte*>(&bits), size);
     }
   }
 };

@@ -167,7 +167,7 @@ TEST(Groups, run_over_the_same_objects) {
   EXPECT_NE(chain.why().find("they run over different objects, per tet of body and per node of body"),
             std::string::npos);
   chain.second().runs = "";
-  EXPECT_NE(chain.why().find("Force runs over a number of objects that is no array's size()"), std::string::npos);
+  EXPECT_NE(chain.why().find("Force runs over a number of objects that is not the size() of an array"), std::string::npos);
   chain.first().runs = chain.second().runs = "n";
   EXPECT_NE(chain.why(), "") << "a number that the caller chooses may not be that of the array's objects";
 }

@@ -154,16 +154,17 @@ Options parse(const std::vector<std::string>& arguments) {
   app.option_defaults()->always_capture_default();
   app.set_help_flag("-h,--help", "this text");
   auto* cells = app.add_option("--cells", options.cells, "the cube in N^3 cells of 6 tets; powers of two are fastest")
-                    ->check(CLI::Range(1, 100000))
+                    ->check(whole_number(1, 100000))
                     ->type_name("N");
   app.add_option("--mesh", options.mesh,
                  "a mesh of tets in Gmsh's format, in metres, in place of the cube; its plates "
                  "are its lowest and highest nodes along z")
       ->excludes(cells)
+      ->check(name_of_file())
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,
                  "cut each tet of the mesh into 8, so many times; --stepping nested needs 1 at least")
-      ->check(CLI::Range(0, 6))
+      ->check(whole_number(0, 6))
       ->type_name("N");
   add_choice(
       app, "--scene", options.scene, scene_kinds, "scene",
@@ -198,7 +199,7 @@ Options parse(const std::vector<std::string>& arguments) {
                  "stable")
       ->type_name("DT");
   app.add_option("--frames", options.motion.frames, "number of states of a motion that are written, evenly in time")
-      ->check(CLI::Range(1, 100000))
+      ->check(whole_number(1, 100000))
       ->type_name("N");
   app.add_option("--density", options.motion.density, "density of a body that moves [kg/m^3]")->type_name("RHO");
   app.add_option("--damping", options.motion.damping,
@@ -239,17 +240,19 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(product)
       ->excludes(stepping);
   app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
+      ->check(name_of_file())
       ->type_name("DIR");
   app.add_flag("--restart", options.restart, "continue after the last step in --out");
   app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")
+      ->check(name_of_file())
       ->type_name("FILE");
   app.add_option("--repeat", options.repetitions,
                  "solve all steps so often again and print the shortest times: the first solve of a program loads and "
                  "records kernels")
-      ->check(CLI::Range(0, 1000))
+      ->check(whole_number(0, 1000))
       ->type_name("N");
   app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
-      ->check(CLI::Range(0, 4096))
+      ->check(whole_number(0, 4096))
       ->type_name("N");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");
   app.add_flag("-q,--quiet", options.quiet, "print errors only");

@@ -71,7 +71,7 @@ class Array {
 
   /// The view that kernels are given. Valid until the array is resized, moved from or destroyed.
   [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), losses()}; }
-  [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch()}; }
+  [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch(), losses()}; }
   [[nodiscard]] ConstView const_view() const { return view(); }
 
   /// The array without its types, for copy().

@@ -34,12 +34,15 @@ struct Local {
       return (*this)[i.index];
     }
   }
+  /// Other objects, of which there is none: who uses a field of them does not compile.
   template <class I>
     requires(!detail::is_own<I>)
-  void operator[](const I& /*i*/) const {
-    static_assert(detail::is_own<I>,
-                  "a local of fuse() has the objects at the kernel's own index alone, local[i]; what other objects or "
-                  "other kernels read needs an array");
+  [[nodiscard]] PHYSGEN_FUNCTION auto operator[](const I& /*i*/) const {
+    using Cursor = detail::NotInLocal<Local, std::remove_cvref_t<detail::Operand<I>>>;
+    using FormatsHere =
+        typename std::conditional_t<std::is_same_v<Formats, FormatsOfSpace>,
+                                    std::type_identity<FormatsOf<Object, Host>>, std::type_identity<Formats>>::type;
+    return typename Object::template Ref<Real, FormatsHere, Cursor>(Cursor());
   }
   /// All fields of object(s) i, by value.
   template <class I>

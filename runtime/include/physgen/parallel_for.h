@@ -46,7 +46,7 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   detail::check_range_of_launch(begin);
   if (begin >= end) return;
   const detail::RunLanes outer({});  // where a kernel calls this
-  detail::RegionFailure failure;
+  detail::LaunchFailure failure;
   if constexpr (width == 1) {
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
     for (index_t i = begin; i < end; ++i) detail::call_guarded(i, failure, [&] { kernel(i); });

@@ -32,7 +32,7 @@ auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& k
   const index_t blocks = detail::blocks_of(begin, end), first = begin / detail::reduce_block;
   const auto size = static_cast<std::size_t>(blocks);
   const auto values = std::make_unique_for_overwrite<Value[]>(size * count);  // an entry's blocks follow each other
-  detail::RegionFailure failure;
+  detail::LaunchFailure failure;
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
   for (index_t b = 0; b < blocks; ++b) {
     const index_t at = (first + b) * detail::reduce_block;

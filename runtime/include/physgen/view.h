@@ -10,6 +10,10 @@
 #include <cstdio>
 #include <string>
 
+#if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
+#include <physgen/detail/fused_accesses.h>
+#endif
+
 #ifdef __CUDACC__
 // Defined nowhere: its name is what the linker of device code prints. (A static_assert would also refuse host code of
 // the same file, which nvcc's device pass reads, too.)
@@ -111,16 +115,12 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
     requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
-    return at<I>(i);
+    return at<I>(detail::bare(i));
   }
   /// The object(s) at indices that another array holds: `nodes[tets[i].nodes()[0]]`.
   template <detail::ElementReference I>
   [[nodiscard]] PHYSGEN_FUNCTION auto operator[](I&& i) const {
     return (*this)[detail::operand(std::forward<I>(i))];
-  }
-  template <class I, class Frame>
-  [[nodiscard]] PHYSGEN_FUNCTION Ref<Own<I, Frame>> operator[](const Own<I, Frame>& i) const {
-    return at<Own<I, Frame>>(detail::bare(i));
   }
   /// All fields of object(s) i, by value.
   template <class I>
@@ -155,6 +155,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> at(const detail::Bare<I>& i) const {
     check(i);
+#if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
+    if constexpr (!std::is_integral_v<detail::Bare<I>>) detail::watch_array<View>(losses_, size_);
+#endif
     return Ref<I>(CursorAt<detail::Bare<I>>(base_, *this, i, losses()));
   }
 

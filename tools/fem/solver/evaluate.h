@@ -127,7 +127,7 @@ class MaterialSteps {
         if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
       }
     }
-    body(NoPatches{});
+    body(NoMeanPressures{});
   }
 
   Material material_;

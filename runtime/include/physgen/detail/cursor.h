@@ -36,6 +36,9 @@ class LossSink {
                          static_cast<double>(Format::template decode<T>(stored)), object_ + further, offset_ + offset);
     }
   }
+  [[nodiscard]] PHYSGEN_FUNCTION const Losses* losses() const { return losses_; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t object() const { return object_; }
+  [[nodiscard]] PHYSGEN_FUNCTION int offset() const { return offset_; }
   template <class Matrix>
   PHYSGEN_FUNCTION void count_rotation(const Matrix& R, index_t further = 0) const {
     if (losses_ == nullptr || object_ + further >= losses_->objects) return;

@@ -57,7 +57,7 @@ void keep_apart([[maybe_unused]] Numbers& numbers) {
 /// The values of the objects begin .. end-1, which lie in one block, an entry each. The numbers of 32 objects are
 /// collected, then joined to the lanes at once: a loop that compilers turn into packs, whatever the fold.
 template <class Fold, int kWidth, class Kernel, class Value>
-void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, RegionFailure& failure, Value* values) {
+void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, LaunchFailure& failure, Value* values) {
   using Index = std::conditional_t<kWidth == 1, index_t, Pack<kWidth>>;
   using Types = Reduction<Kernel, Fold, Index>;
   static_assert(kWidth == 1 || !std::is_arithmetic_v<typename Types::Entries::Entry>,
