@@ -15,7 +15,8 @@ constexpr double side = 2;
 
 /// Positions on the finer of two meshes of a cube, where `motion` was found on the coarser one, beside a rest that is
 /// already moved by `start`.
-std::vector<Point> interpolated(const Body& body, const std::function<Point(const Point&)>& motion, double start) {
+std::vector<Point> interpolated(const Body& body, const std::function<Point(const Point&)>& motion, double start,
+                                bool bends = true) {
   const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
   const auto coarse_nodes = index_t{coarse.mesh.nodes}, fine_nodes = index_t{fine.mesh.nodes};
   quasistatic::NodeParentsArray<float> parents(fine_nodes);
@@ -39,9 +40,10 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
     before.view().put(n, {{x[0] + 7, x[1] - 5, x[2] + 3}});
     now.view().put(n, {{x[0] + 7 + w[0], x[1] - 5 + w[1], x[2] + 3 + w[2]}});
   }
-  parallel_for<1>(Host{}, fine_nodes,
-                  InterpolateMotion{parents.const_view(), node_tets.const_view(), tets.const_view(), rest.const_view(),
-                                    before.const_view(), now.const_view(), constraints.const_view(), positions.view()});
+  parallel_for<1>(
+      Host{}, fine_nodes,
+      InterpolateMotion{bends, parents.const_view(), node_tets.const_view(), tets.const_view(), rest.const_view(),
+                        before.const_view(), now.const_view(), constraints.const_view(), positions.view()});
   std::vector<Point> result(std::size_t(fine_nodes), Point{});
   for (index_t n = 0; n < fine_nodes; ++n) {
     const auto x = positions.view().get(n).x;
@@ -87,6 +89,20 @@ TEST(InterpolateMotion, is_exact_for_quadratic_motions_between_nodes_inside) {
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + motion(x)[k], 1e-13) << n;
   }
   EXPECT_EQ(inside, 125);
+}
+
+TEST(InterpolateMotion, without_bends_takes_the_mean_of_both_parents) {
+  const Body body = cube_with(0);
+  const auto motion = [](const Point& x) { return Point{x[0] * x[1], x[2] * x[2], 1 / (1 + x[0] + x[2])}; };
+  const auto positions = interpolated(body, motion, 0.25, false);
+  const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const auto& [a, b] = fine.parents[n];
+    const Point first = motion(coarse.rest[std::size_t(a)]), second = motion(coarse.rest[std::size_t(b)]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(positions[n][k], fine.rest[n][k] + 0.25 + (first[k] + second[k]) / 2, 1e-13) << n;
+    }
+  }
 }
 
 TEST(InterpolateMotion, leaves_prescribed_components_where_they_are) {

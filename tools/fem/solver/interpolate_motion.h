@@ -17,6 +17,7 @@ template <class ParentsView, class NodeTets, class TetView, class RestView, clas
           class ConstraintView, class PositionView>
 struct InterpolateMotion {
   using Scalar = typename PositionView::Precision;
+  bool bends;                  ///< else w = (w_a + w_b)/2: cubics may invert tets, and straight lines do not
   ParentsView parents;         ///< quasistatic::NodeParents
   NodeTets node_tets;          ///< Rows of NodeTetEntry, of the coarser level
   TetView tets;                ///< elasticity::Tet, of the coarser level
@@ -31,7 +32,7 @@ struct InterpolateMotion {
     const auto names = parents[node].nodes();
     const index_t a = names[0], b = names[1];
     Vector w = (motion(a) + motion(b)) * Scalar(0.5);
-    if (a != b) {
+    if (bends && a != b) {
       const Vector edge = Vector(rest[b].x().get()) - Vector(rest[a].x().get());
       w += (slope(a, edge) - slope(b, edge)) * Scalar(0.125);
     }
@@ -62,7 +63,7 @@ struct InterpolateMotion {
     return sum / volume;
   }
 };
-template <class... Arguments>
-InterpolateMotion(Arguments...) -> InterpolateMotion<Arguments...>;
+template <class... Views>
+InterpolateMotion(bool, Views...) -> InterpolateMotion<Views...>;
 
 }  // namespace physgen::fem

@@ -90,6 +90,28 @@ class NestedNewton : protected SolverParts<On, Types> {
   bool reached_ = true;  ///< whether the positions are an equilibrium of load_
 
  private:
+  void find_increment(Arrays& a, const Level& level, double load) {
+    on_->run(a.nodes(), ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(),
+                                         level.constraints.const_view(), a.positions.const_view(), a.increment.view()});
+  }
+  /// Moves positions, which are kept, by what the next coarser level has moved, and prescribed components to a load.
+  void begin_from_coarser(std::size_t l, double load, bool bends) {
+    Arrays& a = *arrays_[l];
+    const Arrays& coarse = *arrays_[l + 1];
+    const Level& level = *linear_[l];
+    on_->run(a.nodes(),
+             InterpolateMotion{bends, level.parents.const_view(), coarse.node_tets.const_view(),
+                               coarse.tets.const_view(), coarse.rest.const_view(), coarse.kept.const_view(),
+                               coarse.positions.const_view(), level.constraints.const_view(), a.positions.view()});
+    find_increment(a, level, load);
+    on_->run(a.nodes(), MovePrescribed{a.increment.const_view(), a.positions.view()});
+  }
+  /// Of a tet's current to its rest volume.
+  [[nodiscard]] double smallest_ratio(Arrays& a) {
+    on_->reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), a.positions.const_view()}, Min{},
+                StoreSmallestRatio{a.state.view()});
+    return on_->value(a.state).smallest_ratio;
+  }
   /// To a load, from the equilibrium that is kept: nested, or by the increment inside the first linear solve.
   NewtonResult solve_increment(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) {
     NewtonResult total;
@@ -97,17 +119,15 @@ class NestedNewton : protected SolverParts<On, Types> {
       Arrays& a = *arrays_[l];
       Level& level = *linear_[l];
       const bool coarsest = l + 1 == solved_;
-      if (!coarsest) {
-        const Arrays& coarse = *arrays_[l + 1];
-        on_->run(a.nodes(),
-                 InterpolateMotion{level.parents.const_view(), coarse.node_tets.const_view(), coarse.tets.const_view(),
-                                   coarse.rest.const_view(), coarse.kept.const_view(), coarse.positions.const_view(),
-                                   level.constraints.const_view(), a.positions.view()});
+      if (coarsest) {
+        find_increment(a, level, load);
+      } else {
+        begin_from_coarser(l, load, true);
+        if (!(smallest_ratio(a) > 0)) {
+          on_->run(a.nodes(), KeepPositions{a.kept.const_view(), a.positions.view()});
+          begin_from_coarser(l, load, false);
+        }
       }
-      on_->run(a.nodes(),
-               ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(), level.constraints.const_view(),
-                                a.positions.const_view(), a.increment.view()});
-      if (!coarsest) on_->run(a.nodes(), MovePrescribed{a.increment.const_view(), a.positions.view()});
       const bool injects =
           !coarsest && inject_pressures(*on_, std::as_const(*arrays_[l + 1]), a, level.parents.const_view());
       const bool increment = coarsest && moves_[l] && (load != load_ || !reached_);
