@@ -15,7 +15,7 @@ struct everything;
 
 /// Equilibrium and motion of a body with every choice that there is: volumes of tets, patches or nodes; products
 /// assembled or by tets; each preconditioner, on meshes and background grids, stored as computed or in half; rigid
-/// planes; inertia; and linear elasticity.
+/// planes; and inertia.
 namespace scenes::everything_scene {
 
 namespace tags::body {
@@ -771,109 +771,6 @@ struct Inertia {
            physgen::bytes_of_array<decltype(centres)>(counts.moving_node) +
            physgen::bytes_of_array<decltype(velocities)>(counts.moving_node) +
            physgen::bytes_of_array<decltype(measured)>(counts.measure);
-  }
-};
-
-namespace tags::linear {
-struct tets { static constexpr const char* name = "linear.tets"; };
-struct rest { static constexpr const char* name = "linear.rest"; };
-struct node_tet_ranges { static constexpr const char* name = "linear.node_tet_ranges"; };
-struct node_tets { static constexpr const char* name = "linear.node_tets"; };
-struct edge_tet_ranges { static constexpr const char* name = "linear.edge_tet_ranges"; };
-struct edge_tets { static constexpr const char* name = "linear.edge_tets"; };
-struct displacements { static constexpr const char* name = "linear.displacements"; };
-struct motion { static constexpr const char* name = "linear.motion"; };
-struct loads { static constexpr const char* name = "linear.loads"; };
-struct forces { static constexpr const char* name = "linear.forces"; };
-struct state { static constexpr const char* name = "linear.state"; };
-}  // namespace tags::linear
-
-template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
-struct Linear {
-  using Space = Space_;
-  using Real = Real_;
-  using Stored = Stored_;
-
-  /// How many objects there are of each kind.
-  struct Counts {
-    physgen::index_t tet = 0;
-    physgen::index_t node = 0;
-    physgen::index_t corner = 0;
-    physgen::index_t edge = 0;
-    physgen::index_t tet_edge = 0;
-  };
-
-  /// elasticity::Tet, per tet: nodes
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::tets, ::elasticity::TetArray<Real, Space>>> tets;
-  /// elasticity::RestShape, per tet: dm_inverse, volume
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::rest, ::elasticity::RestShapeArray<double,
-      Space>>> rest;
-  /// The tets of each node: rows of NodeTetEntry.
-  /// elasticity::IncidenceRange, per node: begin, end
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::node_tet_ranges,
-      ::elasticity::IncidenceRangeArray<float, Space>>> node_tet_ranges;
-  /// quasistatic::PackedIncidence, per corner: code
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::node_tets,
-      ::quasistatic::PackedIncidenceArray<float, Space>>> node_tets;
-  /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
-  /// elasticity::IncidenceRange, per edge: begin, end
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::edge_tet_ranges,
-      ::elasticity::IncidenceRangeArray<float, Space>>> edge_tet_ranges;
-  /// quasistatic::PackedIncidence, per tet_edge: code
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::edge_tets,
-      ::quasistatic::PackedIncidenceArray<float, Space>>> edge_tets;
-  /// u, from rest.
-  /// elasticity::NodeDisplacement, per node: dx
-  physgen::StoredArray<Stored, tags::linear::displacements, ::elasticity::NodeDisplacementArray<double,
-      Space>> displacements;
-  /// Of prescribed components, at a load of 1.
-  /// elasticity::NodeDisplacement, per node: dx
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::motion, ::elasticity::NodeDisplacementArray<double,
-      Space>>> motion;
-  /// External, at a load of 1.
-  /// elasticity::NodeForce, per node: f
-  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::loads, ::elasticity::NodeForceArray<double,
-      Space>>> loads;
-  /// Elastic and external; in prescribed components minus the reaction.
-  /// elasticity::NodeForce, per node: f
-  physgen::StoredArray<Stored, tags::linear::forces, ::elasticity::NodeForceArray<double, Space>> forces;
-  /// Its volumetric energy and its work stay 0.
-  /// quasistatic::Equilibrium, 1 object: elastic, volumetric, loads, free_square, fixed_square, work, smallest_ratio
-  physgen::StoredArray<Stored, tags::linear::state, ::quasistatic::EquilibriumArray<double, Space>> state;
-
-  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
-  /// writes before it reads them begin as signalling NaN instead.
-  /// @throw physgen::Error when a count is negative or the memory cannot be had
-  void allocate(const Counts& counts) {
-    physgen::allocate(tets, counts.tet);
-    physgen::allocate(rest, counts.tet);
-    physgen::allocate(node_tet_ranges, counts.node);
-    physgen::allocate(node_tets, counts.corner);
-    physgen::allocate(edge_tet_ranges, counts.edge);
-    physgen::allocate(edge_tets, counts.tet_edge);
-    physgen::allocate(displacements, counts.node, {"dx"});
-    physgen::allocate(motion, counts.node);
-    physgen::allocate(loads, counts.node);
-    physgen::allocate(forces, counts.node, {"f"});
-    physgen::allocate(state, 1, {"elastic", "loads", "free_square", "fixed_square", "smallest_ratio"});
-  }
-
-  /// Of memory held by all arrays, padding included.
-  [[nodiscard]] physgen::index_t bytes() const {
-    return tets.bytes() + rest.bytes() + node_tet_ranges.bytes() + node_tets.bytes() + edge_tet_ranges.bytes() +
-           edge_tets.bytes() + displacements.bytes() + motion.bytes() + loads.bytes() + forces.bytes() + state.bytes();
-  }
-  /// The same of arrays of so many objects, without making them. @pre no count is negative
-  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
-    return physgen::bytes_of_array<decltype(tets)>(counts.tet) + physgen::bytes_of_array<decltype(rest)>(counts.tet) +
-           physgen::bytes_of_array<decltype(node_tet_ranges)>(counts.node) +
-           physgen::bytes_of_array<decltype(node_tets)>(counts.corner) +
-           physgen::bytes_of_array<decltype(edge_tet_ranges)>(counts.edge) +
-           physgen::bytes_of_array<decltype(edge_tets)>(counts.tet_edge) +
-           physgen::bytes_of_array<decltype(displacements)>(counts.node) +
-           physgen::bytes_of_array<decltype(motion)>(counts.node) +
-           physgen::bytes_of_array<decltype(loads)>(counts.node) +
-           physgen::bytes_of_array<decltype(forces)>(counts.node) + physgen::bytes_of_array<decltype(state)>(1);
   }
 };
 

@@ -23,10 +23,4 @@ const Emitter& emitter(const std::string& name) {
   throw UnknownEmitter(model::unknown("emitter", name, names));
 }
 
-std::string file_of(const Emitter& emitter, const std::string& schema_file) {
-  const std::string name = schema_file.substr(schema_file.find_last_of('/') + 1);
-  const auto dot = name.find_last_of('.');
-  return (dot == std::string::npos || dot == 0 ? name : name.substr(0, dot)) + std::string(emitter.ending);
-}
-
 }  // namespace physgen::emit

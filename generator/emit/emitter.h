@@ -1,14 +1,14 @@
-// Emitters: what turns a model into the text of a file. Each is a folder here and a line in emitter.cpp.
+// An emitter turns a model into the text of a file. Each is a folder here and a line in emitter.cpp.
 #pragma once
 
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "model/issue.h"
+#include "emit/file_name.h"
 #include "model/model.h"
+#include "model/validate.h"
 
 namespace physgen::emit {
 
@@ -16,9 +16,9 @@ struct Emitter {
   std::string_view name;    ///< of --emitter: "cpp"
   std::string_view what;    ///< for help: "accessor classes in C++"
   std::string_view ending;  ///< of its files: ".physgen.h"
-  /// What it cannot write of a schema, beyond the rules of the model: names that its language keeps, types that would
-  /// clash, sizes.
-  std::vector<model::Issue> (*objections)(const model::Schema&);
+  /// Finds the parts of a schema that it cannot write, beyond the rules of the model: names that its language keeps,
+  /// types that would clash, sizes.
+  model::Rules objections;
   /// The text of the file; the same text for the same schema, whatever the machine and the time.
   /// @pre neither model::validate() nor objections() has an objection
   /// @throws std::logic_error when a planned record does not pass its proof (a defect of physgen)
@@ -36,8 +36,9 @@ struct UnknownEmitter : std::runtime_error {
 /// @throws UnknownEmitter
 [[nodiscard]] const Emitter& emitter(const std::string& name);
 
-/// Name of the file that an emitter writes of a schema: "elasticity.h" gives "elasticity.physgen.h"; folders are
-/// dropped.
-[[nodiscard]] std::string file_of(const Emitter& emitter, const std::string& schema_file);
+/// Name of the file that an emitter writes of a schema.
+[[nodiscard]] inline std::string file_of(const Emitter& emitter, const std::string& schema_file) {
+  return file_name(schema_file, emitter.ending);
+}
 
 }  // namespace physgen::emit

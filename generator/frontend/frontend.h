@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "model/issue.h"
 #include "model/model.h"
+#include "model/validate.h"
 
 namespace physgen::frontend {
 
 struct ParseOptions {
   std::vector<std::string> include_dirs;  ///< where #include looks, beside the including file's own folder
-  /// What an emitter objects to, beyond the rules of the model; null: nothing is to be written
-  std::vector<model::Issue> (*objections)(const model::Schema&) = nullptr;
+  model::Rules objections = nullptr;  ///< an emitter's rules, beyond those of the model; null: nothing is to be written
 };
 
 struct Result {

@@ -11,7 +11,6 @@
 #include "frontend/constructs.h"
 #include "frontend/options.h"
 #include "frontend/types.h"
-#include "model/validate.h"
 
 namespace physgen::frontend {
 namespace {
@@ -38,7 +37,7 @@ class SchemaReader {
   SchemaReader(clang::ASTContext& context, bool clang_errors)
       : context_(context), sources_(context.getSourceManager()), report_(context, clang_errors) {}
 
-  model::Schema read(bool has_vocabulary, decltype(ParseOptions::objections) objections) {
+  model::Schema read(bool has_vocabulary, model::Rules objections) {
     schema_.file = file_name(sources_.getLocForStartOfFile(sources_.getMainFileID()));
     declarations(*context_.getTranslationUnitDecl());
     rules(model::validate(schema_), has_vocabulary);
@@ -255,8 +254,7 @@ class SchemaReader {
 
 }  // namespace
 
-model::Schema read_schema(clang::ASTContext& context, bool clang_errors, bool has_vocabulary,
-                          decltype(ParseOptions::objections) objections) {
+model::Schema read_schema(clang::ASTContext& context, bool clang_errors, bool has_vocabulary, model::Rules objections) {
   return SchemaReader(context, clang_errors).read(has_vocabulary, objections);
 }
 

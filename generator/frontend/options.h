@@ -4,8 +4,8 @@
 #include <map>
 
 #include "frontend/report.h"
+#include "model/issue.h"
 #include "model/model.h"
-#include "model/validate.h"
 
 namespace physgen::frontend {
 

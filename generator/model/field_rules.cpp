@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "model/format_rules.h"
+#include "model/limits.h"
 #include "model/text.h"
-#include "model/validate.h"
 
 namespace physgen::model {
 namespace {

@@ -2,12 +2,12 @@
 #include "model/validate.h"
 
 #include <algorithm>
-#include <bit>
 #include <climits>
 #include <map>
 #include <string>
 
 #include "model/field_rules.h"
+#include "model/limits.h"
 #include "model/text.h"
 
 namespace physgen::model {
@@ -120,10 +120,6 @@ class Checker {
 };
 
 }  // namespace
-
-bool is_power_of_two_up_to(int value, int limit) {
-  return value >= 1 && value <= limit && std::has_single_bit(static_cast<unsigned>(value));
-}
 
 std::vector<Issue> validate(const Schema& schema) { return Checker(schema).run(); }
 

@@ -110,22 +110,6 @@ long long LayoutMap::address(int offset, int bytes, long long object_number) con
   return law::element(index_t{0}, AnyPitch{pitch}, record_bytes, object_number, offset, bytes);
 }
 
-Cell LayoutMap::at(long long address) const {
-  const long long tile_bytes = law::tile_bytes(pitch, record_bytes);
-  const long long tile = address / tile_bytes;
-  const long long in_tile = address % tile_bytes;
-  // A segment takes the bytes from offset * pitch to (offset + bytes) * pitch of its tile.
-  auto segment = std::ranges::upper_bound(segments, in_tile / pitch, {}, &Segment::offset);
-  --segment;
-  const long long begin = law::tile_begin(tile, tile_bytes) + law::channel_begin(segment->offset, pitch);
-  if (segment->accessor < 0) return {begin, begin + law::channel_begin(segment->bytes, pitch), -1, 0, tile * pitch};
-  const Accessor& accessor = accessors[static_cast<std::size_t>(segment->accessor)];
-  const long long place = (address - begin) / accessor.bytes;  // of the elements of the segment in this tile
-  const long long cell = begin + place * accessor.bytes;
-  const int element = segment->run * accessor.run_elements + static_cast<int>(place / pitch);
-  return {cell, cell + accessor.bytes, segment->accessor, element, tile * pitch + place % pitch};
-}
-
 LayoutMap map_layout(const Record& record, model::Layout layout, Precision precision) {
   LayoutMap map;
   map.object = record.object->qualified_name();
@@ -139,23 +123,6 @@ LayoutMap map_layout(const Record& record, model::Layout layout, Precision preci
   map.segments = segments_of(map);
   for (Accessor& accessor : map.accessors) accessor.sectors = sectors_of(map, accessor);
   return map;
-}
-
-std::vector<int> shown_segments(const LayoutMap& map) {
-  std::vector<int> shown;
-  bool hidden = false;
-  for (std::size_t s = 0; s < map.segments.size(); ++s) {
-    const Segment& segment = map.segments[s];
-    if (segment.accessor >= 0) {
-      const auto runs = static_cast<int>(map.accessors[static_cast<std::size_t>(segment.accessor)].runs.size());
-      hidden = segment.run > 0 && segment.run < runs - 1;
-    }
-    if (!hidden)
-      shown.push_back(static_cast<int>(s));
-    else if (shown.back() >= 0)
-      shown.push_back(-1);
-  }
-  return shown;
 }
 
 long long sectors_of_warp(const LayoutMap& map) {

@@ -55,15 +55,6 @@ struct Segment {
   bool operator==(const Segment&) const = default;
 };
 
-/// A part of memory: its bytes [begin, end) hold one element of one object, or nothing.
-struct Cell {
-  long long begin = 0;
-  long long end = 0;
-  int accessor = -1;     ///< -1: padding
-  int element = 0;       ///< of the accessor
-  long long object = 0;  ///< not used by padding of the tiled layouts
-};
-
 /// An array of objects.
 struct LayoutMap {
   std::string object;  ///< qualified name
@@ -83,16 +74,10 @@ struct LayoutMap {
   [[nodiscard]] bool has_tiles() const { return pitch > 1 && pitch < assumed_objects; }
   /// Byte of the array at which an element of `bytes` at `offset` of the record of `object` begins.
   [[nodiscard]] long long address(int offset, int bytes, long long object_number) const;
-  /// @pre address >= 0
-  [[nodiscard]] Cell at(long long address) const;
 };
 
 /// @param space decides the formats; must be the record's
 [[nodiscard]] LayoutMap map_layout(const Record& record, model::Layout layout, Precision precision);
-
-/// Numbers of the segments that a drawing shows. Of the entries of a fixed array of objects it is the first and the
-/// last; -1 stands for the others. Repeated padding goes with what is before it.
-[[nodiscard]] std::vector<int> shown_segments(const LayoutMap& map);
 
 /// Different sectors that hold the warp's objects, each counted once however many requests touch it.
 [[nodiscard]] long long sectors_of_warp(const LayoutMap& map);

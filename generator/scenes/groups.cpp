@@ -74,8 +74,14 @@ class Joiner {
   }
 
   void not_joined(const ProgramSteps& list, std::size_t k, Reasons why) {
-    const ProgramStep& second = list.steps[k + 1];
-    needs_.apart.push_back({list.steps[k].step, second.step, second.place, std::move(why)});
+    const ProgramStep &first = list.steps[k], &second = list.steps[k + 1];
+    std::vector<std::string> between;
+    if (const auto *a = uses_.of(first.step), *b = uses_.of(second.step); a != nullptr && b != nullptr)
+      for (const auto& one : a->fields)
+        if (writes(one) && std::any_of(b->fields.begin(), b->fields.end(),
+                                       [&](const auto& other) { return name_of(one) == name_of(other); }))
+          between.push_back(text_of(name_of(one)));
+    needs_.apart.push_back({first.step, second.step, second.place, std::move(why), std::move(between)});
   }
 
   // ---- Why a step cannot be joined to those before it --------------------------------------------------------------
@@ -89,7 +95,7 @@ class Joiner {
       why.push_back("they are run in different words, '" + head(before) + "' and '" + head(step) + "'");
     if (step.runs.empty() || before.runs.empty())
       why.push_back(short_name(step.runs.empty() ? step.step : before.step) +
-                    " runs over a number of objects that is no array's size()");
+                    " runs over a number of objects that is not the size() of an array");
     else if (step.runs != before.runs)
       why.push_back("they run over different objects, " + before.runs + " and " + step.runs);
     for (const ProgramStep* one : {&before, &step}) alone(*one, why);
@@ -148,7 +154,8 @@ class Joiner {
       if (auto& steps = by_function[function]; steps.empty() || steps.back() != short_name(step))
         steps.push_back(short_name(step));
     for (const auto& [function, steps] : by_function)
-      needs_.not_joined.push_back(function + " runs " + listed(steps) + ", not the text of the program");
+      needs_.not_joined.push_back(function + " runs " + listed(steps) +
+                                  ": only neighbouring statements of the program's own text are joined");
   }
 
   StepUses uses_;

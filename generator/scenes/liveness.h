@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/needs.h"
+#include "scenes/issue.h"
+#include "scenes/scene.h"
+#include "usage/usage.h"
 
 namespace physgen::scenes {
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/issue.h"
 #include "scenes/scene.h"
 #include "usage/usage.h"
 
@@ -45,13 +46,6 @@ struct ArrayNeed {
   [[nodiscard]] bool left_out() const;
 };
 
-struct Issue {
-  enum class Kind { error, note } kind = Kind::error;
-  Location place;
-  std::string message;  ///< what is wrong and what to write instead, one line without a full stop
-  bool operator==(const Issue&) const = default;
-};
-
 /// Neighbouring steps that become one: those from `first` to `last` of ProgramText::lists[list].
 struct StepGroup {
   std::size_t list = 0, first = 0, last = 0;
@@ -64,8 +58,9 @@ struct StepGroup {
 /// Neighbouring steps that are not joined.
 struct StepsApart {
   std::string first, second;
-  usage::Place place;            ///< where the second is run
-  std::vector<std::string> why;  ///< one at least
+  usage::Place place;                ///< where the second is run
+  std::vector<std::string> why;      ///< one at least
+  std::vector<std::string> between;  ///< fields that the first writes and the second uses: "body.corner_forces.G"
   bool operator==(const StepsApart&) const = default;
 };
 
@@ -88,8 +83,5 @@ struct Needs {
 
 /// The same with every field kept, which is what needs are compared with.
 [[nodiscard]] Needs everything(Needs needs);
-
-/// "physgen::fem::ComputeSvd(body.gradients, body.svds)"
-[[nodiscard]] std::string name_of(const usage::StepUse& step);
 
 }  // namespace physgen::scenes

@@ -46,6 +46,7 @@ std::string groups_text(const Scene& scene, const Needs& needs) {
     text += "  " + short_name(apart.first) + " and " + short_name(apart.second) + " are not joined, at " +
             usage::text_of(apart.place) + "\n";
     for (const std::string& reason : apart.why) text += "    " + reason + "\n";
+    if (!apart.between.empty()) text += "    stored between them: " + model::joined(apart.between, " and ") + "\n";
   }
   for (const std::string& reason : needs.not_joined) text += "  " + reason + "\n";
   return text.empty() ? text : "\nGroups:\n" + text;
@@ -63,8 +64,11 @@ void add_groups(const Scene& /*scene*/, const Needs& needs, Json& json) {
   }
   json["apart"] = Json::array();
   for (const StepsApart& apart : needs.apart)
-    json["apart"].push_back(
-        {{"first", apart.first}, {"second", apart.second}, {"place", usage::text_of(apart.place)}, {"why", apart.why}});
+    json["apart"].push_back({{"first", apart.first},
+                             {"second", apart.second},
+                             {"place", usage::text_of(apart.place)},
+                             {"why", apart.why},
+                             {"between", apart.between}});
   json["not_joined"] = needs.not_joined;
 }
 

@@ -1,4 +1,4 @@
-// The law of addresses over an array without its types, with what a loop would compute again for each object prepared.
+// The law of addresses over an array without its types, prepared for loops over its objects.
 #pragma once
 
 #include <physgen/layout/address.h>
@@ -6,8 +6,8 @@
 
 namespace physgen::detail {
 
-/// Where the objects of an array, or of a part of one, lie. Its pitch is a power of two or the whole array, so that a
-/// shift finds the tile; of a whole array it always finds tile 0.
+/// The places of the objects of an array, or of a part of one. Its pitch is a power of two or the whole array, so that
+/// a shift finds the tile; of a whole array it always finds tile 0.
 struct Addressing {
   std::byte* base;
   index_t pitch;
@@ -31,7 +31,7 @@ struct Addressing {
     return base + law::tile_begin(tile(i) * pitch, record_bytes) + law::channel_begin(offset, pitch) +
            law::lane_begin(lane(i), size);
   }
-  /// Where the tile of object i begins.
+  /// The beginning of the tile of object i.
   [[nodiscard]] PHYSGEN_FUNCTION std::byte* tile_of(index_t i) const {
     return base + law::tile_begin(tile(i), law::tile_bytes(pitch, record_bytes));
   }

@@ -1,5 +1,6 @@
-// What formats cannot hold of whole arrays, and the counters of arrays.
+// Counts values of whole arrays that formats cannot hold, and keeps the counters of arrays.
 #include <physgen/array_losses.h>
+#include <physgen/buffer.h>
 #include <physgen/chunked_transfer.h>
 #include <physgen/device.h>
 
@@ -19,24 +20,9 @@ namespace {
 Losses read_losses(const Losses& counters, SpaceKind space) {
   if (space != SpaceKind::host) backend::synchronize_device();
   Losses read;
-  if (host_accessible(space)) {
-    read = counters;
-  } else {
-    backend::copy_bytes(reinterpret_cast<std::byte*>(&read), reinterpret_cast<const std::byte*>(&counters), sizeof read,
-                        nullptr);
-    synchronize();
-  }
+  copy_memory(reinterpret_cast<std::byte*>(&read), SpaceKind::host, reinterpret_cast<const std::byte*>(&counters),
+              space, sizeof read);
   return read;
-}
-
-void write_losses(Losses& counters, const Losses& written, SpaceKind space) {
-  if (host_accessible(space)) {
-    counters = written;
-  } else {
-    backend::copy_bytes(reinterpret_cast<std::byte*>(&counters), reinterpret_cast<const std::byte*>(&written),
-                        sizeof written, nullptr);
-    synchronize();
-  }
 }
 
 }  // namespace
@@ -88,7 +74,8 @@ void start_losses(Losses& counters, const Losses* old, index_t objects, SpaceKin
   Losses fresh;
   if (old != nullptr) fresh = read_losses(*old, space);
   fresh.objects = objects;
-  write_losses(counters, fresh, space);
+  copy_memory(reinterpret_cast<std::byte*>(&counters), space, reinterpret_cast<const std::byte*>(&fresh),
+              SpaceKind::host, sizeof fresh);
 }
 
 }  // namespace physgen

@@ -24,7 +24,7 @@ index_t memory_limit() {
   index_t limit = static_cast<index_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<index_t>(sysconf(_SC_PAGESIZE));
   for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
     index_t bytes = 0;
-    if (std::ifstream(file) >> bytes) limit = std::min(limit, bytes);  // "max" is no number: no limit
+    if (std::ifstream(file) >> bytes) limit = std::min(limit, bytes);  // "max" is not a number and means no limit
   }
   return limit;
 }

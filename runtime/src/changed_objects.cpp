@@ -111,10 +111,9 @@ void ChangedObjects::check_range(index_t begin, index_t end) const {
 }
 
 bool same_formats(const UntypedArray& a, const UntypedArray& b) {
-  return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
-                    [](const FieldInfo& x, const FieldInfo& y) {
-                      return encoding_of(x) == encoding_of(y) && x.quaternion == y.quaternion;
-                    });
+  return std::ranges::equal(a.fields, b.fields, [](const FieldInfo& x, const FieldInfo& y) {
+    return FieldFormat(x) == FieldFormat(y) && x.quaternion == y.quaternion;
+  });
 }
 
 }  // namespace physgen::detail

@@ -1,4 +1,4 @@
-// How a range of objects is cut for transfers: chunks of a few MiB that begin and end with whole tiles.
+// Cuts a range of objects for transfers into chunks of a few MiB that begin and end with whole tiles.
 #pragma once
 
 #include <physgen/layout/pitch.h>
@@ -8,8 +8,8 @@
 
 namespace physgen::detail {
 
-/// Objects of one tile of the array, or of one that an array of the same layout may have: what begins at a multiple of
-/// it begins with a tile.
+/// Objects of one tile of the array, or of one that an array of the same layout may have: a range that begins at a
+/// multiple of it begins with a tile.
 [[nodiscard]] inline index_t tile_objects(const UntypedArray& array) {
   const bool many_tiles = array.pitch < array.padded;
   return many_tiles ? std::max(array.pitch, padding_objects) : padding_objects;
@@ -21,8 +21,8 @@ namespace physgen::detail {
   return align_up(bytes / std::max(array.record_bytes, 1) + 1, tile_objects(array));
 }
 
-/// The chunks of a range of objects. What comes before the first whole tile is a chunk of its own, so that all others
-/// begin with a tile and move as one run.
+/// The chunks of a range of objects. The objects before the first whole tile are a chunk of their own, so that all
+/// others begin with a tile and move at once.
 struct Chunks {
   index_t begin, end;
   index_t tile;     ///< objects of a tile

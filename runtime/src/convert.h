@@ -16,8 +16,8 @@ namespace physgen::detail {
 struct ElementMove {
   int to_offset;
   int from_offset;
-  Encoding to;
-  Encoding from;
+  FieldFormat to;
+  FieldFormat from;
 };
 
 /// One rotation of every object, a matrix on one side and a quaternion on the other.
@@ -43,7 +43,7 @@ struct RotationMove {
   }
 };
 
-/// All of a conversion. Fields of which one side stores nothing are left out.
+/// All moves of a conversion. Fields of which one side stores nothing are left out.
 struct Conversion {
   std::vector<ElementMove> elements;
   std::vector<RotationMove> rotations;
@@ -54,7 +54,7 @@ struct Conversion {
       const FieldInfo &a = to.fields[f], &b = from.fields[f];
       if (!a.is_stored() || !b.is_stored()) continue;
       const int to_size = element_bytes(a.type), from_size = element_bytes(b.type);
-      const ElementMove first{a.offset, b.offset, encoding_of(a), encoding_of(b)};
+      const ElementMove first{a.offset, b.offset, FieldFormat(a), FieldFormat(b)};
       const auto at = [&](int to_element, int from_element) {
         ElementMove move = first;
         move.to_offset += to_element * to_size;
@@ -89,28 +89,21 @@ struct Fill {
         size(element_bytes(field.type)),
         rotation(field.rotation),
         quaternion(field.quaternion) {
-    const auto stored = [encoding = encoding_of(field)](double number) {
+    const auto stored = [format = FieldFormat(field)](double number) {
       alignas(8) std::byte bytes[8] = {};
-      encode(bytes, encoding, number);
+      encode(bytes, format, number);
       return std::bit_cast<std::uint64_t>(bytes);
     };
     value = stored(rotation ? 0.0 : field.initial);
     if (rotation) one = stored(1.0);
   }
-  /// Whether cleared memory is what it would write.
+  /// Whether it would write what cleared memory holds.
   [[nodiscard]] bool is_zero() const { return value == 0 && one == 0; }
   PHYSGEN_FUNCTION void apply(const Addressing& array, index_t i) const {
     for (int k = 0; k < count; ++k) {
       const bool is_one = rotation && (quaternion ? k % 4 == 0 : k % 9 % 4 == 0);  // w, or the diagonal
       const std::uint64_t bits = is_one ? one : value;
-      std::byte* to = array.address(i, offset + k * size, size);
-      if (size == 8) {
-        *reinterpret_cast<std::uint64_t*>(to) = bits;
-      } else if (size == 4) {
-        *reinterpret_cast<std::uint32_t*>(to) = static_cast<std::uint32_t>(bits);
-      } else {
-        *reinterpret_cast<std::uint16_t*>(to) = static_cast<std::uint16_t>(bits);
-      }
+      move_bits(array.address(i, offset + k * size, size), reinterpret_cast<const std::byte*>(&bits), size);
     }
   }
 };
@@ -121,7 +114,7 @@ struct Fill {
   for (std::size_t f = 0; f < to.fields.size(); ++f) {
     const FieldInfo &a = to.fields[f], &b = from.fields[f];
     if ((a.own == nullptr && b.own == nullptr) || !a.is_stored() || !b.is_stored()) continue;
-    if (a.quaternion != b.quaternion || !(encoding_of(a) == encoding_of(b))) return &a;
+    if (a.quaternion != b.quaternion || !(FieldFormat(a) == FieldFormat(b))) return &a;
   }
   return nullptr;
 }

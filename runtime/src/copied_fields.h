@@ -7,7 +7,7 @@
 
 namespace physgen::detail {
 
-/// @throw Error when not all that `to` stores is there, or something is lost that `to` was not told to leave out
+/// @throw Error when `from` lacks a field that `to` stores, or a field is lost that `to` was not told to leave out
 inline void require_fields(const UntypedArray& to, const UntypedArray& from) {
   const auto refuse = [&](int f, const std::string& why) {
     const std::string field(to.fields[static_cast<std::size_t>(f)].name);

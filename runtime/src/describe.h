@@ -1,4 +1,4 @@
-// How messages name an array, and what they say where it does not store a field.
+// Words of messages: the name of an array, and that it does not store a field.
 #pragma once
 
 #include <physgen/error.h>
@@ -13,7 +13,7 @@ namespace physgen::detail {
   return std::string(array.object) + "[" + std::to_string(array.size) + "] in " + name(array.space) + " memory";
 }
 
-/// @param what cannot be had
+/// @param what is asked for in vain
 [[noreturn]] inline void refuse_unstored(const UntypedArray& array, const FieldInfo& field, const std::string& what) {
   throw Error(describe(array) + ": " + what + ", but nothing is stored of " + std::string(field.name) +
               ": this array prunes it (format::Nothing or Pruned); take an array that stores it");

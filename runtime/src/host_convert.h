@@ -14,7 +14,7 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
 /// Sets memory to zero, on all threads.
 void clear_on_host(std::byte* memory, index_t bytes);
 
-/// What the formats of `to` could not hold of objects begin .. end-1. @pre host code can reach `from`
+/// Counts the values of objects begin .. end-1 that the formats of `to` could not hold. @pre host code can reach `from`
 [[nodiscard]] Losses count_on_host(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end);
 
 }  // namespace physgen::detail

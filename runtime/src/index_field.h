@@ -10,7 +10,7 @@
 
 namespace physgen::detail {
 
-/// @throw Error when the field is pruned; naming the fields of indices that there are, when this is none
+/// @throw Error when the field is pruned; naming the fields of indices that there are, when this is not one
 [[nodiscard]] inline const FieldInfo& find_index_field(const UntypedArray& array, std::string_view name) {
   std::string fields_of_indices;
   for (const FieldInfo& field : array.fields) {

@@ -1,7 +1,6 @@
-// What topology changes do to one object, on host and device: its elements move as plain bytes, its indices change.
+// Changes of topology move the elements of an object as plain bytes and renumber its indices, on host and device.
 #pragma once
 
-#include <cstring>
 #include <limits>
 
 #include "convert.h"
@@ -26,20 +25,10 @@ struct Elements {
   Elements() = default;
 };
 
-/// Copies kBytes bytes, aligned to as many, as one load and one store.
-template <int kBytes>
-PHYSGEN_FUNCTION inline void move_word(std::byte* to, const std::byte* from) {
-  std::memcpy(__builtin_assume_aligned(to, kBytes), __builtin_assume_aligned(from, kBytes), kBytes);
-}
-
 /// Copies one element of object j of `from` to object i of `to`.
 PHYSGEN_FUNCTION inline void move_element(const Addressing& to, index_t i, const Addressing& from, index_t j,
                                           int offset, int bytes) {
-  std::byte* target = to.address(i, offset, bytes);
-  const std::byte* source = from.address(j, offset, bytes);
-  if (bytes == 8) return move_word<8>(target, source);
-  if (bytes == 4) return move_word<4>(target, source);
-  move_word<2>(target, source);
+  move_bits(to.address(i, offset, bytes), from.address(j, offset, bytes), bytes);
 }
 
 /// Copies the elements of object j of `from` to object i of `to`.
@@ -62,28 +51,30 @@ struct NewNumbers {
   }
 };
 
-/// Element k of a field of indices.
-PHYSGEN_FUNCTION inline std::int32_t& index_at(const Addressing& address, int offset, int k, index_t i) {
-  constexpr int size = sizeof(std::int32_t);
-  return *reinterpret_cast<std::int32_t*>(address.address(i, offset + k * size, size));
-}
+/// Renumbers a field of indices, object by object.
+struct Renumbering {
+  Addressing addresses;
+  int offset;  ///< of the field [bytes]
+  int count;   ///< indices of an object
+  NewNumbers renumbered;
 
-/// Whether every index of object i can be renumbered.
-PHYSGEN_FUNCTION inline bool can_renumber(const Addressing& address, int offset, int count,
-                                          const NewNumbers& renumbered, index_t i) {
-  for (int k = 0; k < count; ++k) {
-    if (!renumbered.has(index_at(address, offset, k, i))) return false;
+  Renumbering(const UntypedArray& array, const FieldInfo& field, const NewNumbers& numbers)
+      : addresses(array), offset(field.offset), count(field.count), renumbered(numbers) {}
+  [[nodiscard]] PHYSGEN_FUNCTION std::int32_t& index(index_t i, int k) const {
+    constexpr int size = sizeof(std::int32_t);
+    return *reinterpret_cast<std::int32_t*>(addresses.address(i, offset + k * size, size));
   }
-  return true;
-}
-
-/// Renumbers every index of object i. @pre can_renumber()
-PHYSGEN_FUNCTION inline void renumber_object(const Addressing& address, int offset, int count,
-                                             const NewNumbers& renumbered, index_t i) {
-  for (int k = 0; k < count; ++k) {
-    std::int32_t& index = index_at(address, offset, k, i);
-    index = static_cast<std::int32_t>(renumbered.numbers[index]);
+  /// Whether every index of object i can be renumbered.
+  [[nodiscard]] PHYSGEN_FUNCTION bool can_renumber(index_t i) const {
+    for (int k = 0; k < count; ++k) {
+      if (!renumbered.has(index(i, k))) return false;
+    }
+    return true;
   }
-}
+  /// @pre can_renumber(i)
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    for (int k = 0; k < count; ++k) index(i, k) = static_cast<std::int32_t>(renumbered.numbers[index(i, k)]);
+  }
+};
 
 }  // namespace physgen::detail

@@ -1,6 +1,8 @@
 // Runs of bytes between arrays that store the same records.
 #include "plain_copy.h"
 
+#include <physgen/detail/changed_objects.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -11,34 +13,33 @@ namespace physgen::detail {
 
 namespace {
 
-// Rows of equal length that lie at a constant distance on each side.
-struct Rows {
+// Strips of equal length that lie at a constant distance on each side.
+struct Strips {
   std::byte* to;
   index_t to_pitch;  // [bytes]
   const std::byte* from;
   index_t from_pitch;  // [bytes]
-  index_t bytes;       // of one row
+  index_t bytes;       // of one strip
   int count;
 };
 
-void copy_rows(const Rows& rows, bool on_host, Stream stream) {
+void copy_strips(const Strips& strips, bool on_host, Stream stream) {
   if (!on_host) {
-    backend::copy_rows(rows.to, rows.to_pitch, rows.from, rows.from_pitch, rows.bytes, rows.count, stream);
+    backend::copy_strips(strips.to, strips.to_pitch, strips.from, strips.from_pitch, strips.bytes, strips.count,
+                         stream);
     return;
   }
-  for (index_t r = 0; r < rows.count; ++r) {
-    std::memcpy(rows.to + r * rows.to_pitch, rows.from + r * rows.from_pitch, static_cast<std::size_t>(rows.bytes));
+  for (index_t k = 0; k < strips.count; ++k) {
+    std::memcpy(strips.to + k * strips.to_pitch, strips.from + k * strips.from_pitch,
+                static_cast<std::size_t>(strips.bytes));
   }
 }
 
 }  // namespace
 
 bool same_records(const UntypedArray& a, const UntypedArray& b) {
-  if (a.record_bytes != b.record_bytes) return false;
-  return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
-                    [](const FieldInfo& x, const FieldInfo& y) {
-                      return encoding_of(x) == encoding_of(y) && x.offset == y.offset && x.quaternion == y.quaternion;
-                    });
+  return a.record_bytes == b.record_bytes && same_formats(a, b) &&
+         std::ranges::equal(a.fields, b.fields, {}, &FieldInfo::offset, &FieldInfo::offset);
 }
 
 bool same_runs(const UntypedArray& a, const UntypedArray& b) {
@@ -57,7 +58,7 @@ index_t copy_plain(const UntypedArray& to, index_t to_begin, const UntypedArray&
     if (to.pitch == from.pitch && to_lane == 0 && from_lane == 0 && rest >= to.pitch) {
       piece = rest / to.pitch * to.pitch;
       const index_t bytes = piece * to.record_bytes;
-      copy_rows({to.address(to_i, 0, 0), bytes, from.address(from_i, 0, 0), bytes, bytes, 1}, on_host, stream);
+      copy_strips({to.address(to_i, 0, 0), bytes, from.address(from_i, 0, 0), bytes, bytes, 1}, on_host, stream);
       moved += bytes;
       continue;
     }
@@ -65,7 +66,7 @@ index_t copy_plain(const UntypedArray& to, index_t to_begin, const UntypedArray&
     for (const FieldInfo& field : to.fields) {
       const int size = element_bytes(field.type);
       if (size == 0) continue;
-      copy_rows(
+      copy_strips(
           {to.address(to_i, field.offset, size), law::channel_begin(size, to.pitch),
            from.address(from_i, field.offset, size), law::channel_begin(size, from.pitch), piece * size, field.count},
           on_host, stream);

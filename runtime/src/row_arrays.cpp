@@ -1,4 +1,4 @@
-// Rows without the types of their arrays: what they must obey, and which entries are left when objects change.
+// Checks and changes of rows without the types of their arrays.
 #include <physgen/error.h>
 #include <physgen/row_arrays.h>
 
@@ -154,14 +154,6 @@ ChosenRows choose_rows(std::span<const RowRange> rows, const UntypedArray& entri
   }
   chosen.rows = rows_of_lengths(entries.object, lengths);
   return chosen;
-}
-
-void pick_records(const UntypedArray& to, const UntypedArray& from, std::span<const index_t> numbers) {
-  const auto bytes = static_cast<std::size_t>(to.record_bytes);
-  if (bytes == 0) return;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    std::memcpy(to.address(static_cast<index_t>(i), 0, 0), from.address(numbers[i], 0, 0), bytes);
-  }
 }
 
 }  // namespace physgen::detail

@@ -1,5 +1,6 @@
 // Single elements of arrays without their types, by number, as doubles.
 #include <physgen/array_losses.h>
+#include <physgen/buffer.h>
 #include <physgen/detail/count_losses.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
@@ -7,11 +8,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <sstream>
 #include <string>
 
-#include "backend/memory.h"
 #include "convert.h"
 #include "describe.h"
 
@@ -43,13 +42,6 @@ Found find_element(const UntypedArray& array, index_t i, int k) {
               std::to_string(count - 1));
 }
 
-/// Before a transfer of one element: it sees what the default stream has done.
-void refuse_or_wait(SpaceKind space, const char* what) {
-  if (space == SpaceKind::host) return;
-  detail::refuse_capture(nullptr, what);
-  detail::wait_for_host_work(space);
-}
-
 // The nearest number that an int32 may be converted from; 0 for NaN.
 double limited(double value) {
   constexpr double low = -2147483648.0, high = 2147483647.0;
@@ -61,24 +53,19 @@ double limited(double value) {
 double getdata(const UntypedArray& array, index_t i, int k) {
   const auto [field, element] = find_element(array, i, k);
   if (!field.is_stored()) detail::refuse_unstored(array, field, "element " + std::to_string(k) + " cannot be read");
-  refuse_or_wait(array.space, "getdata()");
+  if (array.space != SpaceKind::host) detail::refuse_capture(nullptr, "getdata()");
   const int size = element_bytes(field.type);
   // A single element, or all those of a quaternion.
   alignas(8) std::array<std::byte, 32> bytes{};
   const int first = field.quaternion ? element / 9 * 4 : element, count = field.quaternion ? 4 : 1;
   for (int e = 0; e < count; ++e) {
-    const std::byte* from = array.address(i, field.offset + (first + e) * size, size);
-    if (host_accessible(array.space)) {
-      std::memcpy(bytes.data() + e * size, from, static_cast<std::size_t>(size));
-    } else {
-      backend::copy_bytes(bytes.data() + e * size, from, size, nullptr);
-    }
+    copy_memory(bytes.data() + e * size, SpaceKind::host, array.address(i, field.offset + (first + e) * size, size),
+                array.space, size);
   }
-  if (!host_accessible(array.space)) synchronize();
-  const detail::Encoding encoding = detail::encoding_of(field);
-  if (!field.quaternion) return detail::decode<double>(bytes.data(), encoding);
+  const detail::FieldFormat format(field);
+  if (!field.quaternion) return detail::decode<double>(bytes.data(), format);
   const auto R =
-      detail::decode_rotation<double>(encoding, true, [&bytes, size](int e) { return bytes.data() + e * size; });
+      detail::decode_rotation<double>(format, true, [&bytes, size](int e) { return bytes.data() + e * size; });
   return R(element % 9 % 3, element % 9 / 3);
 }
 
@@ -96,23 +83,17 @@ void putdata(const UntypedArray& array, index_t i, int k, double value) {
     throw Error(message.str());
   }
   const int size = element_bytes(field.type);
-  std::byte* to = array.address(i, field.offset + element * size, size);
   alignas(8) std::array<std::byte, 8> bytes{};
-  const detail::Encoding encoding = detail::encoding_of(field);
-  detail::encode(bytes.data(), encoding, value);
+  const detail::FieldFormat format(field);
+  detail::encode(bytes.data(), format, value);
   if (checked_build) {
     Losses losses;
-    detail::count_loss(losses, encoding.type, encoding.scale, value, detail::decode<double>(bytes.data(), encoding), i,
+    detail::count_loss(losses, format.type, format.scale, value, detail::decode<double>(bytes.data(), format), i,
                        field.offset + element * size);
     throw_if_falsified(losses, array);
   }
-  refuse_or_wait(array.space, "putdata()");
-  if (host_accessible(array.space)) {
-    std::memcpy(to, bytes.data(), static_cast<std::size_t>(size));
-  } else {
-    backend::copy_bytes(to, bytes.data(), size, nullptr);
-    synchronize();
-  }
+  if (array.space != SpaceKind::host) detail::refuse_capture(nullptr, "putdata()");
+  copy_memory(array.address(i, field.offset + element * size, size), array.space, bytes.data(), SpaceKind::host, size);
 }
 
 }  // namespace physgen

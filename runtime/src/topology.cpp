@@ -1,6 +1,7 @@
 // Changes of topology over arrays without their types: objects picked by number as plain bytes, and indices renumbered.
 #include "backend/topology.h"
 
+#include <physgen/detail/host_loop.h>
 #include <physgen/error.h>
 #include <physgen/topology.h>
 
@@ -51,26 +52,16 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
   }
 }
 
-index_t first_not_renumbered_on_host(const UntypedArray& array, const FieldInfo& field,
-                                     const detail::NewNumbers& numbers) {
-  const Addressing address(array);
-  index_t first = array.size;
-#pragma omp parallel for reduction(min : first) if (array.size > 8192)
-  for (index_t i = 0; i < array.size; ++i) {
-    if (i < first && !detail::can_renumber(address, field.offset, field.count, numbers, i)) first = i;
+index_t first_not_renumbered_on_host(const detail::Renumbering& renumbering, index_t size) {
+  index_t first = size;
+#pragma omp parallel for reduction(min : first) if (size > 8192)
+  for (index_t i = 0; i < size; ++i) {
+    if (i < first && !renumbering.can_renumber(i)) first = i;
   }
   return first;
 }
 
-void renumber_on_host(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers) {
-  const Addressing address(array);
-#pragma omp parallel for if (array.size > 8192)
-  for (index_t i = 0; i < array.size; ++i) {
-    detail::renumber_object(address, field.offset, field.count, numbers, i);
-  }
-}
-
-// Says which index of object i it is that has no new number.
+// Names the index of object i that has no new number.
 [[noreturn]] void refuse_index(const UntypedArray& array, const FieldInfo& field, index_t i,
                                std::span<const index_t> new_number) {
   int element = 0;  // the field's first
@@ -166,13 +157,14 @@ void renumber(const UntypedArray& array, std::string_view field_name, std::span<
   const detail::NewNumbers numbers{
       on_host ? new_number.data() : reinterpret_cast<const index_t*>(uploaded.on_device.data()),
       static_cast<index_t>(new_number.size())};
-  const index_t first = on_host ? first_not_renumbered_on_host(array, field, numbers)
-                                : backend::first_not_renumbered(array, field, numbers);
+  const detail::Renumbering renumbering(array, field, numbers);
+  const index_t first = on_host ? first_not_renumbered_on_host(renumbering, array.size)
+                                : backend::first_not_renumbered(renumbering, array.size);
   if (first < array.size) refuse_index(array, field, first, new_number);
   if (on_host) {
-    renumber_on_host(array, field, numbers);
+    detail::host_loop(array.size, renumbering);
   } else {
-    backend::renumber(array, field, numbers);
+    backend::renumber(renumbering, array.size);
   }
 }
 

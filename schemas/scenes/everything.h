@@ -1,16 +1,11 @@
-// The scene everything: all that the quasistatic, the implicit and the linear solver may be asked for at run time.
+// The scene everything: all that the quasistatic and the implicit solver may be asked for at run time.
 #pragma once
 
 #include <fem/materials/stable_neo_hookean.h>
-#include <fem/solver/linear_steps.h>
 #include <fem/solver/performed_steps.h>
 #include <fem/solver/solver_groups.h>
 #include <fem/solver/solver_program.h>
 #include <physgen/scene.h>
-
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace scenes {
 using namespace physgen::scene;
@@ -18,7 +13,7 @@ namespace fem = physgen::fem;
 
 /// Equilibrium and motion of a body with every choice that there is: volumes of tets, patches or nodes; products
 /// assembled or by tets; each preconditioner, on meshes and background grids, stored as computed or in half; rigid
-/// planes; inertia; and linear elasticity.
+/// planes; and inertia.
 struct PHYSGEN_SCENE() everything : fem::groups::OfBody,
                                     fem::groups::OfPatches,
                                     fem::groups::OfRings,
@@ -27,35 +22,24 @@ struct PHYSGEN_SCENE() everything : fem::groups::OfBody,
                                     fem::groups::OfSchwarz,
                                     fem::groups::OfPlanes,
                                     fem::groups::OfInertia,
-                                    fem::groups::OfLinear,
                                     fem::groups::OfKrylov,
                                     fem::groups::OfStresses {
   using Real = fem::groups::Real;
 
   template <class On, class Body, class Patches, class Rings, class Chunk, class Level, class Schwarz, class Planes,
-            class Inertia, class Linear, class Krylov, class Stresses>
+            class Inertia, class Krylov, class Stresses>
   static void program(On& on, Body& body, Patches& patches, Rings& rings, Chunk& chunk, Level& level, Schwarz& schwarz,
-                      Planes& planes, Inertia& inertia, Linear& linear, Krylov& krylov, Stresses& stresses,
+                      Planes& planes, Inertia& inertia, Krylov& krylov, Stresses& stresses,
                       const fem::StableNeoHookean<double>& material, const fem::SolverSettings& settings,
-                      fem::MeshFacts& facts, const fem::TimeStep& step, const fem::LameParameters& lame) {
-    {
-      auto solver = fem::solver_program<Real, fem::StoredInHalf, fem::AnyChoice>(
-          on, settings, material, facts,
-          fem::SolverGroups{body, patches, rings, chunk, level, schwarz, planes, inertia, krylov});
-      (void)solver.solve_to(1, {});
-      solver.evaluate_stresses(1, stresses.of_tets);
-      (void)solver.plane_contacts_of(0);
-      (void)solver.step(step);
-      (void)solver.motion();
-    }  // which gives the arrays back
-    using LinearLevel = fem::LevelOver<Real, typename On::Space, fem::StoredInHalf, fem::AnyChoice, Level,
-                                       fem::SchwarzOver<Schwarz>, fem::NoArrays, fem::NoArrays>;
-    std::vector<std::unique_ptr<LinearLevel>> levels;
-    levels.push_back(std::make_unique<LinearLevel>(std::move(level)));
-    levels[0]->schwarz = std::make_unique<fem::SchwarzOver<Schwarz>>(std::move(schwarz));
-    (void)on.value(levels[0]->schwarz->blocks);  // on CUDA blocks follow their parents
-    fem::solve_linear_in_each_way(on, linear, levels, krylov, settings.newton, lame, 1);
-    fem::compute_linear_stresses(on, linear, lame, stresses.of_tets);
+                      fem::MeshFacts& facts, const fem::TimeStep& step) {
+    auto solver = fem::solver_program<Real, fem::StoredInHalf, fem::AnyChoice>(
+        on, settings, material, facts,
+        fem::SolverGroups{body, patches, rings, chunk, level, schwarz, planes, inertia, krylov});
+    (void)solver.solve_to(1, {});
+    solver.evaluate_stresses(1, stresses.of_tets);
+    (void)solver.plane_contacts_of(0);
+    (void)solver.step(step);
+    (void)solver.motion();
   }
 };
 

@@ -22,7 +22,7 @@ void stretches_of_another_precision(const Gradients& F, elasticity::PrincipalStr
 void rotations_in_another_space(const Gradients& F, elasticity::ElementRotationArray<float, PinnedHost>& V) {
   fem::svd(F, fem::skip, fem::skip, V);
 }
-/// refused no_sweeps: static assertion failed
+/// refused no_sweeps: svd<kSweeps>() needs at least one sweep
 void no_sweeps(const Eigen::Matrix3f& A) { (void)fem::svd<0>(A); }
 
 // ---- What is not refused ----

@@ -156,9 +156,9 @@ TEST(Renumbering, refuses_what_is_no_permutation_with_place_value_and_remedy) {
   const std::string tets = "; name each of the 2 old numbers from 0 on once";
   EXPECT_EQ(refusal(mesh, {{0, 1, 2, 3}, {0, 1}}), "physgen: renumbering: node_order has 4 entries" + nodes);
   EXPECT_EQ(refusal(mesh, {{0, 1, 2, 3, 5}, {0, 1}}),
-            "physgen: renumbering: node_order[4] is 5, which is no old number" + nodes);
+            "physgen: renumbering: node_order[4] is 5, which is not an old number" + nodes);
   EXPECT_EQ(refusal(mesh, {{0, 1, -2, 3, 4}, {0, 1}}),
-            "physgen: renumbering: node_order[2] is -2, which is no old number" + nodes);
+            "physgen: renumbering: node_order[2] is -2, which is not an old number" + nodes);
   EXPECT_EQ(refusal(mesh, {{0, 1, 2, 1, 4}, {0, 1}}),
             "physgen: renumbering: node_order[3] is 1, as is node_order[1]" + nodes);
   EXPECT_EQ(refusal(mesh, {{4, 3, 2, 1, 0}, {1, 1}}),

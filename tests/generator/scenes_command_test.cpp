@@ -131,6 +131,41 @@ TEST_F(SceneCommand, writes_nothing_where_a_step_is_missing_or_in_vain) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
+TEST_F(SceneCommand, refuses_a_race_in_a_fused_kernel_with_both_kernels_their_places_and_the_field) {
+  folder.write("kernel.h", "#include <physgen/fuse.h>\n" + kernel({"a"}) + R"(
+template <class From, class To>
+struct CopyNext {
+  using Scalar = typename To::Precision;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    to[i].a() = physgen::lanes_t<Scalar, I>(from[physgen::numbers(i) + 1].a());
+  }
+};
+template <class... V> CopyNext(V...) -> CopyNext<V...>;
+)");
+  const auto fused_with = [](const std::string& second) {
+    return scene_of(
+        "    on.run(body.first.size(), physgen::fuse(physgen::locals(), CopyFields{body.first.view(), "
+        "body.between.view()}, " +
+        second + "{body.between.view(), body.last.view()}));\n");
+  };
+  folder.write("scenes/particles.h", fused_with("CopyFields"));
+  const auto own = scene("-o out");
+  EXPECT_EQ(own.status, 0) << own.err;
+  fs::remove_all(folder / "out");
+  folder.write("scenes/particles.h", fused_with("CopyNext"));
+  const auto race = scene("-o out");
+  EXPECT_EQ(race.status, 1);
+  EXPECT_NE(race.err.find("kernel.h:12:11: error: CopyFields writes body.between.a, and CopyNext uses it at "
+                          "kernel.h:24:75 in the same fused kernel, one of them at other objects than its own: what it "
+                          "finds there depends on how threads run; take one of the two out of fuse(...)\n"),
+            std::string::npos)
+      << race.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST_F(SceneCommand, explains_fields_and_refuses_names_and_files_that_there_are_not) {
   const auto why = scene("--why between.a");
   EXPECT_EQ(why.status, 0) << why.err;

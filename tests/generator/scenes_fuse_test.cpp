@@ -109,13 +109,15 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
     for (const auto& local : group.at("locals")) locals.push_back(local.at("array"));
   EXPECT_EQ(locals, (std::vector<std::string>{"body.m_one", "body.further", "body.m_three", "body.few"}))
       << needs.at("groups");
-  std::map<std::string, std::string> why;  // by block
+  std::map<std::string, std::string> why, between;  // by block
   for (const auto& apart : needs.at("apart")) {
     const std::string steps = apart.at("first").get<std::string>() + apart.at("second").get<std::string>();
     for (const Block& block : blocks)
-      if (steps.find("_" + block.name) != std::string::npos)
+      if (steps.find("_" + block.name) != std::string::npos) {
         for (const auto& reason : apart.at("why"))
           why[block.name] += replaced(reason.get<std::string>(), folder / "", "") + "; ";
+        for (const auto& field : apart.at("between")) between[block.name] += field.get<std::string>() + "; ";
+      }
   }
   EXPECT_EQ(why.size(), blocks.size() - 2) << "all but the first two";
   for (const auto& [name, reason] : std::map<std::string, std::string>{
@@ -136,6 +138,12 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
            {"called", "Shift: it calls told() at scenes/groups.h:"},
            {"held", "body.m_held is stored: the program does more than hand its views to kernels at scenes/groups.h:"}})
     EXPECT_NE(why[name].find(reason), std::string::npos) << name << ": " << why[name];
+  for (const auto& [name, fields] : std::map<std::string, std::string>{{"gathered", "body.m_gathered.a; "},
+                                                                       {"single", "body.m_single.a; "},
+                                                                       {"held", "body.m_held.a; body.m_held.x; "}})
+    EXPECT_EQ(between[name], fields) << name;
+  EXPECT_NE(text_of(folder / "out/groups.need.txt").find("    stored between them: body.m_single.a\n"),
+            std::string::npos);
 
   const std::string program = text_of(folder / "out/groups.program.h");
   EXPECT_NE(program.find("    {\n    // A comment stays.\n    on.run(n, ::physgen::fuse(\n"

@@ -167,7 +167,7 @@ TEST(Groups, run_over_the_same_objects) {
   EXPECT_NE(chain.why().find("they run over different objects, per tet of body and per node of body"),
             std::string::npos);
   chain.second().runs = "";
-  EXPECT_NE(chain.why().find("Force runs over a number of objects that is no array's size()"), std::string::npos);
+  EXPECT_NE(chain.why().find("Force runs over a number of objects that is not the size() of an array"), std::string::npos);
   chain.first().runs = chain.second().runs = "n";
   EXPECT_NE(chain.why(), "") << "a number that the caller chooses may not be that of the array's objects";
 }
@@ -245,7 +245,9 @@ TEST(Groups, store_what_a_step_uses_that_is_run_elsewhere_too) {
   chain.program.runs[chain.second().step] = 1;
   chain.program.elsewhere[chain.second().step] = "helper()";
   EXPECT_EQ(chain.why(), "body.svd is stored: Force is also run by helper()");
-  EXPECT_EQ(chain.needs().not_joined, std::vector<std::string>{"helper() runs Force, not the text of the program"});
+  EXPECT_EQ(chain.needs().not_joined,
+            std::vector<std::string>{
+                "helper() runs Force: only neighbouring statements of the program's own text are joined"});
 }
 
 TEST(Groups, are_not_of_steps_that_share_nothing) {

@@ -10,6 +10,52 @@ namespace {
 
 const auto kept = local<elasticity::StressDerivativeObject, float>();
 
+/// As in scenes, where a local's tag says which array it stands for.
+namespace tags {
+struct svds;
+}
+const auto svds = local<elasticity::DeformationSvdObject, float, FormatsOfSpace, tags::svds>();
+
+/// A step that looks at other objects: at a number, or at one that an array holds.
+template <class View, class Tets>
+struct Neighbours {
+  using Scalar = float;
+  View from;
+  Tets tets;
+  template <class I>
+  void operator()(I i) const {
+    (void)from[tets[i].nodes()[1]].s().get();
+  }
+};
+template <class View, class Tets>
+Neighbours(View, Tets) -> Neighbours<View, Tets>;
+
+/// A step that stores some objects alone.
+template <class View>
+struct Masks {
+  using Scalar = float;
+  View to;
+  template <class I>
+  void operator()(I i) const {
+    store_where(wanted<float>(i), to[i].V()[2], lanes_t<float, I>(1.0F));
+  }
+};
+template <class View>
+Masks(View) -> Masks<View>;
+
+/// A step that adds.
+template <class View>
+struct Sums {
+  using Scalar = float;
+  View to;
+  template <class I>
+  void operator()(I i) const {
+    add(i, to[i].s(), Eigen::Matrix<lanes_t<float, I>, 3, 1>());
+  }
+};
+template <class View>
+Sums(View) -> Sums<View>;
+
 /// A step of a fused kernel, with a body.
 template <class Body>
 void fused(const Body& body) {
@@ -32,6 +78,17 @@ void a_gather_from_a_local() {
 void a_local_outside_of_a_fused_kernel() {
   parallel_for(Host{}, 5, over<float>([](auto k) { kept[k].x1111() = lanes_t<float, decltype(k)>(1.0F); }));
 }
+/// refused a_gather_of_an_arrays_local: has the objects at the kernel's own index alone
+/// naming Neighbours<; tags::svds; {"s"}
+void a_gather_of_an_arrays_local(const elasticity::TetView<const float, Aosoa<16>>& tets) {
+  parallel_for(Host{}, 5, fuse(locals(svds), Neighbours{svds, tets}));
+}
+/// refused a_masked_store_to_an_arrays_local: store_where() to a local of fuse
+/// naming Masks<; tags::svds; {"V"}
+void a_masked_store_to_an_arrays_local() { parallel_for(Host{}, 5, fuse(locals(svds), Masks{svds})); }
+/// refused a_sum_at_an_arrays_local: add() to a local of fuse
+/// naming Sums<; tags::svds; {"s"}
+void a_sum_at_an_arrays_local() { parallel_for(Host{}, 5, fuse(locals(svds), Sums{svds})); }
 /// refused a_masked_store_to_a_local: store_where() to a local of fuse
 void a_masked_store_to_a_local() {
   fused([](auto k) { store_where(wanted<float>(k), kept[k].x1111(), lanes_t<float, decltype(k)>(1.0F)); });
@@ -53,6 +110,7 @@ void a_sum_at_a_local() {
   fused([](auto k) { add(k, kept[k].x1111(), lanes_t<float, decltype(k)>(1.0F)); });
 }
 /// refused a_local_that_is_not_named: this local is not among those that locals(...) names
+/// naming StressDerivativeObject; Other
 void a_local_that_is_not_named() {
   const auto other = local<elasticity::StressDerivativeObject, float, FormatsOfSpace, struct Other>();
   fused([=](auto k) { kept[k].x1111() = other[k].x1111().get(); });
@@ -72,7 +130,8 @@ void two_locals_of_one_type() {
   const auto other = local<elasticity::StressDerivativeObject, float>();
   (void)fuse(locals(kept, other), over<float>([](auto) {}));
 }
-/// refused a_fused_step_of_single_objects: this step takes no packs
+/// refused a_fused_step_of_single_objects: takes no packs, since its call operator is not a template over the index
+/// naming OneObject
 void a_fused_step_of_single_objects() {
   parallel_for(Host{}, 5, fuse(locals(kept), over<float>([](auto) {}), OneObject{}));
 }

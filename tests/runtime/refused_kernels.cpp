@@ -37,17 +37,22 @@ struct Given {
 }  // namespace
 
 // ---- Conditions ----
-/// refused with AVX-512 if_on_a_mask: could not convert
+/// refused with AVX-512 if_on_a_mask: could not convert|no viable conversion|not contextually convertible
 void if_on_a_mask(const Given& g) {
   if (g.m > S(4.0F)) g.view[g.i].x1111() = S(1.0F);
 }
-/// refused with AVX-512 question_mark_on_a_mask: could not convert
+/// refused with AVX-512 question_mark_on_a_mask: could not convert|no viable conversion|not contextually convertible
 void question_mark_on_a_mask(const Given& g) { g.view[g.i].x1111() = g.m > S(4.0F) ? S(1.0F) : g.m; }
 /// refused storing_to_a_named_element: write to view[i].m() itself
 void storing_to_a_named_element(const Given& g) {
   auto element = g.view[g.i].x1111();
   store_where(g.m > S(0.0F), element, g.m);
 }
+/// refused any_of_other_lanes_than_the_index: any() and all(): the condition has as many lanes as the index
+bool any_of_other_lanes_than_the_index(const Given& g) { return any(Pack<2 * kWidth>{0}, g.m > S(0.0F)); }
+/// refused the_largest_of_other_lanes_than_the_index: largest() and smallest(): the value has as many lanes as the
+/// index
+float the_largest_of_other_lanes_than_the_index(const Given& g) { return largest(Pack<2 * kWidth>{0}, g.m); }
 /// refused a_condition_of_other_lanes: condition and field have as many lanes
 void a_condition_of_other_lanes(const Given& g, const batch_t<double, native_lanes<double>>& x) {
   store_where(x > batch_t<double, native_lanes<double>>(0.0), g.view[g.i].x1111(), g.m);
@@ -84,9 +89,11 @@ void adding_to_a_half_of_one_object(const Given& g) { add(index_t{0}, g.halves[0
 void adding_a_pack_to_one_object(const Given& g) { add(g.i, g.nodes[0].f(), Eigen::Vector3f(1, 2, 3)); }
 /// refused adding_a_pack_to_one_element: there is one sum for W values
 void adding_a_pack_to_one_element(const Given& g) { add(g.i, g.view[0].x1111(), 1.0F); }
-/// refused adding_a_float_to_an_integer: the field holds integers, the value is none
+/// refused adding_a_pack_to_one_half: there is one sum for W values
+void adding_a_pack_to_one_half(const Given& g) { add(g.i, g.halves[0].x1111(), 1.0F); }
+/// refused adding_a_float_to_an_integer: the field holds integers, the value is not an integer
 void adding_a_float_to_an_integer(const Given& g) { add(index_t{0}, g.tets[0].nodes()[0], 0.5F); }
-/// refused adding_to_a_named_element: a_named_reference_is_not_assigned
+/// refused adding_to_a_named_element: a_named_reference_is_not_assigned|NotAssigned
 void adding_to_a_named_element(const Given& g) {
   auto element = g.view[g.j].x1111();
   add(g.i, element, g.m);
@@ -107,6 +114,17 @@ void a_sum_of_references(const Given& g) {
 void a_sum_of_dynamic_vectors() {
   (void)sum(Host{}, 5, over<float>([](auto) { return Dynamic(3); }));
 }
+/// refused packs_of_three: parallel_for<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes
+void packs_of_three() {
+  parallel_for<3>(Host{}, 5, over<float>([](auto) {}));
+}
+/// refused a_sum_over_packs_of_three: parallel_reduce<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes
+void a_sum_over_packs_of_three() {
+  (void)parallel_reduce<3>(Host{}, 5, over<float>([](auto) { return 1.0F; }), Sum{});
+}
+/// refused packs_wider_than_registers: this CPU has no SIMD register of W lanes of T
+using packs_wider_than_registers = lanes_t<float, Pack<1024>>;
+const packs_wider_than_registers* const wide = nullptr;
 /// refused a_lambda_without_a_width: over<float>(lambda)
 void a_lambda_without_a_width() {
   parallel_for(Host{}, 5, [](auto) {});

@@ -73,7 +73,7 @@ void copying_bytes_from_a_probed_field(ProbeOf<elasticity::StressArray<float>, F
   float x[9];
   std::memcpy(&x, &stress.view()[0].P(), sizeof x);
 }
-/// refused a_kernel_over_a_concrete_view: write_it_as_a_template_over_its_views
+/// refused a_kernel_over_a_concrete_view: write_it_as_a_template_over_its_views|invokes a deleted function
 void a_kernel_over_a_concrete_view(ProbeExecutor<Host>& on, FirstProbe& first) {
   on.run(1, OverConcreteViews{first.view()});
 }

@@ -15,6 +15,8 @@ constexpr int kWidth = native_lanes<float>;
 using S = batch_t<float, kWidth>;
 using Indices = batch_t<std::int32_t, kWidth>;
 
+using ConstForces = Forces::ConstView;
+
 struct Quaternions : elasticity::DeformationSvdFormats<Host> {
   using U = format::Quaternion16;
 };
@@ -56,7 +58,7 @@ void converting_a_named_element(const Given& g) {
   const S x = old;
   (void)x;
 }
-/// refused assigning_a_named_element: a_named_reference_is_not_assigned
+/// refused assigning_a_named_element: a_named_reference_is_not_assigned|NotAssigned
 void assigning_a_named_element(const Given& g) {
   auto x = g.view[g.i].x1111();
   x = g.m;
@@ -67,22 +69,22 @@ void assigning_one_named_element_to_another(const Given& g) {
   const auto y = g.view[g.i].x2211();
   x = y;
 }
-/// refused adding_to_a_named_one: a_named_reference_is_not_assigned
+/// refused adding_to_a_named_one: a_named_reference_is_not_assigned|NotAssigned
 void adding_to_a_named_one(const Given& g) {
   auto x = g.view[g.i].x1111();
   x += g.m;
 }
-/// refused subtracting_from_a_named_one: a_named_reference_is_not_assigned
+/// refused subtracting_from_a_named_one: a_named_reference_is_not_assigned|NotAssigned
 void subtracting_from_a_named_one(const Given& g) {
   auto x = g.view[g.i].x1111();
   x -= g.m;
 }
-/// refused multiplying_a_named_one: a_named_reference_is_not_assigned
+/// refused multiplying_a_named_one: a_named_reference_is_not_assigned|NotAssigned
 void multiplying_a_named_one(const Given& g) {
   auto x = g.view[g.i].x1111();
   x *= g.m;
 }
-/// refused dividing_a_named_one: a_named_reference_is_not_assigned
+/// refused dividing_a_named_one: a_named_reference_is_not_assigned|NotAssigned
 void dividing_a_named_one(const Given& g) {
   auto x = g.view[g.i].x1111();
   x /= g.m;
@@ -105,27 +107,27 @@ void storing_a_named_field(const Given& g) {
   const auto x = g.nodes[0].f();
   g.nodes[1].f() = x;
 }
-/// refused assigning_a_named_field: a_named_reference_is_not_assigned
+/// refused assigning_a_named_field: a_named_reference_is_not_assigned|NotAssigned
 void assigning_a_named_field(const Given& g) {
   auto x = g.nodes[0].f();
   x = Eigen::Vector3f(1, 2, 3);
 }
-/// refused adding_to_a_named_field: a_named_reference_is_not_assigned
+/// refused adding_to_a_named_field: a_named_reference_is_not_assigned|NotAssigned
 void adding_to_a_named_field(const Given& g) {
   auto x = g.nodes[0].f();
   x += Eigen::Vector3f(1, 2, 3);
 }
-/// refused subtracting_from_a_named_field: a_named_reference_is_not_assigned
+/// refused subtracting_from_a_named_field: a_named_reference_is_not_assigned|NotAssigned
 void subtracting_from_a_named_field(const Given& g) {
   auto x = g.nodes[0].f();
   x -= Eigen::Vector3f(1, 2, 3);
 }
-/// refused multiplying_a_named_field: a_named_reference_is_not_assigned
+/// refused multiplying_a_named_field: a_named_reference_is_not_assigned|NotAssigned
 void multiplying_a_named_field(const Given& g) {
   auto x = g.nodes[0].f();
   x *= 2.0F;
 }
-/// refused dividing_a_named_field: a_named_reference_is_not_assigned
+/// refused dividing_a_named_field: a_named_reference_is_not_assigned|NotAssigned
 void dividing_a_named_field(const Given& g) {
   auto x = g.nodes[0].f();
   x /= 2.0F;
@@ -155,7 +157,7 @@ void an_empty_value(const Given& g) { g.nodes[0].f() = {}; }
 float an_element_of_a_quaternion(const View<elasticity::DeformationSvdObject, float, Soa, Quaternions, Host>& svds) {
   return svds[0].U()[0];
 }
-/// refused a_sum_of_rotations: the sum of two rotations is none
+/// refused a_sum_of_rotations: the sum of two rotations is not a rotation
 void a_sum_of_rotations(const Svds::View& svds) { add(index_t{0}, svds[0].U(), Eigen::Matrix3f()); }
 
 // ---- Integers ----
@@ -177,21 +179,21 @@ void an_integer_times_a_float(const Given& g) { g.tets[g.i].nodes()[0] *= 0.5F; 
 void an_integer_over_a_float(const Given& g) { g.tets[g.i].nodes()[0] /= 0.5F; }
 
 // ---- Sums through gathered indices ----
-/// refused adding_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused adding_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void adding_through_gathered_indices(const Given& g) { g.view[g.j].x1111() += g.m; }
-/// refused subtracting_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused subtracting_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void subtracting_through_gathered_indices(const Given& g) { g.view[g.j].x1111() -= g.m; }
-/// refused multiplying_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused multiplying_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void multiplying_through_gathered_indices(const Given& g) { g.view[g.j].x1111() *= g.m; }
-/// refused dividing_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused dividing_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void dividing_through_gathered_indices(const Given& g) { g.view[g.j].x1111() /= g.m; }
-/// refused adding_a_field_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused adding_a_field_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void adding_a_field_through_gathered_indices(const Given& g) { g.nodes[g.j].f() += Eigen::Matrix<S, 3, 1>(); }
-/// refused subtracting_a_field_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused subtracting_a_field_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void subtracting_a_field_through_gathered_indices(const Given& g) { g.nodes[g.j].f() -= Eigen::Matrix<S, 3, 1>(); }
-/// refused multiplying_a_field_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused multiplying_a_field_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void multiplying_a_field_through_gathered_indices(const Given& g) { g.nodes[g.j].f() *= g.m; }
-/// refused dividing_a_field_through_gathered_indices: use_add_of_the_kernels_own_index
+/// refused dividing_a_field_through_gathered_indices: use_add_of_the_kernels_own_index|UseAdd
 void dividing_a_field_through_gathered_indices(const Given& g) { g.nodes[g.j].f() /= g.m; }
 
 // ---- Arrays that are read only ----
@@ -203,6 +205,12 @@ void storing_a_pack_to_a_read_only_array(const Given& g) { g.read_only[g.i].x111
 void storing_to_gathered_objects_of_a_read_only_array(const Given& g) { g.read_only[g.j].x2211() = g.m; }
 /// refused storing_to_a_read_only_half: this array is read-only here
 void storing_to_a_read_only_half(const Given& g) { g.read_only_halves[0].x1111() = 1.0F; }
+/// refused storing_a_pack_to_a_read_only_array_of_halves: this array is read-only here
+void storing_a_pack_to_a_read_only_array_of_halves(const Given& g) { g.read_only_halves[g.i].x1111() = g.m; }
+/// refused adding_to_a_read_only_vector: this array is read-only here
+void adding_to_a_read_only_vector(const ConstForces& forces) {
+  add(index_t{0}, forces[0].f(), Eigen::Vector3f(1, 2, 3));
+}
 /// refused storing_where_an_array_is_read_only: this array is read-only here
 void storing_where_an_array_is_read_only(const Given& g) { store_where(g.m > S(0.0F), g.read_only[g.i].x3311(), g.m); }
 /// refused adding_where_an_array_is_read_only: this array is read-only here

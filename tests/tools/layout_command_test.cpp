@@ -59,26 +59,38 @@ TEST_F(LayoutCommand, draws_what_is_asked_for) {
   EXPECT_EQ(outcome.out.find("Node"), std::string::npos);
 }
 
-TEST_F(LayoutCommand, writes_an_svg_to_the_output_or_to_a_file_that_changed) {
-  const auto outcome = run("a.h --svg");
+TEST_F(LayoutCommand, writes_json_to_the_output_or_to_a_file_that_changed) {
+  const auto outcome = run("a.h --json");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("<?xml")) << outcome.out.substr(0, 100);
-  const auto written = run("a.h --svg -o new/a.svg");
+  EXPECT_TRUE(outcome.out.starts_with("{\n  \"physgen_layout\": 1,\n")) << outcome.out.substr(0, 100);
+  const auto written = run("a.h --json -o new/a.json");
   EXPECT_EQ(written.status, 0) << written.err;
   EXPECT_EQ(written.out + written.err, "");
-  EXPECT_EQ(text_of(folder / "new/a.svg"), outcome.out);
+  EXPECT_EQ(text_of(folder / "new/a.json"), outcome.out);
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  fs::last_write_time(folder / "new/a.svg", long_ago);
-  EXPECT_EQ(run("a.h --svg -o new/a.svg").status, 0);
-  EXPECT_EQ(fs::last_write_time(folder / "new/a.svg"), long_ago);
-  EXPECT_EQ(run("a.h --svg -o new/a.svg --real double").status, 0);
-  EXPECT_GT(fs::last_write_time(folder / "new/a.svg"), long_ago);
+  fs::last_write_time(folder / "new/a.json", long_ago);
+  EXPECT_EQ(run("a.h --json -o new/a.json").status, 0);
+  EXPECT_EQ(fs::last_write_time(folder / "new/a.json"), long_ago);
+  EXPECT_EQ(run("a.h --json -o new/a.json --real double").status, 0);
+  EXPECT_GT(fs::last_write_time(folder / "new/a.json"), long_ago);
+}
+
+TEST_F(LayoutCommand, says_how_to_draw_an_svg) {
+  for (const char* arguments : {"a.h --svg", "a.h --svg -o a.svg"}) {
+    const auto outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err,
+              "physgen: error: physgen draws no SVG; write '--json -o x.json' in place of --svg, and draw x.json with "
+              "'tools/report/layout_picture.py x.json -o x.svg' of physgen's sources\n");
+  }
+  EXPECT_EQ(run("--help").out.find("svg"), std::string::npos);
 }
 
 TEST_F(LayoutCommand, refuses_wrong_use) {
   for (const char* arguments :
        {"", "a.h a.h", "a.h --object Edge", "a.h --space gpu", "a.h --real half", "a.h --layout x",
-        "a.h --layout 'aosoa(3)'", "a.h -o a.svg", "missing.h", "a.h --svg -o a.h/x.svg"}) {
+        "a.h --layout 'aosoa(3)'", "a.h -o a.json", "missing.h", "a.h --json -o a.h/x.json"}) {
     const auto outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     EXPECT_NE(outcome.err, "") << arguments;
@@ -88,10 +100,10 @@ TEST_F(LayoutCommand, refuses_wrong_use) {
 }
 
 TEST_F(LayoutCommand, writes_nothing_when_the_schema_has_errors) {
-  const auto outcome = run("broken.h --svg -o x.svg");
+  const auto outcome = run("broken.h --json -o x.json");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("broken.h:4:3: error: field 'x' is a reference"), std::string::npos) << outcome.err;
-  EXPECT_FALSE(fs::exists(folder / "x.svg"));
+  EXPECT_FALSE(fs::exists(folder / "x.json"));
 }
 
 }  // namespace

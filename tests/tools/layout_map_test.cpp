@@ -9,11 +9,15 @@
 #include <functional>
 #include <set>
 
+#include "layout_boxes.h"
 #include "layout_cases.h"
-#include "layout_words.h"
 
 namespace physgen::command {
 namespace {
+
+using plan::assumed_objects;
+using plan::Precision;
+using plan::Segment;
 
 /// What the runtime says of a layout.
 struct Law {
@@ -105,35 +109,28 @@ TEST(LayoutMap, places_every_element_where_the_runtime_does) {
   });
 }
 
-TEST(LayoutMap, knows_what_stands_at_every_byte) {
+TEST(LayoutMap, has_segments_that_fill_the_record) {
   for_random_records([](const plan::Record& record, Precision precision) {
     for (const Law& law : laws()) {
-      if (law.pitch > 64) continue;  // the bytes of whole tiles are visited
       const LayoutMap map = map_layout(record, law.layout, precision);
-      std::vector<std::string> bytes(static_cast<std::size_t>(2 * law.pitch * map.record_bytes), "--");
+      std::vector<std::string> bytes(static_cast<std::size_t>(map.record_bytes), "--");
       for (const Planned& element : planned_elements(record, precision))
-        for (index_t i = 0; i < 2 * law.pitch; ++i)
-          for (int b = 0; b < element.bytes; ++b) {
-            std::string& byte = bytes[static_cast<std::size_t>(address(law, map.record_bytes, element, i) + b)];
-            ASSERT_EQ(byte, "--") << "taken twice";
-            byte = element.name + " of " + std::to_string(i);
+        for (int b = 0; b < element.bytes; ++b) bytes[static_cast<std::size_t>(element.offset + b)] = element.name;
+      int end = 0;
+      for (const Segment& segment : map.segments) {
+        ASSERT_EQ(segment.offset, end);
+        for (; end < segment.offset + segment.bytes; ++end) {
+          std::string name = "--";
+          if (segment.accessor >= 0) {
+            const Accessor& accessor = map.accessors[static_cast<std::size_t>(segment.accessor)];
+            name = accessor.runs[static_cast<std::size_t>(segment.run)].name + "#" +
+                   std::to_string((end - segment.offset) / accessor.bytes);
           }
-      for (std::size_t b = 0; b < bytes.size(); ++b) {
-        const auto at = static_cast<long long>(b);
-        const Cell cell = map.at(at);
-        ASSERT_LE(cell.begin, at);
-        ASSERT_GT(cell.end, at);
-        std::string name = "--";
-        if (cell.accessor >= 0) {
-          const Accessor& accessor = map.accessors[static_cast<std::size_t>(cell.accessor)];
-          name = accessor.runs[static_cast<std::size_t>(cell.element / accessor.run_elements)].name + "#" +
-                 std::to_string(cell.element % accessor.run_elements) + " of " + std::to_string(cell.object);
-          ASSERT_EQ(cell.begin, map.address(accessor.offset(cell.element), accessor.bytes, cell.object));
+          ASSERT_EQ(name, bytes[static_cast<std::size_t>(end)]) << model::layout_word(law.layout) << ", byte " << end;
         }
-        ASSERT_EQ(name, bytes[b]) << model::layout_word(law.layout) << ", byte " << b;
       }
-      const auto padding = std::count(bytes.begin(), bytes.end(), "--");
-      ASSERT_EQ(padding, 2 * law.pitch * map.padding_bytes());
+      ASSERT_EQ(end, map.record_bytes);
+      ASSERT_EQ(std::count(bytes.begin(), bytes.end(), "--"), map.padding_bytes());
     }
   });
 }
@@ -171,7 +168,9 @@ TEST(LayoutMap, counts_the_sectors_that_brute_force_counts) {
 std::string sectors(const model::Object& object, model::Layout layout, Precision precision = Precision::with_float) {
   const model::Schema all = schema({object});
   const plan::Records records(all, Space::host);
-  return sectors_words(map_layout(records.of(object.qualified_name()), layout, precision).accessors[0].sectors);
+  const plan::Sectors sectors = map_layout(records.of(object.qualified_name()), layout, precision).accessors[0].sectors;
+  EXPECT_EQ(sectors.fewest, sectors.most);
+  return std::to_string(sectors.most);
 }
 
 TEST(LayoutMap, counts_the_known_sectors_of_common_records) {
@@ -204,7 +203,6 @@ TEST(LayoutMap, gives_the_fields_of_an_array_of_objects_one_accessor_each) {
   EXPECT_EQ(element_name(map.accessors[0], 29), "points[9].x[2]");
   EXPECT_EQ(map.accessors[0].offset(29), 9 * 24 + 8 + 8);
   EXPECT_EQ(map.padding_bytes(), 10 * 4);
-  EXPECT_EQ(shown_segments(map), (std::vector<int>{0, 1, 2, -1, 27, 28, 29}));
 }
 
 TEST(LayoutWords, name_elements_as_values_index_them) {

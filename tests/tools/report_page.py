@@ -1,10 +1,18 @@
 """The report's command, and its page as the tests look at it."""
+import collections
+import contextlib
+import io
 import pathlib
 import subprocess
 import sys
+import unittest.mock
 from html.parser import HTMLParser
 
 TOOL = pathlib.Path(__file__).resolve().parents[2] / "tools" / "report"
+sys.path.insert(0, str(TOOL))
+import drawing  # noqa: E402
+import report as tool  # noqa: E402
+
 SECTIONS = [
     "the-paper-s-table-1-redone",
     "speed-against-error",
@@ -19,10 +27,34 @@ SECTIONS = [
 ]
 
 
+Done = collections.namedtuple("Done", "returncode stderr")
+
+
 def report(*arguments):
-    return subprocess.run(
-        [sys.executable, TOOL / "report.py", *map(str, arguments)], capture_output=True, text=True, check=False
-    )
+    """The command in this process, where matplotlib loads once. @return its exit status, and what it said"""
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said), contextlib.redirect_stdout(io.StringIO()):
+        try:
+            status = tool.main([str(argument) for argument in arguments])
+        except SystemExit as end:  # of wrong use
+            status = end.code
+    return Done(status, said.getvalue())
+
+
+def report_of_words(*arguments):
+    """The same with empty plots, which are what takes its time: for tests that look at the words of a page alone."""
+    with (
+        unittest.mock.patch.object(drawing, "svg", lambda figure: "<svg ></svg>"),
+        unittest.mock.patch.object(drawing, "png", lambda figure, *rest, **options: b""),
+    ):
+        return report(*arguments)
+
+
+def report_of_a_process(*arguments):
+    """The same in a process of its own."""
+    command = [sys.executable, TOOL / "report.py", *map(str, arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return Done(done.returncode, done.stderr)
 
 
 class Page(HTMLParser):

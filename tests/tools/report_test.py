@@ -9,7 +9,7 @@ import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True
 import report_test_rows  # noqa: E402
-from report_page import SECTIONS, Page, report  # noqa: E402
+from report_page import SECTIONS, Page, report, report_of_a_process, report_of_words  # noqa: E402
 
 TOOL = pathlib.Path(__file__).resolve().parents[2] / "tools" / "report"
 CHECKED_IN = sorted(str(path) for path in (TOOL / "results").glob("*.json"))
@@ -61,7 +61,7 @@ class ReportTest(unittest.TestCase):
             self.assertGreater(self.measured.plots[section], 0, section)
 
     def test_section_without_rows_says_which_and_the_command(self):
-        self.assertEqual(report(self.gathers, "-o", self.folder / "only").returncode, 0)
+        self.assertEqual(report_of_words(self.gathers, "-o", self.folder / "only").returncode, 0)
         page = Page(self.folder / "only" / "index.html")
         self.assertEqual([section for section in SECTIONS if page.plots[section]], ["gathered-against-streamed"])
         for section in SECTIONS[:5] + SECTIONS[6:9]:
@@ -91,7 +91,7 @@ class ReportTest(unittest.TestCase):
 
     def test_output_is_the_same_on_every_run(self):
         again = self.folder / "again"
-        self.assertEqual(report(self.all_kinds, "-o", again).returncode, 0)
+        self.assertEqual(report_of_a_process(self.all_kinds, "-o", again), (0, ""))
         for path in (self.folder / "all").iterdir():
             self.assertEqual(path.read_bytes(), (again / path.name).read_bytes(), path.name)
 
@@ -149,7 +149,7 @@ class ReportTest(unittest.TestCase):
         content["context"].update(context)
         content["context"] = {name: value for name, value in content["context"].items() if value is not None}
         (self.folder / "other.json").write_text(json.dumps(content))
-        done = report(self.all_kinds, self.folder / "other.json", "-o", self.folder / "marked")
+        done = report_of_words(self.all_kinds, self.folder / "other.json", "-o", self.folder / "marked")
         self.assertEqual(done.returncode, 0, done.stderr)
         return Page(self.folder / "marked" / "index.html")
 
@@ -180,7 +180,7 @@ class ReportTest(unittest.TestCase):
         content = json.loads(self.all_kinds.read_text())
         del content["context"]["sources"]
         (self.folder / "unstated.json").write_text(json.dumps(content))
-        self.assertEqual(report(self.folder / "unstated.json", "-o", self.folder / "unstated").returncode, 0)
+        self.assertEqual(report_of_words(self.folder / "unstated.json", "-o", self.folder / "unstated").returncode, 0)
         page = Page(self.folder / "unstated" / "index.html")
         for section in SECTIONS[:-1]:
             self.assertIn("May be older than the code", page.text[section])
@@ -239,7 +239,9 @@ class ReportTest(unittest.TestCase):
     def test_wrong_use_exits_with_2(self):
         self.assertEqual(report().returncode, 2)
         self.assertEqual(report(self.all_kinds).returncode, 2)
-        self.assertEqual(report(self.gathers, "-o", self.folder / "x", "--colour").returncode, 2)
+        done = report_of_a_process(self.gathers, "-o", self.folder / "x", "--colour")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("unrecognized arguments: --colour", done.stderr)
         done = report(self.gathers, "-o", self.gathers / "below")
         self.assertEqual(done.returncode, 2)
         self.assertIn("cannot write", done.stderr)
@@ -248,7 +250,7 @@ class ReportTest(unittest.TestCase):
         folder = self.folder / "kept"
         (folder / ".index.html.partial").mkdir(parents=True)  # in the way of the page, which is written last
         (folder / "index.html").write_text("old")
-        done = report(self.gathers, "-o", folder)
+        done = report_of_words(self.gathers, "-o", folder)
         self.assertEqual(done.returncode, 2)
         self.assertEqual((folder / "index.html").read_text(), "old")
         self.assertEqual({path.name for path in folder.iterdir()}, {"index.html", ".index.html.partial"})

@@ -14,7 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 REPORT = ROOT / "tools" / "report"
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(REPORT))
-from truthcube import error_against_time, layouts, linear_solves  # noqa: E402
+from truthcube import bead_errors, error_against_time, layouts, linear_solves  # noqa: E402
 from truthcube.records import RunError  # noqa: E402
 
 CHECKED_IN = REPORT / "results" / "truthcube" / "errors.json"
@@ -90,6 +90,51 @@ class RunsTest(unittest.TestCase):
         self.assertIn("Value 0 not in range", run["failed"])
         with self.assertRaisesRegex(RunError, "failed.json: all runs failed"):
             error_against_time.read(out)
+
+    def test_meshes_have_a_line_each_with_reactions_against_the_reference(self):
+        runs = [json.loads(json.dumps(run)) for run in self.content["runs"][:3]]  # 4 cells, tets
+        for run in runs:
+            run["settings"]["preconditioner"] = "multigrid"
+        runs[2]["steps"][0].update(reaction=-17.108e-4 * 15000 * 1.02, reaction_estimate=-17.108e-4 * 15000 * 0.99)
+        head, lines = bead_errors.lines({"runs": [*runs, *self.content["runs"]]}, "a.json")
+        self.assertEqual(head[:3], ["upper plate, nu, volume by", "cells", "beads at 5 % [mm RMS]"])
+        self.assertEqual(head[5:], ["reaction of the mesh at 18.25 %", "extrapolated", "solved at 18.25 % in"])
+        beads = [f"{run['steps'][0]['beads']['rms_mm']:.3f}" for run in runs]
+        self.assertEqual(len(lines), 1)
+        self.assertEqual(lines[0][:-1], ["bonded, 0.49, tets", "4³", *beads, "+2.0 %", "-1.0 %"])
+
+        def refused(content, words):
+            with self.assertRaisesRegex(RunError, words):
+                bead_errors.lines(content, "a.json")
+
+        refused({"runs": []}, "a.json: no list of 'runs'; measure again with tools/report/truthcube_runs.py --errors")
+        refused({"runs": [runs[0], runs[0]]}, r"a.json: runs\[1\]: such a run is there already")
+        refused(self.content, "a.json: no run by multigrid")
+        refused({"runs": [{"failed": "no equilibrium"}]}, r"runs\[0\] failed: no equilibrium")
+
+    def test_beads_may_be_compared_with_those_of_a_finer_mesh(self):
+        made, tool = self.folder / "finest.json", [sys.executable, REPORT / "truthcube_runs.py", PROGRAM]
+        options = ["--errors", "--device", "cpu", "--threads", "1", "--preconditioners", "multigrid", "--cells", "2", "4"]
+        options += ["--poisson", "0.499", "--compressions", "0.05", "--tops", "frictionless", "--repeat", "0"]
+        done = subprocess.run([*tool, "-o", made, *options], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "no beads of Poisson's ratio 0.499 .*; --finest CELLS compares with those of a finer")
+        done = subprocess.run([*tool, "-o", made, *options, "--finest", "4"], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        runs = json.loads(made.read_text())["runs"]
+        self.assertEqual([(run["settings"]["volume"], run["settings"]["cells"]) for run in runs],
+                         [("tets", 2), ("tets", 4), ("patches", 2)])  # fmt: skip
+        said = [run["steps"][0]["beads"] for run in runs]
+        self.assertTrue(all("--cells 4 --poisson 0.499 --volume patches --top frictionless" in s["reference"] for s in said))
+        subprocess.run([PROGRAM, *said[0]["reference"].split()[1:], "--quiet", "--out", self.folder / "fine"], check=True)
+        subprocess.run([PROGRAM, *runs[2]["command"].split()[1:], "--quiet", "--out", self.folder / "wide"], check=True)
+        fine, wide = (beads_of(self.folder / name / "beads.csv") for name in ("fine", "wide"))
+        square = sum(math.dist(a, b) ** 2 for a, b in zip(fine, wide)) / len(fine)
+        self.assertAlmostEqual(said[2]["rms_mm"], 1e3 * math.sqrt(square), places=9)
+        self.assertGreater(said[2]["rms_mm"], 0.01)
+        head, lines = bead_errors.lines({"runs": runs}, "a.json")
+        self.assertEqual(head[2:], ["beads at 5 % [mm RMS]", "solved at 5 % in"])  # without reactions of other codes
+        self.assertEqual([line[1] for line in lines], ["2³", "4³", "2³"])
 
     # ---- Error against time ----------------------------------------------------------------------------------------
     def test_points_are_drawn_where_the_file_says(self):
@@ -183,7 +228,7 @@ class RunsTest(unittest.TestCase):
         refused(self.rows(residual=9e-3), "64 cells, nu 0.49, patches on A GPU: residuals from .* are not equal ones")
         refused(self.rows(method="multigrid"), r"rows\[1\]: 'multigrid' of this body is there already")
         refused(self.rows()[:1], "no solve by multigrid")
-        refused(self.rows(solve_seconds=0), r"rows\[0\]: 'solve_seconds' is 0, which is no positive number")
+        refused(self.rows(solve_seconds=0), r"rows\[0\]: 'solve_seconds' is 0, which is not a positive number")
         refused(self.rows(iterations="many"), r"rows\[0\]: 'iterations' is \"many\"")
 
     def test_iterations_stand_by_cube_with_their_spread_from_16_cells(self):
@@ -215,7 +260,7 @@ class RunsTest(unittest.TestCase):
                 layouts.lines({"bodies": bodies}, "a.json")
 
         refused([], "a.json: no list of 'bodies'; measure again with tools/report/layout_runs.py")
-        refused([[ours]], r"bodies\[0\] is no pair of builds")
+        refused([[ours]], r"bodies\[0\] is not a pair of builds")
         refused([[other, ours]], r"bodies\[0\] has the layouts aos and schema, not schema and another")
         refused([[ours, other], [ours, build("soa", 1, 1)]], "the layouts aos and soa are not in one table")
         refused([[ours, build("aos", None, 1)]], "a run without repeated solves")

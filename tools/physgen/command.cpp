@@ -13,8 +13,8 @@
 #include "emit/emitter.h"
 #include "files.h"
 #include "frontend/frontend.h"
-#include "layout_picture.h"
-#include "layout_words.h"
+#include "layout_boxes.h"
+#include "layout_request.h"
 #include "model/json.h"
 #include "model/model.h"
 #include "model/text.h"
@@ -38,7 +38,8 @@ struct Arguments {
   LayoutRequest layout;
   SceneRequest scene;
   UsageRequest usage;
-  std::string picture;  // file of the SVG; empty: standard output
+  std::string drawing;  // file of the JSON; empty: standard output
+  bool json = false;
   bool svg = false;
   bool verbose = false;
 };
@@ -138,14 +139,19 @@ int print_model(const Arguments& arguments, const Streams& streams) {
 }
 
 int print_layout(const Arguments& arguments, const Streams& streams) {
+  if (arguments.svg)
+    throw UsageError(
+        "physgen draws no SVG; write '--json -o x.json' in place of --svg, and draw x.json with "
+        "'tools/report/layout_picture.py x.json -o x.svg' of physgen's sources");
+  if (!arguments.drawing.empty() && !arguments.json) throw UsageError("-o is the file of the JSON; add --json");
   const auto parsed = parse_all(arguments, streams.err);
   if (!parsed) return schema_errors;
   const auto maps = layout_maps(parsed->schemas.front(), arguments.layout);
-  const std::string picture = arguments.svg ? layout_svg(maps) : layout_text(maps);
-  if (arguments.picture.empty())
-    streams.out << picture;
+  const std::string drawing = arguments.json ? layout_json(maps) : layout_text(maps);
+  if (arguments.drawing.empty())
+    streams.out << drawing;
   else
-    write_changed({{arguments.picture, picture}});
+    write_changed({{arguments.drawing, drawing}});
   return done;
 }
 
@@ -166,13 +172,13 @@ std::string standard_layouts() {
   return model::joined(words, " and ");
 }
 
-/// "What is written: cpp (accessor classes in C++ and CUDA; the default)"
+/// "Kind of output: cpp (accessor classes in C++ and CUDA; the default)"
 std::string emitter_choices() {
   std::vector<std::string> choices;
   for (const emit::Emitter& one : emit::emitters())
     choices.push_back(std::string(one.name) + " (" + std::string(one.what) +
                       (choices.empty() ? "; the default)" : ")"));
-  return "What is written: " + model::joined(choices, " or ");
+  return "Kind of output: " + model::joined(choices, " or ");
 }
 
 void describe_layout(CLI::App& app, Arguments& arguments) {
@@ -189,10 +195,9 @@ void describe_layout(CLI::App& app, Arguments& arguments) {
       ->add_option("--layout", request.layout,
                    layout_choices() + "; without: what the schema says, else " + standard_layouts())
       ->type_name("LAYOUT");
-  auto* svg = layout->add_flag("--svg", arguments.svg, "Draw an SVG instead of text");
-  layout->add_option("-o,--output", arguments.picture, "File of the SVG; without: standard output")
-      ->needs(svg)
-      ->type_name("FILE");
+  layout->add_flag("--json", arguments.json, "Write JSON instead of text; tools/report/layout_picture.py draws it");
+  layout->add_option("-o,--output", arguments.drawing, "File of the JSON; without: standard output")->type_name("FILE");
+  layout->add_flag("--svg", arguments.svg)->group("");  // not in the help: refused with what to write instead
 }
 
 void describe(CLI::App& app, Arguments& arguments) {
@@ -252,35 +257,28 @@ int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err
   CLI::App app("physgen writes accessor classes for physics objects from a schema, an annotated C++ header.",
                "physgen");
   describe(app, values);
-  if (!arguments.empty() && !names_command(arguments.front())) {
-    try {
-      require_command_or_schema(arguments.front());
-    } catch (const UsageError& error) {
-      err << "physgen: error: " << error.what() << '\n';
-      return wrong_use;
-    }
-    arguments.insert(arguments.begin(), "generate");
-  }
   if (!arguments.empty() && (arguments.front() == "scene" || arguments.front() == "usage")) {
     const auto flags = std::find(arguments.begin(), arguments.end(), "--");
     if (flags != arguments.end()) values.scene.flags.assign(flags + 1, arguments.end());
     values.usage.flags = values.scene.flags;
     arguments.erase(flags, arguments.end());
   }
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
-  try {
-    app.parse(std::move(arguments));
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error, out, err) == 0 ? done : wrong_use;
-  }
   const Streams streams{out, err};
   try {
+    if (!arguments.empty() && !names_command(arguments.front())) {
+      require_command_or_schema(arguments.front());
+      arguments.insert(arguments.begin(), "generate");
+    }
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+    app.parse(std::move(arguments));
     if (app.got_subcommand("generate")) return generate(values, streams);
     if (app.got_subcommand("check")) return check(values, streams);
     if (app.got_subcommand("scene")) return scene(values.scene, out, err);
     if (app.got_subcommand("usage")) return usage(values.usage, out, err);
     if (app.got_subcommand("layout")) return print_layout(values, streams);
     return print_model(values, streams);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error, out, err) == 0 ? done : wrong_use;
   } catch (const FileError& error) {
     err << "physgen: error: " << error.what() << '\n';
   } catch (const UsageError& error) {

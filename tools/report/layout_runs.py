@@ -21,7 +21,7 @@ def measure(build, place, poisson, volume):
     """One body in one build. @throws RunError where a program failed"""
     body = [*place, "--poisson", poisson, "--volume", volume]
     nested = ["--stepping", "nested", "--compress", "0.1825", "--repeat", "3"]
-    whole = truthcube_runs.run(str(build / "bin" / "truthcube"), [*body, *nested], False)
+    whole = truthcube_runs.run(str(build / "bin" / "truthcube"), [*body, *nested])
     if "failed" in whole:
         raise records.RunError(f"{build}: {whole['command']}: exit status {whole['status']}: {whole['failed']}")
     methods = ["--method", "multigrid", "block-jacobi", "--norm", "euclidean"]

@@ -41,11 +41,14 @@ class File:
     def __init__(self, path):
         read = rows.load([str(path)]).files[0]
         self.name, self.rows, self.context = path.name, read.rows, read.context
+        self._found = {}  # of patterns that were asked for
 
     def all(self, *patterns):
         """Rows whose names fit one of the patterns, `kernel/layout/storage/space/objects[/set]`; `*` stands for
         anything within a part. @throws FiguresError where none fits"""
-        found = [row for row in self.rows if any(_fits(row.name, pattern) for pattern in patterns)]
+        if patterns not in self._found:
+            self._found[patterns] = [row for row in self.rows if any(_fits(row.name, pattern) for pattern in patterns)]
+        found = list(self._found[patterns])
         if not found:
             raise FiguresError(
                 f"{RESULTS}/{self.name} has no row {' or '.join(patterns)}; measure it, or mend the name in {SENTENCES} or {TABLES}"

@@ -4,7 +4,7 @@ A table stands between `<!-- figures: NAME, from FILE.json -->` and `<!-- end of
 all its lines. The table of packages comes in the same way from their list, tools/packages.txt."""
 import json
 
-from truthcube import layouts, linear_solves, records
+from truthcube import bead_errors, layouts, linear_solves, records
 
 
 # ---- Numbers ---------------------------------------------------------------------------------------------------------
@@ -194,6 +194,12 @@ def _iterations(text):
     return _lines(*linear_solves.iterations(records.parse(text, name), name))
 
 
+def _beads(text):
+    """Runs of truthcube_runs.py --errors: one line for each mesh."""
+    name = "runs of truthcube_runs.py --errors"
+    return _lines(*bead_errors.lines(records.parse(text, name), name))
+
+
 def _layouts(text):
     """Two builds of layout_runs.py: one line for each body."""
     name = "layouts.json"
@@ -212,4 +218,5 @@ TABLES = {
     "linear_solves": _linear_solves,
     "iterations": _iterations,
     "layouts": _layouts,
+    "beads": _beads,
 }

@@ -1,4 +1,5 @@
 """Reads and checks the JSON files that physbench writes, and finds rows in them."""
+import functools
 import json
 import math
 import os
@@ -80,12 +81,18 @@ class Results:
     replaced: int  # rows that a later file has again
 
 
+@functools.cache
+def _present_sources():
+    """Hashes of the checkout that this file is in, which are read once: nobody edits it while a report is made."""
+    return sources.hashes()
+
+
 def load(paths, here=None):
     """Reads files. Of rows that several files have from one machine, the last file's count.
 
     @param here hashes of the sources that count as the present ones; without it, of the checkout that this file is in
     @throws ResultsError that names the file and what is wrong with it"""
-    here = here or sources.hashes()
+    here = here or _present_sources()
     files = [_read(path, here) for path in paths]
     unique = {(row.machine, row.name): row for file in files for row in file.rows}
     peers = {key: len(same) for key, same in grouped(unique.values(), "machine", "kernel", "set", "objects")}

@@ -2,9 +2,20 @@
 
 namespace physgen::truthcube {
 
-std::string arrays_of(SceneKind scene, const fem::SolverSettings& settings) {
-  const fem::NewtonSettings& newton = settings.newton;
-  switch (scene) {
+namespace {
+
+/// Whether the scene implicit_dynamics has what is asked for. A mesh of one's own may need a background grid.
+bool has_implicit_dynamics(const Options& options) {
+  const fem::SolverSettings& settings = options.solver;
+  return settings.material == "stable-neo-hookean" && settings.precision == fem::TangentPrecision::float32 &&
+         settings.newton.preconditioner.kind != fem::Preconditioner::schwarz &&
+         options.volume != VolumeTreatment::nodes && options.plates == Plates::held && options.is_cube();
+}
+
+}  // namespace
+
+std::string arrays_of(const Options& options) {
+  switch (options.scene) {
     case SceneKind::quasistatic:
       return "quasistatic";
     case SceneKind::matrix_free:
@@ -13,13 +24,12 @@ std::string arrays_of(SceneKind scene, const fem::SolverSettings& settings) {
       return "quasistatic_fixed_corotated";
     case SceneKind::explicit_dynamics:
       return "explicit_dynamics";
-    case SceneKind::linear_elastic:
-      if (settings.precision == fem::TangentPrecision::float32 && newton.product == fem::Product::matrix_free) {
-        return "linear_elastic";
-      }
-      break;
-    case SceneKind::everything:
     case SceneKind::implicit_dynamics:
+      if (has_implicit_dynamics(options)) return "implicit_dynamics";
+      break;
+    case SceneKind::linear_elastic:
+      return options.solver.newton.product == fem::Product::assembled ? "linear_elastic_assembled" : "linear_elastic";
+    case SceneKind::everything:
       break;
   }
   return "everything";

@@ -1,7 +1,5 @@
-// Whose arrays a run has: those of a scene, with the fields alone that its program needs, or those with all fields.
+// Whose arrays a run has: those of a scene, with the fields alone that its program needs.
 #pragma once
-
-#include <fem/solver/settings.h>
 
 #include <string>
 
@@ -9,8 +7,8 @@
 
 namespace physgen::truthcube {
 
-/// The name of a scene in schemas/scenes; "everything" for scenes that are choices of the solvers with all arrays, as
-/// linear elasticity is where it asks for what linear_elastic has not.
-[[nodiscard]] std::string arrays_of(SceneKind scene, const fem::SolverSettings& settings);
+/// The name of a scene in schemas/scenes: that of the run, or "everything" where --scene implicit-dynamics is asked for
+/// what implicit_dynamics has not.
+[[nodiscard]] std::string arrays_of(const Options& options);
 
 }  // namespace physgen::truthcube

@@ -52,6 +52,25 @@ CLI::Option* add_choices(CLI::App& app, const std::string& flag, std::vector<Val
       ->default_str(joined(chosen));
 }
 
+/// That a value is a whole number of a range.
+[[nodiscard]] inline CLI::Validator whole_number(int least, int most) {
+  const auto check = [least, most](const std::string& word) -> std::string {
+    int value = 0;
+    if (CLI::detail::lexical_cast(word, value) && value >= least && value <= most) return {};
+    return "Value " + word + " not in range " + std::to_string(least) + " to " + std::to_string(most) +
+           " of whole numbers";
+  };
+  return {check, "INT in [" + std::to_string(least) + " - " + std::to_string(most) + "]"};
+}
+
+/// That a name is not empty, as it is where a variable of a shell is not set.
+[[nodiscard]] inline CLI::Validator name_of_file() {
+  const auto check = [](const std::string& word) -> std::string {
+    return word.empty() ? "the name is empty; leave the flag out, or name a file or folder" : "";
+  };
+  return {check, ""};
+}
+
 /// @throw Error for the first word that looks like a flag and is none
 inline void refuse_unknown_flags(const CLI::App& app, const std::vector<std::string>& arguments) {
   std::vector<std::string> flags;
@@ -75,6 +94,8 @@ inline void refuse_unknown_flags(const CLI::App& app, const std::vector<std::str
     app.parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {
     return app.help();
+  } catch (const CLI::ConversionError& error) {  // names are converted by value_of()
+    throw Error(error.what() + std::string("; a number is wanted there"));
   } catch (const CLI::ParseError& error) {
     throw Error(error.what());
   }

@@ -1,6 +1,7 @@
 #include "motion.h"
 
 #include <fem/dynamics/explicit.h>
+#include <fem/solver/scene_solvers.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "arrays.h"
 #include "estimates.h"
 #include "interrupts.h"
 #include "suspect.h"
@@ -23,7 +25,7 @@ constexpr int most_halvings = 6;         // of a time step for which there is no
 constexpr int steps_between_looks = 32;  // whether an explicit motion is finite: a look takes as long as a step
 
 fem::DynamicSettings settings_of(const Options& options) {
-  return {options.solver, options.motion.density, options.motion.damping};
+  return {options.solver, options.motion.density, options.motion.damping, options.motion.fixed_order};
 }
 
 bool is_explicit(const Options& options) { return options.scene == SceneKind::explicit_dynamics; }
@@ -79,7 +81,9 @@ std::unique_ptr<fem::DynamicSolver> make_dynamic_solver(const Options& options, 
   if (is_explicit(options)) {
     return fem::make_explicit_solver(scene.levels.front(), scene.loading, settings_of(options));
   }
-  return fem::make_implicit_solver(scene.levels, scene.loading, settings_of(options));
+  return arrays_of(options) == "everything"
+             ? fem::make_implicit_solver(scene.levels, scene.loading, settings_of(options))
+             : fem::make_scene_implicit_solver(scene.levels, scene.loading, settings_of(options));
 }
 
 Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolver& solver, RunFiles& files,

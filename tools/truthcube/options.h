@@ -1,4 +1,4 @@
-// The command line of truthcube.
+// Everything that one may choose of a run; plain values, which parse.h makes of a command line.
 #pragma once
 
 #include <fem/solver/settings.h>
@@ -27,11 +27,12 @@ enum class SceneKind {
 
 /// Settings of scenes that move.
 struct MotionOptions {
-  double time_step = 0;   ///< at most [s]; 0: a hundredth of the duration, or half of what is stable
-  double duration = 0.4;  ///< [s]
-  double density = 1000;  ///< [kg/m^3]
-  double damping = 0;     ///< [1/s]
-  int frames = 20;        ///< how many states are written, evenly in time
+  double time_step = 0;      ///< at most [s]; 0: a hundredth of the duration, or half of what is stable
+  double duration = 0.4;     ///< [s]
+  double density = 1000;     ///< [kg/m^3]
+  double damping = 0;        ///< [1/s]
+  int frames = 20;           ///< how many states are written, evenly in time
+  bool fixed_order = false;  ///< of the sums at nodes of explicit steps on CUDA
 };
 
 struct Options {
@@ -58,14 +59,6 @@ struct Options {
   [[nodiscard]] bool moves() const {
     return scene == SceneKind::implicit_dynamics || scene == SceneKind::explicit_dynamics;
   }
-  /// The settings that a run that is continued must not change, as a JSON object.
-  [[nodiscard]] std::string settings_json() const;
 };
-
-/// The layout that the build has for all arrays: "schema", or one for all, such as "aos".
-[[nodiscard]] std::string built_layout();
-
-/// @throw Error for a flag or value that does not exist, with the nearest name, or is out of range
-[[nodiscard]] Options parse(const std::vector<std::string>& arguments);
 
 }  // namespace physgen::truthcube

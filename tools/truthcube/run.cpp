@@ -14,9 +14,10 @@
 #include "motion.h"
 #include "output/folder_lock.h"
 #include "output/hash.h"
+#include "parse.h"
+#include "run_bytes.h"
 #include "run_files.h"
 #include "scene.h"
-#include "sizes.h"
 #include "steps.h"
 #include "terminal.h"
 
@@ -83,7 +84,10 @@ Outcome run(Options options, const std::string& command) {
   append(notes, options.notes);
   append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
-  const RunBytes bytes = bytes_of_run(counts, options.solver, options.plates == Plates::contact ? 2 : 0, options.scene);
+  const std::string arrays = arrays_of(options);
+  const RunBytes bytes =
+      bytes_of_run(counts, options.solver,
+                   {options.scene, arrays, options.plates == Plates::contact ? 2 : 0, options.motion.fixed_order});
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;
@@ -133,10 +137,10 @@ Outcome run(Options options, const std::string& command) {
   std::unique_ptr<fem::DynamicSolver> dynamic;
   if (options.moves()) {
     dynamic = make_dynamic_solver(options, scene);
-  } else if (const std::string arrays = arrays_of(options.scene, options.solver); arrays != "everything") {
-    solver = fem::make_scene_solver(arrays, scene.levels, scene.loading, options.solver);
   } else if (options.scene == SceneKind::linear_elastic) {
     solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
+  } else if (arrays != "everything") {
+    solver = fem::make_scene_solver(arrays, scene.levels, scene.loading, options.solver);
   } else {
     solver = fem::make_solver(scene.levels, scene.loading, options.solver);
   }
@@ -146,7 +150,7 @@ Outcome run(Options options, const std::string& command) {
   record.device = fem::device_name(options.solver.device);
   record.layout = built_layout();
   record.command = command;
-  record.settings = options.settings_json();
+  record.settings = settings_json(options);
   record.setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const auto total = static_cast<double>(record.bytes);
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; %.1f MB, %.0f bytes per node; set up in %.2f s",

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "arrays.h"
+
 namespace physgen::truthcube {
 
 const Names<SceneKind> scene_kinds{{"everything", SceneKind::everything},
@@ -97,12 +99,24 @@ void apply_scene(Options& options, const Given& given) {
       apply_motion(options, given);
       choose(options, given, "--product", "assembled", newton.product, fem::Product::assembled);
       options.solver.nested = false;
+      if (!given("--material")) options.solver.material = "stable-neo-hookean";
+      if (!given("--precision")) options.solver.precision = fem::TangentPrecision::float32;
+      if (arrays_of(options) == "everything") {
+        options.notes.emplace_back(
+            "this motion runs on the arrays of the scene everything: those of implicit-dynamics are for the cube, of "
+            "stable-neo-hookean material, in float, without --volume nodes, --plates contact and --preconditioner "
+            "schwarz");
+      }
       break;
     case SceneKind::explicit_dynamics:
       apply_motion(options, given);
       refuse(options, given, {"--product", "--preconditioner", "--tolerance"}, "explicit steps solve no equations");
       choose(options, given, "--plates", "held", options.plates, Plates::held);
       choose_tets(options, given, "explicit steps take");
+      if (options.motion.fixed_order && options.solver.device != fem::Device::cuda) {
+        throw Error(scene_name(options) + " goes with --fixed-order on --device cuda alone: on the CPU the order of " +
+                    "sums is always fixed; leave it out");
+      }
       newton.preconditioner.kind = fem::Preconditioner::none;
       options.solver.nested = false;
       break;
@@ -113,6 +127,9 @@ void apply_scene(Options& options, const Given& given) {
       choose_tets(options, given, "linear elasticity takes");
       options.solver.nested = false;
       break;
+  }
+  if (options.scene != SceneKind::explicit_dynamics) {
+    refuse(options, given, {"--fixed-order"}, "that is for the sums of --scene explicit-dynamics on CUDA");
   }
   if (!options.moves()) {
     refuse(options, given, {"--time-step", "--duration", "--density", "--damping", "--frames"},

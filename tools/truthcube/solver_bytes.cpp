@@ -2,13 +2,13 @@
 
 #include <fem/dynamics/explicit_body.h>
 #include <fem/solver/all_arrays.h>
+#include <fem/solver/in_precision.h>
+#include <fem/solver/linear_types.h>
 #include <fem/solver/scene_types.h>
 
 #include <algorithm>
 #include <numeric>
 #include <string>
-
-#include "arrays.h"
 
 namespace physgen::truthcube {
 
@@ -146,10 +146,10 @@ std::int64_t linear_body_bytes(const LevelCounts& c, bool assembled) {
 }
 
 template <class Real, class Space>
-RunBytes explicit_bytes(const LevelCounts& c) {
+RunBytes explicit_bytes(const LevelCounts& c, bool fixed_order) {
   using Body = scenes::explicit_dynamics_scene::Body<Space, Real>;
   RunBytes bytes;
-  bytes.solver = Body::bytes(fem::explicit_counts<Body>(c.nodes, c.tets, fem::node_sums<Space>(false)));
+  bytes.solver = Body::bytes(fem::explicit_counts<Body>(c.nodes, c.tets, fem::node_sums<Space>(fixed_order)));
   bytes.levels = {bytes.solver};
   bytes.stresses = bytes_of_array<elasticity::StressArray<Real, Space>>(c.tets);
   return bytes;
@@ -157,13 +157,13 @@ RunBytes explicit_bytes(const LevelCounts& c) {
 
 /// @tparam Types AllArrays, or those of a scene
 template <class Types>
-RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
-                    SceneKind scene) {
+RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
+                    const RunArrays& arrays) {
   const auto meshes = static_cast<std::size_t>(
       std::ranges::count_if(levels, [](const LevelCounts& level) { return level.tets > 0; }));  // the rest are grids
   const auto [used, solved] = fem::used_levels(settings, levels.size(), meshes);
   const bool assembled = settings.newton.product == fem::Product::assembled;
-  const bool linear_elastic = scene == SceneKind::linear_elastic;
+  constexpr bool linear_elastic = requires { typename Types::Body; };
   const fem::TangentLists lists = fem::tangent_lists<typename Types::Space>(settings.newton);
   const bool blocks = settings.newton.preconditioner.kind != fem::Preconditioner::none;
   const bool schwarz = settings.newton.preconditioner.kind == fem::Preconditioner::schwarz;
@@ -172,61 +172,50 @@ RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSet
     const std::int64_t linear = assembled ? level_bytes<Types>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
                                           : matrix_free_bytes<Types>(levels[l], {blocks, l + 1 < used});
     const auto body = [&]() -> std::int64_t {
-      if constexpr (requires { typename Types::Body; }) {
-        if (linear_elastic) return linear_body_bytes<Types>(levels[l], assembled);
-      }
-      if constexpr (requires { typename Types::Arrays; }) {
+      if constexpr (linear_elastic) {
+        return linear_body_bytes<Types>(levels[l], assembled);
+      } else {
         return equilibrium_bytes<Types>(levels[l], l + 1 < solved, lists);
       }
-      return 0;
     };
     const std::int64_t vectors = Types::Vectors::bytes({.node = levels[l].nodes});
-    bytes.levels.push_back(linear + (l < solved ? body() + vectors : 0) +
-                           (l < solved && schwarz ? schwarz_bytes<Types>(levels[l]) : 0) +
-                           plane_bytes<Types>(levels[l], planes, l < solved) +
-                           (scene == SceneKind::implicit_dynamics ? inertia_bytes<Types>(levels[l], l < solved) : 0));
+    bytes.levels.push_back(
+        linear + (l < solved ? body() + vectors : 0) + (l < solved && schwarz ? schwarz_bytes<Types>(levels[l]) : 0) +
+        plane_bytes<Types>(levels[l], arrays.planes, l < solved) +
+        (arrays.scene == SceneKind::implicit_dynamics ? inertia_bytes<Types>(levels[l], l < solved) : 0));
   }
-  if constexpr (requires { typename Types::Arrays; }) {
-    if (!linear_elastic) bytes.levels.front() += chunk_bytes<Types>(levels.front(), assembled);
-  }
+  if constexpr (!linear_elastic) bytes.levels.front() += chunk_bytes<Types>(levels.front(), assembled);
   bytes.solver = std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0});
   bytes.stresses = bytes_of_array<elasticity::StressArray<double, typename Types::Space>>(levels.front().tets);
   return bytes;
 }
 
 template <class Space>
-RunBytes bytes_on(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
-                  SceneKind scene) {
-  if (scene == SceneKind::explicit_dynamics) {
-    return settings.precision == fem::TangentPrecision::float64 ? explicit_bytes<double, Space>(levels.front())
-                                                                : explicit_bytes<float, Space>(levels.front());
+RunBytes bytes_on(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
+                  const RunArrays& arrays) {
+  const std::string& names = arrays.names;
+  if (names == "quasistatic") return bytes_with<fem::QuasistaticArrays<Space>>(levels, settings, arrays);
+  if (names == "quasistatic_matrix_free") return bytes_with<fem::MatrixFreeArrays<Space>>(levels, settings, arrays);
+  if (names == "quasistatic_fixed_corotated") {
+    return bytes_with<fem::FixedCorotatedArrays<Space>>(levels, settings, arrays);
   }
-  const std::string arrays = arrays_of(scene, settings);
-  if (arrays == "quasistatic") return bytes_with<fem::QuasistaticArrays<Space>>(levels, settings, planes, scene);
-  if (arrays == "quasistatic_matrix_free") {
-    return bytes_with<fem::MatrixFreeArrays<Space>>(levels, settings, planes, scene);
-  }
-  if (arrays == "quasistatic_fixed_corotated") {
-    return bytes_with<fem::FixedCorotatedArrays<Space>>(levels, settings, planes, scene);
-  }
-  if (arrays == "linear_elastic") return bytes_with<fem::LinearElasticArrays<Space>>(levels, settings, planes, scene);
-  switch (settings.precision) {
-    case fem::TangentPrecision::half:
-      return bytes_with<fem::AllArrays<float, Space, fem::StoredInHalf>>(levels, settings, planes, scene);
-    case fem::TangentPrecision::float32:
-      return bytes_with<fem::AllArrays<float, Space, fem::StoredAsComputed>>(levels, settings, planes, scene);
-    case fem::TangentPrecision::float64:
-      break;
-  }
-  return bytes_with<fem::AllArrays<double, Space, fem::StoredAsComputed>>(levels, settings, planes, scene);
+  if (names == "implicit_dynamics") return bytes_with<fem::ImplicitDynamicsArrays<Space>>(levels, settings, arrays);
+  return fem::in_precision(settings.precision, [&]<class Real, class Stored>() {
+    if (names == "explicit_dynamics") return explicit_bytes<Real, Space>(levels.front(), arrays.fixed_order);
+    if (names == "linear_elastic") return bytes_with<fem::LinearByTetsArrays<Real, Space>>(levels, settings, arrays);
+    if (names == "linear_elastic_assembled") {
+      return bytes_with<fem::LinearAssembledArrays<Real, Space, Stored>>(levels, settings, arrays);
+    }
+    return bytes_with<fem::AllArrays<Real, Space, Stored>>(levels, settings, arrays);
+  });
 }
 
 }  // namespace
 
-RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings, std::int64_t planes,
-                      SceneKind scene) {
-  return settings.device == fem::Device::cuda ? bytes_on<Cuda>(levels, settings, planes, scene)
-                                              : bytes_on<Host>(levels, settings, planes, scene);
+RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
+                      const RunArrays& arrays) {
+  return settings.device == fem::Device::cuda ? bytes_on<Cuda>(levels, settings, arrays)
+                                              : bytes_on<Host>(levels, settings, arrays);
 }
 
 }  // namespace physgen::truthcube

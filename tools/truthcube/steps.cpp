@@ -184,7 +184,7 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
     const fem::MeshLevel& level = scene_.levels.front();
     terminal_.text("  " + describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses())));
     terminal_.text(
-        "  This equilibrium is none of a real body. Try more and smaller --compress steps, more --cells, or --plates "
+        "  A real body has no such equilibrium. Try more and smaller --compress steps, more --cells, or --plates "
         "contact.");
   }
   compare(compression, positions);

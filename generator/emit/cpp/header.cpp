@@ -1,4 +1,4 @@
-// See header.h. This file holds what surrounds the objects: head, includes, namespaces.
+// See header.h. This file writes the frame of the objects: head, includes, namespaces.
 #include "emit/cpp/header.h"
 
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "emit/cpp/pieces.h"
-#include "emit/emitter.h"
+#include "emit/file_name.h"
 #include "plan/proof.h"
 
 namespace physgen::emit::cpp {
@@ -38,13 +38,13 @@ void head(Printer& out, const model::Schema& schema) {
   out.line();
   const std::string version = std::to_string(runtime_version);
   out.line("#if PHYSGEN_RUNTIME_VERSION != " + version);
-  out.line("#error \"" + file_of(emitter("cpp"), schema.file) + " is for version " + version +
+  out.line("#error \"" + file_name(schema.file, ending) + " is for version " + version +
            " of the physgen runtime: generate it again with the installed physgen\"");
   out.line("#endif");
   out.line();
   std::set<std::string> headers;
   for (const model::Object& object : schema.imported) {
-    if (!object.schema.empty()) headers.insert(file_of(emitter("cpp"), object.schema));
+    if (!object.schema.empty()) headers.insert(file_name(object.schema, ending));
   }
   for (const std::string& header : headers) out.line("#include \"" + header + "\"");
   if (!headers.empty()) out.line();
@@ -69,7 +69,7 @@ void object_code(Printer& out, const plan::Record& host, const plan::Record& cud
   out.line();
 }
 
-// What the pieces of each object are, once for all of them.
+// Explains the pieces that each object has, once for all of them.
 void explain(Printer& out) {
   const auto paragraph = [&](const char* text) {
     out.line("//");

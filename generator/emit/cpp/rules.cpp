@@ -12,7 +12,7 @@
 #include "emit/cpp/names.h"
 #include "emit/cpp/taken_names.h"
 #include "model/text.h"
-#include "model/validate.h"
+#include "model/limits.h"
 
 namespace physgen::emit::cpp {
 namespace {

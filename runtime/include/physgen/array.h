@@ -69,9 +69,9 @@ class Array {
   /// Bytes of memory held, padding included.
   [[nodiscard]] index_t bytes() const { return buffer_.bytes(); }
 
-  /// What kernels are given. Valid until the array is resized, moved from or destroyed.
+  /// The view that kernels are given. Valid until the array is resized, moved from or destroyed.
   [[nodiscard]] View view() { return {buffer_.data(), size_, pitch(), losses()}; }
-  [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch()}; }
+  [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch(), losses()}; }
   [[nodiscard]] ConstView const_view() const { return view(); }
 
   /// The array without its types, for copy().
@@ -80,8 +80,8 @@ class Array {
             record_bytes,   Space::kind, Object::name,          Object::template fields<Real, Formats>};
   }
 
-  /// What formats could not hold of what kernels stored here since this was last asked; all zero in builds that are not
-  /// checked. On CUDA it waits for the device. See throw_if_falsified().
+  /// Counts of the values that formats could not hold when kernels stored here, since this was last called; all zero in
+  /// builds that are not checked. On CUDA it waits for the device. See throw_if_falsified().
   [[nodiscard]] Losses take_losses() {
     return checked_build && size_ > 0 ? physgen::take_losses(*losses(), size_, Space::kind) : Losses();
   }
@@ -139,6 +139,16 @@ class Array {
   Buffer buffer_;
   index_t size_ = 0;
 };
+
+namespace detail {
+
+/// The size of an array that holds no object of its own. @throw Error when it is negative
+inline index_t checked_size(const char* object, index_t size) {
+  if (size >= 0) return size;
+  throw Error(std::string(object) + ": an array of " + std::to_string(size) + " objects cannot exist; 0 or more can");
+}
+
+}  // namespace detail
 
 /// Bytes of memory that arrays hold, padding included.
 template <class... Arrays>

@@ -1,5 +1,5 @@
-// What the storage formats of whole arrays could not hold: the counters that checked builds keep behind the objects of
-// an array, and a look before a copy.
+// Counts values that the storage formats of whole arrays could not hold: in the counters that checked builds keep
+// behind the objects of an array, and before a copy.
 #pragma once
 
 #include <physgen/losses.h>
@@ -7,7 +7,7 @@
 
 namespace physgen {
 
-/// What the formats of `to` could not hold of `from`: a look before a copy. On CUDA this is done when it returns.
+/// Counts the values of `from` that the formats of `to` could not hold, before a copy. On CUDA done when it returns.
 /// @throw Error where their fields keep copy() from copying
 /// @pre both describe the same object type; only the memory of `from` is read
 [[nodiscard]] Losses losses_of_copy(const UntypedArray& to, const UntypedArray& from, Stream stream = nullptr);

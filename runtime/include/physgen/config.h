@@ -1,6 +1,6 @@
-// What every header of the runtime needs: the function marker for host and device code, the index type, the number that
-// ties generated code to the runtime it was written for, and the constant that ties objects to the library of their
-// mode.
+// The basis of every header of the runtime: the function marker for host and device code, the index type, the number
+// that ties generated code to the runtime it was written for, and the constant that ties objects to the library of
+// their mode.
 #pragma once
 
 #if __cplusplus <= 201703L

@@ -5,10 +5,11 @@
 //     what was ordered in that stream before it, and what is ordered there later sees its result, whichever spaces are
 //     involved. So what the host does to pinned memory waits for the stream first. Ordinary host memory (Host) is
 //     worked on while a call runs, never later.
-//   - Access through a host view, a kernel on the host included, is no operation: before it, synchronize(stream).
+//   - Access through a host view, a kernel on the host included, is not an operation: call synchronize(stream) before
+//   it.
 //   - While a stream is captured in a graph, an operation that would wait or allocate throws an Error that says so, and
-//     orders nothing. What remains: copies between arrays in CUDA memory, and copies without conversion between pinned
-//     and CUDA memory; in checked builds only those of the latter kind.
+//     orders nothing. Still possible are copies between arrays in CUDA memory, and copies without conversion between
+//     pinned and CUDA memory; in checked builds only those of the latter kind.
 #pragma once
 
 #include <physgen/space.h>

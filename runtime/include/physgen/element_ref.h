@@ -26,7 +26,7 @@ inline constexpr bool is_element_ref<ElementRef<Format, T, Cursor>> = true;
 template <class T>
 concept ElementReference = is_element_ref<std::remove_cvref_t<T>>;
 
-/// What an operator calculates with: the value of a reference, anything else as it is.
+/// The operand that an operator calculates with: the value of a reference, anything else as it is.
 template <class T>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr decltype(auto) operand(T&& value) {
   if constexpr (ElementReference<T>) {
@@ -50,7 +50,7 @@ struct an_empty_value_so_use_setZero {};
 struct a_named_reference_is_not_assigned_so_write_to_the_view_itself {};
 struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
 
-/// Of references to locals of a fused kernel (fuse.h).
+/// These refuse what a local of a fused kernel (fuse.h) does not have.
 template <class Ref>
 PHYSGEN_FUNCTION constexpr void refuse_masks() {
   static_assert(!Ref::of_a_local,
@@ -65,6 +65,23 @@ PHYSGEN_FUNCTION constexpr void refuse_sums() {
 }
 
 }  // namespace detail
+
+// One compound assignment of a reference `Ref`, such as `+=`, of a `Value` or, for a field that is scaled, a number. A
+// pack of integers would cut a floating number down before it calculates, gathered lanes may name one object, and a
+// named reference is not assigned: these are refused. field_ref.h undefines it.
+#define PHYSGEN_COMPOUND_ASSIGNMENT(Ref, op, Operand, calculates)                                                     \
+  PHYSGEN_FUNCTION const Ref& operator op## = (const Operand& value) const&                                           \
+    requires(calculates)                                                                                              \
+  {                                                                                                                   \
+    return write(Value(read() op value));                                                                             \
+  }                                                                                                                   \
+  template <class Number>                                                                                             \
+    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)                                               \
+  detail::integers_calculate_with_integers_so_convert_first operator op## = (Number) const& = delete;                 \
+  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator op## = (const Operand&)& = delete;   \
+  detail::lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index operator op## = (const Operand&) const& \
+    requires(Cursor::gathered)                                                                                        \
+  = delete;
 
 /// @tparam Format of the element (format.h)
 /// @tparam T the type computed with
@@ -91,70 +108,22 @@ class ElementRef {
   PHYSGEN_FUNCTION const ElementRef& operator=(const Value& value) const& { return write(value); }
   /// Copies the element.
   PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef&& other) const& { return write(other.read()); }
-  PHYSGEN_FUNCTION const ElementRef& operator+=(const Value& value) const&
-    requires(!Cursor::gathered)
-  {
-    return write(Value(read() + value));
-  }
-  PHYSGEN_FUNCTION const ElementRef& operator-=(const Value& value) const&
-    requires(!Cursor::gathered)
-  {
-    return write(Value(read() - value));
-  }
-  PHYSGEN_FUNCTION const ElementRef& operator*=(const Value& value) const&
-    requires(!Cursor::gathered)
-  {
-    return write(Value(read() * value));
-  }
-  PHYSGEN_FUNCTION const ElementRef& operator/=(const Value& value) const&
-    requires(!Cursor::gathered)
-  {
-    return write(Value(read() / value));
-  }
+  PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, +, Value, !Cursor::gathered)
+  PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, -, Value, !Cursor::gathered)
+  PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, *, Value, !Cursor::gathered)
+  PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, /, Value, !Cursor::gathered)
   PHYSGEN_FUNCTION friend void swap(const ElementRef& a, const ElementRef& b) {
     const Value old = a.read();
     a.write(b.read());
     b.write(old);
   }
 
-  // A pack of integers would cut a floating number down before it calculates.
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator+=(Number) const& = delete;
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator-=(Number) const& = delete;
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator*=(Number) const& = delete;
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator/=(Number) const& = delete;
-
-  using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
   ElementRef& operator=(const ElementRef&) & = delete;
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(const ElementRef&) const& =
       delete;
-  NotAssigned operator=(const Value&) & = delete;
-  NotAssigned operator+=(const Value&) & = delete;
-  NotAssigned operator-=(const Value&) & = delete;
-  NotAssigned operator*=(const Value&) & = delete;
-  NotAssigned operator/=(const Value&) & = delete;
-  using UseAdd = detail::lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
-  UseAdd operator+=(const Value&) const&
-    requires(Cursor::gathered)
-  = delete;
-  UseAdd operator-=(const Value&) const&
-    requires(Cursor::gathered)
-  = delete;
-  UseAdd operator*=(const Value&) const&
-    requires(Cursor::gathered)
-  = delete;
-  UseAdd operator/=(const Value&) const&
-    requires(Cursor::gathered)
-  = delete;
+  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator=(const Value&) & = delete;
 
-  /// The address of an element, of a probe alone: what any code may read and write. Nothing lies there.
+  /// The address of a probe's element, which any code may read and write. Nothing lies there.
   PHYSGEN_FUNCTION auto operator&() const&&
     requires(format::is_probe<Format>)
   {

@@ -11,55 +11,40 @@ namespace physgen {
 /// none: nothing is stored.
 enum class ElementType : std::uint8_t { float32, float64, int32, half, bfloat16, snorm16, none };
 
-/// What holds for all elements of a stored type.
+/// Facts that hold for all elements of a stored type.
 struct ElementTypeFacts {
-  int bytes;              ///< also its alignment; 0 of none
-  double relative_error;  ///< largest of an ordinary value; 0 for integers and for equal steps
-  int steps;              ///< to either side of the centre, where they are equal and errors absolute; else 0
+  int bytes;               ///< also its alignment; 0 of none
+  double relative_error;   ///< largest of an ordinary value; 0 for integers and for equal steps
+  int steps;               ///< to either side of the centre, where they are equal and errors absolute; else 0
+  std::uint64_t no_value;  ///< bits_of_no_value()
 };
 [[nodiscard]] PHYSGEN_FUNCTION constexpr ElementTypeFacts facts(ElementType type) {
   switch (type) {
     case ElementType::float32:
-      return {4, 0x1p-24, 0};
+      return {4, 0x1p-24, 0, 0x7fa00000};
     case ElementType::float64:
-      return {8, 0x1p-53, 0};
+      return {8, 0x1p-53, 0, 0x7ff4000000000000};
     case ElementType::int32:
-      return {4, 0, 0};
+      return {4, 0, 0, 0x80000000};
     case ElementType::half:
-      return {2, 0x1p-11, 0};
+      return {2, 0x1p-11, 0, 0x7d00};
     case ElementType::bfloat16:
-      return {2, 0x1p-8, 0};
+      return {2, 0x1p-8, 0, 0x7fa0};
     case ElementType::none:
-      return {0, 0, 0};
+      return {0, 0, 0, 0};
     case ElementType::snorm16:
       break;
   }
-  return {2, 0, 32767};
+  return {2, 0, 32767, 0x8000};
 }
 
 [[nodiscard]] PHYSGEN_FUNCTION constexpr int element_bytes(ElementType type) { return facts(type).bytes; }
 [[nodiscard]] PHYSGEN_FUNCTION constexpr double relative_error(ElementType type) { return facts(type).relative_error; }
 
-/// The bits of an element that has no value yet: a signalling NaN, where numbers lie in equal steps the pattern that
-/// stands for NaN, and of integers the lowest, which is no index.
+/// The bits of an element that has no value yet: a signalling NaN; of steps the pattern that stands for NaN; of
+/// integers the lowest, which is not an index.
 [[nodiscard]] PHYSGEN_FUNCTION constexpr std::uint64_t bits_of_no_value(ElementType type) {
-  switch (type) {
-    case ElementType::float32:
-      return 0x7fa00000;
-    case ElementType::float64:
-      return 0x7ff4000000000000;
-    case ElementType::half:
-      return 0x7d00;
-    case ElementType::bfloat16:
-      return 0x7fa0;
-    case ElementType::snorm16:
-      return 0x8000;
-    case ElementType::int32:
-      return 0x80000000;
-    case ElementType::none:
-      break;
-  }
-  return 0;
+  return facts(type).no_value;
 }
 
 /// The ElementType of a C++ type.

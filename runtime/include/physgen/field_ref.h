@@ -40,26 +40,11 @@ class FieldRef {
   PHYSGEN_FUNCTION const FieldRef& operator=(const Value& value) const& { return write(value); }
   /// Copies the field.
   PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef&& other) const& { return write(other.read()); }
-  PHYSGEN_FUNCTION const FieldRef& operator+=(const Value& value) const&
-    requires calculates
-  {
-    return write(Value(read() + value));
-  }
-  PHYSGEN_FUNCTION const FieldRef& operator-=(const Value& value) const&
-    requires calculates
-  {
-    return write(Value(read() - value));
-  }
-  PHYSGEN_FUNCTION const FieldRef& operator*=(const Scalar& factor) const&
-    requires calculates
-  {
-    return write(Value(read() * factor));
-  }
-  PHYSGEN_FUNCTION const FieldRef& operator/=(const Scalar& divisor) const&
-    requires calculates
-  {
-    return write(Value(read() / divisor));
-  }
+  PHYSGEN_COMPOUND_ASSIGNMENT(FieldRef, +, Value, calculates)
+  PHYSGEN_COMPOUND_ASSIGNMENT(FieldRef, -, Value, calculates)
+  PHYSGEN_COMPOUND_ASSIGNMENT(FieldRef, *, Scalar, calculates)
+  PHYSGEN_COMPOUND_ASSIGNMENT(FieldRef, /, Scalar, calculates)
+#undef PHYSGEN_COMPOUND_ASSIGNMENT
   PHYSGEN_FUNCTION const FieldRef& setZero() const&
     requires(!is_rotation)
   {
@@ -78,44 +63,13 @@ class FieldRef {
     b.write(old);
   }
 
-  // A pack of integers would cut a floating number down before it calculates.
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator+=(Number) const& = delete;
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator-=(Number) const& = delete;
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator*=(Number) const& = delete;
-  template <class Number>
-    requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)
-  detail::integers_calculate_with_integers_so_convert_first operator/=(Number) const& = delete;
   /// `= {}` would store an Eigen value that nothing has initialised.
   void operator=(std::initializer_list<detail::an_empty_value_so_use_setZero>) const& = delete;
 
-  using NotAssigned = detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself;
   FieldRef& operator=(const FieldRef&) & = delete;
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(const FieldRef&) const& =
       delete;
-  NotAssigned operator=(const Value&) & = delete;
-  NotAssigned operator+=(const Value&) & = delete;
-  NotAssigned operator-=(const Value&) & = delete;
-  NotAssigned operator*=(const Scalar&) & = delete;
-  NotAssigned operator/=(const Scalar&) & = delete;
-  using UseAdd = detail::lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
-  UseAdd operator+=(const Value&) const&
-    requires(Cursor::gathered)
-  = delete;
-  UseAdd operator-=(const Value&) const&
-    requires(Cursor::gathered)
-  = delete;
-  UseAdd operator*=(const Scalar&) const&
-    requires(Cursor::gathered)
-  = delete;
-  UseAdd operator/=(const Scalar&) const&
-    requires(Cursor::gathered)
-  = delete;
+  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator=(const Value&) & = delete;
 
   /// Element k in storage order: T& where memory holds T (const T& in a read-only array), else a stand-in.
   /// @pre 0 <= k < the number of stored elements
@@ -152,7 +106,7 @@ class FieldRef {
   template <class Range>
   PHYSGEN_FUNCTION void add(const Range& range, const Value& value) const {
     detail::refuse_sums<FieldRef>();
-    static_assert(!is_rotation, "the sum of two rotations is none");
+    static_assert(!is_rotation, "the sum of two rotations is not a rotation");
     if constexpr (format::is_probe<Format>) {
       write(Value(read() + value));
     } else {
@@ -240,18 +194,16 @@ PHYSGEN_FUNCTION void swap(FieldRef<Shape, FormatA, T, CursorA>&& a, FieldRef<Sh
   std::move(b) = old;
 }
 
-template <class A, class B>
-  requires detail::SomeFieldReference<A, B>
-detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator+(A&&, B&&) = delete;
-template <class A, class B>
-  requires detail::SomeFieldReference<A, B>
-detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator-(A&&, B&&) = delete;
-template <class A, class B>
-  requires detail::SomeFieldReference<A, B>
-detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator*(A&&, B&&) = delete;
-template <class A, class B>
-  requires detail::SomeFieldReference<A, B>
-detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator/(A&&, B&&) = delete;
+// Fields do not calculate; PHYSGEN_REFUSED_OPERATOR is undefined below.
+#define PHYSGEN_REFUSED_OPERATOR(op)          \
+  template <class A, class B>                 \
+    requires detail::SomeFieldReference<A, B> \
+  detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator op(A&&, B&&) = delete;
+PHYSGEN_REFUSED_OPERATOR(+)
+PHYSGEN_REFUSED_OPERATOR(-)
+PHYSGEN_REFUSED_OPERATOR(*)
+PHYSGEN_REFUSED_OPERATOR(/)
+#undef PHYSGEN_REFUSED_OPERATOR
 template <detail::SomeFieldReference A>
 detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator-(A&&) = delete;
 

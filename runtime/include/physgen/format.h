@@ -3,7 +3,7 @@
 // The library's are Native, Float32, Float64, Half<k>, Bfloat16, Snorm16<Interval{low, high}>, Scaled<Base,
 // Affine{scale, centre}>, and Quaternion<Component> for rotations. Their meaning is data, so that they are converted
 // everywhere: by accessors, packs, kernels and copies, on the host and on the device. Nothing and Pruned<Scene, Array,
-// Field> store no bytes: for fields that a program does not read. What is a unit or an offset needs no more:
+// Field> store no bytes: for fields that a program does not read. A unit or an offset needs no more:
 //
 //   using Kilometres = physgen::format::Scaled<physgen::format::Float32, physgen::format::Affine{.scale = 1000}>;
 //
@@ -26,7 +26,7 @@
 //   struct Compact : model::RodFormats<physgen::Host> { using length = Rooted; };
 //   model::RodArray<float, physgen::Host, physgen::Soa, Compact> rods(n);
 //
-// Its two functions are all that counts: accessors, packs and kernels call them, on the device too where they are
+// Only its two functions count: accessors, packs and kernels call them, on the device too where they are
 // marked PHYSGEN_FUNCTION; copies between host arrays, to the device and from there, getdata(), putdata() and initial
 // values call them on the host. Only a copy from one array in CUDA memory to another that must change such a field is
 // refused, by an Error that names the field. `type` gives the size of what is stored, and the precision that checked

@@ -1,5 +1,5 @@
-// Several kernels as one, which stores nothing of what only they share: `fuse(locals(F, svd), first, second, third)`.
-// What stands in a local takes the place of an array: in registers of a CUDA thread, in a tile of W objects on the
+// Several kernels as one, which stores none of the objects that only they share: `fuse(locals(F, svd), first, second,
+// third)`. A local takes the place of an array: it lies in registers of a CUDA thread, or in a tile of W objects on the
 // stack of a CPU's thread. Kernels are the same as over arrays, and their results have the same bits (where compilers
 // contract no products with sums across them: -ffp-contract=off, --fmad=false).
 //
@@ -16,8 +16,8 @@ namespace physgen {
 /// The formats that the schema states for the space in which a kernel runs.
 struct FormatsOfSpace;
 
-/// What fused kernels take in the place of a view, made by local(). It is empty, and holds no object: each call of a
-/// fused kernel has its own. A kernel writes local[i] before a later one of the group reads it.
+/// Takes the place of a view in fused kernels; local() makes it. It is empty: each call of a fused kernel has objects
+/// of its own. A step writes local[i] before a later step reads it.
 template <class Object, class Real, class Formats, class Tag>
 struct Local {
   using Precision = Real;
@@ -34,12 +34,15 @@ struct Local {
       return (*this)[i.index];
     }
   }
+  /// Other objects, of which there is none: who uses a field of them does not compile.
   template <class I>
     requires(!detail::is_own<I>)
-  void operator[](const I& /*i*/) const {
-    static_assert(detail::is_own<I>,
-                  "a local of fuse() has the objects at the kernel's own index alone, local[i]; what other objects or "
-                  "other kernels read needs an array");
+  [[nodiscard]] PHYSGEN_FUNCTION auto operator[](const I& /*i*/) const {
+    using Cursor = detail::NotInLocal<Local, std::remove_cvref_t<detail::Operand<I>>>;
+    using FormatsHere =
+        typename std::conditional_t<std::is_same_v<Formats, FormatsOfSpace>,
+                                    std::type_identity<FormatsOf<Object, Host>>, std::type_identity<Formats>>::type;
+    return typename Object::template Ref<Real, FormatsHere, Cursor>(Cursor());
   }
   /// All fields of object(s) i, by value.
   template <class I>
@@ -71,7 +74,7 @@ template <class... Object, class... Real, class... Formats, class... Tag>
   return {};
 }
 
-/// What fuse() makes: a kernel.
+/// The kernel that fuse() makes.
 template <class LocalList, class... Step>
 struct Fused;
 template <class... Local, class... Step>
@@ -103,7 +106,7 @@ struct Fused<Locals<Local...>, Step...> {
 ///
 /// Steps are kernels that take packs. They read and write the locals at their own index, local[i]; each field is
 /// written, by an assignment that all objects run through, before it is read. In checked builds locals begin as
-/// signalling NaN, index fields as the lowest integer. What a local's format cannot hold is not counted.
+/// signalling NaN, index fields as the lowest integer. Values that a local's format cannot hold are not counted.
 /// @param steps their Scalars may differ; packs are as wide as the widest makes them
 template <class... Local, class... Step>
 [[nodiscard]] constexpr Fused<Locals<Local...>, Step...> fuse(Locals<Local...> /*locals*/, const Step&... steps) {

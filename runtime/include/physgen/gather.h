@@ -51,7 +51,7 @@ void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array,
       detail::host_loop(chunk.size(), [&](index_t i) { chunk.put(i, object_of(begin + i)); });
       losses.add(of_chunk, begin);
     }
-    synchronize(stream);  // what failed shows here, before a fresh array takes the place of the old one
+    synchronize(stream);  // failures show here, before a fresh array takes the place of the old one
     throw_if_falsified(losses, target);
     if (!in_place) array = std::move(fresh);
   }

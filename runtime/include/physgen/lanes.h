@@ -1,5 +1,6 @@
-// What a kernel asks of its index, in one form for single objects, packs and CUDA threads: which lanes are objects of
-// its range, their numbers, and questions to all of them. simd_lanes.h has the forms for packs.
+// Questions that a kernel asks of its index, in one form for single objects, packs and CUDA threads: which lanes are
+// objects of its range, which numbers they have, and whether a condition holds for them. simd_lanes.h has the forms for
+// packs.
 #pragma once
 
 #include <physgen/element_ref.h>
@@ -20,7 +21,7 @@ namespace physgen {
 
 namespace detail {
 
-/// @throw Error when `last`, an object's number, is no 32-bit number; on the device a message and a trap
+/// @throw Error when `last`, an object's number, is not a 32-bit number; on the device a message and a trap
 PHYSGEN_FUNCTION inline void check_number(index_t last) {
   if (last <= std::numeric_limits<std::int32_t>::max()) return;
 #ifdef __CUDA_ARCH__
@@ -36,7 +37,7 @@ PHYSGEN_FUNCTION inline void check_number(index_t last) {
 
 }  // namespace detail
 
-/// Which lanes of T are objects of the kernel's range: `true`, or for packs a mask. `wanted<Scalar>(i)`.
+/// Tells which lanes of T are objects of the kernel's range: `true`, or for packs a mask. `wanted<Scalar>(i)`.
 template <class T, std::integral I>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr bool wanted(I /*i*/) {
   return true;
@@ -72,7 +73,7 @@ template <std::integral I, class T>
   return value;
 }
 
-// In a fused kernel: what the index that it holds says.
+// The index of a fused kernel answers as the one that it holds.
 template <class T, class I, class Frame>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr auto wanted(const Own<I, Frame>& i) {
   return wanted<T>(i.index);

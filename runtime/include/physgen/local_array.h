@@ -4,8 +4,6 @@
 
 #include <physgen/fuse.h>
 
-#include <string>
-
 namespace physgen {
 
 /// In the place of Array. Its view() is given to locals(...) and to the steps of a fused kernel, in which values are
@@ -28,18 +26,12 @@ class LocalArray<Array<Object_, Real, Space, Layout, Formats_>, Tag> {
 
   [[nodiscard]] index_t size() const { return size_; }
   [[nodiscard]] static constexpr index_t bytes() { return 0; }
-  /// Of which so many objects are none.
+  /// The records that hold so many objects: none.
   [[nodiscard]] static constexpr index_t records(index_t /*objects*/) { return 0; }
   [[nodiscard]] View view() const { return {}; }
   [[nodiscard]] ConstView const_view() const { return {}; }
 
-  void resize(index_t size) {
-    if (size < 0) {
-      throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) +
-                  " objects cannot exist; 0 or more can");
-    }
-    size_ = size;
-  }
+  void resize(index_t size) { size_ = detail::checked_size(Object::name, size); }
 
  private:
   index_t size_ = 0;

@@ -1,5 +1,5 @@
-// What storage formats could not hold. Checked builds count it wherever elements are stored, and remember the place of
-// the first value, in the order of the objects, that is wrong and of the first one that is imprecise.
+// Counts values that storage formats could not hold. Checked builds do so wherever elements are stored, and remember
+// the place of // the first value, in the order of the objects, that is wrong and of the first one that is imprecise.
 #pragma once
 
 #include <physgen/config.h>
@@ -10,14 +10,14 @@ namespace physgen {
 
 /// Counts of one array since it was made or last asked (Array::take_losses), or of one copy.
 struct Losses {
-  /// Where a loss was: of its kind, the one of the smallest object number, and of the smallest offset there; so the
-  /// same one however many threads stored.
+  /// The place of a loss: of its kind, the one with the smallest object number, and with the smallest offset there. So
+  /// it is the same one however many threads stored.
   struct Place {
-    unsigned long long order = ~0ULL;  ///< grows with object and offset; the largest number: there is none
+    unsigned long long order = ~0ULL;  ///< grows with object and offset; the largest number where nothing is known
     unsigned int busy = 0;             ///< a thread is writing the others
     int offset = 0;                    ///< of the element in the record [bytes]
     index_t object = 0;                ///< the object's number
-    double value = 0;                  ///< what was to be stored; of a matrix, the largest deviation from a rotation
+    double value = 0;                  ///< the value to be stored; of a matrix, the largest deviation from a rotation
 
     [[nodiscard]] PHYSGEN_FUNCTION bool known() const { return order != ~0ULL; }
     /// Object and offset in one number; of places that it cannot tell apart, those beyond 2^40 objects or 8 MiB of a
@@ -31,19 +31,19 @@ struct Losses {
 
   unsigned long long out_of_range = 0;    ///< finite, and stored as infinity or as the end of the range
   unsigned long long not_a_number = 0;    ///< NaN or infinite values, stored in 16 bits
-  unsigned long long not_a_rotation = 0;  ///< matrices, or stored quaternions, that are no rotation
+  unsigned long long not_a_rotation = 0;  ///< matrices, or stored quaternions, that are not rotations
   unsigned long long imprecise = 0;       ///< kept with a larger relative error than relative_error() of the type
   Place first;                            ///< of the upper three
   Place first_imprecise;
   unsigned long long worst = 0;  ///< see worst_relative_error()
-  index_t objects = 0;           ///< of the array; what kernels store behind them, in padding, does not count
+  index_t objects = 0;           ///< of the array; stores behind them, in padding, do not count
 
-  /// How many values are wrong, not only imprecise.
+  /// The number of values that are wrong, not only imprecise.
   [[nodiscard]] unsigned long long falsified() const { return out_of_range + not_a_number + not_a_rotation; }
-  /// Of the imprecise values. 1 where one became 0.
+  /// The worst error of the imprecise values; 1 where one became 0.
   [[nodiscard]] double worst_relative_error() const { return std::bit_cast<double>(worst); }
 
-  /// Adds what was counted elsewhere. @param further added to object numbers of `other`
+  /// Adds counts made elsewhere. @param further added to object numbers of `other`
   void add(const Losses& other, index_t further = 0) {
     out_of_range += other.out_of_range;
     not_a_number += other.not_a_number;

@@ -14,11 +14,11 @@
 
 namespace physgen::math {
 
-// Of single numbers; xsimd has the same for packs, but for those that simd_functions.h mends. Errors of packs in units
-// in the last place, the worst of 1e6 arguments in each of three ranges, for float and double, SSE4, AVX2 and AVX-512:
-// sqrt, floor, ceil, trunc, round, abs, copysign and fmod exact or rounded once; pow 0.51; log, log1p 0.9; exp, sinh,
-// cosh, tanh, hypot, sin, cos, acos, expm1 2.3; asin, atan, atan2 2.6; cbrt 3.2; tan 3.3; sin, cos and tan take
-// arguments of any size. pow and fmod call the C library lane by lane. NaN, infinities and zeros give what the C
+// These take single numbers; xsimd has the same for packs, but for those that simd_functions.h mends. Errors of packs
+// in units in the last place, the worst of 1e6 arguments in each of three ranges, for float and double, SSE4, AVX2 and
+// AVX-512: sqrt, floor, ceil, trunc, round, abs, copysign and fmod exact or rounded once; pow 0.51; log, log1p 0.9;
+// exp, sinh, cosh, tanh, hypot, sin, cos, acos, expm1 2.3; asin, atan, atan2 2.6; cbrt 3.2; tan 3.3; sin, cos and tan
+// take arguments of any size. pow and fmod call the C library lane by lane. NaN, infinities and zeros give what the C
 // library gives, but packs lose the sign of a zero in expm1 and log1p, and before SSE4 in floor, ceil, trunc and round.
 // Errors of single numbers are the C library's, and on a device those of CUDA's manual. So last bits differ between
 // packs, single numbers and CUDA, but for what is exact or rounded once.
@@ -72,7 +72,7 @@ concept PlainBeside = Number<T> && !std::is_same_v<T, S> &&
 
 // Templates, so that code which opens these namespaces in a CUDA file still means CUDA's own min and max by theirs.
 
-/// The smaller and the larger of two numbers. Which operand comes back when one is NaN is unspecified.
+/// The smaller and the larger of two numbers; either may come back when one is NaN.
 template <Number S>
 PHYSGEN_FUNCTION inline S min(const S& x, const S& y) {
   return y < x ? y : x;
@@ -138,7 +138,7 @@ struct MantissaExponent {
   S mantissa, exponent;
 };
 
-/// What generic code must know of a scalar type beyond its arithmetic; simd.h specialises it for packs.
+/// The operations that generic code needs of a scalar type beyond its arithmetic; simd.h specialises it for packs.
 template <class S>
 struct ScalarTraits {
   static_assert(std::numeric_limits<S>::is_iec559, "include <physgen/simd.h> for packs");
@@ -155,8 +155,8 @@ struct ScalarTraits {
 #endif
   }
 
-  /// The same and 1 / x as fast as the hardware has them, for what is corrected later: float to 11 bits or more,
-  /// double exact to a few eps. For normal x > 0 whose result is normal.
+  /// Fast estimates of 1 / sqrt(x) and 1 / x, to be refined by a Newton step: float has 11 bits or more, double is
+  /// exact to a few eps. For normal x > 0 whose result is normal.
   PHYSGEN_FUNCTION static S rough_inverse_sqrt(S x) { return inverse_sqrt(x); }
   PHYSGEN_FUNCTION static S rough_inverse(S x) {
 #ifdef __CUDA_ARCH__
@@ -182,7 +182,8 @@ struct ScalarTraits {
     return {std::bit_cast<S>(scale << mantissa), std::bit_cast<S>((2 * bias - scale) << mantissa)};
   }
 
-  /// Of a normal x > 0, exactly, with sqrt(1/2) <= mantissa < sqrt(2). Of any other x: some finite numbers.
+  /// Splits a normal x > 0 exactly, with sqrt(1/2) <= mantissa < sqrt(2). For other x the result is finite but
+  /// meaningless.
   PHYSGEN_FUNCTION static MantissaExponent<S> split(S x) {
     using Bits = std::conditional_t<sizeof(S) == 4, std::uint32_t, std::uint64_t>;
     using Exponent = std::conditional_t<sizeof(S) == 4, std::int32_t, std::int64_t>;

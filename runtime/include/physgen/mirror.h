@@ -1,4 +1,4 @@
-// The same objects on the host and on the device, of which a round trip moves only those that changed.
+// The same objects on the host and on the device; a round trip moves only those that changed.
 #pragma once
 
 #include <physgen/array.h>
@@ -8,15 +8,15 @@
 
 namespace physgen {
 
-/// A host array and a device array of the same objects. Who says what is written, and asks before reading, moves no
-/// more than changed:
+/// A host array and a device array of the same objects. A program that says what it writes, and asks before it reads,
+/// moves no more than changed:
 ///
 ///   Mirror<NodePositionArray<float, PinnedHost>, NodePositionArray<float, Cuda>> x(n);
 ///   auto host = x.write_host(first, last);   // moves nothing; write objects first .. last-1
 ///   auto device = x.read_device();           // moves these objects
 ///
-/// Each call names the objects that it is for; what it returns may be used for them until the next call. What lies in
-/// other objects may be out of date. A side whose objects are newer on the other must read them before it writes them,
+/// Each call names the objects that it is for; the view that it returns may be used for them until the next call. Other
+/// objects may be out of date. A side whose objects are newer on the other must read them before it writes them,
 /// so no object is ever newer on both sides.
 ///
 /// An object that one side never wrote keeps every bit that it has on the other, also where the sides differ in

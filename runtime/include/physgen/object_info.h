@@ -1,4 +1,4 @@
-// What generated code tells the runtime about an object type beyond its accessors: its fields as data.
+// The fields of an object type as data, which generated code gives the runtime beside the accessors.
 #pragma once
 
 #include <physgen/format.h>
@@ -29,7 +29,7 @@ struct FieldInfo {
   double centre;
   bool rotation;                  ///< one or an array of them
   bool quaternion;                ///< rotations, stored as w, x, y, z
-  const OwnCodec* own = nullptr;  ///< where the format is none of the library's
+  const OwnCodec* own = nullptr;  ///< where the format is not the library's
   bool pruned = false;            ///< of type none, and copies to the array leave it out
 
   /// Elements that code sees: 9 for a rotation, however it is stored.

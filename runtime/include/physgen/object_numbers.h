@@ -1,4 +1,4 @@
-// Lists of object numbers: which objects a change of topology keeps and in which order, and what their new numbers are.
+// Lists of object numbers: the objects that a change of topology keeps, their order, and their new numbers.
 #pragma once
 
 #include <physgen/config.h>

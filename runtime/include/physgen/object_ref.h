@@ -1,4 +1,4 @@
-// References to objects of an array: what all of them have in common. Generated code adds the accessors of the fields.
+// The common part of all references to objects of an array. Generated code adds the accessors of the fields.
 #pragma once
 
 #include <physgen/config.h>
@@ -14,14 +14,14 @@ concept ReadsAs = requires(const Ref& ref) {
   { ref.get() } -> std::same_as<const Value>;
 };
 
-/// How a field is stored, as a type: with this shape, in this format, computed with as T.
+/// A type that says how a field is stored: with this shape, in this format, computed with as T.
 template <class Shape, class Format, class T>
 struct StoredAs {};
 /// The same of a nested object. @tparam Object its generated tag
 template <class Object, class Formats, class Real>
 struct NestedAs {};
 
-/// What generated accessors are derived from: it stands on their object(s).
+/// The base of generated accessors, which stands on their object(s).
 template <class Cursor_>
 class OnCursor {
  public:

@@ -82,7 +82,7 @@ struct LaneRange {
   int first, last;
 };
 
-/// How many objects an index stands for.
+/// The number of objects that an index stands for.
 template <class I>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr int index_width(const I& /*i*/) {
   if constexpr (std::is_integral_v<detail::Bare<I>>) {
@@ -119,7 +119,7 @@ template <int W>
   return {at, static_cast<int>(begin > at ? begin - at : 0), static_cast<int>(end < at + W ? end - at : W)};
 }
 
-/// What an element of type T becomes under an index of type I: T itself, or a SIMD batch. Specialised in simd_cursor.h.
+/// The type of an element of type T under an index of type I: T itself, or a SIMD batch. simd_cursor.h specialises it.
 template <class T, class I>
 struct Lanes {
   static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd_access.h>");
@@ -130,7 +130,7 @@ struct Lanes<T, Own<I, Frame>> : Lanes<T, I> {};
 template <class T, class I>
 using lanes_t = typename Lanes<T, I>::type;
 
-/// The type with as many lanes as S has, but lanes of type T: float, int32_t -> int32_t. Specialised in simd_cursor.h.
+/// The type with as many lanes as S has, but lanes of type T: float, int32_t -> int32_t. simd_cursor.h specialises it.
 template <class S, class T>
 struct SameLanes {
   using type = T;
@@ -138,8 +138,7 @@ struct SameLanes {
 template <class S, class T>
 using same_lanes_t = typename SameLanes<S, T>::type;
 
-/// The type of what one lane of an S holds: S itself, or of a batch or mask that of its lanes. Specialised in
-/// simd_cursor.h.
+/// The type of one lane of an S: S itself, or that of a batch's or mask's lanes. simd_cursor.h specialises it.
 template <class S>
 struct LaneOf {
   using type = S;

@@ -40,18 +40,13 @@ template <class Real, class Body>
 /// @throw what a call throws (the first to be caught), after all other calls have been made
 template <int kLanes = 0, class Kernel>
 void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kernel) {
-  constexpr int width = [] {
-    if constexpr (kLanes == 0) {
-      return detail::default_lanes<Kernel>();
-    } else {
-      return kLanes;
-    }
-  }();
-  static_assert(padding_objects % width == 0);
+  constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
+  static_assert(width > 0 && padding_objects % width == 0,
+                "parallel_for<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes, so that each lies in the padding of arrays");
   detail::check_range_of_launch(begin);
   if (begin >= end) return;
   const detail::RunLanes outer({});  // where a kernel calls this
-  detail::RegionFailure failure;
+  detail::LaunchFailure failure;
   if constexpr (width == 1) {
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
     for (index_t i = begin; i < end; ++i) detail::call_guarded(i, failure, [&] { kernel(i); });

@@ -18,14 +18,10 @@ namespace physgen {
 template <int kLanes = 0, class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
 auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& kernel, Fold /*fold*/) {
-  constexpr int width = [] {
-    if constexpr (kLanes == 0) {
-      return detail::default_lanes<Kernel>();
-    } else {
-      return kLanes;
-    }
-  }();
-  static_assert(detail::reduce_lanes % width == 0);
+  constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
+  static_assert(
+      width > 0 && detail::reduce_lanes % width == 0,
+      "parallel_reduce<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes, so that sums have the same order for all");
   using Index = std::conditional_t<width == 1, index_t, Pack<width>>;
   using Types = detail::Reduction<Kernel, Fold, Index>;
   using Value = typename Types::Value;
@@ -36,7 +32,7 @@ auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& k
   const index_t blocks = detail::blocks_of(begin, end), first = begin / detail::reduce_block;
   const auto size = static_cast<std::size_t>(blocks);
   const auto values = std::make_unique_for_overwrite<Value[]>(size * count);  // an entry's blocks follow each other
-  detail::RegionFailure failure;
+  detail::LaunchFailure failure;
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
   for (index_t b = 0; b < blocks; ++b) {
     const index_t at = (first + b) * detail::reduce_block;

@@ -7,9 +7,9 @@
 //   ProbeOf<elasticity::TetArray<float>, Tets> tets;                        // in place of elasticity::TetArray<float>
 //   ProbeExecutor<Host> on;                                                 // in place of HostExecutor
 //   program(on, tets, ...);
-//   for (const probe::FieldAccess& row : probe::registered()) ...           // {"tets", ..., "nodes", ...}
+//   for (const probe::FieldAccess& use : probe::registered()) ...           // {"tets", ..., "nodes", ...}
 //
-// What holds:
+// Rules:
 // - A field is `read` where code that the program is made of can convert it to a value, `written` where code can store
 //   to it; `add()` and operators such as += do both. Branches are united, whatever their conditions at run time; what
 //   `if constexpr` leaves out is not there. Operands of decltype and sizeof are not read.

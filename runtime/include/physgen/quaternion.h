@@ -20,7 +20,7 @@ PHYSGEN_FUNCTION inline Quaternion<S> unit_quaternion(const Eigen::Matrix<S, 3, 
   using math::copysign, math::fma, math::max, math::select;
   using Traits = math::ScalarTraits<S>;
   const S one(typename Traits::Real(1));
-  // 4 q q^T stands in sums of entries of R. Of its four columns the one with the largest diagonal is taken, which is
+  // 4 q q^T stands in sums of entries of R. Its column with the largest diagonal is taken, which is
   // at least 1, so that nothing cancels.
   const S a = R(0, 0) + R(1, 1), b = R(0, 0) - R(1, 1);
   const S ww = (one + R(2, 2)) + a, zz = (one + R(2, 2)) - a, xx = (one - R(2, 2)) + b, yy = (one - R(2, 2)) - b;

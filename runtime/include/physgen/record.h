@@ -1,4 +1,4 @@
-// Records: where the fields of one object lie in memory, and what generated code is made of: the fields of a record,
+// Records: the places of the fields of one object in memory, and the parts of generated code: the fields of a record,
 // and the tag of an object type.
 #pragma once
 
@@ -35,7 +35,7 @@ template <class Shape, class Format, class T>
   }
 }
 
-/// Where the fields of a record lie.
+/// The places of a record's fields.
 template <int N>
 struct RecordPlan {
   std::array<int, N> offset;  ///< of each field, in order of declaration [bytes]
@@ -103,7 +103,7 @@ struct NestedField : NestedAs<Object, Formats, Real> {
   static constexpr int stride = Record::fields_::plan.stride[kNumber];
 };
 
-/// What a schema says of a field, or of a field of a nested object, that does not depend on how it is stored.
+/// The part of a schema's words on a field, or on a field of a nested object, that does not depend on its format.
 struct FieldText {
   std::string_view name;  ///< "U", "svd.U", "points[2].x"
   std::string_view unit = {};
@@ -112,7 +112,7 @@ struct FieldText {
 
 namespace detail {
 
-/// Appends what the runtime knows of fields, with the next texts, to `out`.
+/// Appends the FieldInfo of fields, with the next texts, to `out`.
 struct FieldInfos {
   const FieldText* text;
   FieldInfo* out;
@@ -144,7 +144,7 @@ template <class Record, std::size_t N>
   return infos;
 }
 
-/// What tags of object types have in common. A tag adds `name`, `texts`, `fields` and `Probe`.
+/// The base of the tags of object types. A tag adds `name`, `texts`, `fields` and `Probe`.
 /// @tparam Formats_ the same in both spaces, so that kernels may name views without saying for which space
 template <template <class> class Value_, template <class> class Formats_, template <class, class> class Record_,
           template <class, class, class> class Accessors>
@@ -190,7 +190,7 @@ template <class Object, class Real, class Formats>
   return end <= bytes;
 }
 
-/// What physgen planned of a record.
+/// A record as physgen planned it.
 struct PlannedRecord {
   int bytes;
   int alignment;

@@ -1,6 +1,6 @@
-// Folds of what a kernel returns for each object into one value: sums, extrema, conditions and counts, and the order in
-// which they are formed, which is the same everywhere. parallel_reduce.h runs them on the CPU, cuda/parallel_reduce.h
-// on a device.
+// Folds the terms that a kernel returns for each object into one value: sums, extrema, conditions and counts, and the
+// order in which they are formed, which is the same everywhere. parallel_reduce.h runs them on the CPU,
+// cuda/parallel_reduce.h on a device.
 #pragma once
 
 #include <physgen/detail/reduction.h>
@@ -19,12 +19,12 @@ namespace physgen {
 
 // A fold is a type with these members, of which a fold of your own has all, too; Number is the type of one object's
 // term: float, double, std::int32_t or bool. Folds of several terms (std::array, Eigen vectors and matrices) fold each.
-//   template <class Number> using Value         of what type the result is: trivially copyable, up to 64 bytes
+//   template <class Number> using Value         the type of the result: trivially copyable, up to 64 bytes
 //   template <class Number> identity()          the Value of no objects
 //   template <class Number> value(term, i)      the Value of object i alone
 //   join(a, b)                                  of two Values; the order above is all that is known of a and b
 
-/// The sum: of floats and doubles formed in double, of integers in 64 bits. Of none: 0. NaN where a term is one.
+/// The sum: floats and doubles are added in double, integers in 64 bits. 0 without terms; NaN where a term is NaN.
 struct Sum {
   template <class Number>
   using Value = std::conditional_t<std::is_floating_point_v<Number>, double, index_t>;
@@ -42,14 +42,17 @@ struct Sum {
   }
 };
 
-/// The largest term. Of none: -infinity, of integers the lowest. NaN where a term is one.
-struct Max {
+namespace detail {
+
+template <bool kLargest>
+struct Extremum {
   template <class Number>
   using Value = Number;
   template <class Number>
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number identity() {
     using Limits = std::numeric_limits<Number>;
-    return Limits::has_infinity ? -Limits::infinity() : Limits::lowest();
+    if constexpr (Limits::has_infinity) return kLargest ? -Limits::infinity() : Limits::infinity();
+    return kLargest ? Limits::lowest() : Limits::max();
   }
   template <class Number>
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number value(Number term, index_t /*i*/) {
@@ -57,28 +60,36 @@ struct Max {
   }
   template <class Number>
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number join(Number a, Number b) {
-    return (static_cast<int>(a > b) | static_cast<int>(a != a)) != 0 ? a : b;  // a NaN b is not below any a
+    const bool first = kLargest ? a > b : a < b;
+    return (static_cast<int>(first) | static_cast<int>(a != a)) != 0 ? a : b;  // `first` is false where b is NaN
   }
 };
 
-/// The smallest term. Of none: infinity, of integers the largest. NaN where a term is one.
-struct Min {
+template <bool kForAll>
+struct Condition {
   template <class Number>
-  using Value = Number;
+  using Value = bool;
   template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number identity() {
-    using Limits = std::numeric_limits<Number>;
-    return Limits::has_infinity ? Limits::infinity() : Limits::max();
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool identity() {
+    return kForAll;
   }
-  template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number value(Number term, index_t /*i*/) {
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool join(bool a, bool b) { return kForAll ? a && b : a || b; }
+  template <std::same_as<bool> Term>
+  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool value(Term term, index_t /*i*/) {
     return term;
   }
-  template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr Number join(Number a, Number b) {
-    return (static_cast<int>(a < b) | static_cast<int>(a != a)) != 0 ? a : b;
-  }
 };
+
+}  // namespace detail
+
+/// The largest term; without terms -infinity, of integers the lowest. NaN where a term is NaN.
+struct Max : detail::Extremum<true> {};
+/// The smallest term; without terms infinity, of integers the largest. NaN where a term is NaN.
+struct Min : detail::Extremum<false> {};
+/// Whether a condition holds for all objects; true without objects.
+struct All : detail::Condition<true> {};
+/// Whether a condition holds for any object; false without objects.
+struct Any : detail::Condition<false> {};
 
 /// A term and the number of its object.
 template <class Number>
@@ -87,8 +98,8 @@ struct Indexed {
   Number value;
 };
 
-/// The first of the objects with the largest term; a NaN counts as larger than all numbers. Of none: index -1, and the
-/// value of Max.
+/// The first of the objects with the largest term; a NaN counts as larger than all numbers. Without terms index -1, and
+/// the value of Max.
 struct Argmax {
   template <class Number>
   using Value = Indexed<Number>;
@@ -116,37 +127,7 @@ struct Argmax {
   }
 };
 
-/// Whether a condition holds for all objects. Of none: true.
-struct All {
-  template <class Number>
-  using Value = bool;
-  template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool identity() {
-    return true;
-  }
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool join(bool a, bool b) { return a && b; }
-  template <std::same_as<bool> Condition>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool value(Condition condition, index_t /*i*/) {
-    return condition;
-  }
-};
-
-/// Whether a condition holds for any object. Of none: false.
-struct Any {
-  template <class Number>
-  using Value = bool;
-  template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool identity() {
-    return false;
-  }
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool join(bool a, bool b) { return a || b; }
-  template <std::same_as<bool> Condition>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool value(Condition condition, index_t /*i*/) {
-    return condition;
-  }
-};
-
-/// For how many objects a condition holds. Of none: 0.
+/// The number of objects for which a condition holds.
 struct Count {
   template <class Number>
   using Value = index_t;

@@ -7,8 +7,9 @@
 
 namespace physgen {
 
-/// What parallel_reduce(Cuda{}, ...) keeps its parts in. Reductions that use one workspace run one after the other, in
-/// one stream; those of different streams need a workspace each. Lives as long as they, and as graphs that hold them.
+/// Memory in which parallel_reduce(Cuda{}, ...) keeps its parts. Reductions that use one workspace run one after the
+/// other, in one stream; those of different streams need a workspace each. It must outlive them, and graphs that hold
+/// them.
 class ReduceWorkspace {
  public:
   /// @param objects in the longest range that is reduced
@@ -18,8 +19,8 @@ class ReduceWorkspace {
       : parts_(SpaceKind::cuda, bytes_for(objects, value_bytes), "a workspace for reductions"),
         result_(SpaceKind::pinned, value_bytes, "the result of a reduction") {}
 
-  /// Of device memory that a reduction takes: 1/2048 of a byte per object and byte of its result, and
-  /// some hundred bytes more.
+  /// @return the device memory that a reduction takes [bytes]: objects / 2048 for each byte of its result, and some
+  /// hundred more
   [[nodiscard]] static index_t bytes_for(index_t objects, index_t value_bytes) {
     constexpr index_t limit = std::numeric_limits<index_t>::max() / 64;
     if (objects < 0 || value_bytes < 1 || value_bytes > limit / (objects / detail::reduce_block + 2)) {

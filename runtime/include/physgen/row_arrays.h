@@ -14,7 +14,7 @@
 
 namespace physgen {
 
-/// What the entries of rows name.
+/// The objects that entries of rows name.
 struct RowTargets {
   std::string field;  ///< of the entries, which holds the numbers: "element", or "pair.node" of a nested object
   index_t count;      ///< objects of the set: numbers are 0 .. count-1
@@ -46,7 +46,7 @@ class RowArrays {
   RowArrays() = default;
 
   /// Takes over arrays that were filled elsewhere, such as on the device. Rows may leave out entries, and share some.
-  /// @throw Error naming row, entry and number when a row is no range of the entries, or an entry names no target
+  /// @throw Error naming row, entry and number when a row is not a range of the entries, or an entry names no target
   RowArrays(RowTargets targets, Ranges ranges, Entries entries)
       : targets_(std::move(targets)), ranges_(std::move(ranges)), entries_(std::move(entries)) {
     check();
@@ -106,13 +106,13 @@ class RowArrays {
   [[nodiscard]] const RowTargets& targets() const { return targets_; }
   [[nodiscard]] const Ranges& ranges() const { return ranges_; }
   [[nodiscard]] const Entries& entries() const { return entries_; }
-  /// What kernels are given; they may write the entries' fields. See check().
+  /// The view that kernels are given; they may write the entries' fields. See check().
   [[nodiscard]] View view() { return {ranges_.const_view(), entries_.view(), targets_.count}; }
   [[nodiscard]] ConstView view() const { return const_view(); }
   [[nodiscard]] ConstView const_view() const { return {ranges_.const_view(), entries_.const_view(), targets_.count}; }
 
-  /// Checks all rows anew, after a kernel has written entries.
-  /// @throw Error naming row, entry and number when a row is no range of the entries, or an entry names no target
+  /// Checks all rows again, after a kernel has written entries.
+  /// @throw Error naming row, entry and number when a row is not a range of the entries, or an entry names no target
   void check() const { detail::check_rows(rows_on_host(), on_host(entries_).untyped(), targets_); }
 
   /// Row i becomes the old row order[i]. @throw Error when `order` does not name each row once
@@ -156,7 +156,7 @@ class RowArrays {
   template <class Given>
   [[nodiscard]] static HostForm<Given> on_host(const Given& array) {
     HostForm<Given> host(array.size());
-    if constexpr (device_accessible(Space::kind)) synchronize();  // what was ordered before may still write it
+    if constexpr (device_accessible(Space::kind)) synchronize();  // work that was ordered before may still write it
     copy(host, array);
     if constexpr (device_accessible(Space::kind)) synchronize();
     return host;
@@ -206,7 +206,7 @@ class RowArrays {
     const detail::ChosenRows chosen =
         detail::choose_rows(rows_on_host(), old.untyped(), targets_.field, order, new_number);
     HostEntries entries(static_cast<index_t>(chosen.entries.size()));
-    detail::pick_records(entries.untyped(), old.untyped(), chosen.entries);
+    detail::pick(entries.untyped(), old.untyped(), detail::Numbers(chosen.entries, {}));
     if (new_number) physgen::renumber(entries.untyped(), targets_.field, *new_number);
     replace(chosen.rows, entries);
     targets_.count = targets;

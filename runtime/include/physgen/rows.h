@@ -1,5 +1,5 @@
 // Rows: a list of entries, of any length, for each object of a set: the tets of a node, the neighbours of a particle,
-// contacts. What kernels hold of them; row_arrays.h makes and changes them.
+// contacts. Kernels hold them; row_arrays.h makes and changes them.
 #pragma once
 
 #include <physgen/detail/row_visit.h>
@@ -13,7 +13,8 @@ namespace physgen {
 /// A trivially copyable value, as views are. Row i has the entries begin .. end-1 of its range: objects of a generated
 /// type of one's own, such as elasticity::Incidence, which say by an Index which object of another set (or of the same)
 /// they mean. Ranges are objects like all others of their set, so the set is permuted, compacted and appended to
-/// without moving an entry; that is why they have a begin and an end, and are no list of offsets with one number more.
+/// without moving an entry; that is why they have a begin and an end, and are not a list of offsets with one number
+/// more.
 ///
 /// All functions take the index that a kernel is called with: one object (a CUDA thread, too), a Pack or a PartialPack.
 /// Entries of a row come in ascending order, so sums have the same bits under each of them.

@@ -1,4 +1,4 @@
-// What generated code includes: views, arrays and everything they are made of, but neither SIMD nor CUDA headers.
+// Generated code includes this: views, arrays and everything they are made of, but neither SIMD nor CUDA headers.
 #pragma once
 
 #include <physgen/array.h>

@@ -1,6 +1,6 @@
-// The words a scene is declared in: which arrays a program works on, what it is given and what is wanted of it. physgen
-// instantiates the program, finds which fields of which arrays it reads and writes, and writes a header with exactly
-// those. To other compilers the macros are empty and arrays are plain markers.
+// The words in which a scene is declared: the arrays of a program, those that it is given and those that are wanted.
+// physgen instantiates the program, finds which fields of which arrays it reads and writes, and writes a header with
+// exactly those. To other compilers the macros are empty and arrays are plain markers.
 //
 //   #include <physgen/scene.h>
 //   #include <elasticity.physgen.h>
@@ -48,7 +48,7 @@ template <class Object_, class Real_>
 struct Array {
   using Object = Object_;
   using Real = Real_;
-  /// What physgen reads of its objects.
+  /// The fields of its objects, which physgen reads.
   static constexpr auto fields = Object::template fields<Real, typename Object::template Formats<Host>>;
   static_assert(fields.size() > 0);
 };
@@ -80,8 +80,8 @@ template <class... Text>
 }
 }  // namespace detail
 
-/// How many objects there are: as many as the set has that the text names, such as "tet" or "node". Whoever allocates
-/// the group says how many these are.
+/// As many objects as the set has that the text names, such as "tet" or "node". Whoever allocates the group says how
+/// many these are.
 [[nodiscard]] constexpr detail::Per per(const char* set) { return {set, 0}; }
 /// The same number always: per(1) is for the numbers that a program keeps once.
 [[nodiscard]] constexpr detail::Per per(int count) { return {nullptr, count}; }
@@ -99,7 +99,7 @@ template <class... Text>
   return {detail::names(fields...)};
 }
 
-/// One record for all objects: what is the same for each of them. The program only reads it.
+/// One record for all objects, which are all the same. The program only reads it.
 [[nodiscard]] constexpr detail::Uniform uniform() { return {}; }
 
 }  // namespace physgen::scene

@@ -1,4 +1,4 @@
-// What the generated arrays of scenes are made of: arrays in other layouts and formats, arrays that programs only read,
+// The parts of the generated arrays of scenes: arrays in other layouts and formats, arrays that programs only read,
 // one record for all objects, and fields that begin as signalling NaN in checked builds.
 #pragma once
 
@@ -37,8 +37,8 @@ using WithFormats = typename detail::WithFormats<Array, Formats>::type;
 template <class Array, class Layout>
 using WithLayout = typename detail::WithLayout<Array, Layout>::type;
 
-/// How a group of a scene stores its arrays: as the schemas of their objects say. A struct of one's own in its place
-/// has another array of the same objects for some:
+/// Stores the arrays of a scene's group as the schemas of their objects say. A struct of one's own in its place has
+/// another array of the same objects for some:
 ///   struct EdgesInHalf {
 ///     template <class Tag, class Array>
 ///     using Of = std::conditional_t<is_named<Tag>("level.edges"), WithFormats<Array, HalfFormats>, Array>;
@@ -64,7 +64,7 @@ using StoredArray = typename Stored::template Of<Tag, Array>;
 template <class Array, template <class Formats> class Pruning>
 using PrunedArray = WithFormats<Array, Pruning<typename Array::Formats>>;
 
-/// An array that programs read and do not write: its views are read-only. Who fills it copies to it, or takes
+/// An array that programs read and do not write: its views are read-only. It is filled by copies, or through
 /// contents().
 template <class Array>
 class ReadOnlyArray : public Array {
@@ -73,7 +73,7 @@ class ReadOnlyArray : public Array {
   using Array::Array;
 
   [[nodiscard]] View view() const { return this->const_view(); }
-  /// The array as whoever fills it sees it.
+  /// The array, to be filled.
   [[nodiscard]] Array& contents() { return *this; }
 };
 
@@ -96,20 +96,16 @@ class UniformArray<Array<Object_, Real, Space, Layout, Formats_>> {
   [[nodiscard]] index_t size() const { return size_; }
   /// Bytes of memory held, padding included.
   [[nodiscard]] index_t bytes() const { return record_.bytes(); }
-  /// Of which so many objects are one.
+  /// The records that hold so many objects: one, or none of no objects.
   [[nodiscard]] static constexpr index_t records(index_t objects) { return std::min(objects, index_t{1}); }
   [[nodiscard]] View view() const { return {record_.untyped().base, size_, 1}; }
   [[nodiscard]] View const_view() const { return view(); }
-  /// The record, as an array of one object, or of none before there were objects: for whoever fills it.
+  /// The record, to be filled: an array of one object, or of none before there were objects.
   [[nodiscard]] Record& contents() { return record_; }
 
   /// The record keeps its values, also while there are no objects.
   void resize(index_t size) {
-    if (size < 0) {
-      throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) +
-                  " objects cannot exist; 0 or more can");
-    }
-    if (size > 0) record_.resize(1);
+    if (detail::checked_size(Object::name, size) > 0) record_.resize(1);
     size_ = size;
   }
 
@@ -132,8 +128,8 @@ namespace detail {
 
 }  // namespace detail
 
-/// Gives the elements of these fields, in all objects of an array, bits_of_no_value() in place of their values. What
-/// lies behind the last object stays.
+/// Gives the elements of these fields, in all objects of an array, bits_of_no_value() in place of their values.
+/// The padding behind the last object stays.
 /// @param fields by name; that of a fixed array of nested objects, "points.x", means all entries
 /// @throw Error when the array has no field of such a name
 inline void start_without_values(const UntypedArray& array, std::initializer_list<std::string_view> fields) {
@@ -163,7 +159,7 @@ inline void start_without_values(const UntypedArray& array, std::initializer_lis
   copy_memory(array.base, array.space, image.base, SpaceKind::host, array.bytes());
 }
 
-/// What an array of so many objects holds: its bytes(), without making it. @pre objects >= 0
+/// The bytes() that an array of so many objects would have, without making it. @pre objects >= 0
 template <class Array>
 [[nodiscard]] constexpr index_t bytes_of_array(index_t objects) {
   if constexpr (requires { typename Array::Record; }) {
@@ -185,9 +181,9 @@ void allocate(Array& array, index_t size, [[maybe_unused]] std::initializer_list
     if (written_first.size() == 0) return;
     if constexpr (requires { array.untyped(); }) {
       start_without_values(array.untyped(), written_first);
-    } else {
+    } else if constexpr (requires { array.contents(); }) {
       start_without_values(array.contents().untyped(), written_first);
-    }
+    }  // a LocalArray holds nothing: each call of the fused kernel begins so
   }
 }
 

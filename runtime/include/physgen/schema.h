@@ -133,12 +133,12 @@ inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
 /// The elements' meaningful values, both ends included, in the field's unit.
 [[nodiscard]] constexpr detail::Range range(double low, double high) { return {low, high}; }
 
-// How elements are stored, apart from the precision that they are computed with:
+// Ways to store elements, apart from the precision that they are computed with:
 /// In single or double precision, whatever the scene chooses.
 inline constexpr detail::Storage float32{detail::Encoding::float32, 0};
 inline constexpr detail::Storage float64{detail::Encoding::float64, 0};
-/// IEEE half: 11 significant bits up to 65504, relative error 4.9e-4. With a range(...), scaled by the power of two
-/// that brings its larger end to 32768.
+/// IEEE half: 11 significant bits up to 65504, relative error 4.9e-4. With a range(...), elements are scaled by the
+/// power of two that brings its larger end to 32768.
 inline constexpr detail::Storage half{detail::Encoding::half, 0};
 /// 8 significant bits with the range of float: relative error 3.9e-3.
 inline constexpr detail::Storage bfloat16{detail::Encoding::bfloat16, 0};
@@ -149,11 +149,11 @@ inline constexpr detail::Storage snorm16{detail::Encoding::snorm16, 0};
   return {component.encoding, component.quaternions + 1};
 }
 
-/// How the field is stored in a space, where the program does not choose otherwise: format(cuda, half). Kernels read
-/// and write the same values; what a format cannot hold is rounded, or, beyond its range, lost.
+/// Chooses how the field is stored in a space, where the program does not choose otherwise: format(cuda, half). Kernels
+/// read and write the same values; those that a format cannot hold are rounded, or, beyond its range, lost.
 [[nodiscard]] constexpr detail::Format format(detail::Space space, detail::Storage storage) { return {space, storage}; }
 
-/// What every element of the field is in a new object; 0 where nothing is said.
+/// The value of every element of the field in a new object; 0 without this option.
 [[nodiscard]] constexpr detail::Initial initial(double value) { return {value}; }
 
 }  // namespace physgen::schema

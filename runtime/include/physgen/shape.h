@@ -49,18 +49,21 @@ using Vector = Matrix<N, 1>;
 /// Rotation stored as its 3x3 matrix. @pre the matrix is orthogonal with determinant +1; not checked
 struct Rotation : Matrix<3, 3> {};
 
-/// Symmetric N x N matrix: the lower triangle, column by column (xx yx zx yy zy zz). The value is the full matrix; of a
-/// value that is stored, the lower triangle is taken.
-template <int N>
-struct Symmetric {
+/// N x N matrix of which a triangle is stored, column by column: without its diagonal where the matrix is skew. The
+/// value is the full matrix; storing a value takes that triangle.
+template <int N, bool kSkew>
+struct Triangle {
   static constexpr bool is_scalar = false;
-  static constexpr bool is_skew = false;
-  static constexpr int count = N * (N + 1) / 2;
+  static constexpr bool is_skew = kSkew;
+  static constexpr int first_row = kSkew ? 1 : 0;  ///< of column 0
+  static constexpr int count = N * (N + 1 - 2 * first_row) / 2;
   template <class S>
   using Value = Eigen::Matrix<S, N, N>;
 
+  /// @pre r > c where the matrix is skew
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr int index(int r, int c) {
-    return r >= c ? c * N - c * (c - 1) / 2 + (r - c) : index(c, r);
+    if (!kSkew && r < c) return index(c, r);
+    return c * (N - first_row) - c * (c - 1) / 2 + (r - c - first_row);
   }
 
   template <class S, class Elements>
@@ -68,10 +71,15 @@ struct Symmetric {
     Value<S> m;
     PHYSGEN_UNROLL
     for (int c = 0; c < N; ++c) {
+      if constexpr (kSkew) m(c, c) = S(0);
       PHYSGEN_UNROLL
-      for (int r = c; r < N; ++r) {
+      for (int r = c + first_row; r < N; ++r) {
         m(r, c) = elements[index(r, c)];
-        m(c, r) = m(r, c);
+        if constexpr (kSkew) {
+          m(c, r) = -m(r, c);
+        } else {
+          m(c, r) = m(r, c);
+        }
       }
     }
     return m;
@@ -81,52 +89,21 @@ struct Symmetric {
     PHYSGEN_UNROLL
     for (int c = 0; c < N; ++c) {
       PHYSGEN_UNROLL
-      for (int r = c; r < N; ++r) elements[index(r, c)] = m(r, c);
+      for (int r = c + first_row; r < N; ++r) elements[index(r, c)] = m(r, c);
     }
   }
 };
+
+/// Symmetric N x N matrix: xx yx zx yy zy zz.
+template <int N>
+struct Symmetric : Triangle<N, false> {};
+
+/// Skew-symmetric N x N matrix: yx zx zy.
+template <int N>
+struct Skew : Triangle<N, true> {};
 
 /// Diagonal N x N matrix: its N diagonal entries. The value is the vector of them; value.asDiagonal() is the matrix.
 template <int N>
 struct Diagonal : Matrix<N, 1> {};
-
-/// Skew-symmetric N x N matrix: the strictly lower triangle, column by column. The value is the full matrix; of a value
-/// that is stored, the strictly lower triangle is taken.
-template <int N>
-struct Skew {
-  static constexpr bool is_scalar = false;
-  static constexpr bool is_skew = true;
-  static constexpr int count = N * (N - 1) / 2;
-  template <class S>
-  using Value = Eigen::Matrix<S, N, N>;
-
-  /// @pre r > c
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr int index(int r, int c) {
-    return c * (N - 1) - c * (c - 1) / 2 + (r - c - 1);
-  }
-
-  template <class S, class Elements>
-  [[nodiscard]] PHYSGEN_FUNCTION static Value<S> value(const Elements& elements) {
-    Value<S> m;
-    PHYSGEN_UNROLL
-    for (int c = 0; c < N; ++c) {
-      m(c, c) = S(0);
-      PHYSGEN_UNROLL
-      for (int r = c + 1; r < N; ++r) {
-        m(r, c) = elements[index(r, c)];
-        m(c, r) = -m(r, c);
-      }
-    }
-    return m;
-  }
-  template <class S, class Elements>
-  PHYSGEN_FUNCTION static void store(const Value<S>& m, const Elements& elements) {
-    PHYSGEN_UNROLL
-    for (int c = 0; c < N; ++c) {
-      PHYSGEN_UNROLL
-      for (int r = c + 1; r < N; ++r) elements[index(r, c)] = m(r, c);
-    }
-  }
-};
 
 }  // namespace physgen::shape

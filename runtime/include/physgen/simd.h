@@ -21,27 +21,18 @@ namespace xsimd {
 // xsimd 8.1 has no fused multiply-add for AVX-512 and for SSE: it multiplies, then adds. These overloads are more
 // special than its own, and found wherever that one is. Kernels name each fusion, and contraction by the compiler is
 // off, so that packs of all widths, single numbers and CUDA round alike.
-template <class A>
-[[gnu::always_inline]] inline batch<float, A> fma(const batch<float, A>& x, const batch<float, A>& y,
-                                                  const batch<float, A>& z) {
+template <std::floating_point T, class A>
+[[gnu::always_inline]] inline batch<T, A> fma(const batch<T, A>& x, const batch<T, A>& y, const batch<T, A>& z) {
+  [[maybe_unused]] constexpr std::size_t bytes = sizeof(x), of_one = sizeof(T);
 #if defined(__AVX512F__)
-  if constexpr (sizeof(x) == 64) return _mm512_fmadd_ps(x, y, z);
+  if constexpr (bytes == 64 && of_one == 4) return _mm512_fmadd_ps(x, y, z);
+  if constexpr (bytes == 64 && of_one == 8) return _mm512_fmadd_pd(x, y, z);
 #endif
 #if defined(__FMA__)
-  if constexpr (sizeof(x) == 32) return _mm256_fmadd_ps(x, y, z);
-  if constexpr (sizeof(x) == 16) return _mm_fmadd_ps(x, y, z);
-#endif
-  return kernel::fma<A>(x, y, z, A{});
-}
-template <class A>
-[[gnu::always_inline]] inline batch<double, A> fma(const batch<double, A>& x, const batch<double, A>& y,
-                                                   const batch<double, A>& z) {
-#if defined(__AVX512F__)
-  if constexpr (sizeof(x) == 64) return _mm512_fmadd_pd(x, y, z);
-#endif
-#if defined(__FMA__)
-  if constexpr (sizeof(x) == 32) return _mm256_fmadd_pd(x, y, z);
-  if constexpr (sizeof(x) == 16) return _mm_fmadd_pd(x, y, z);
+  if constexpr (bytes == 32 && of_one == 4) return _mm256_fmadd_ps(x, y, z);
+  if constexpr (bytes == 32 && of_one == 8) return _mm256_fmadd_pd(x, y, z);
+  if constexpr (bytes == 16 && of_one == 4) return _mm_fmadd_ps(x, y, z);
+  if constexpr (bytes == 16 && of_one == 8) return _mm_fmadd_pd(x, y, z);
 #endif
   return kernel::fma<A>(x, y, z, A{});
 }

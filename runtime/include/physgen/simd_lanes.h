@@ -1,4 +1,4 @@
-// What a kernel asks of its index, for packs: see lanes.h. Lanes outside the kernel's range have no say.
+// Questions that a kernel asks of its index, for packs: see lanes.h. Lanes outside the kernel's range have no say.
 #pragma once
 
 #include <physgen/detail/simd_casts.h>
@@ -34,7 +34,8 @@ template <int W>
 
 template <detail::AnyPack I, class T, class A>
 [[nodiscard]] bool any(const I& i, const xsimd::batch_bool<T, A>& condition) {
-  static_assert(xsimd::batch_bool<T, A>::size == std::size_t{I::width});
+  static_assert(xsimd::batch_bool<T, A>::size == std::size_t{I::width},
+                "any() and all(): the condition has as many lanes as the index");
   const LaneRange range = lane_range(i);
   return (detail::bits_of(condition) >> range.first & (~std::uint64_t{0} >> (64 - (range.last - range.first)))) != 0;
 }
@@ -48,7 +49,7 @@ namespace detail {
 template <class I, class T, class A, class Better>
 [[nodiscard]] T best(const I& i, const xsimd::batch<T, A>& value, const Better& better) {
   constexpr std::size_t width = xsimd::batch<T, A>::size;
-  static_assert(width == std::size_t{I::width});
+  static_assert(width == std::size_t{I::width}, "largest() and smallest(): the value has as many lanes as the index");
   alignas(64) std::array<T, width> lanes;
   value.store_aligned(lanes.data());
   const LaneRange range = lane_range(i);

@@ -33,7 +33,7 @@ struct Cuda {
 /// Whether device code may dereference pointers of this space.
 [[nodiscard]] PHYSGEN_FUNCTION constexpr bool device_accessible(SpaceKind space) { return space != SpaceKind::host; }
 
-/// An executor that runs its steps in this space: what functions take that do a step in a way of its own there.
+/// An executor that runs its steps in this space, for functions that do a step in a way of its own there.
 template <class On, class Space>
 concept RunsIn = std::same_as<typename On::Space, Space>;
 
@@ -50,7 +50,7 @@ concept RunsIn = std::same_as<typename On::Space, Space>;
   return "?";
 }
 
-/// A CUDA stream (cudaStream_t); null is the default stream. What order it gives: device.h.
+/// A CUDA stream (cudaStream_t); null is the default stream. device.h says what order it gives.
 using Stream = CUstream_st*;
 
 }  // namespace physgen

@@ -23,7 +23,7 @@ namespace physgen {
 /// @pre work on the arrays in other streams is done (see synchronize())
 template <class... Arrays>
 class ArraySet {
-  static_assert(sizeof...(Arrays) > 0);
+  static_assert(sizeof...(Arrays) > 0, "an ArraySet has at least one array");
 
  public:
   /// @param arrays must outlive the set
@@ -32,13 +32,13 @@ class ArraySet {
 
   /// Objects of each array.
   /// @throw Error when the sizes differ, because one array has been resized without the others
-  [[nodiscard]] index_t size() const { return detail::common_size(detail::storages(arrays_)); }
+  [[nodiscard]] index_t size() const { return detail::common_size(detail::untyped(arrays_)); }
 
   /// Adds `count` objects with initial values at the end.
   /// @throw Error when count is negative or the memory cannot be had
   void append(index_t count) {
     (void)size();
-    replace(detail::grown_size(detail::storages(arrays_), count),
+    replace(detail::grown_size(detail::untyped(arrays_), count),
             [](std::size_t, const UntypedArray& to, const UntypedArray& from) { copy_first(to, from, from.size); });
   }
 
@@ -49,11 +49,11 @@ class ArraySet {
     requires(sizeof...(Others) == sizeof...(Arrays) && (detail::SameObject<Arrays, Others> && ...))
   void append(const Others&... others) {
     const index_t old_size = size();
-    const auto given = detail::storages(std::tie(others...));
-    const index_t new_size = detail::grown_size(detail::storages(arrays_), detail::common_size(given));
-    detail::wait_for(given);  // of which those that lie in pinned memory are read at once
+    const auto given = detail::untyped(std::tie(others...));
+    const index_t new_size = detail::grown_size(detail::untyped(arrays_), detail::common_size(given));
+    detail::wait_for(given);  // those that lie in pinned memory are read at once
     const std::tuple<decltype(detail::in_form_of<Arrays>(others))...> same(detail::in_form_of<Arrays>(others)...);
-    const auto added = detail::storages(same);
+    const auto added = detail::untyped(same);
     replace(new_size, [&](std::size_t a, const UntypedArray& to, const UntypedArray& from) {
       copy_first(to, from, old_size);
       detail::insert(to, old_size, added[a]);
@@ -64,7 +64,7 @@ class ArraySet {
   /// @throw Error when `order` does not name each object once (see check_permutation()) or the memory cannot be had
   void permute(std::span<const index_t> order) {
     const index_t old_size = size();
-    check_permutation(order, old_size, detail::names(detail::storages(arrays_)));
+    check_permutation(order, old_size, detail::names(detail::untyped(arrays_)));
     pick(order);
   }
 
@@ -72,7 +72,7 @@ class ArraySet {
   /// @throw Error when `kept` is not ascending (see check_ascending()) or the memory cannot be had
   void compact(std::span<const index_t> kept) {
     const index_t old_size = size();
-    check_ascending(kept, old_size, detail::names(detail::storages(arrays_)));
+    check_ascending(kept, old_size, detail::names(detail::untyped(arrays_)));
     pick(kept);
   }
 
@@ -80,12 +80,12 @@ class ArraySet {
   /// @throw Error when a number is out of range or listed twice, or the memory cannot be had
   void erase(std::span<const index_t> erased) {
     const index_t old_size = size();
-    pick(remaining(old_size, erased, detail::names(detail::storages(arrays_))));
+    pick(remaining(old_size, erased, detail::names(detail::untyped(arrays_))));
   }
 
  private:
   void pick(std::span<const index_t> order) {
-    const detail::Numbers numbers(order, detail::storages(arrays_));
+    const detail::Numbers numbers(order, detail::untyped(arrays_));
     replace(static_cast<index_t>(order.size()),
             [&](std::size_t, const UntypedArray& to, const UntypedArray& from) { detail::pick(to, from, numbers); });
   }
@@ -94,11 +94,11 @@ class ArraySet {
   template <class Fill>
   void replace(index_t size, const Fill& fill) {
     std::tuple<Arrays...> replacements(Arrays{size}...);
-    const auto to = detail::storages(replacements);
-    const auto from = detail::storages(arrays_);
+    const auto to = detail::untyped(replacements);
+    const auto from = detail::untyped(arrays_);
     detail::wait_for(from);
     for (std::size_t a = 0; a < to.size(); ++a) fill(a, to[a], from[a]);
-    detail::wait_for(to);  // what failed on the device shows here, while the old arrays are still in place
+    detail::wait_for(to);  // failures on the device show here, while the old arrays are still in place
     [&]<std::size_t... a>(std::index_sequence<a...>) {
       (std::get<a>(replacements).inherit_losses(std::get<a>(arrays_)), ...);
       (std::get<a>(arrays_).swap(std::get<a>(replacements)), ...);
@@ -108,7 +108,7 @@ class ArraySet {
   std::tuple<Arrays&...> arrays_;
 };
 
-/// The changes of one array: those of an ArraySet of it alone, where their contracts stand.
+/// Changes of one array, with the contracts of an ArraySet of it alone.
 template <class Object, class Real, class Space, class Layout, class Formats>
 void append(Array<Object, Real, Space, Layout, Formats>& array, index_t count) {
   ArraySet(array).append(count);

@@ -23,7 +23,7 @@ struct UntypedArray {
   std::span<const FieldInfo> fields;
 
   [[nodiscard]] index_t bytes() const { return padded * record_bytes; }
-  /// Where an element of object i lies, which has `size` bytes and lies `offset` bytes into the record.
+  /// The address of an element of object i that has `size` bytes and lies `offset` bytes into the record.
   [[nodiscard]] std::byte* address(index_t i, index_t offset, index_t size) const {
     return law::element(base, AnyPitch{pitch}, record_bytes, i, offset, size);
   }

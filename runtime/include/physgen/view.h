@@ -1,4 +1,4 @@
-// A view: what a kernel holds of an array. A trivially copyable value of two words and, for Soa, the pitch.
+// A kernel holds a view of an array: a trivially copyable value of two words and, for Soa, the pitch.
 #pragma once
 
 #include <physgen/detail/cursor.h>
@@ -9,6 +9,10 @@
 
 #include <cstdio>
 #include <string>
+
+#if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
+#include <physgen/detail/fused_accesses.h>
+#endif
 
 #ifdef __CUDACC__
 // Defined nowhere: its name is what the linker of device code prints. (A static_assert would also refuse host code of
@@ -94,7 +98,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
        format::detail::this_kernel_is_over_a_concrete_view_so_write_it_as_a_template_over_its_views = {}) = delete;
 
   [[nodiscard]] PHYSGEN_FUNCTION index_t size() const { return size_; }
-  /// The memory. Neither of a probed array nor of one with pruned fields: who reads it reads all fields.
+  /// The memory. Probed arrays and arrays with pruned fields do not give it: whoever reads it reads all fields.
   [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const {
     static_assert(!format::are_probes<Formats>,
                   "data(): a probed array has no raw memory, so read and write its fields, view[i].field()");
@@ -104,23 +108,19 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     return base_;
   }
   [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
-  /// Where the objects lie.
+  /// The space in which the objects lie.
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr SpaceKind space() { return Space::kind; }
 
   /// The object at index i; for a Pack or a SIMD batch of indices, the objects at them.
   template <class I>
     requires(!detail::ElementReference<I>)
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
-    return at<I>(i);
+    return at<I>(detail::bare(i));
   }
   /// The object(s) at indices that another array holds: `nodes[tets[i].nodes()[0]]`.
   template <detail::ElementReference I>
   [[nodiscard]] PHYSGEN_FUNCTION auto operator[](I&& i) const {
     return (*this)[detail::operand(std::forward<I>(i))];
-  }
-  template <class I, class Frame>
-  [[nodiscard]] PHYSGEN_FUNCTION Ref<Own<I, Frame>> operator[](const Own<I, Frame>& i) const {
-    return at<Own<I, Frame>>(detail::bare(i));
   }
   /// All fields of object(s) i, by value.
   template <class I>
@@ -138,7 +138,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     (*this)[std::forward<I>(i)].put(value);
   }
 
-  /// What checked builds count for these objects; null in others.
+  /// The counters of checked builds for these objects; null in others.
   [[nodiscard]] PHYSGEN_FUNCTION Losses* losses() const {
 #ifdef PHYSGEN_CHECKED
     return losses_;
@@ -155,6 +155,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   template <class I>
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> at(const detail::Bare<I>& i) const {
     check(i);
+#if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
+    if constexpr (!std::is_integral_v<detail::Bare<I>>) detail::watch_array<View>(losses_, size_);
+#endif
     return Ref<I>(CursorAt<detail::Bare<I>>(base_, *this, i, losses()));
   }
 

@@ -16,10 +16,10 @@ void deallocate(SpaceKind space, std::byte* data) noexcept;
 /// Plain copy of bytes where at least one side is in CUDA memory, ordered in `stream`.
 void copy_bytes(std::byte* to, const std::byte* from, index_t bytes, Stream stream);
 
-/// Copies `rows` rows of `bytes` bytes that lie `to_pitch` and `from_pitch` bytes apart, where at least one side is in
-/// CUDA memory, ordered in `stream`.
-void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int rows,
-               Stream stream);
+/// Copies `strips` strips of `bytes` bytes that lie `to_pitch` and `from_pitch` bytes apart, where at least one side is
+/// in CUDA memory, ordered in `stream`.
+void copy_strips(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int strips,
+                 Stream stream);
 
 /// Waits for all work of the device.
 void synchronize_device();

@@ -1,4 +1,4 @@
-// Objects in CUDA memory: their initial values, and what formats cannot hold of them.
+// Objects in CUDA memory: their initial values, and counts of values that formats cannot hold.
 #pragma once
 
 #include <physgen/losses.h>
@@ -10,8 +10,8 @@ namespace physgen::backend {
 /// Sets one field of objects begin .. end-1 in CUDA memory to its initial value; done when this returns.
 void fill(const UntypedArray& array, const detail::Fill& field, index_t begin, index_t end);
 
-/// What the formats of `to` could not hold of objects begin .. end-1 of `from`, which lies in CUDA memory; done when
-/// this returns.
+/// Counts the values of objects begin .. end-1 of `from`, which lies in CUDA memory, that the formats of `to` could not
+/// hold; done when this returns.
 [[nodiscard]] Losses count_losses(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end,
                                   Stream stream);
 

@@ -1,4 +1,4 @@
-// What the CUDA backend does for changes of topology. See memory.h for who implements it.
+// Changes of topology in CUDA memory. See memory.h for who implements it.
 #pragma once
 
 #include "../move_objects.h"
@@ -10,13 +10,12 @@ namespace physgen::backend {
 void pick(const UntypedArray& to, index_t begin, const UntypedArray& from, detail::Picked picked, index_t count,
           Stream stream);
 
-/// The first object with an index in `field` that cannot be renumbered, or array.size. Waits.
+/// The first of the objects 0 .. size-1 with an index that cannot be renumbered, or size. Waits.
 /// @pre array and numbers lie in CUDA memory
-[[nodiscard]] index_t first_not_renumbered(const UntypedArray& array, const FieldInfo& field,
-                                           const detail::NewNumbers& numbers);
+[[nodiscard]] index_t first_not_renumbered(const detail::Renumbering& renumbering, index_t size);
 
-/// Renumbers the field of all objects; done when this returns.
+/// Renumbers the objects 0 .. size-1; done when this returns.
 /// @pre first_not_renumbered() found none
-void renumber(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers);
+void renumber(const detail::Renumbering& renumbering, index_t size);
 
 }  // namespace physgen::backend

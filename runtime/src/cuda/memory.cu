@@ -6,15 +6,9 @@
 
 #include "../backend/memory.h"
 
-namespace physgen {
-
-namespace {
+namespace physgen::backend {
 
 using cuda::check;
-
-}  // namespace
-
-namespace backend {
 
 std::byte* allocate(SpaceKind space, index_t bytes, std::string& why) {
   detail::refuse_capture(nullptr, "an allocation");
@@ -50,19 +44,17 @@ void synchronize_device() {
   check(cudaDeviceSynchronize(), "waiting for the device");
 }
 
-void copy_rows(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int rows,
-               Stream stream) {
-  // CUDA takes rows up to 2^31 - 1 bytes apart; so far apart, each is long enough to be a copy of its own.
+void copy_strips(std::byte* to, index_t to_pitch, const std::byte* from, index_t from_pitch, index_t bytes, int strips,
+                 Stream stream) {
+  // CUDA takes strips up to 2^31 - 1 bytes apart; so far apart, each is long enough to be a copy of its own.
   constexpr index_t longest_pitch = std::numeric_limits<std::int32_t>::max();
-  if (rows == 1 || to_pitch > longest_pitch || from_pitch > longest_pitch) {
-    for (index_t r = 0; r < rows; ++r) copy_bytes(to + r * to_pitch, from + r * from_pitch, bytes, stream);
+  if (strips == 1 || to_pitch > longest_pitch || from_pitch > longest_pitch) {
+    for (index_t k = 0; k < strips; ++k) copy_bytes(to + k * to_pitch, from + k * from_pitch, bytes, stream);
     return;
   }
   check(cudaMemcpy2DAsync(to, static_cast<std::size_t>(to_pitch), from, static_cast<std::size_t>(from_pitch),
-                          static_cast<std::size_t>(bytes), static_cast<std::size_t>(rows), cudaMemcpyDefault, stream),
-        "copying rows between spaces");
+                          static_cast<std::size_t>(bytes), static_cast<std::size_t>(strips), cudaMemcpyDefault, stream),
+        "copying between spaces");
 }
 
-}  // namespace backend
-
-}  // namespace physgen
+}  // namespace physgen::backend

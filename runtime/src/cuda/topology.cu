@@ -58,38 +58,21 @@ void pick_words(const UntypedArray& to, index_t begin, const UntypedArray& from,
 
 void pick_records(const UntypedArray& to, index_t begin, const UntypedArray& from, const Picked& picked, index_t count,
                   Stream stream) {
-  if (to.record_bytes % 16 == 0) {
-    pick_words<16>(to, begin, from, picked, count, stream);
-  } else if (to.record_bytes % 8 == 0) {
-    pick_words<8>(to, begin, from, picked, count, stream);
-  } else if (to.record_bytes % 4 == 0) {
-    pick_words<4>(to, begin, from, picked, count, stream);
-  } else {
-    pick_words<2>(to, begin, from, picked, count, stream);
-  }
+  const int bytes = to.record_bytes;
+  const auto pick = bytes % 16 == 0  ? pick_words<16>
+                    : bytes % 8 == 0 ? pick_words<8>
+                    : bytes % 4 == 0 ? pick_words<4>
+                                     : pick_words<2>;
+  pick(to, begin, from, picked, count, stream);
 }
 
 struct FindNotRenumbered {
-  Addressing address;
-  int offset;
-  int count;
-  detail::NewNumbers numbers;
+  detail::Renumbering renumbering;
   unsigned long long* first;
 
   __device__ void operator()(index_t i) const {
-    if (!detail::can_renumber(address, offset, count, numbers, i)) {
-      atomicMin(first, static_cast<unsigned long long>(i));
-    }
+    if (!renumbering.can_renumber(i)) atomicMin(first, static_cast<unsigned long long>(i));
   }
-};
-
-struct Renumber {
-  Addressing address;
-  int offset;
-  int count;
-  detail::NewNumbers numbers;
-
-  __device__ void operator()(index_t i) const { detail::renumber_object(address, offset, count, numbers, i); }
 };
 
 }  // namespace
@@ -109,19 +92,19 @@ void pick(const UntypedArray& to, index_t begin, const UntypedArray& from, Picke
   }
 }
 
-index_t first_not_renumbered(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers) {
-  auto first = static_cast<unsigned long long>(array.size);
+index_t first_not_renumbered(const detail::Renumbering& renumbering, index_t size) {
+  auto first = static_cast<unsigned long long>(size);
   const cuda::StreamMemory memory(sizeof first, nullptr);
   auto* on_device = reinterpret_cast<unsigned long long*>(memory.data());
   check(cudaMemcpyAsync(on_device, &first, sizeof first, cudaMemcpyHostToDevice, nullptr), "preparing a check");
-  parallel_for(Cuda{}, array.size, FindNotRenumbered{Addressing(array), field.offset, field.count, numbers, on_device});
+  parallel_for(Cuda{}, size, FindNotRenumbered{renumbering, on_device});
   check(cudaMemcpyAsync(&first, on_device, sizeof first, cudaMemcpyDeviceToHost, nullptr), "checking indices");
   synchronize();
   return static_cast<index_t>(first);
 }
 
-void renumber(const UntypedArray& array, const FieldInfo& field, const detail::NewNumbers& numbers) {
-  parallel_for(Cuda{}, array.size, Renumber{Addressing(array), field.offset, field.count, numbers});
+void renumber(const detail::Renumbering& renumbering, index_t size) {
+  parallel_for(Cuda{}, size, renumbering);
   synchronize();
 }
 

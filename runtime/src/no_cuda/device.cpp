@@ -1,4 +1,4 @@
-// The device in a build without CUDA: there is none.
+// A build without CUDA has no device.
 #include <physgen/device.h>
 
 namespace physgen {

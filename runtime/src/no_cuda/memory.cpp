@@ -1,4 +1,4 @@
-// Memory in a build without CUDA: every use of GPU or pinned memory says so.
+// A build without CUDA refuses every use of GPU or pinned memory.
 #include "../backend/memory.h"
 
 #include <physgen/error.h>
@@ -15,8 +15,8 @@ void deallocate(SpaceKind /*space*/, std::byte* /*data*/) noexcept {}
 void copy_bytes(std::byte* /*to*/, const std::byte* /*from*/, index_t /*bytes*/, Stream /*stream*/) {
   throw Error(reason);
 }
-void copy_rows(std::byte* /*to*/, index_t /*to_pitch*/, const std::byte* /*from*/, index_t /*from_pitch*/,
-               index_t /*bytes*/, int /*rows*/, Stream /*stream*/) {
+void copy_strips(std::byte* /*to*/, index_t /*to_pitch*/, const std::byte* /*from*/, index_t /*from_pitch*/,
+                 index_t /*bytes*/, int /*strips*/, Stream /*stream*/) {
   throw Error(reason);
 }
 void synchronize_device() {}

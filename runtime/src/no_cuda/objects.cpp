@@ -1,4 +1,4 @@
-// Objects in CUDA memory in a build without CUDA: there are none.
+// A build without CUDA has no objects in CUDA memory.
 #include "../backend/objects.h"
 
 #include <physgen/error.h>
@@ -7,7 +7,7 @@
 
 namespace physgen::backend {
 
-void fill(const UntypedArray& /*storage*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
+void fill(const UntypedArray& /*array*/, const detail::Fill& /*field*/, index_t /*begin*/, index_t /*end*/) {
   throw Error(reason);
 }
 

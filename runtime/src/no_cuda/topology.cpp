@@ -1,4 +1,4 @@
-// Changes of topology in a build without CUDA: there is no array that could ask for them.
+// A build without CUDA has no arrays in CUDA memory whose topology could change.
 #include "../backend/topology.h"
 
 #include <physgen/error.h>
@@ -11,12 +11,7 @@ void pick(const UntypedArray& /*to*/, index_t /*begin*/, const UntypedArray& /*f
           index_t /*count*/, Stream /*stream*/) {
   throw Error(reason);
 }
-index_t first_not_renumbered(const UntypedArray& /*storage*/, const FieldInfo& /*field*/,
-                             const detail::NewNumbers& /*numbers*/) {
-  throw Error(reason);
-}
-void renumber(const UntypedArray& /*storage*/, const FieldInfo& /*field*/, const detail::NewNumbers& /*numbers*/) {
-  throw Error(reason);
-}
+index_t first_not_renumbered(const detail::Renumbering& /*renumbering*/, index_t /*size*/) { throw Error(reason); }
+void renumber(const detail::Renumbering& /*renumbering*/, index_t /*size*/) { throw Error(reason); }
 
 }  // namespace physgen::backend

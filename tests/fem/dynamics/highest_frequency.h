@@ -1,9 +1,9 @@
 // The highest frequency of a body at rest, by power iterations with the stiffness of linear elasticity and lumped mass.
 #pragma once
 
-#include <fem/solver/all_arrays.h>
 #include <fem/solver/linear_body.h>
 #include <fem/solver/linear_steps.h>
+#include <linear_elastic.scene.h>
 #include <physgen/executor.h>
 
 #include "moving.h"
@@ -15,7 +15,7 @@ inline double highest_frequency(const MeshLevel& level, const DynamicSettings& s
   const LameParameters lame = lame_parameters(settings.solver.youngs_modulus, settings.solver.poissons_ratio, "a test");
   LevelGraph graph;
   graph.nodes = level.mesh.nodes;
-  LinearBody<double, Host> body;
+  scenes::linear_elastic_scene::Linear<Host, double> body;
   fill_linear_body(body, level, graph, {std::vector<Point>(level.rest.size()), {}, {}}, false);
   const auto masses = lumped_masses(level.mesh, level.rest, settings.density);
   elasticity::NodeForceDifferentialArray<double> product(level.mesh.nodes);

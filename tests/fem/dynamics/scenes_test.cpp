@@ -6,9 +6,11 @@
 #include <fem/solver/inertia_arrays.h>
 #include <fem/solver/linear_body.h>
 #include <fem/solver/node_vectors.h>
+#include <fem/solver/scene_solvers.h>
 #include <gtest/gtest.h>
 #include <implicit_dynamics.scene.h>
 #include <linear_elastic.scene.h>
+#include <physgen/error.h>
 #include <physgen/executor.h>
 #include <scenes/explicit_dynamics.h>
 #include <scenes/implicit_dynamics.h>
@@ -110,6 +112,62 @@ TEST(Scenes, implicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
   }
   EXPECT_EQ(double{inertia[0].measured.view()[0].kinetic()}, solver->measure().kinetic);
   EXPECT_GT(solver->measure().kinetic, 0);
+}
+
+/// A cube whose upper plate comes down while its nodes fly apart.
+TEST(Scenes, implicit_dynamics_by_its_own_solver_has_the_bits_of_the_solver_with_all_arrays) {
+  for (const bool patches : {true, false}) {
+    for (const auto kind : {Preconditioner::multigrid, Preconditioner::none}) {
+      const Body body = make_truth_cube_body(8, patches);
+      DynamicSettings settings = moving_settings("stable-neo-hookean", young, 0.45);
+      settings.solver.precision = TangentPrecision::float32;
+      settings.solver.newton.preconditioner.kind = kind;
+      settings.solver.newton.tolerance = 1e-6;
+      settings.damping = 3;
+      const auto all = make_implicit_solver(body.levels, body.loading, settings);
+      const auto own = make_scene_implicit_solver(body.levels, body.loading, settings);
+      EXPECT_LE(own->bytes(), all->bytes());
+      const auto start = random_vectors(body.levels[0].rest.size(), 0.05, 4);
+      for (auto* solver : {all.get(), own.get()}) solver->set_velocities(start);
+      for (int k = 1; k <= 2; ++k) {
+        const NewtonResult expected = all->step(2e-3, 0.02 * k), found = own->step(2e-3, 0.02 * k);
+        ASSERT_EQ(expected.status, NewtonStatus::converged);
+        ASSERT_EQ(found.status, NewtonStatus::converged);
+        EXPECT_EQ(found.iterations, expected.iterations);
+        EXPECT_GT(found.iterations, 0);
+      }
+      EXPECT_EQ(own->time(), all->time());
+      EXPECT_EQ(own->positions(), all->positions());
+      EXPECT_EQ(own->velocities(), all->velocities());
+      EXPECT_EQ(own->forces(), all->forces());
+      EXPECT_EQ(own->stresses(), all->stresses());
+      EXPECT_EQ(own->measure().kinetic, all->measure().kinetic);
+      EXPECT_GT(all->measure().kinetic, 0);
+      EXPECT_GT(all->measure().elastic, 0);
+    }
+  }
+}
+
+TEST(Scenes, implicit_dynamics_refuses_what_it_has_not) {
+  const Body body = make_truth_cube_body(4, true);
+  DynamicSettings settings = moving_settings("stable-neo-hookean", young, 0.45);
+  settings.solver.precision = TangentPrecision::float32;
+  const auto expect_refused = [&](const std::string& what, const auto& change) {
+    DynamicSettings other = settings;
+    change(other.solver);
+    try {
+      (void)make_scene_implicit_solver(body.levels, body.loading, other);
+      ADD_FAILURE() << "not refused: " << what;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("the scene implicit_dynamics " + what), std::string::npos)
+          << error.what();
+    }
+  };
+  expect_refused("is in float", [](SolverSettings& s) { s.precision = TangentPrecision::float64; });
+  expect_refused("is of the material 'stable-neo-hookean', and 'neo-hookean'",
+                 [](SolverSettings& s) { s.material = "neo-hookean"; });
+  expect_refused("has no Schwarz", [](SolverSettings& s) { s.newton.preconditioner.kind = Preconditioner::schwarz; });
+  expect_refused("assembles its stiffness", [](SolverSettings& s) { s.newton.product = Product::matrix_free; });
 }
 
 TEST(Scenes, linear_elastic_over_its_generated_arrays_gives_the_bits_of_the_solver) {

@@ -191,7 +191,8 @@ def extended(arguments):
     objects = []
     sources = sorted((copy / "tools/physgen").glob("layout_*.cpp"))
     for part in ("model", "plan", "emit"):
-        sources += [source for source in sorted((copy / "generator" / part).rglob("*.cpp")) if source.stem != "json"]
+        sources += sorted((copy / "generator" / part).rglob("*.cpp"))
+    sources = [source for source in sources if not source.stem.endswith("json")]
     for source in [*sources, arguments.root / "tests/generator/catalog/everything.cpp"]:
         objects.append(arguments.folder / f"{len(objects)}_{source.stem}.o")
         folders = [f"-I{copy}/{folder}" for folder in ("generator", "tools/physgen", "runtime/include")]

@@ -11,7 +11,8 @@
 
 #include "emit/emitter.h"
 #include "frontend/frontend.h"
-#include "layout_picture.h"
+#include "layout_boxes.h"
+#include "layout_request.h"
 #include "plan/plan.h"
 
 namespace physgen {

@@ -17,7 +17,6 @@ import shutil
 import subprocess
 import sys
 import time
-import xml.dom.minidom
 from pathlib import Path
 from xml.parsers.expat import ExpatError
 
@@ -100,16 +99,16 @@ class Fuzzer:
         return Accepted(self.number, folder, [folder / header for header in headers], model)
 
     def look_twice(self, folder, names, headers):
-        """The same headers again, and a picture that is XML."""
+        """The same headers again, and a drawing that is JSON."""
         before = [(folder / header).read_bytes() for header in headers]
         self.run(folder, "generate", *names, "-o", "again")
         if before != [(folder / "again" / Path(header).name).read_bytes() for header in headers]:
             raise Defect("a second run writes something else")
         shutil.rmtree(folder / "again")
         if len(before[0]) < 200_000:
-            picture = self.run(folder, "layout", names[0], "--svg")
-            if picture.returncode == 0:
-                xml.dom.minidom.parseString(picture.stdout)
+            drawing = self.run(folder, "layout", names[0], "--json")
+            if drawing.returncode == 0:
+                json.loads(drawing.stdout)
             self.run(folder, "layout", names[0])
 
     def keep(self, number, folder, what):

@@ -103,6 +103,33 @@ TEST_F(Checkpoints, of_other_settings_are_refused_with_each_key_that_differs) {
   expect_error(read_with("no JSON"), "not a JSON object");
 }
 
+/// As a cube's run without flags had them, when there were no scenes, when that of equilibria had another name, and
+/// when their arrays were said.
+TEST_F(Checkpoints, of_older_versions_are_refused_with_their_settings_and_what_to_do) {
+  const std::string
+      rest =
+          R"("cells":16,"historical":false,"material":"neo-hookean","plates":"held","poisson":0.49,"precision":"half",)"
+          R"("preconditioner":"multigrid","product":"assembled",)",
+      last = R"("stepping":"nested","tolerance":1e-06,"top":"bonded","volume":"patches","young":15000.0})";
+  const std::string now = R"({"arrays":"everything",)" + rest + R"("scene":"everything",)" + last;
+  const auto expect_said = [&](const std::string& then, const auto&... parts) {
+    Checkpoint c = checkpoint_of(1);
+    c.settings = then;
+    write_checkpoint(path, c);
+    expect_error([&] { static_cast<void>(read_checkpoint(path, now, hash)); }, path.string(), parts...,
+                 "older version of truthcube", "begun anew, without --restart");
+  };
+  expect_said("{" + rest + last, R"(settings: arrays: not set in the checkpoint, "everything" in this run; )"
+                                 R"(scene: not set in the checkpoint, "everything" in this run; it goes on with)");
+  expect_said("{" + rest + R"("scene":"quasistatic",)" + last,
+              R"(settings: arrays: not set in the checkpoint, "everything" in this run; )"
+              R"(scene: "quasistatic" in the checkpoint, "everything" in this run; it goes on with)");
+  Checkpoint c = checkpoint_of(1);
+  c.settings = now;
+  write_checkpoint(path, c);
+  expect_same(read_checkpoint(path, now, hash), c);
+}
+
 TEST_F(Checkpoints, with_settings_that_are_no_object_are_not_written) {
   Checkpoint c = checkpoint_of(1);
   c.settings = "[]";

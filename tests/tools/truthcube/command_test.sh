@@ -15,7 +15,7 @@ case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
     for flag in cells mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
-      product tolerance stepping historical out restart beads threads repeat dry-run quiet scene time-step duration density damping \
+      product tolerance stepping historical out restart beads threads repeat dry-run quiet scene time-step duration density damping fixed-order \
       frames; do expect out "--$flag"; done
     expect out "layout \{$built\}"
     expect out "in the layout $built, with products assembled .* or matrix-free"
@@ -65,6 +65,11 @@ case $rule in
   values_out_of_range_are_refused)
     expect_refused 'cells: Value 0 not in range' --cells 0
     expect_refused 'cells: Value -4 not in range' --cells -4
+    expect_refused 'cells: Value 2.5 not in range 1 to 100000 of whole numbers' --cells 2.5
+    expect_refused 'poisson = abc; a number is wanted there' --poisson abc
+    expect_refused 'out: the name is empty' --out ''
+    expect_refused 'beads: the name is empty' --beads ''
+    expect_refused 'mesh: the name is empty' --mesh ''
     expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; --cells 274 fits' --cells 400
     expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
     expect_refused "--poisson -1: Poisson's ratio is" --poisson -1

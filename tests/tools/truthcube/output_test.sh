@@ -102,7 +102,7 @@ case $rule in
     J=$(number_of smallest_J o/run.json | head -1)
     [[ $J == -* ]] || fail 'no inverted tets'
     expect out "[0-9]+ tets are inverted, most of all tet [0-9]+: J ${J:0:4}.*, F = \[.*;.*;.*\]"
-    expect out 'none of a real body[.] Try more and smaller --compress steps'
+    expect out 'A real body has no such equilibrium[.] Try more and smaller --compress steps'
     expect_exit 0 "${flags[@]}" --compress 0.1
     expect_no out 'inverted' ;;
   what_is_not_finite_is_said_with_its_tet)
@@ -184,7 +184,9 @@ case $rule in
     expect_exit 1 "${small[@]}" --beads moved.csv
     expect err 'moved.csv:3: .*wrong'
     expect_exit 1 "${small[@]}" --beads absent.csv
-    expect err 'absent.csv'
+    expect err 'absent.csv: cannot be read as a bead table: No such file'
+    expect_exit 1 "${small[@]}" --beads .
+    expect err 'cannot be read as a bead table: it is a folder'
     expect_no out 'solved' ;;
   *) fail 'no such rule' ;;
 esac

@@ -38,6 +38,34 @@ case $rule in
     expect_exit 0 "${small[@]}" --compress 0.05 --scene fixed-corotated --out scene
     same_numbers 'energy reaction residual' flags/run.json scene/run.json
     cmp flags/beads.csv scene/beads.csv || fail "pruned arrays have other results" ;;
+  every_scene_runs_on_arrays_of_its_own)
+    expect_exit 0 "${motion[@]}" --scene implicit-dynamics --out o
+    expect o/run.json '"arrays": "implicit_dynamics"'
+    expect o/run.json '"material": "stable-neo-hookean"'
+    expect o/run.json '"precision": "float"'
+    expect_no out 'arrays of the scene everything'
+    # Schwarz blocks stand in the arrays of everything; neither they nor multigrid change more than rounding does.
+    expect_exit 0 "${motion[@]}" --scene implicit-dynamics --preconditioner schwarz --out p
+    expect p/run.json '"arrays": "everything"'
+    expect out 'note: this motion runs on the arrays of the scene everything: those of implicit-dynamics are for'
+    paste <(number_of kinetic_energy o/run.json) <(number_of kinetic_energy p/run.json) |
+      awk '!(($1 / $2 - 1) ^ 2 < 1e-8) { print; bad = 1 } END { exit bad || NR != 4 }' >&2 || fail 'another motion'
+    for scene in explicit-dynamics linear-elastic quasistatic; do
+      arrays=${scene//-/_}
+      [[ $scene == explicit-dynamics ]] && flags=("${motion[@]}") || flags=("${small[@]}" --compress 0.02)
+      [[ $scene == linear-elastic ]] && arrays=linear_elastic_assembled
+      expect_exit 0 "${flags[@]}" --scene $scene --out o
+      expect o/run.json "\"arrays\": \"$arrays\""
+    done
+    # A matrix-free product finds the equilibrium of the assembled one, in each precision.
+    for precision in half float double; do
+      linear=("${small[@]}" --scene linear-elastic --precision $precision --compress 0.02)
+      expect_exit 0 "${linear[@]}" --out o
+      expect_exit 0 "${linear[@]}" --product matrix-free --preconditioner block-jacobi --out p
+      expect p/run.json '"arrays": "linear_elastic"'
+      awk -v a="$(number_of reaction o/run.json)" -v b="$(number_of reaction p/run.json)" \
+        'BEGIN { exit !(a < 0 && (a / b - 1) ^ 2 < 1e-8) }' || fail "$precision: other reactions"
+    done ;;
   flags_that_choose_otherwise_are_refused)
     expect_refused 'no scene matrix-fre; did you mean matrix-free[?]' --scene matrix-fre
     expect_refused 'matrix-free stands for --product matrix-free, and another is given' --scene matrix-free --product assembled
@@ -61,14 +89,19 @@ case $rule in
     for flag in time-step duration density damping; do
       expect_refused "everything goes without --$flag: these are for --scene implicit-dynamics or" --$flag 1
     done
+    expect_refused 'explicit-dynamics goes with --fixed-order on --device cuda alone: on the CPU' --scene explicit-dynamics --fixed-order
+    expect_refused 'implicit-dynamics goes without --fixed-order: that is for the sums of --scene explicit' \
+      --scene implicit-dynamics --fixed-order
+    expect_refused 'everything goes without --fixed-order' --fixed-order
     expect_refused '--density 0.0*: the density' --scene implicit-dynamics --density 0
     expect_refused '--duration -1.0*: the time' --scene implicit-dynamics --duration -1
     expect_refused '--damping -2.0*: the damping' --scene explicit-dynamics --damping -2
     expect_refused '--time-step nan: the time step' --scene explicit-dynamics --time-step nan
     expect_refused 'frames: Value 0 not in range' --scene explicit-dynamics --frames 0 ;;
   a_dry_run_says_the_bytes_that_a_scene_takes)
-    for scene in quasistatic matrix-free fixed-corotated linear-elastic; do
+    for scene in quasistatic matrix-free fixed-corotated linear-elastic implicit-dynamics; do
       flags=("${small[@]}" --scene $scene --precision float --compress 0.02)
+      [[ $scene == implicit-dynamics ]] && flags+=(--duration 0.004 --frames 1)
       [[ $scene == linear-elastic ]] && flags+=(--product matrix-free --preconditioner block-jacobi)
       expect_exit 0 "${flags[@]}" --dry-run
       said=$(sed -nE 's/^solver: ([0-9]+) bytes, .*/\1/p' out)
@@ -101,13 +134,13 @@ case $rule in
           END { exit bad || NR != 4 }' >&2 || fail "$scene: other states"
     done
     # The schemes agree, the plate having moved by half, to what their time steps leave.
-    expect_exit 0 "${motion[@]}" --scene implicit-dynamics --volume tets --time-step 1e-5 --out i
+    expect_exit 0 "${motion[@]}" --scene implicit-dynamics --material neo-hookean --volume tets --time-step 1e-5 --out i
     expect_exit 0 "${motion[@]}" --scene explicit-dynamics --time-step 1e-5 --out e
     awk -v a="$(number_of kinetic_energy i/run.json | head -1)" -v b="$(number_of kinetic_energy e/run.json | head -1)" \
       'BEGIN { exit !((a / b - 1) ^ 2 < 1e-4) }' || fail 'other kinetic energies' ;;
   a_slow_motion_ends_at_the_equilibrium)
     expect_exit 0 "${small[@]}" --volume tets --compress 0.05 --out rest
-    expect_exit 0 "${small[@]}" --volume tets --compress 0.05 --scene implicit-dynamics --duration 1000 --frames 2 --out slow
+    expect_exit 0 "${small[@]}" --volume tets --compress 0.05 --material neo-hookean --scene implicit-dynamics --duration 1000 --frames 2 --out slow
     awk -v a="$(number_of reaction rest/run.json)" -v b="$(number_of reaction slow/run.json | tail -1)" \
       'BEGIN { exit !((a / b - 1) ^ 2 < 1e-6) }' || fail 'another reaction' ;;
   steps_that_are_too_long_are_said)
@@ -121,11 +154,12 @@ case $rule in
     # A look every few steps ends it long before the state is due.
     expect_exit 3 "${small[@]}" --scene explicit-dynamics --compress 0.9 --duration 20 --frames 1 --time-step "$stable"
     (($(sed -nE 's/.* time step ([0-9]+) of this state.*/\1/p' err) < 40000)) || fail 'all steps were taken'
-    expect_exit 3 "${small[@]}" --scene implicit-dynamics --young 1e300 --compress 0.1
+    expect_exit 3 "${small[@]}" --scene implicit-dynamics --material neo-hookean --young 1e300 --compress 0.1
     expect err 'no equilibrium with inertia behind 0 s.* There, tet [0-9]+ .*F = \[' ;;
   inverted_tets_of_a_motion_are_said)
     # Ten metres a second: faster than the body gives way.
-    expect_exit 0 "${small[@]}" --scene implicit-dynamics --compress 0.9 --duration 0.02 --frames 4 --out o
+    expect_exit 0 "${small[@]}" --scene implicit-dynamics --material neo-hookean --compress 0.9 --duration 0.02 --frames 4 \
+      --out o
     mapfile -t J < <(number_of smallest_J o/run.json)
     inverted=0
     for number in "${J[@]}"; do [[ $number != -* ]] || inverted=$((inverted + 1)); done

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 #include <truthcube/arrays.h>
-#include <truthcube/sizes.h>
+#include <truthcube/run_bytes.h>
 
 #include <limits>
 #include <numeric>
@@ -55,7 +55,7 @@ class Bytes : public ::testing::TestWithParam<Case> {
     return fem::make_solver(levels, loading, settings)->bytes();
   }
   static std::int64_t predicted(const fem::SolverSettings& settings, std::int64_t planes) {
-    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, planes);
+    const RunBytes bytes = bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, {.planes = planes});
     EXPECT_EQ(std::accumulate(bytes.levels.begin(), bytes.levels.end(), std::int64_t{0}), bytes.solver);
     return bytes.solver;
   }
@@ -82,7 +82,7 @@ TEST_P(Bytes, without_coarser_levels_are_those_of_the_solver) {
   settings.nested = false;
   settings.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
   expect_equal(settings);
-  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, 0).levels.size(), 1U);
+  EXPECT_EQ(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings).levels.size(), 1U);
 }
 
 TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fewer) {
@@ -92,7 +92,7 @@ TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fe
       settings.nested = nested;
       settings.newton.preconditioner.kind = kind;
       const std::int64_t assembled = allocated(settings, 0);
-      const RunBytes lists = bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, 0);
+      const RunBytes lists = bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings);
       settings.newton.product = fem::Product::matrix_free;
       if (GetParam().volume == VolumeTreatment::nodes) {
         EXPECT_THROW((void)allocated(settings, 0), Error);
@@ -101,62 +101,99 @@ TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fe
       const std::int64_t real = allocated(settings, 0);
       EXPECT_EQ(predicted(settings, 0), real);
       EXPECT_LT(real, assembled);
-      EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, 0).lists, lists.lists);
+      EXPECT_LT(bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings).lists, lists.lists);
     }
   }
 }
 
+/// What a run of a scene has, where nothing else is asked for than settings say.
+RunArrays arrays_for(SceneKind scene, const fem::SolverSettings& settings, VolumeTreatment volume) {
+  Options options;
+  options.scene = scene;
+  options.solver = settings;
+  options.volume = volume;
+  return {scene, arrays_of(options)};
+}
+
 TEST_P(Bytes, of_other_scenes_are_those_of_their_solvers) {
-  const std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, GetParam().volume);
-  const auto counts = count_cube(GetParam().cells, GetParam().volume);
+  const VolumeTreatment volume = GetParam().volume;
+  const std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, volume);
+  const auto counts = count_cube(GetParam().cells, volume);
   const fem::Loading loading{std::vector<fem::Point>(levels.front().rest.size(), fem::Point{}), {}};
   for (const auto precision :
        {fem::TangentPrecision::half, fem::TangentPrecision::float32, fem::TangentPrecision::float64}) {
     fem::DynamicSettings settings;
     settings.solver.precision = precision;
     settings.solver.nested = false;
-    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::implicit_dynamics).solver,
-              fem::make_implicit_solver(levels, loading, settings)->bytes());
-    if (GetParam().volume != VolumeTreatment::tets) continue;
-    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::explicit_dynamics).solver,
+    const auto predicted = [&](SceneKind scene) {
+      return bytes_of_run(counts, settings.solver, arrays_for(scene, settings.solver, volume)).solver;
+    };
+    EXPECT_EQ(predicted(SceneKind::implicit_dynamics), fem::make_implicit_solver(levels, loading, settings)->bytes());
+    if (volume != VolumeTreatment::tets) continue;
+    EXPECT_EQ(predicted(SceneKind::explicit_dynamics),
               fem::make_explicit_solver(levels.front(), loading, settings)->bytes());
-    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::linear_elastic).solver,
-              fem::make_linear_solver(levels, loading, settings.solver)->bytes());
+    EXPECT_EQ(predicted(SceneKind::linear_elastic), fem::make_linear_solver(levels, loading, settings.solver)->bytes());
     settings.solver.newton.product = fem::Product::matrix_free;
     settings.solver.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-    if (arrays_of(SceneKind::linear_elastic, settings.solver) != "everything") continue;  // has a test of its own
-    EXPECT_EQ(bytes_of_run(counts, settings.solver, 0, SceneKind::linear_elastic).solver,
-              fem::make_linear_solver(levels, loading, settings.solver)->bytes());
+    EXPECT_EQ(predicted(SceneKind::linear_elastic), fem::make_linear_solver(levels, loading, settings.solver)->bytes());
   }
 }
 
+TEST(Sizes, of_explicit_steps_in_a_fixed_order_on_cuda_have_places_of_forces_besides) {
+  const auto counts = count_cube(8, VolumeTreatment::tets);
+  fem::SolverSettings settings;
+  settings.precision = fem::TangentPrecision::float32;
+  const auto bytes = [&](fem::Device device, bool fixed_order) {
+    settings.device = device;
+    return bytes_of_run(
+               counts, settings,
+               {.scene = SceneKind::explicit_dynamics, .names = "explicit_dynamics", .fixed_order = fixed_order})
+        .solver;
+  };
+  // Four places and four forces, padded, of a tet; where the row of a node begins and ends.
+  EXPECT_EQ(bytes(fem::Device::cuda, true) - bytes(fem::Device::cuda, false),
+            counts.front().tets * (4 * 4 + 4 * 16) + counts.front().nodes * 2 * 4);
+  EXPECT_EQ(bytes(fem::Device::cpu, true), bytes(fem::Device::cpu, false));
+}
+
 TEST_P(Bytes, of_scenes_are_those_of_the_solvers_that_run_them_alone) {
-  const std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, GetParam().volume);
-  const auto counts = count_cube(GetParam().cells, GetParam().volume);
+  const VolumeTreatment volume = GetParam().volume;
+  const std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, volume);
+  const auto counts = count_cube(GetParam().cells, volume);
   const fem::Loading loading{std::vector<fem::Point>(levels.front().rest.size(), fem::Point{}), {}};
   fem::SolverSettings settings;
   settings.precision = fem::TangentPrecision::float32;
   const auto expect_bytes = [&](SceneKind scene) {
-    const std::string arrays = arrays_of(scene, settings);
-    EXPECT_EQ(bytes_of_run(counts, settings, 0, scene).solver,
-              fem::make_scene_solver(arrays, levels, loading, settings)->bytes())
-        << arrays;
+    const RunArrays arrays = arrays_for(scene, settings, volume);
+    EXPECT_EQ(bytes_of_run(counts, settings, arrays).solver,
+              fem::make_scene_solver(arrays.names, levels, loading, settings)->bytes())
+        << arrays.names;
   };
   for (const bool nested : {false, true}) {
     settings.nested = nested;
     settings.newton.product = fem::Product::assembled;
     settings.newton.preconditioner.kind = fem::Preconditioner::multigrid;
     settings.material = "stable-neo-hookean";
-    if (GetParam().volume == VolumeTreatment::patches) expect_bytes(SceneKind::quasistatic);
+    if (volume == VolumeTreatment::patches) expect_bytes(SceneKind::quasistatic);
     settings.material = "fixed-corotated";
-    if (GetParam().volume == VolumeTreatment::tets) expect_bytes(SceneKind::fixed_corotated);
+    if (volume == VolumeTreatment::tets) expect_bytes(SceneKind::fixed_corotated);
     settings.newton.product = fem::Product::matrix_free;
     settings.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
     settings.material = "stable-neo-hookean";
-    if (GetParam().volume == VolumeTreatment::patches) expect_bytes(SceneKind::matrix_free);
+    if (volume == VolumeTreatment::patches) expect_bytes(SceneKind::matrix_free);
   }
+  if (volume == VolumeTreatment::nodes) return;
   settings.nested = false;
-  if (GetParam().volume == VolumeTreatment::tets) expect_bytes(SceneKind::linear_elastic);
+  for (const auto kind : {fem::Preconditioner::multigrid, fem::Preconditioner::none}) {
+    fem::DynamicSettings motion;
+    motion.solver = settings;
+    motion.solver.newton.product = fem::Product::assembled;
+    motion.solver.newton.preconditioner.kind = kind;
+    const RunArrays arrays = arrays_for(SceneKind::implicit_dynamics, motion.solver, volume);
+    EXPECT_EQ(arrays.names, "implicit_dynamics");
+    EXPECT_EQ(bytes_of_run(counts, motion.solver, arrays).solver,
+              fem::make_scene_implicit_solver(levels, loading, motion)->bytes());
+  }
 }
 
 /// Its blocks take no place for nodes that plates hold, which are many in small cubes and are not known before.
@@ -209,7 +246,7 @@ TEST(Sizes, of_a_mesh_on_a_background_grid_are_those_of_the_solver) {
         fem::SolverSettings settings;
         settings.precision = precision;
         settings.coarsest_nested = 0;
-        EXPECT_EQ(bytes_of_run(count_levels(levels), settings, 0).solver,
+        EXPECT_EQ(bytes_of_run(count_levels(levels), settings).solver,
                   fem::make_solver(levels, loading, settings)->bytes());
       }
     }
@@ -239,7 +276,7 @@ TEST(Sizes, of_lists_contain_the_meshes_of_all_levels_twice) {
   const auto counts = count_cube(8, VolumeTreatment::patches);
   std::int64_t meshes = 0;
   for (const LevelCounts& level : counts) meshes += bytes_of_mesh(level);
-  EXPECT_GT(bytes_of_run(counts, {}, 0).lists, 2 * meshes);
+  EXPECT_GT(bytes_of_run(counts, {}).lists, 2 * meshes);
 }
 
 }  // namespace

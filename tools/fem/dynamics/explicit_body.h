@@ -13,7 +13,7 @@
 
 namespace physgen::fem {
 
-/// How the forces of tets on their corners are summed at nodes.
+/// A way to sum the forces of tets on their corners at nodes.
 enum class NodeSums {
   gathered,  ///< from corner forces, in the order of the nodes' rows
   added,     ///< by tets, in an order that is open

@@ -8,7 +8,7 @@
 
 namespace physgen::fem {
 
-/// How many sweeps an SVD makes, as an argument of a kernel: `ComputeSvd{F.view(), svd.view(), Sweeps<3>{}}`.
+/// The number of sweeps that an SVD makes, as an argument of a kernel: `ComputeSvd{F.view(), svd.view(), Sweeps<3>{}}`.
 template <int kCount>
 struct Sweeps {};
 

@@ -13,8 +13,8 @@ class EdgeSlices {
   static constexpr Index most_nodes = 1000;  ///< for which a thread block has room
   static constexpr Index slice = 32;         ///< nodes whose edges lie together: the threads of a warp
 
-  /// What kernels are given. Edges (m, n) belong to m. Those of a slice lie together: the first of each of its nodes
-  /// that has one, in order, then the second, and so on.
+  /// The view that kernels are given. Edges (m, n) belong to m. Those of a slice lie together: the first of each of its
+  /// nodes that has one, in order, then the second, and so on.
   struct View {
     Index nodes;
     const Index* first;   ///< per node: edges of the nodes before it (and one past the last node)
@@ -31,7 +31,7 @@ class EdgeSlices {
   [[nodiscard]] View view() const;
   [[nodiscard]] bool is_empty() const { return nodes_ == 0; }
   [[nodiscard]] index_t bytes() const { return lists_.bytes(); }
-  /// What bytes() will be.
+  /// The future bytes().
   [[nodiscard]] static index_t bytes_for(index_t nodes, index_t edges) {
     return (nodes + 1 + edges) * index_t{sizeof(Index)};
   }

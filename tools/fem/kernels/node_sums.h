@@ -12,7 +12,7 @@ namespace physgen::fem {
 
 namespace detail {
 
-/// What a tet does at its corner c, given G: column c - 1, and at corner 0 minus all of them.
+/// The term of a tet at its corner c, given G: column c - 1, and at corner 0 minus all of them.
 template <class S>
 PHYSGEN_FUNCTION inline Vector3<S> at_corner(const Matrix3<S>& G, int c) {
   if (c > 0) return G.col(c - 1);

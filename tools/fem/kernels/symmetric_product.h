@@ -12,13 +12,13 @@
 
 namespace physgen::fem {
 
-/// How sums over edges are formed where edges in different places meet at a node.
+/// A way to form sums over edges where edges in different places meet at a node.
 enum class SumOrder {
   any,    ///< the fastest: on CUDA vector atomics, whose order differs from run to run
   fixed,  ///< the same bits on every run: contributions are stored, then added in the order of the edges
 };
 
-/// What an edge adds to a node: as a whole number of 16-byte words, so that it is read and written at once.
+/// The term that an edge adds to a node: a whole number of 16-byte words, so that it is read and written at once.
 template <class S>
 struct alignas(16) Contribution {
   S x, y, z, unused;
@@ -28,8 +28,8 @@ struct alignas(16) Contribution {
   [[nodiscard]] PHYSGEN_FUNCTION Vector3<S> value() const { return {x, y, z}; }
 };
 
-/// What the product must know of a mesh beside its blocks, and room for contributions: one product at a time. Made once
-/// per topology.
+/// The lists that the product needs of a mesh beside its blocks, and room for contributions: one product at a time.
+/// Made once per topology.
 class EdgeSums {
  public:
   /// For no mesh.

@@ -1,4 +1,4 @@
-// What makes a stress derivative positive semidefinite, as Newton's method with conjugate gradients needs it: function
+// Makes a stress derivative positive semidefinite, as Newton's method with conjugate gradients needs it: function
 // objects that a kernel is given. The eigenvalues are those of the 3x3 block H and, of the pairs (a, b), D and S.
 #pragma once
 

@@ -1,5 +1,6 @@
-// What the material models share: Lame constants from E and nu, and the isotropic stress derivative in principal axes.
-// A model is a small struct of constants with three functions of the principal stretches s: energy, stress, derivative.
+// The common part of the material models: Lame constants from E and nu, and the isotropic stress derivative in
+// principal axes. A model is a small struct of constants with three functions of the principal stretches s: energy,
+// stress, derivative.
 #pragma once
 
 #include <fem/numerics/log.h>
@@ -23,7 +24,7 @@ struct LameParameters {
 /// @throws Error naming the model, the constant, its value and the allowed range
 [[noreturn]] void refuse_constant(const char* model, const char* constant, double value, const std::string& range);
 
-/// Of what sign a constant may be.
+/// The sign that a constant may have.
 enum class ConstantSign { Positive, PositiveOrZero, Any };
 
 /// @param smallest of a positive constant, @param largest of any constant's magnitude [Pa]
@@ -42,8 +43,8 @@ template <class Real>
   return static_cast<Real>(value);
 }
 
-/// How the principal stresses g follow the principal stretches s, and how stress turns with the axes. Every model gives
-/// these 12 numbers from closed forms, never as quotients of differences, so s_a = s_b is an ordinary input.
+/// The derivative of the principal stresses g by the principal stretches s, and of the axes of stress. Every model
+/// gives these 12 numbers from closed forms, never as quotients of differences, so s_a = s_b is an ordinary input.
 template <class S>
 struct PrincipalDerivative {
   S h11, h21, h31, h22, h32, h33;  ///< H_ik = d2psi / (ds_i ds_k) [Pa]

@@ -1,5 +1,5 @@
-// What the models psi = mu/2 (I1 - 3) + phi(J) share (Neo-Hookean and the stable ones): stress and derivative from mu
-// and the derivatives of phi, and the energy without cancellation near rest.
+// The common part of the models psi = mu/2 (I1 - 3) + phi(J) (Neo-Hookean and the stable ones): stress and derivative
+// from mu and the derivatives of phi, and the energy without cancellation near rest.
 #pragma once
 
 #include <fem/materials/material.h>

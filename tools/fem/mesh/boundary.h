@@ -33,7 +33,7 @@ using Force = std::array<double, 3>;
 [[nodiscard]] std::vector<Force> pressure_loads(std::span<const Point> rest, std::span<const Face> faces,
                                                 double pressure);
 
-/// What each point carries of the faces' areas: a third of those that it is a corner of. Sums in the order of the
+/// The share of each point in the faces' areas: a third of those that it is a corner of. Sums in the order of the
 /// faces.
 /// @throws Error when a face names no point
 [[nodiscard]] std::vector<double> surface_areas(std::span<const Point> rest, std::span<const Face> faces);

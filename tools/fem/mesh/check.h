@@ -1,4 +1,4 @@
-// What is wrong with a mesh that somebody else made, in words that say where and what to do. For meshes as they come
+// Finds the faults of a mesh that somebody else made, in words that say where and what to do. For meshes as they come
 // from a file, before make_tet_mesh(), which refuses most of this less kindly.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace physgen::fem {
 
-/// How often something was found, and the first places: numbers from 0 of nodes or tets, ascending.
+/// The number of times that something was found, and the first places: numbers from 0 of nodes or tets, ascending.
 struct Finding {
   static constexpr std::size_t shown = 5;
 
@@ -43,11 +43,12 @@ struct MeshReport {
   std::size_t component_count = 0;
   std::vector<Component> components;  ///< the first Finding::shown of them, by their lowest node
 
-  /// What refuses a run, a sentence with places and remedy each: all of the above but several components, and a mesh
-  /// without tets. Places are named by the given tags (a file's own numbers) or, without them, by numbers from 0.
+  /// The faults that refuse a run, a sentence with places and remedy each: all of the above but several components, and
+  /// a mesh without tets. Places are named by the given tags (a file's own numbers) or, without them, by numbers from
+  /// 0.
   [[nodiscard]] std::vector<std::string> errors(std::span<const std::size_t> node_tags = {},
                                                 std::span<const std::size_t> tet_tags = {}) const;
-  /// What a user should know: several components.
+  /// The findings that a user should know: several components.
   [[nodiscard]] std::vector<std::string> warnings(std::span<const std::size_t> node_tags = {},
                                                   std::span<const std::size_t> tet_tags = {}) const;
   /// A line with the sizes, then a line for each error and warning.

@@ -1,4 +1,4 @@
-// Where points lie in a tet mesh: the tet of each, and the weights of its corners, for linear interpolation.
+// Locates points in a tet mesh: finds the tet of each, and the weights of its corners, for linear interpolation.
 #pragma once
 
 #include <fem/mesh/mesh.h>
@@ -28,7 +28,7 @@ class OutsideMesh : public Error {
   std::size_t point_;
 };
 
-/// How far a point may lie outside its tet, as a part of the tet's height there: weights are at least -1e-6.
+/// The distance that a point may lie outside its tet, as a part of the tet's height there: weights are at least -1e-6.
 inline constexpr double locate_tolerance = 1e-6;
 
 /// The tet that contains each point: the one it lies deepest in where several do, the first of equals. Tets of either

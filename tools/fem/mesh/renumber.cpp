@@ -105,7 +105,7 @@ std::vector<Index> inverse_of(const std::vector<Index>& order, std::size_t count
   for (std::size_t i = 0; i < count; ++i) {
     const Index old = order[i];
     if (old < 0 || std::cmp_greater_equal(old, count)) {
-      refuse(entry(i) + " is " + std::to_string(old) + ", which is no old number");
+      refuse(entry(i) + " is " + std::to_string(old) + ", which is not an old number");
     }
     Index& number = inverse[static_cast<std::size_t>(old)];
     if (number != none) {

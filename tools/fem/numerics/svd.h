@@ -104,7 +104,7 @@ PHYSGEN_FUNCTION inline S scaled(const S& x, const S& factor) {
 /// tens of eps in float (`physbench errors` has the figures), and are of no use in double
 template <int kSweeps = 4, class S>
 PHYSGEN_FUNCTION inline Svd<S> svd(const Matrix3<S>& A) {
-  static_assert(kSweeps >= 1);
+  static_assert(kSweeps >= 1, "svd<kSweeps>() needs at least one sweep");
   using Traits = math::ScalarTraits<S>;
   using Real = RealOf<S>;
   const S zero(Real(0)), one(Real(1)), tiny(std::numeric_limits<Real>::min());

@@ -17,7 +17,8 @@ struct MatrixFamily {
   std::function<Eigen::Matrix3d(RandomMatrices&)> make;
 };
 
-/// What a family is to be hard for: where the spacing of numbers and the range matter, families follow it.
+/// The precision for which a family is to be hard: where the spacing of numbers and the range matter, families follow
+/// it.
 struct Precision {
   double epsilon, smallest_normal, smallest, largest;
   template <class Real>

@@ -44,7 +44,7 @@ Entries<Quad> exact_entries(const Jet& psi, const Vector3<Real>& s) {
   return {H[0][0], H[1][0], H[2][0], H[1][1], H[2][1], H[2][2], D(1, 0), D(2, 0), D(2, 1), S(1, 0), S(2, 0), S(2, 1)};
 }
 
-/// How far the entries move, relative to the change, when one stretch changes a little: their condition. [Pa]
+/// The condition of the entries: their change when one stretch changes a little, relative to that change. [Pa]
 template <class Model, class Real>
 double sensitivity(const Model& model, const Vector3<Real>& s, const Entries<Quad>& expected) {
   double sum = 0;

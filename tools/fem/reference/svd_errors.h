@@ -1,4 +1,4 @@
-// How far a 3x3 SVD is from a correct one, in eps of its precision, against extended precision. These are the
+// Measures how far a 3x3 SVD is from a correct one, in eps of its precision, against extended precision. These are the
 // quantities that svd() promises to bound.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace physgen::fem::reference {
 
-/// What is not finite has infinite errors.
+/// Errors of one SVD; infinite where its numbers are not finite.
 struct SvdErrors {
   bool finite = false;  ///< all numbers are
   /// |U diag(s) V^T - A| / |A|, Frobenius, less one smallest subnormal [eps]
@@ -22,7 +22,7 @@ struct SvdErrors {
   bool sign_of_det = false;  ///< sign(s3) = sign(det A), or s3 is below 16 eps s1
 };
 
-/// What needs no reference decomposition, hence is fast: finite, residual, orthogonality, ordered.
+/// The errors that need no reference decomposition, and so are fast: finite, residual, orthogonality, ordered.
 template <class Real>
 [[nodiscard]] SvdErrors svd_residuals(const Matrix3<Real>& A, const Svd<Real>& svd);
 /// All of them.

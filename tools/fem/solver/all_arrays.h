@@ -20,9 +20,6 @@ using LinearLevel = LevelOver<Real, Space, Stored, AnyChoice, scenes::everything
                               InertiaOver<scenes::everything_scene::Inertia<Space, Real>>>;
 
 template <class Real, class Space>
-using LinearBody = scenes::everything_scene::Linear<Space, Real>;
-
-template <class Real, class Space>
 using KrylovVectors = scenes::everything_scene::Krylov<Space, Real>;
 
 /// All of them, by name.
@@ -33,7 +30,6 @@ struct AllArrays {
   using Arrays = EquilibriumArrays<Real, Space>;
   using Level = LinearLevel<Real, Space, Stored>;
   using Vectors = KrylovVectors<Real, Space>;
-  using Body = LinearBody<Real, Space>;  ///< of linear elasticity
 };
 
 }  // namespace physgen::fem

@@ -64,7 +64,7 @@ template <class Ranges, class Entries>
 [[nodiscard]] index_t bytes_of_views(const Rows<Ranges, Entries>& rows) {
   return bytes_of_views(rows.ranges()) + bytes_of_views(rows.entries());
 }
-/// Of the views and rows among the members of a kernel.
+/// Counts the bytes of the views and rows among the members of a kernel.
 template <class Kernel>
 [[nodiscard]] index_t bytes_of_views(const Kernel& kernel) {
   if constexpr (std::is_arithmetic_v<Kernel> || std::is_enum_v<Kernel>) {

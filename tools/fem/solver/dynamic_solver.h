@@ -25,7 +25,7 @@ struct DynamicSettings {
   bool fixed_order = false;
 };
 
-/// What a state of motion amounts to.
+/// Measures of a state of motion.
 struct MotionMeasure {
   double kinetic = 0;  ///< energy [J]
   double elastic = 0;  ///< energy [J]
@@ -43,8 +43,8 @@ class DynamicSolver {
   /// @param length [s]
   /// @param load at its end: what Loading's motion and forces are multiplied by
   /// @return of the implicit solver what Newton's method came to; where that is not `converged` the state is as before.
-  /// Of the explicit one `converged`: whether its numbers are finite, measure() tells
-  /// @throw Error when the length is no positive number, or the load is not finite
+  /// The explicit one always says `converged`; measure() tells whether its numbers are finite
+  /// @throw Error when the length is not a positive number, or the load is not finite
   virtual NewtonResult step(double length, double load) = 0;
 
   [[nodiscard]] virtual double time() const = 0;                    ///< the sum of all steps [s]
@@ -61,7 +61,7 @@ class DynamicSolver {
   /// Per tet: first Piola-Kirchhoff stress by columns [Pa].
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
   [[nodiscard]] virtual MotionMeasure measure() = 0;
-  /// Of each plane with the nodes at their positions.
+  /// The contact of each plane with the nodes at their positions.
   [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() { return {}; }
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used
 };

@@ -56,7 +56,7 @@ class Evaluator {
   virtual void evaluate_forces(On& on, Arrays& arrays, const TetChunk& chunk, const PositionView& positions) = 0;
   /// Leaves in chunk_arrays->tangent the tangents of a chunk of tets at the arrays' positions.
   virtual void evaluate_tangents(On& on, Arrays& arrays, const TetChunk& chunk, TangentFilter filter) = 0;
-  /// Of the arrays' positions. @pre as many as tets
+  /// Evaluates stresses at the arrays' positions. @pre as many as tets
   virtual void evaluate_stress(On& on, Arrays& arrays, Stresses& stresses) = 0;
   [[nodiscard]] virtual VolumeTerm volume() const = 0;
 };
@@ -127,7 +127,7 @@ class MaterialSteps {
         if (a.rings != nullptr) return body(NodePressures{a.tets.const_view(), a.volumes.const_view()});
       }
     }
-    body(NoPatches{});
+    body(NoMeanPressures{});
   }
 
   Material material_;

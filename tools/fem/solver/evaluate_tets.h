@@ -13,7 +13,7 @@ namespace physgen::fem {
 using math::cast;
 
 /// The tets' volume is part of the material.
-struct NoPatches {
+struct NoMeanPressures {
   static constexpr bool averages = false;
 };
 
@@ -93,7 +93,7 @@ PHYSGEN_FUNCTION inline auto cast_matrix(const Matrix3<S>& A) {
 
 namespace detail {
 
-/// What the kernels of a tet begin with: its shape at rest, and the SVD of F.
+/// The beginning of the kernels of a tet: its shape at rest, and the SVD of F.
 template <class S>
 struct DeformedTet {
   TetShape<S> shape;
@@ -125,12 +125,12 @@ PHYSGEN_FUNCTION inline Vector3<S> with_pressure(Vector3<S> g, const S& pressure
 
 /// Forces of a chunk of tets on their corners. Returns the tets' energy [J]: of the shear alone where volumes are
 /// averaged. Called with the objects 0 .. chunk.tets() - 1 of `forces`.
-template <class Material, class Patches, class TetView, class RestView, class PositionView, class CornerView>
+template <class Material, class Pressures, class TetView, class RestView, class PositionView, class CornerView>
 struct ComputeTetForces {
   using Scalar = typename CornerView::Precision;
   TetChunk chunk;
   Material material;       ///< in Scalar
-  Patches patches;         ///< NoPatches, PatchPressures or NodePressures
+  Pressures pressures;     ///< NoMeanPressures, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
@@ -142,8 +142,8 @@ struct ComputeTetForces {
     const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     Vector3<S> g = material.stress(tet.f.s);
-    if constexpr (Patches::averages) {
-      const S pressure = patches.template of<S>(t).pressure;
+    if constexpr (Pressures::averages) {
+      const S pressure = pressures.template of<S>(t).pressure;
       g = detail::with_pressure<S>(g, pressure, tet.f.s);
     }
     const S minus_volume = -tet.shape.volume;
@@ -158,13 +158,13 @@ template <class... Arguments>
 ComputeTetForces(TetChunk, Arguments...) -> ComputeTetForces<Arguments...>;
 
 /// Tangents of a chunk of tets. Called with the objects 0 .. chunk.tets() - 1 of `tangent`.
-template <class Material, class Patches, class TetView, class RestView, class PositionView, class TangentView>
+template <class Material, class Pressures, class TetView, class RestView, class PositionView, class TangentView>
 struct ComputeTetTangents {
   using Scalar = typename PositionView::Precision;
   TetChunk chunk;
   TangentFilter filter;
   Material material;       ///< in Scalar
-  Patches patches;         ///< NoPatches, PatchPressures or NodePressures
+  Pressures pressures;     ///< NoMeanPressures, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
@@ -177,8 +177,8 @@ struct ComputeTetTangents {
     const lanes_t<std::int32_t, I> t = numbers(i) + static_cast<std::int32_t>(chunk.first_tet);
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     PrincipalDerivative<S> d = material.derivative(tet.f.s);
-    if constexpr (Patches::averages) {
-      const S pressure = patches.template of<S>(t).tangent_pressure;
+    if constexpr (Pressures::averages) {
+      const S pressure = pressures.template of<S>(t).tangent_pressure;
       d = detail::with_pressure<S>(d, pressure, tet.f.s);
     }
     if (filter == TangentFilter::absolute) d = AbsoluteEigenvalues{}(d);

@@ -1,11 +1,11 @@
-// How the entries of Galerkin sums are coded, for the kernels that form them and for the lists.
+// Codes the entries of Galerkin sums, for the kernels that form them and for the lists.
 #pragma once
 
 #include <physgen/config.h>
 
 namespace physgen::fem {
 
-/// What a Galerkin sum takes of one fine block, times 1/4, 1/2 or 1.
+/// The part of one fine block that a Galerkin sum takes, times 1/4, 1/2 or 1.
 enum class GalerkinBlock {
   node,     ///< K of a node; between nested meshes times 1/4
   edge,     ///< E of an edge

@@ -17,7 +17,7 @@ namespace physgen::fem {
 
 namespace detail {
 
-/// What a coarse node weighs among a node's parents.
+/// The weight of a coarse node among a node's parents.
 template <class Scalar, class Parents>
 PHYSGEN_FUNCTION inline Scalar weight_of(const Parents& parents, index_t coarse) {
   const auto names = parents.nodes();

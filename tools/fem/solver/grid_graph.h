@@ -1,9 +1,9 @@
-// What the graph of a background grid's level consists of: which of its nodes the stiffness connects, and from which
+// The graph of a background grid's level: which of its nodes the stiffness connects, and from which
 // blocks of the finer level. For hierarchy.cpp.
 #pragma once
 
 #include <fem/solver/graph_lists.h>
-#include <fem/solver/hierarchy.h>
+#include <fem/solver/mesh_level.h>
 
 #include <algorithm>
 #include <numeric>

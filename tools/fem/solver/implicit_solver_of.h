@@ -7,7 +7,6 @@
 #include <fem/solver/node_vectors.h>
 #include <fem/solver/require.h>
 #include <fem/solver/solver_parts.h>
-#include <fem/solver/solver_types.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +15,10 @@
 
 namespace physgen::fem {
 
-template <class On, class Real, class Stored>
-class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, SolverTypes<On, Real, Stored>> {
-  using Parts = SolverParts<On, SolverTypes<On, Real, Stored>>;
+/// @tparam Types SolverTypes of solver_types.h, or SceneTypes of scene_types.h
+template <class On, class Types>
+class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Types> {
+  using Parts = SolverParts<On, Types>;
   using Parts::all_prescribed_;
   using Parts::arrays_;
   using Parts::evaluator_;
@@ -99,8 +99,11 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Sol
     return {found.kinetic, state.elastic + state.volumetric, {found.momentum[0], found.momentum[1], found.momentum[2]}};
   }
   [[nodiscard]] std::vector<PlaneContact> plane_contacts() override {
-    if (!has_planes_) return {};
-    return measure_planes(*on_, *linear_.front(), arrays_.front()->positions.const_view(), load_);
+    std::vector<PlaneContact> contacts;
+    where(linear_.front()->planes, [&](auto& /*planes*/) {
+      contacts = measure_planes(*on_, *linear_.front(), arrays_.front()->positions.const_view(), load_);
+    });
+    return contacts;
   }
   [[nodiscard]] index_t bytes() const override { return Parts::bytes(); }
 

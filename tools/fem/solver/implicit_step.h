@@ -36,7 +36,7 @@ template <class On, class Arrays, class Level>
   return on.value(measured).farthest;
 }
 
-/// What the nodes' velocities amount to: momentum and kinetic energy. @pre the level has inertia
+/// The sums over the nodes' velocities: momentum and kinetic energy. @pre the level has inertia
 template <class On, class Arrays, class Level>
 [[nodiscard]] auto measure_motion(On& on, const Arrays& a, Level& level) {
   auto& inertia = *level.inertia;

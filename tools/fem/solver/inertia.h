@@ -9,7 +9,7 @@
 
 namespace physgen::fem {
 
-/// What inertia does to a node.
+/// The force and stiffness of inertia at a node.
 struct InertiaPull {
   Vector3<double> force = Vector3<double>::Zero();  ///< [N]
   double energy = 0;                                ///< [J]

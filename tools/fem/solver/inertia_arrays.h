@@ -1,4 +1,4 @@
-// What a level keeps of inertia; made only where bodies move.
+// The arrays that a level keeps of inertia; made only where bodies move.
 #pragma once
 
 #include <dynamics.physgen.h>

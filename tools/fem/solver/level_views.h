@@ -1,4 +1,4 @@
-// What a V-cycle needs of levels, as a kernel on the device is handed it: views under the names of its
+// The views of levels that a V-cycle needs, as a kernel on the device is handed them: under the names of its
 // arrays.
 #pragma once
 

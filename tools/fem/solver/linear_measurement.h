@@ -29,7 +29,7 @@ struct LinearMeasurement {
   double preconditioner_seconds = 0;  ///< all that is made from that stiffness before the first iteration
   double solve_seconds = 0;           ///< from the right-hand side to the step
   double product_seconds = 0;         ///< one product of the finest level's stiffness, of several in a row
-  /// Of the arrays that one product, and the kernels of one iteration, read and write; see count_bytes.h.
+  /// Bytes of the arrays that one product, and the kernels of one iteration, read and write; see count_bytes.h.
   index_t product_bytes = 0, iteration_bytes = 0;
 };
 

@@ -2,7 +2,6 @@
 // for each.
 #pragma once
 
-#include <fem/solver/all_arrays.h>
 #include <fem/solver/host_points.h>
 #include <fem/solver/linear_body.h>
 #include <fem/solver/linear_steps.h>
@@ -22,7 +21,7 @@
 
 namespace physgen::fem {
 
-/// @tparam Types AllArrays of all_arrays.h, or a struct of its names
+/// @tparam Types LinearAssembledArrays or LinearByTetsArrays of linear_types.h. @pre the settings ask for its product
 template <class On, class Types>
 class LinearSolverOf final : public EquilibriumSolver {
  public:
@@ -160,11 +159,9 @@ class LinearSolverOf final : public EquilibriumSolver {
   LinearResult solve_once() {
     const NewtonSettings& newton = settings_.newton;
     const bool prepared = std::exchange(is_prepared_, true);
-    if (newton.product == Product::assembled) {
-      if constexpr (Level::Choices::assembled) {
-        if (!prepared) prepare_linear(*on_, body_, linear_, lame_, newton.preconditioner);
-        solve_linear(*on_, loop_, body_, linear_, vectors_, newton, linear_tolerance());
-      }
+    if constexpr (Level::Choices::assembled) {
+      if (!prepared) prepare_linear(*on_, body_, linear_, lame_, newton.preconditioner);
+      solve_linear(*on_, loop_, body_, linear_, vectors_, newton, linear_tolerance());
     } else {
       Level& level = *linear_[0];
       const bool blocks = newton.preconditioner.kind == Preconditioner::block_jacobi;

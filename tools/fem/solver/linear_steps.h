@@ -188,19 +188,4 @@ void solve_linear(On& on, typename On::Loop& loop, Body& a, Levels& levels, Vect
   });
 }
 
-/// Solves with and without an assembled stiffness, one after the other: what a program needs that may be asked for any.
-template <class On, class Body, class Levels, class Vectors>
-void solve_linear_in_each_way(On& on, Body& a, Levels& levels, Vectors& v, const NewtonSettings& settings,
-                              const LameParameters& lame, double load) {
-  auto& level = *levels[0];
-  typename On::Loop loop, matrix_free;
-  begin_linear(on, a, level, lame, load);
-  prepare_linear(on, a, levels, lame, settings.preconditioner);
-  solve_linear(on, loop, a, levels, v, settings, settings.tolerance);
-  prepare_linear_nodes(on, a, level, lame);
-  solve_linear_matrix_free(on, matrix_free, a, level, v, lame, true, settings.tolerance, settings.most_iterations);
-  evaluate_linear(on, a, level, lame, load);
-  measure_smallest_ratio(on, a);
-}
-
 }  // namespace physgen::fem

@@ -1,4 +1,4 @@
-// What is prescribed and what acts on the nodes of each level, from that of the finest one.
+// The prescribed motion and the forces at the nodes of each level, from those of the finest one.
 #pragma once
 
 #include <fem/solver/quasistatic.h>
@@ -64,7 +64,7 @@ inline void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vect
          (1 / (1 - 2 * std::min(settings.poissons_ratio, 0.4999)) + (planes ? settings.plane_stiffness : 0.0));
 }
 
-/// Of a load between 0 and 1.
+/// The rounding force at a load between 0 and 1.
 [[nodiscard]] inline double rounding_force(const SolverSettings& settings, const MeshLevel& level,
                                            const std::vector<Point>& motion, bool planes, double spacing) {
   double farthest = 0;

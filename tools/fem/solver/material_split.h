@@ -1,4 +1,4 @@
-// Which materials are a part of the shear and a part U(J) of the volume, and their split.
+// Splits materials into a part of the shear and a part U(J) of the volume, where they have such parts.
 #pragma once
 
 #include <fem/materials/fixed_corotated.h>

@@ -1,4 +1,4 @@
-// What patches of tets and nodes have in common where volumes are averaged: from a mean volume to its pressures, its
+// The common part of patches of tets and nodes where volumes are averaged: from a mean volume to its pressures, its
 // energy and the stiffness k, and how the linearised pressure moves along.
 #pragma once
 
@@ -35,7 +35,7 @@ PHYSGEN_FUNCTION inline TetVolume<Scalar> tet_volume(const TetView& tets, const 
   return volume;
 }
 
-/// What resists the change of a mean volume.
+/// The resistance to the change of a mean volume.
 template <class Scalar>
 struct VolumeResponse {
   Scalar k;       ///< U''(T) / volume, or its linearised form [N/m^5]

@@ -188,7 +188,7 @@ struct StoreSmallestRatio {
 template <class StateView>
 StoreSmallestRatio(StateView) -> StoreSmallestRatio<StateView>;
 
-/// How far prescribed components are from where the load takes them: d = rest + load motion - x, 0 in free ones.
+/// The distance of prescribed components from where the load takes them: d = rest + load motion - x, 0 in free ones.
 template <class RestView, class MotionView, class ConstraintView, class PositionView, class IncrementView>
 struct ComputeIncrement {
   using Scalar = double;

@@ -1,5 +1,5 @@
-// What structs over groups of arrays share. A group has the arrays of its name in solver_groups.h, as physgen writes it
-// for one scene or another; what a program has no arrays for, it does not compile.
+// The common part of structs over groups of arrays. A group has the arrays of its name in solver_groups.h, as physgen
+// writes it for one scene or another; what a program has no arrays for, it does not compile.
 #pragma once
 
 #include <physgen/rows.h>
@@ -18,7 +18,7 @@ struct NoArrays {};
 template <class Group>
 using Optional = std::conditional_t<std::is_same_v<Group, NoArrays>, NoArrays, std::unique_ptr<Group>>;
 
-/// What an Optional is of.
+/// The type that an Optional may hold.
 template <class Arrays>
 using GroupOf = typename std::remove_cvref_t<Arrays>::element_type;
 

@@ -16,7 +16,7 @@ template <class Space>
 using PackedRows =
     RowArrays<elasticity::IncidenceRangeArray<float, Space>, quasistatic::PackedIncidenceArray<float, Space>>;
 
-/// How the entries of a list are packed. @tparam kBits of IncidenceEntry::local, which is 0 to 2^kBits - 1
+/// A way to pack the entries of a list. @tparam kBits of IncidenceEntry::local, which is 0 to 2^kBits - 1
 template <int kBits>
 struct PackedEntry {
   static constexpr int bits = kBits;

@@ -1,4 +1,4 @@
-// Which executors functions take that do a step in a way of their own in a space.
+// Concepts of executors, for functions that do a step in a way of their own in a space.
 #pragma once
 
 #include <physgen/space.h>

@@ -1,4 +1,4 @@
-// What a level keeps of the rigid planes that its body may touch; made only where there are planes.
+// The arrays that a level keeps of the rigid planes that its body may touch; made only where there are planes.
 #pragma once
 
 #include <contact.physgen.h>
@@ -20,7 +20,7 @@ struct PlanesOver : Group {
   double per_area = 0;  ///< stiffness [Pa/m]
 
   explicit PlanesOver(Group&& arrays) : Group(std::move(arrays)) {}
-  /// Of a level on which equilibrium is solved.
+  /// Makes those of a level on which equilibrium is solved.
   /// @param stiffness_per_area [Pa/m]
   PlanesOver(const MeshLevel& level, const std::vector<RigidPlane>& given, double stiffness_per_area)
       : per_area(stiffness_per_area) {
@@ -29,7 +29,7 @@ struct PlanesOver : Group {
     put(this->planes, host_planes(given));
     put(this->areas, host_areas(level));
   }
-  /// Of a level of the preconditioner alone.
+  /// Makes those of a level of the preconditioner alone.
   explicit PlanesOver(index_t nodes) { this->allocate({.node = nodes}); }
 
   /// For kernels. @pre equilibrium is solved on the level

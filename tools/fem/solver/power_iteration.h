@@ -80,7 +80,7 @@ struct StoreLength {
 template <class View>
 StoreLength(View) -> StoreLength<View>;
 
-/// How much longer v has become by one iteration: the estimate.
+/// The estimate: the factor by which v has grown in one iteration.
 template <class SmootherView>
 struct StoreLargest {
   SmootherView smoother;  ///< quasistatic::Smoother

@@ -1,5 +1,5 @@
-// What an executor does in a way of its own on CUDA: the product with the assembled stiffness, and the coarsest
-// inverse. For CUDA translation units.
+// The steps that an executor does in a way of its own on CUDA: the product with the assembled stiffness, and the
+// coarsest inverse. For CUDA translation units.
 #pragma once
 
 #include <fem/kernels/edge_slices_cuda.h>

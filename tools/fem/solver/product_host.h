@@ -1,5 +1,5 @@
-// What an executor does in a way of its own on the CPU: the product with the assembled stiffness, and the coarsest
-// inverse.
+// The steps that an executor does in a way of its own on the CPU: the product with the assembled stiffness, and the
+// coarsest inverse.
 #pragma once
 
 #include <fem/kernels/symmetric_product_host.h>

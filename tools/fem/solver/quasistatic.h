@@ -25,14 +25,14 @@ struct RigidPlane {
   double travel = 0;  ///< along the normal at a load of 1, in proportion to the load [m]
 };
 
-/// What a plane and the body do to each other.
+/// The contact of a plane and the body.
 struct PlaneContact {
   double force = 0;  ///< on the body along the normal [N]
   double depth = 0;  ///< how far the surface is behind the plane at most [m]; 0 where it does not touch
 };
 
-/// What is prescribed and what acts on the nodes of the finest mesh, at a load of 1; both grow in proportion to the
-/// load. Which components are prescribed is MeshLevel::fixed.
+/// The prescribed motion and the forces at the nodes of the finest mesh, at a load of 1; both grow in proportion to the
+/// load. MeshLevel::fixed says which components are prescribed.
 struct Loading {
   std::vector<Point> motion;  ///< of prescribed components from their rest positions [m]; one per node
   std::vector<Point> forces;  ///< external [N]; one per node, or none
@@ -74,7 +74,7 @@ class EquilibriumSolver {
   /// finest mesh's is an estimate of the error of the finest (linear tets converge with first order at edges of
   /// plates).
   [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() { return std::nullopt; }
-  /// Of each plane with the finest mesh at its positions.
+  /// The contact of each plane with the finest mesh at its positions.
   [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() { return {}; }
   /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch or of its
   /// nodes where volumes are averaged.

@@ -1,4 +1,4 @@
-// What solvers refuse of what they are given.
+// Checks of what solvers are given.
 #pragma once
 
 #include <fem/solver/dynamic_solver.h>
@@ -7,7 +7,7 @@
 
 namespace physgen::fem {
 
-/// @throw Error when the value is no positive number. @param what "the density"
+/// @throw Error when the value is not a positive number. @param what "the density"
 void require_positive(const std::string& what, double value);
 
 /// @throw Error when there is not a finite vector per node, or a plane is none
@@ -17,7 +17,7 @@ void require_loading(const MeshLevel& level, const Loading& loading);
 void require_plain(const char* who, const MeshLevel& level, const Loading& loading);
 /// @throw Error naming what is wrong with density or damping
 void require_motion(const DynamicSettings& settings);
-/// @throw Error when the length [s] of a time step is no positive number, or the load at its end is not finite
+/// @throw Error when the length [s] of a time step is not a positive number, or the load at its end is not finite
 void require_step(double length, double load);
 /// @throw Error when there is not one vector per node. @param what "velocities"
 void require_vectors_of(const char* what, std::size_t given, std::size_t nodes);

@@ -21,7 +21,7 @@ struct AtLoad {
   AtLoad(double now, double deciding) : load(now), touching(deciding) {}
 };
 
-/// What a plane does to a node, or all of them together.
+/// The force and stiffness of a plane, or of all planes, at a node.
 struct PlanePush {
   Vector3<double> force = Vector3<double>::Zero();  ///< [N]
   double energy = 0;                                ///< [J]
@@ -41,7 +41,7 @@ struct RigidPlanes {
   PlaneView planes;  ///< contact::RigidPlane
   AreaView areas;    ///< contact::NodeArea
 
-  /// How far a position is behind a plane at a load [m]; below 0 in front of it.
+  /// The distance of a position behind a plane at a load [m]; below 0 in front of it.
   template <class Plane>
   PHYSGEN_FUNCTION static double depth(const Plane& plane, const Vector3<double>& x, double load) {
     const double offset = plane.offset(), travel = plane.travel();
@@ -58,7 +58,7 @@ struct RigidPlanes {
     return dot3<double>(along, along) > 0 && depth(p, x, at.touching) >= 0;
   }
 
-  /// Of all planes on a node.
+  /// The sum over all planes on a node.
   template <class Constraint>
   PHYSGEN_FUNCTION PlanePush on_node(index_t node, const Vector3<double>& x, const Constraint& constraint) const {
     PlanePush sum;
@@ -135,7 +135,7 @@ struct CoarsenPlaneStiffness {
 template <class... Arguments>
 CoarsenPlaneStiffness(Arguments...) -> CoarsenPlaneStiffness<Arguments...>;
 
-/// How far a node that a plane touches is behind it [m]; else 0.
+/// The distance of a node behind the plane that touches it [m]; else 0.
 template <class Planes, class PositionView, class ConstraintView>
 struct PlaneDepth {
   using Scalar = double;

@@ -11,7 +11,7 @@
 
 namespace physgen::fem {
 
-/// Which terms of a row: number, number + count, ...
+/// Some terms of a row: number, number + count, ...
 struct Lane {
   int number = 0, count = 1;
 };

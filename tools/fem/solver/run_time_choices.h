@@ -9,7 +9,11 @@ struct AnyChoice {
   static constexpr bool matrix_free = true;  ///< products by tets
   static constexpr bool grids = true;        ///< levels of a background grid
 };
-/// An assembled stiffness, and levels of meshes alone.
+/// An assembled stiffness.
+struct AssembledAnywhere {
+  static constexpr bool assembled = true, matrix_free = false, grids = true;
+};
+/// The same, and levels of meshes alone.
 struct AssembledOnMeshes {
   static constexpr bool assembled = true, matrix_free = false, grids = false;
 };

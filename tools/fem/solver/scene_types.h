@@ -8,7 +8,7 @@
 #include <fem/solver/linear_level.h>
 #include <fem/solver/run_time_choices.h>
 #include <fem/solver/settings.h>
-#include <linear_elastic.scene.h>
+#include <implicit_dynamics.scene.h>
 #include <quasistatic.scene.h>
 #include <quasistatic_fixed_corotated.scene.h>
 #include <quasistatic_matrix_free.scene.h>
@@ -61,17 +61,22 @@ struct FixedCorotatedArrays {
   using Vectors = scenes::quasistatic_fixed_corotated_scene::Krylov<Space>;
 };
 
-/// Of the scene linear_elastic, for LinearSolverOf.
+/// Of the scene implicit_dynamics, whose volumes are those of tets where levels have no patches.
 template <class Space_>
-struct LinearElasticArrays {
+struct ImplicitDynamicsArrays {
   using Real = float;
   using Space = Space_;
-  using Body = scenes::linear_elastic_scene::Linear<Space>;
-  using Level = SceneLevel<ByTets, scenes::linear_elastic_scene::Level<Space, Real, StoredAsComputed>>;
-  using Vectors = scenes::linear_elastic_scene::Krylov<Space>;
+  using Law = StableNeoHookean<double>;
+  using Arrays = EquilibriumOver<Real, scenes::implicit_dynamics_scene::Body<Space>,
+                                 PatchesOver<scenes::implicit_dynamics_scene::Patches<Space>>, NoArrays,
+                                 scenes::implicit_dynamics_scene::Chunk<Space>>;
+  using Level = LevelOver<Real, Space, StoredAsComputed, AssembledOnMeshes,
+                          scenes::implicit_dynamics_scene::Level<Space, Real, StoredAsComputed>, NoArrays, NoArrays,
+                          InertiaOver<scenes::implicit_dynamics_scene::Inertia<Space>>>;
+  using Vectors = scenes::implicit_dynamics_scene::Krylov<Space>;
 };
 
-/// The types of a solver over arrays of a scene, for SolverOf: in the material of the scene alone.
+/// The types of a solver over arrays of a scene, for SolverOf and ImplicitSolverOf: in the material of the scene alone.
 template <class SceneArrays>
 struct SceneTypes : SceneArrays {
   using Material = MaterialSteps<typename SceneArrays::Law>;

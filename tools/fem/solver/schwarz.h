@@ -113,7 +113,7 @@ namespace detail {
 /// Rows and columns of a block.
 inline constexpr int schwarz_size = 3 * schwarz_slots;
 
-/// What a pivot of a component must exceed, from the sum of its nodes' |K_kk|: what rounding leaves of a sum that
+/// The least pivot of a component, from the sum of its nodes' |K_kk|: rounding leaves as much of a sum that
 /// vanishes. Below 0 for a component that is prescribed, or has no stiffness.
 template <class S>
 PHYSGEN_FUNCTION inline S least_pivot(S magnitude) {
@@ -175,7 +175,7 @@ struct AddSupernodes {
 template <class... Views>
 AddSupernodes(index_t, Views...) -> AddSupernodes<Views...>;
 
-/// What applying the blocks reads and writes.
+/// The arrays that applying the blocks reads and writes.
 template <class SlotView, class BlockView, class FactorView, class ResidualView, class CorrectionView,
           class SupernodeResidualView, class SupernodeCorrectionView>
 struct SchwarzProduct {

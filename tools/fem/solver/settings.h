@@ -7,7 +7,7 @@
 
 namespace physgen::fem {
 
-/// How conjugate gradients ended.
+/// The reason for which conjugate gradients ended.
 enum class LinearStatus {
   running,
   converged,
@@ -15,7 +15,7 @@ enum class LinearStatus {
   not_finite,          ///< a number was NaN or infinite
 };
 
-/// What a linear solve came to.
+/// The result of a linear solve.
 struct LinearResult {
   int iterations = 0;
   LinearStatus status = LinearStatus::running;
@@ -24,13 +24,13 @@ struct LinearResult {
 
 enum class Preconditioner { multigrid, schwarz, block_jacobi, none };
 
-/// How the tangent is multiplied with a vector.
+/// A way to multiply the tangent with a vector.
 enum class Product {
   assembled,    ///< from blocks of nodes and edges, of which the symmetric half is stored
   matrix_free,  ///< from the tangents of tets and patches themselves: no blocks of edges, nor lists of them
 };
 
-/// What the preconditioner is made of.
+/// The kind of preconditioner.
 struct PreconditionerSettings {
   Preconditioner kind = Preconditioner::multigrid;
   int degree = 2;    ///< of the Chebyshev polynomial before and after each coarser level
@@ -39,14 +39,14 @@ struct PreconditionerSettings {
 };
 
 struct NewtonSettings {
-  /// Of |force on free components| / |forces that hold the body|, those on prescribed components and of rigid planes,
-  /// now or at the last equilibrium.
+  /// The bound of |force on free components| / |forces that hold the body|, those on prescribed components and of rigid
+  /// planes, now or at the last equilibrium.
   double tolerance = 1e-4;
   double absolute_tolerance = 0;  ///< [N]; where above 0, in place of the relative one
   int most_steps = 60;            ///< of Newton's method, in one load increment
   int most_iterations = 20000;    ///< of conjugate gradients, in one step
   double least_forcing = 1e-3;    ///< tolerance of linear solves, from here while convergence is quadratic
-  double most_forcing = 1e-2;     ///< to here; looser in the last step, as far as the tolerance allows
+  double most_forcing = 1e-2;  ///< to here, and from a coarser mesh; looser in the last step, as the tolerance allows
   bool line_search = true;
   int most_halvings = 12;  ///< of a step, until the energy falls
   /// A full step may raise the energy, if no tet is inverted and the next makes up for it.
@@ -55,15 +55,16 @@ struct NewtonSettings {
   Product product = Product::assembled;
   PreconditionerSettings preconditioner;
 
-  // What a solver fills in.
-  double start_load = 0;        ///< of the equilibrium that a first linear solve with an increment goes on from
-  double last_reaction = 0;     ///< [N]: |forces that hold the body| at the last equilibrium
-  double rounding_force = 0;    ///< [N]: what positions' rounding makes of the forces on all nodes
-  bool all_prescribed = false;  ///< no component is free
-  bool start_is_given = false;  ///< positions were set from outside; where tets are inverted, it begins nearer to rest
+  // A solver fills these in.
+  double start_load = 0;         ///< of the equilibrium that a first linear solve with an increment goes on from
+  double last_reaction = 0;      ///< [N]: |forces that hold the body| at the last equilibrium
+  double rounding_force = 0;     ///< [N]: what positions' rounding makes of the forces on all nodes
+  bool all_prescribed = false;   ///< no component is free
+  bool is_interpolated = false;  ///< positions are those of a coarser mesh's equilibrium
+  bool start_is_given = false;   ///< positions were set from outside; where tets are inverted, it begins nearer to rest
 };
 
-/// What one Newton step did.
+/// The record of one Newton step.
 struct NewtonStep {
   int number = 0;         ///< from 1
   double residual = 0;    ///< |force on free components| / |forces that hold the body| after it
@@ -103,13 +104,15 @@ struct SolverSettings {
   Device device = Device::cpu;
   TangentPrecision precision = TangentPrecision::half;
   bool nested = true;  ///< equilibrium on coarser meshes first, where there are
-  /// Of the residual on coarser meshes, where newton.tolerance is smaller: the next finer mesh changes more than that.
+  /// The bound of the residual on coarser meshes, where newton.tolerance is smaller: the next finer mesh changes more
+  /// than that.
   double coarser_tolerance = 1e-2;
   int coarsest_nested = 2;  ///< levels that are never solved on, from the coarsest
   int most_bisections = 6;
-  /// Of rigid planes, per area, in Young's moduli over the mean spacing of a level's nodes. The surface stays behind a
-  /// plane by the pressure over Young's modulus times that spacing over this. Up to 1000 Newton's method takes few more
-  /// steps than without planes; at 1e4 nodes that touch and leave in turn shorten many, and above it may fail.
+  /// The stiffness of rigid planes, per area, in Young's moduli over the mean spacing of a level's nodes. The surface
+  /// stays behind a plane by the pressure over Young's modulus times that spacing over this. Up to 1000 Newton's method
+  /// takes few more steps than without planes; at 1e4 nodes that touch and leave in turn shorten many, and above it may
+  /// fail.
   double plane_stiffness = 100;
   NewtonSettings newton;
 };

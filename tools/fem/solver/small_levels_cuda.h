@@ -99,7 +99,7 @@ constexpr std::size_t most_small_levels = 8;
 template <class Real>
 constexpr int small_level_threads = sizeof(Real) == 8 ? 512 : 768;
 
-/// What run_small_levels() is handed; levels as v_cycle() takes them.
+/// The arguments of run_small_levels(); levels as v_cycle() takes them.
 template <class Views>
 struct SmallLevels {
   std::array<Views, most_small_levels> levels;  ///< behind `count` the last one again

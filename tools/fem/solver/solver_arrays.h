@@ -1,4 +1,4 @@
-// What those who fill and read the solver's arrays share.
+// Functions to fill and read the solver's arrays.
 #pragma once
 
 #include <elasticity.physgen.h>

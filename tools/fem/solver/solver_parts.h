@@ -1,4 +1,4 @@
-// What solvers by Newton's method are made of, over one executor and in one precision: levels, their arrays and the
+// The parts of solvers by Newton's method, over one executor and in one precision: levels, their arrays and the
 // material.
 #pragma once
 
@@ -30,7 +30,7 @@ class SolverParts {
   using Vectors = typename Types::Vectors;
   using Material = typename Types::Material;
 
-  /// Of parts that are made; the caller fills in the rest.
+  /// Takes parts that are made; the caller fills in the rest.
   SolverParts(On& on, const SolverSettings& settings, std::unique_ptr<Material> material, std::size_t solved)
       : settings_(settings), on_(&on), evaluator_(std::move(material)), solved_(solved) {}
   SolverParts(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
@@ -44,12 +44,13 @@ class SolverParts {
     return sum;
   }
 
-  /// Of a level's positions as they are.
+  /// Evaluates a level's positions as they are.
   typename quasistatic::EquilibriumArray<double, Space>::Value evaluate_now(std::size_t level, double load) {
     Arrays& a = *arrays_[level];
     return evaluate_state(*on_, a, *linear_[level], *evaluator_, a.positions.const_view(), a.forces.view(), load, true);
   }
-  /// Of the finest level's positions as they are. @param stresses an array of elasticity::Stress in double, one per tet
+  /// Evaluates stresses at the finest level's positions as they are. @param stresses an array of elasticity::Stress in
+  /// double, one per tet
   template <class Stresses>
   void evaluate_stresses(double load, Stresses& stresses) {
     (void)evaluate_now(0, load);

@@ -74,7 +74,7 @@ struct ProgramTypes {
   using Material = MaterialSteps<Material_>;
 };
 
-/// What the host knows of a mesh.
+/// The facts that the host knows of a mesh.
 struct MeshFacts {
   std::vector<TetChunk> chunks;
   std::vector<EdgeSums> sums;                  ///< of each level, where the stiffness is assembled

@@ -1,4 +1,4 @@
-// How preconditioners store their matrices: choices for the groups of solver_groups.h.
+// The ways in which preconditioners store their matrices: choices for the groups of solver_groups.h.
 #pragma once
 
 #include <elasticity.physgen.h>

@@ -269,8 +269,8 @@ void add_tangents(On& on, Arrays& a, const DisplacementView& dx, const Different
   }
 }
 
-/// What prepare() does where nothing is assembled: the inverses of nodes' blocks, whose blocks are formed and scaled
-/// in one array.
+/// Does prepare() where nothing is assembled: makes the inverses of nodes' blocks, which are formed and scaled in one
+/// array.
 template <class On, class Arrays, class Level>
 void prepare_nodes(On& on, Arrays& a, Level& level, const PreconditionerSettings& settings) {
   if (settings.kind == Preconditioner::none) return;

@@ -6,11 +6,11 @@
 namespace physgen::fem {
 
 /// P = dpsi/dF, with the pressure of the tet where volumes are averaged.
-template <class Material, class Patches, class TetView, class RestView, class PositionView, class StressView>
+template <class Material, class Pressures, class TetView, class RestView, class PositionView, class StressView>
 struct EvaluateStress {
   using Scalar = typename StressView::Precision;
   Material material;       ///< in Scalar
-  Patches patches;         ///< NoPatches, PatchPressures or NodePressures
+  Pressures pressures;     ///< NoMeanPressures, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
@@ -20,8 +20,8 @@ struct EvaluateStress {
     using S = Scalar;
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, i);
     Vector3<S> g = material.stress(tet.f.s);
-    if constexpr (Patches::averages) {
-      const S pressure = patches.template of<S>(i).pressure;
+    if constexpr (Pressures::averages) {
+      const S pressure = pressures.template of<S>(i).pressure;
       g = detail::with_pressure<S>(g, pressure, tet.f.s);
     }
     Matrix3<S> ug;  // U diag(g)

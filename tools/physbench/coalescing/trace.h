@@ -1,6 +1,6 @@
-// How many 32-byte sectors the warps of a kernel touch, from layout and access set alone: the kernel runs on the host
-// over arrays whose cursors write down every address, 32 objects at a time, and what the 32 lanes of a warp ask for in
-// one step is one request. It models what the hardware's counters count, without a profiler; check_coalescing.py
+// Counts the 32-byte sectors that the warps of a kernel touch, from layout and access set alone: the kernel runs on the
+// host over arrays whose cursors write down every address, 32 objects at a time, and what the 32 lanes of a warp ask
+// for in one step is one request. It models what the hardware's counters count, without a profiler; check_coalescing.py
 // compares.
 #pragma once
 

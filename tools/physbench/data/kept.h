@@ -10,7 +10,7 @@ namespace physgen::bench {
 
 class Kept {
  public:
-  /// What make() -> T gave when this name was asked for first.
+  /// The T that make() gave when this name was first asked for.
   template <class T, class Make>
   const T& once(const std::string& name, const Make& make) {
     auto& slot = made_[name];

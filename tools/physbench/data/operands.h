@@ -1,4 +1,4 @@
-// How a kernel names its arrays, and these arrays in one layout, storage and space.
+// The names of a kernel's arrays, and these arrays in one layout, storage and space.
 #pragma once
 
 #include <physgen/array.h>
@@ -51,7 +51,7 @@ struct OutputOf {
   static const Master<Object>& of(Scene& scene);  ///< measure/scene_errors.h
 };
 
-/// What the description of a kernel has; see README.md for all of it.
+/// The members of a kernel's description; see README.md for all of it.
 template <class Kernel>
 concept IsKernel = requires {
   { Kernel::name } -> std::convertible_to<const char*>;

@@ -1,4 +1,4 @@
-// What a problem is: the mathematical task that several kernels solve over the sets of inputs, with its reference and
+// A problem is the mathematical task that several kernels solve over the sets of inputs, with its reference and
 // its measure of error. A kernel names its problem; that of the SVD stands in kernels/svd.h, and so on.
 //
 //   template <class Real> struct SvdProblem {
@@ -31,7 +31,7 @@
 
 namespace physgen::bench {
 
-/// Of one result, in eps of the storage. NaN where the result is not a number.
+/// The error of one result, in eps of the storage. NaN where the result is not a number.
 struct InputErrors {
   double error = 0;
   std::optional<double> orthogonality;  ///< largest entry of |Q^T Q - I|, and |det Q - 1|, over the rotations Q

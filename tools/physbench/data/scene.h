@@ -12,10 +12,10 @@
 
 namespace physgen::bench {
 
-/// What the objects of an array belong to; the last three are incidences, (object, element) pairs.
+/// The things that an array has an object for; the last three are incidences, (object, element) pairs.
 enum class Domain { tets, nodes, edges, node_tets, node_edges, edge_tets };
 
-/// How nodes and tets are numbered: as the mesh was made, at random, or the random ones renumbered for locality.
+/// A numbering of nodes and tets: as the mesh was made, at random, or the random ones renumbered for locality.
 enum class Numbering { ordered, random, renumbered };
 [[nodiscard]] const char* name(Numbering numbering);
 
@@ -49,7 +49,7 @@ class Scene : public Kept {
   return shared<Scene>(tets, numbering);
 }
 
-// What the scene itself gives, each with its object, its domain and its values.
+// The arrays of the scene itself, each with its object, its domain and its values.
 namespace source {
 
 template <class Object_, Domain kDomain>
@@ -85,7 +85,7 @@ struct Incidences {
 };
 const Incidences& incidences(Scene& scene, Domain entries);
 
-// Which elements touch an object: the range of each, and what the ranges point into.
+// The elements that touch an object: the range of each, and the entries of all ranges.
 template <Domain kObjects, Domain kEntries>
 struct Ranges : Of<elasticity::IncidenceRangeObject, kObjects> {
   static const auto& of(Scene& scene) { return incidences(scene, kEntries).ranges; }

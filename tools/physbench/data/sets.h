@@ -32,8 +32,8 @@ template <class Real>
 template <class Real>
 [[nodiscard]] std::vector<fem::Matrix3<Real>> differentials(const std::vector<fem::Matrix3<Real>>& deformations);
 
-/// What problems make of the sets, kept by name. Rows have `objects` objects, of which the first samples() differ; the
-/// others repeat them.
+/// The data that problems make of the sets, kept by name. Rows have `objects` objects, of which the first samples()
+/// differ; the others repeat them.
 class SampleSets : public Kept {
  public:
   explicit SampleSets(index_t objects) : objects_(objects) {}

@@ -1,4 +1,4 @@
-// What the rows of conversions share: objects of 36 and of 48 bytes, and the check that a copy arrived.
+// The common part of the rows of conversions: objects of 36 and of 48 bytes, and the check that a copy arrived.
 #pragma once
 
 #include <elasticity.physgen.h>

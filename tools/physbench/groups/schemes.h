@@ -109,7 +109,7 @@ using AllSchemes = SchemeList<scheme::QuaternionFloat, scheme::Quaternion16Float
                               scheme::Bfloat16Derivative, scheme::QuaternionHalf, scheme::Quaternion16Half,
                               scheme::AllHalf, scheme::MatricesHalf, scheme::AllBfloat16>;
 
-/// What dP from dF reads, in records of whole elements, rounded; dP is NaN.
+/// The arrays that dP from dF reads, in records of whole elements, rounded; dP is NaN.
 void load_records(Scene& scene, elasticity::ElementRecordArray<float>& records);
 
 }  // namespace physgen::bench

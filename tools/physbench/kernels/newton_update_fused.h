@@ -1,4 +1,4 @@
-// What a step of Newton's method has of positions, by one kernel: what newton_update_separate does in five. Corner
+// Computes what a step of Newton's method needs of positions by one kernel, newton_update_separate by five. Corner
 // forces, U, V and the derivative are kept.
 #pragma once
 

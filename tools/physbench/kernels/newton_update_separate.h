@@ -1,5 +1,5 @@
-// What a step of Newton's method has of positions, corner forces and the tangent's parts, by five kernels, each of
-// which stores what the next ones read: what a kernel that does it at once is compared with.
+// Computes what a step of Newton's method needs of positions, corner forces and the tangent's parts, by five kernels,
+// each of which stores what the next ones read. A kernel that does it at once is compared with them.
 #pragma once
 
 #include "kernels/elastic_force.h"
@@ -8,8 +8,8 @@
 
 namespace physgen::bench {
 
-/// What is compared of a tet: its corner forces, and its stress differential along one change of F; both over what
-/// they are like in size.
+/// The values of a tet that are compared: its corner forces, and its stress differential along one change of F; both
+/// over what they are like in size.
 template <class T>
 struct NewtonOfTet {
   Matrix3<T> U, V;

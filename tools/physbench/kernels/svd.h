@@ -96,7 +96,7 @@ struct SvdProblem {
   }
 };
 
-/// What all kernels share that solve SvdProblem: they read F, and the last number counts scalars of an object that are
+/// The base of all kernels that solve SvdProblem: they read F, and the last number counts scalars of an object that are
 /// read and written.
 struct OfSvd {
   static constexpr Domain domain = Domain::tets;

@@ -14,7 +14,7 @@ namespace physgen::bench {
 
 namespace detail {
 
-/// What a kernel reads, as vectors of structs.
+/// The inputs of a kernel, as vectors of structs.
 template <class Provider>
 auto structs_of(const Provider& provider) {
   using Reads = typename Provider::Kernel::Reads;

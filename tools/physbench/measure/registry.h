@@ -1,5 +1,5 @@
-// What this program was linked from: groups of rows, the files that add rows to them, and the ways to replay a kernel.
-// A file makes itself known by a static variable, so that neither main() nor the options know any.
+// The parts that this program was linked from: groups of rows, the files that add rows to them, and the ways to replay
+// a kernel. A file makes itself known by a static variable, so that neither main() nor the options know any.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace physgen::bench {
 
-/// How many objects rows have.
+/// The numbers of objects that rows have.
 struct Sizes {
   index_t host = 1048576;  ///< tets of the CPU's rows
   index_t cuda = 8388608;  ///< tets of the GPU's rows
@@ -43,7 +43,7 @@ struct ReplayWay {
   std::function<std::string(const std::vector<std::string>& words)> run;
 };
 
-/// What a machine's device is, said by the file that can ask it.
+/// A machine's device, described by the file that can ask it.
 struct DeviceFacts {
   std::string name, missing;     ///< missing: why its rows cannot run; empty if they can
   double memory = 0, cache = 0;  ///< [bytes], the last-level cache

@@ -1,5 +1,5 @@
-// What the program measures: a row is one kernel in one layout, storage and space; a case is a row with its data in
-// place.
+// The things that the program measures: a row is one kernel in one layout, storage and space; a case is a row with its
+// data in place.
 #pragma once
 
 #include <fem/reference/distribution.h>
@@ -14,7 +14,7 @@
 
 namespace physgen::bench {
 
-/// How far the results of a row are from the reference. Rows of the Truth Cube give relative errors, |x - ref| /
+/// The errors of a row's results against the reference. Rows of the Truth Cube give relative errors, |x - ref| /
 /// max(|ref|, 1e-3 rms |ref|), and nothing else; rows of a set of inputs give errors in eps of their storage.
 struct Accuracy {
   fem::reference::ErrorSummary errors;

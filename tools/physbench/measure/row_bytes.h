@@ -51,7 +51,7 @@ auto probed_kernel() {
   return kernel_over<Kernel, Real>(inputs, outputs);
 }
 
-/// How many launches a row has.
+/// The number of launches of a row.
 template <class Kernel, class Real, class Scheme>
 constexpr std::size_t launches() {
   using Launched = decltype(probed_kernel<Kernel, Real, Scheme, 0>());
@@ -76,7 +76,7 @@ void look_at_launch() {
   }
 }
 
-/// What a launch does to a field of one of its arrays.
+/// The uses that a launch makes of a field of one of its arrays.
 inline probe::FieldAccess access_of(const std::string& array, std::string field) {
   static const std::vector<probe::FieldAccess> all = probe::registered();
   for (std::size_t at; (at = field.find('[')) != std::string::npos;) field.erase(at, field.find(']') + 1 - at);
@@ -85,7 +85,7 @@ inline probe::FieldAccess access_of(const std::string& array, std::string field)
   return found == all.end() ? probe::FieldAccess{} : *found;
 }
 
-/// How often the row moves field f of an array.
+/// The number of times that the row moves field f of an array.
 template <class Kernel, class Real, class Scheme, bool output, std::size_t k>
 int times_moved(const std::string& field) {
   return []<std::size_t... launch>(const std::string& of, std::index_sequence<launch...> /*which*/) {
@@ -100,7 +100,7 @@ int times_moved(const std::string& field) {
   }(field, std::make_index_sequence<launches<Kernel, Real, Scheme>()>());
 }
 
-/// Of the inputs or of the outputs.
+/// The bytes of the inputs or of the outputs.
 template <class Kernel, class Real, class Scheme, bool output, class Count>
 double bytes_of_arrays(const Count& count) {
   using List = std::conditional_t<output, typename Kernel::Writes, typename Kernel::Reads>;

@@ -19,7 +19,7 @@ Masters<Operands<Operand...>> masters_of(Scene& scene, Operands<Operand...> /*li
   return {Operand::Source::of(scene)...};
 }
 
-/// What is compared of the values of a kernel's outputs: all of them, or the last.
+/// The values of a kernel's outputs that are compared: all of them, or the last.
 template <class Kernel, class T, class... Value>
 auto observed(const Value&... value) {
   if constexpr (requires { Kernel::template observe<T>(value...); }) {
@@ -31,8 +31,8 @@ auto observed(const Value&... value) {
 
 }  // namespace detail
 
-/// What makes the arrays that kernels write, by the kernels' names. Each is added where its kernel's rows are compiled,
-/// so that no other file compiles its reference again.
+/// The functions that make the arrays that kernels write, by the kernels' names. Each is added where its kernel's rows
+/// are compiled, so that no other file compiles its reference again.
 using Maker = const void* (*)(Scene&);
 inline std::map<std::string, Maker>& makers() {
   static std::map<std::string, Maker> all;

@@ -31,7 +31,7 @@ class OnSet {
   [[nodiscard]] std::string set() const { return name(set_); }
 
   [[nodiscard]] Inputs inputs() const;
-  /// What a kernel did not write is a failure, when it was poisoned.
+  /// Values that a kernel did not write are failures, when they were poisoned.
   [[nodiscard]] Accuracy check(const Outputs& results) const;
   template <class At>
   [[nodiscard]] Accuracy compare(const At& at) const;

@@ -11,7 +11,7 @@
 
 namespace physgen::bench {
 
-/// What a problem has to be solved for, and what is right.
+/// The input of a problem, and its right result.
 template <class Problem>
 struct Samples {
   std::vector<typename Problem::Input> inputs;
@@ -40,7 +40,7 @@ void store(Inputs& arrays, index_t i, const typename Problem::Input& input) {
   for_each_array(arrays, [&](auto& array, auto k) { array.view().put(i, std::get<k>(values)); });
 }
 
-/// What an object's outputs say of the problem.
+/// The result that an object's outputs hold.
 template <class Kernel, class Real, class Values>
 auto result_of(const Values& values) {
   return std::apply([](const auto&... value) { return Kernel::template result<Wider<Real>>(value...); }, values);
@@ -94,7 +94,7 @@ Accuracy OnSet<Kernel, Real>::check(const Outputs& results) const {
   return compare([&results](index_t i) { return values_at(results, i); });
 }
 
-/// What replay prints of a result.
+/// The text that replay prints of a result.
 template <class Kernel, class Real>
 std::string tell(const std::string& where, const typename Kernel::template Problem<Real>::Result& result,
                  const std::optional<InputErrors>& errors) {

@@ -1,4 +1,4 @@
-// Which sources a result was measured with. tools/report/sources.py prints the same of a checkout.
+// The sources with which a result was measured. tools/report/sources.py prints the same of a checkout.
 #pragma once
 
 namespace physgen::bench {

@@ -78,7 +78,7 @@ def _numbers(cells, header, place):
         except ValueError:
             values[name] = math.nan
         if not math.isfinite(values[name]):
-            raise RunError(f"{place}: '{cell.strip()}' in the column {name} is no finite number")
+            raise RunError(f"{place}: '{cell.strip()}' in the column {name} is not a finite number")
     return values
 
 

@@ -18,7 +18,7 @@ def lines(content, name):
     for number, builds in enumerate(bodies):
         place = f"{name}: bodies[{number}]"
         if not isinstance(builds, list) or len(builds) != 2:
-            raise RunError(f"{place} is no pair of builds; {AGAIN}")
+            raise RunError(f"{place} is not a pair of builds; {AGAIN}")
         for k, build in enumerate(builds):
             records.require(build, {"layout": str, "whole": dict, "linear": list}, f"{place}[{k}]", AGAIN)
             records.check_record(build["whole"], f"{place}[{k}].whole", with_newton=False)

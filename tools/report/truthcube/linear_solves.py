@@ -46,7 +46,7 @@ def _check(row, place):
     for key in ("setup_seconds", "solve_seconds", "residual"):
         least = 0 if key == "setup_seconds" else 1e-300
         if _solves(row) and (row[key] is None or row[key] < least):
-            raise RunError(f"{place}: '{key}' is {row[key]}, which is no positive number; {AGAIN}")
+            raise RunError(f"{place}: '{key}' is {row[key]}, which is not a positive number; {AGAIN}")
 
 
 def _check_group(group, name):

@@ -56,7 +56,7 @@ def check_record(record, place, with_newton=True):
 def require(record, kinds, place, remedy=AGAIN):
     """That an object has these keys with values of these kinds. Numbers are finite, or null. @throws RunError"""
     if not isinstance(record, dict):
-        raise RunError(f"{place} is no object; {remedy}")
+        raise RunError(f"{place} is not an object; {remedy}")
     for key, kind in kinds.items():
         if key not in record:
             raise RunError(f"{place} has no '{key}'; {remedy}")

@@ -88,7 +88,7 @@ LinearOptions parse_linear(const std::vector<std::string>& arguments) {
   app.option_defaults()->always_capture_default();
   app.set_help_flag("-h,--help", "this text");
   app.add_option("--cells", options.cells, "cubes of N^3 cells of 6 tets, one after the other")
-      ->check(CLI::Range(1, 100000))
+      ->check(whole_number(1, 100000))
       ->expected(1, -1)
       ->type_name("N");
   app.add_option("--poisson", options.poissons_ratios, "Poisson's ratios, above -1 and below 0.5")
@@ -108,14 +108,14 @@ LinearOptions parse_linear(const std::vector<std::string>& arguments) {
   add_choices(app, "--norm", options.norms, norms, "norm", "that the tolerance is of");
   app.add_option("--tolerance", options.tolerance, "of the norm over its first value, 1e-14 to 0.1")->type_name("T");
   app.add_option("--repeat", options.repeats, "solves behind the first, which is not counted; times are their medians")
-      ->check(CLI::Range(1, 1000))
+      ->check(whole_number(1, 1000))
       ->type_name("N");
   app.add_flag("--copies", options.copies,
                "compare a product of the stiffness, and an iteration, with the device's copy of as many bytes");
   add_choice(app, "--device", options.device, devices, "device", "where it is solved");
   app.add_option("--output", options.output, "JSON file of the rows")->type_name("FILE");
   app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
-      ->check(CLI::Range(0, 4096))
+      ->check(whole_number(0, 4096))
       ->type_name("N");
   options.help = parse_words(app, arguments);
   if (options.help.empty()) check(options);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace physgen::truthcube {
 
@@ -30,6 +32,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+// What stands in a cell, quoted, as a terminal can show it.
+std::string quoted(std::string_view cell) {
+  constexpr std::size_t most = 40;
+  std::string text(cell.substr(0, most));
+  std::ranges::replace_if(text, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+  return "\"" + text + (cell.size() > most ? "...\"" : "\"");
+}
+
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   for (;;) {
@@ -48,7 +58,7 @@ std::vector<std::size_t> read_header(std::string_view line, const std::string& p
     const auto name = std::ranges::find(column_names, cell);
     const auto column = static_cast<std::size_t>(name - column_names.begin());
     if (name == column_names.end()) {
-      throw Error(place + "unknown column \"" + std::string(cell) + "\"; columns are " + std::string(expected_header));
+      throw Error(place + "unknown column " + quoted(cell) + "; columns are " + std::string(expected_header));
     }
     if (std::ranges::find(columns, column) != columns.end()) {
       throw Error(place + "the column " + std::string(cell) + " is there twice");
@@ -70,7 +80,7 @@ double read_number(std::string_view cell, std::string_view column, const std::st
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
-    throw Error(place + "\"" + std::string(cell) + "\" in column " + std::string(column) + " is not a finite number");
+    throw Error(place + quoted(cell) + " in column " + std::string(column) + " is not a finite number");
   }
   return value;
 }
@@ -78,8 +88,11 @@ double read_number(std::string_view cell, std::string_view column, const std::st
 }  // namespace
 
 BeadTable read_bead_table(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file)) throw Error(file.string() + ": cannot be read as a bead table: it is a folder");
   std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) throw Error(file.string() + ": cannot be read as a bead table");
+  if (!stream) {
+    throw Error(file.string() + ": cannot be read as a bead table: " + std::generic_category().message(errno));
+  }
   BeadTable table{file, {}};
   std::vector<std::size_t> columns;
   int number = 0;

@@ -127,7 +127,12 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
   }
   Checkpoint c = read_all(path);
   const std::string differing = differences(parse_settings(c.settings, name), now);
-  if (!differing.empty()) throw Error(name + ": is of a run with other settings: " + differing);
+  if (!differing.empty()) {
+    throw Error(
+        name + ": is of a run with other settings: " + differing +
+        "; it goes on with the flags of that run alone, which are `command` in the run.json beside it. What an " +
+        "older version of truthcube wrote, with other settings, is begun anew, without --restart");
+  }
   if (c.mesh_hash != mesh_hash) {
     throw Error(name + ": is of another mesh (" + std::to_string(c.positions.size() / 3) + " positions)");
   }

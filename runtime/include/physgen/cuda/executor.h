@@ -115,7 +115,8 @@ class CudaExecutor {
   [[nodiscard]] auto value(const Array<Object, Real, Cuda, Layout, Formats>& array) {
     using OnDevice = Array<Object, Real, Cuda, Layout, Formats>;
     constexpr index_t bytes = Layout::padded(1) * OnDevice::record_bytes;
-    static_assert(bytes <= most_object_bytes);
+    static_assert(bytes <= most_object_bytes,
+                  "value() reads an object of 4096 bytes at most with its padding; copy the array to the host instead");
     if (array.size() != 1) {
       throw Error(std::string(Object::name) + ": value() is of an array of one object; this one has " +
                   std::to_string(array.size()));

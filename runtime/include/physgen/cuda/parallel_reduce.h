@@ -35,14 +35,6 @@ void parallel_reduce(Cuda /*space*/, index_t begin, index_t end, const Kernel& k
   cuda::check(cudaGetLastError(), "launching a reduction");
 }
 
-/// The same for the objects 0 .. size-1.
-template <class Kernel, class Fold, class Then>
-  requires(!std::is_integral_v<Kernel> && !std::is_same_v<Then, ReduceWorkspace>)
-void parallel_reduce(Cuda space, index_t size, const Kernel& kernel, Fold fold, const Then& then,
-                     ReduceWorkspace& workspace, Stream stream = nullptr) {
-  parallel_reduce(space, 0, size, kernel, fold, then, workspace, stream);
-}
-
 /// A reduction on a device allocates nothing, so it is handed its memory.
 template <class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
@@ -76,12 +68,11 @@ auto parallel_reduce(Cuda space, index_t begin, index_t end, const Kernel& kerne
   return *result;
 }
 
-/// The same for the objects 0 .. size-1.
-template <class Kernel, class Fold>
+/// Both for the objects 0 .. size-1.
+template <class Kernel, class Fold, class... Rest>
   requires(!std::is_integral_v<Kernel>)
-auto parallel_reduce(Cuda space, index_t size, const Kernel& kernel, Fold fold, ReduceWorkspace& workspace,
-                     Stream stream = nullptr) {
-  return parallel_reduce(space, 0, size, kernel, fold, workspace, stream);
+auto parallel_reduce(Cuda space, index_t size, const Kernel& kernel, Fold fold, Rest&&... rest) {
+  return parallel_reduce(space, index_t{0}, size, kernel, fold, std::forward<Rest>(rest)...);
 }
 
 }  // namespace physgen

@@ -1,4 +1,4 @@
-// What changes of topology are made of: the arrays of a set without their types, and objects picked by number.
+// Steps of changes of topology over the arrays of a set without their types: sizes, waiting, objects picked by number.
 #pragma once
 
 #include <physgen/array.h>
@@ -56,9 +56,9 @@ std::conditional_t<std::same_as<To, Other>, const Other&, To> in_form_of(const O
   }
 }
 
-/// The storages of a tuple of arrays.
+/// The arrays of a tuple without their types.
 template <class Tuple>
-[[nodiscard]] auto storages(const Tuple& arrays) {
+[[nodiscard]] auto untyped(const Tuple& arrays) {
   return std::apply([](const auto&... array) { return std::array{array.untyped()...}; }, arrays);
 }
 

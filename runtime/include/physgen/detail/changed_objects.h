@@ -1,4 +1,4 @@
-// Which objects of a mirror are newer on which side.
+// Remembers which objects of a mirror are newer on which side.
 #pragma once
 
 #include <physgen/untyped_array.h>
@@ -31,9 +31,9 @@ struct ObjectRange {
 /// Some of the objects of an array, as ranges that neither touch nor overlap.
 class ObjectSet {
  public:
-  /// Whether it has one of begin .. end-1, and the first such range of them.
+  /// The first range that it has of begin .. end-1, if there is one.
   [[nodiscard]] std::optional<ObjectRange> first_in(index_t begin, index_t end) const;
-  /// What it has of begin .. end-1, in order.
+  /// All such ranges, in order.
   [[nodiscard]] std::vector<ObjectRange> in(index_t begin, index_t end) const;
   /// Adds begin .. end-1; takes the time of a search, and of the ranges that it joins. @pre begin < end
   void add(index_t begin, index_t end);
@@ -44,7 +44,7 @@ class ObjectSet {
   std::map<index_t, index_t> ends_;  // of each range, by its beginning
 };
 
-/// Which objects of a mirror are newer on which side: exactly those that were written there.
+/// Remembers which objects of a mirror were written on which side and are newer there.
 class ChangedObjects {
  public:
   ChangedObjects() = default;
@@ -59,9 +59,9 @@ class ChangedObjects {
   /// @throw Error when there are no such objects
   [[nodiscard]] std::vector<ObjectRange> newer(Side side, index_t begin, index_t end) const;
 
-  /// What to copy from `side` so that `ranges`, which newer() gave, are up to date on the other: those themselves; or,
-  /// where a copy gives the other side what it had of all objects that are the same, whole blocks, as far as they
-  /// hold nothing that is newer there, so that few transfers do.
+  /// Widens `ranges`, which newer() gave for `side`, to whole blocks as far as these hold nothing that is newer on the
+  /// other side, so that few transfers bring it up to date.
+  /// @pre a copy of objects that are the same on both sides changes no bit of them
   [[nodiscard]] std::vector<ObjectRange> widened(Side side, const std::vector<ObjectRange>& ranges) const;
 
   /// Notes that both sides hold the same objects in `range`.

@@ -1,6 +1,6 @@
-// What a copy must find of the fields of two arrays, where formats of no bytes (format/nothing.h) leave some out: all
-// that the target stores, and nothing that would be lost without the target's saying so. Known when compiled, where the
-// types of both arrays are; else by an Error.
+// Checks that a copy finds all fields that its target stores, and loses none without the target's saying so, where
+// formats of no bytes (format/nothing.h) leave some out: when compiled, where the types of both arrays are known; else
+// by an Error.
 #pragma once
 
 #include <physgen/object_info.h>

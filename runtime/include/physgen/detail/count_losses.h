@@ -1,4 +1,4 @@
-// How stores count what their format could not hold: by any number of threads at once, on host and device.
+// Counts values that a storage format could not hold, from any number of threads at once, on host and device.
 #pragma once
 
 #include <physgen/format.h>

@@ -13,9 +13,9 @@ namespace physgen::cuda {
 inline constexpr int reduce_threads = 256;
 inline constexpr int reduce_warps = reduce_threads / detail::reduce_lanes;
 
-/// How many terms a thread forms at once, before they are joined: so that enough loads are on their way, and no more,
-/// as the kernel's code is repeated as often. Of dot products of two fields of vectors, 1, 4 and 8 are slower on an
-/// H200, and so are 128 and 512 threads.
+/// The number of terms that a thread forms before they are joined: enough loads are then on their way, and the kernel's
+/// code is repeated as often. For dot products of two fields of vectors, 1, 4 and 8 are slower on an H200, and so are
+/// 128 and 512 threads.
 template <class Types>
 constexpr int terms_at_once() {
   constexpr auto bytes = static_cast<int>(sizeof(typename Types::Number)) * Types::count;
@@ -37,7 +37,7 @@ __device__ Value from_lane(const Value& value, int step) {
   return other;
 }
 
-/// The range, and what is known of its blocks.
+/// The range, and the number of its blocks.
 struct Blocks {
   index_t begin, end;
   index_t count;
@@ -188,7 +188,7 @@ __global__ void __launch_bounds__(reduce_threads)
   if (threadIdx.x == 0) then(Types::Entries::result(static_cast<const typename Types::Value*>(result)));
 }
 
-/// How many thread blocks of a kernel run at once on the current device.
+/// The number of thread blocks of a kernel that run at once on the current device.
 template <class Global>
 [[nodiscard]] index_t blocks_at_once(Global* kernel) {
   int device = 0, processors = 0, blocks = 0;

@@ -17,8 +17,8 @@
 
 namespace physgen {
 
-/// What a cursor's stores are counted for in checked builds: the object it stands on, and where in its record. Empty in
-/// other builds.
+/// Counts, in checked builds, the values that a cursor's stores could not hold, with the object that it stands on and
+/// the place in the record. Empty in other builds.
 class LossSink {
  public:
   LossSink() = default;
@@ -29,13 +29,16 @@ class LossSink {
   template <class Format, class T>
   PHYSGEN_FUNCTION void count(int offset, const T& value, typename Format::template Stored<T> stored,
                               index_t further = 0) const {
-    if constexpr (!format::is_probe<Format>) {  // of which this would be a read
+    if constexpr (!format::is_probe<Format>) {  // counting would read one
       constexpr ElementType type = Format::template type<T>;
       if (losses_ == nullptr || object_ + further >= losses_->objects) return;
       detail::count_loss(*losses_, type, Format::scale, static_cast<double>(value),
                          static_cast<double>(Format::template decode<T>(stored)), object_ + further, offset_ + offset);
     }
   }
+  [[nodiscard]] PHYSGEN_FUNCTION const Losses* losses() const { return losses_; }
+  [[nodiscard]] PHYSGEN_FUNCTION index_t object() const { return object_; }
+  [[nodiscard]] PHYSGEN_FUNCTION int offset() const { return offset_; }
   template <class Matrix>
   PHYSGEN_FUNCTION void count_rotation(const Matrix& R, index_t further = 0) const {
     if (losses_ == nullptr || object_ + further >= losses_->objects) return;
@@ -57,7 +60,7 @@ class LossSink {
 #endif
 };
 
-/// What a cursor knows of the records of an array [bytes].
+/// The sizes of an array's records that a cursor knows [bytes].
 struct RecordSize {
   int content;  ///< the object's own, before the layout pads it
   int stored;   ///< in an array of this layout
@@ -84,7 +87,7 @@ template <RecordSize kRecord>
   return offset % 16 == 0 && (bytes % 16 == 0 || offset + bytes == kRecord.content);
 }
 
-/// Adds `value` to what several threads may add to.
+/// Adds `value` to an element that several threads may add to.
 template <class T>
 PHYSGEN_FUNCTION inline void add_atomically(T& to, T value) {
 #ifdef __CUDA_ARCH__
@@ -134,7 +137,7 @@ class Cursor : private LossSink {
   }
 
   /// Element k of those that follow each other from byte `offset` of the record on: T& (const T& in a read-only array)
-  /// where memory holds T, else an ElementRef; of a local, which has no masked stores and no sums, always that.
+  /// where memory holds T, else an ElementRef. A local, which refuses masked stores and sums, always has that.
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION decltype(auto) element(int offset, int k = 0) const {
     if constexpr (format::is_plain<Format, T> && !of_a_local) {
@@ -144,7 +147,7 @@ class Cursor : private LossSink {
     }
   }
 
-  /// The value of an element, and its change, where memory does not hold T itself.
+  /// Reads and writes an element where memory does not hold T itself.
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION T load(int offset, int k) const {
     using Stored = typename Format::template Stored<T>;
@@ -168,7 +171,7 @@ class Cursor : private LossSink {
     static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
                   "add() needs a field that is stored as it is computed: give it the format Native");
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ >= 900
-    // All elements of a padded vector at once. What is added behind them is zero, to padding.
+    // All elements of a padded vector are added at once, and zeros to the padding behind them.
     if constexpr (sizeof(T) == 4 && std::is_floating_point_v<T> && (kCount == 3 || kCount == 4) &&
                   joins_words<T, kCount>) {
       if (may_write_words<T, kCount>()) {
@@ -185,13 +188,13 @@ class Cursor : private LossSink {
     for (int e = 0; e < kCount; ++e)
       detail::add_atomically(address<T>(offset)[law::channel_begin(k + e, pitch_.value())], values[e]);
   }
-  /// Of an element whose format is a probe. @return T*, or const T* in a read-only array
+  /// @return the address of an element whose format is a probe: T*, or const T* in a read-only array
   template <class Format, class T>
   [[nodiscard]] PHYSGEN_FUNCTION auto address_of(int offset, int k) const {
     return Format::template address<T>(address<typename Format::template Stored<T>>(offset) +
                                        law::channel_begin(k, pitch_.value()));
   }
-  /// In checked builds, counts a matrix that is none of a rotation.
+  /// In checked builds, counts a matrix that is not a rotation.
   template <class T>
   PHYSGEN_FUNCTION void check_rotation(const Eigen::Matrix<T, 3, 3>& R) const {
     this->count_rotation(R);

@@ -1,16 +1,15 @@
-// What a fused kernel is made of: the memory of its locals, and its steps in their order.
+// The parts of a fused kernel: the memory of its locals, and its steps in their order.
 #pragma once
 
 #include <physgen/array.h>
+#include <physgen/detail/local_cursor.h>
 #include <physgen/lanes.h>
 
 #include <concepts>
 #include <type_traits>
 
 namespace physgen {
-struct FormatsOfSpace;  // this and Local: fuse.h
-template <class Object, class Real, class Formats, class Tag>
-struct Local;
+struct FormatsOfSpace;  // fuse.h
 }  // namespace physgen
 
 namespace physgen::detail {
@@ -49,15 +48,17 @@ struct LocalMemory<Local<Object, Real, Formats_, Tag>, I, Space> {
 
   alignas(width == 1 ? 8 : 64) std::byte memory[bytes > 0 ? bytes : 1];  // NOLINT: not initialised
 
-  [[nodiscard]] PHYSGEN_FUNCTION typename View::template Ref<I> object(const I& i) {
-    using Cursor = typename View::template CursorAt<I>;
+  using Cursor = LocalObject<typename View::template CursorAt<I>, Local<Object, Real, Formats_, Tag>>;
+  using Ref = typename Object::template Ref<Real, Formats, Cursor>;
+  [[nodiscard]] PHYSGEN_FUNCTION Ref object(const I& i) {
+    using At = typename View::template CursorAt<I>;
     const typename Layout::Pitch pitch(width);
     if constexpr (std::is_integral_v<I>) {
-      return typename View::template Ref<I>(Cursor(memory, pitch, 0, nullptr));
+      return Ref(Cursor(At(memory, pitch, 0, nullptr)));
     } else {
       I in_tile = i;
       in_tile.begin = 0;
-      return typename View::template Ref<I>(Cursor(memory, pitch, in_tile, nullptr));
+      return Ref(Cursor(At(memory, pitch, in_tile, nullptr)));
     }
   }
 
@@ -109,10 +110,24 @@ inline constexpr bool has_local = false;
 template <class I, class Frame, class Local>
 inline constexpr bool has_local<Own<I, Frame>, Local> = Frame::template has<Local> || has_local<I, Local>;
 
+/// In checked builds, says which step runs until the result goes out of scope: see fused_accesses.h.
+#if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
+template <class Step>
+[[nodiscard]] RunStep begin_step() {
+  return RunStep(at_step<Step>());
+}
+#else
+struct NotWatched {};
+template <class Step>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr NotWatched begin_step() {
+  return {};
+}
+#endif
+
 template <class Step, class Index>
 PHYSGEN_FUNCTION constexpr void check_step() {
   static_assert(std::invocable<const Step&, const Index&>,
-                "fuse(): this step takes no packs, since its call operator is no template over the index; run it by "
+                "fuse(): this step takes no packs, since its call operator is not a template over the index; run it by "
                 "itself, over an array in the place of each local");
 }
 
@@ -127,6 +142,7 @@ struct Steps<Last> {
   template <class Index>
   PHYSGEN_FUNCTION decltype(auto) run(const Index& i) const {
     check_step<Last, Index>();
+    [[maybe_unused]] const auto here = begin_step<Last>();
     return step(i);
   }
 };
@@ -142,7 +158,10 @@ struct Steps<First, Rest...> {
     check_step<First, Index>();
     static_assert(std::is_void_v<std::invoke_result_t<const First&, const Index&>>,
                   "fuse(): a step before the last one returns a term, which nothing would fold; make it the last");
-    step(i);
+    {
+      [[maybe_unused]] const auto here = begin_step<First>();
+      step(i);
+    }
     return rest.run(i);
   }
 };

@@ -57,7 +57,7 @@ void keep_apart([[maybe_unused]] Numbers& numbers) {
 /// The values of the objects begin .. end-1, which lie in one block, an entry each. The numbers of 32 objects are
 /// collected, then joined to the lanes at once: a loop that compilers turn into packs, whatever the fold.
 template <class Fold, int kWidth, class Kernel, class Value>
-void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, RegionFailure& failure, Value* values) {
+void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, LaunchFailure& failure, Value* values) {
   using Index = std::conditional_t<kWidth == 1, index_t, Pack<kWidth>>;
   using Types = Reduction<Kernel, Fold, Index>;
   static_assert(kWidth == 1 || !std::is_arithmetic_v<typename Types::Entries::Entry>,
@@ -68,28 +68,29 @@ void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, RegionFa
   alignas(64) std::array<std::array<Value, reduce_lanes>, count> lanes;
   alignas(64) std::array<std::array<Number, reduce_lanes>, count> numbers{};
   for (auto& entry : lanes) entry.fill(Fold::template identity<Number>());
-  for (index_t row = begin / reduce_lanes * reduce_lanes; row < end; row += reduce_lanes) {
+  // lane0: the object of lane 0
+  for (index_t lane0 = begin / reduce_lanes * reduce_lanes; lane0 < end; lane0 += reduce_lanes) {
     const auto call = [&](const auto& i, index_t at) {
       call_guarded(i, failure, [&] {
         const typename Reduction<Kernel, Fold, std::remove_cvref_t<decltype(i)>>::Term term = kernel(i);
         for (std::size_t k = 0; k < count; ++k) {
-          store_numbers(Types::Entries::entry(term, static_cast<int>(k)), numbers[k].data() + (at - row));
+          store_numbers(Types::Entries::entry(term, static_cast<int>(k)), numbers[k].data() + (at - lane0));
         }
       });
     };
     const auto join = [&](std::size_t l) {
       for (std::size_t k = 0; k < count; ++k) {
-        const Value value = Fold::template value<Number>(numbers[k][l], row + static_cast<index_t>(l));
+        const Value value = Fold::template value<Number>(numbers[k][l], lane0 + static_cast<index_t>(l));
         lanes[k][l] = Fold::join(lanes[k][l], value);
       }
     };
-    if (begin <= row && row + reduce_lanes <= end) {
-      for (index_t at = row; at < row + reduce_lanes; at += kWidth) call(Index{at}, at);
+    if (begin <= lane0 && lane0 + reduce_lanes <= end) {
+      for (index_t at = lane0; at < lane0 + reduce_lanes; at += kWidth) call(Index{at}, at);
       keep_apart(numbers);
       for (std::size_t l = 0; l < reduce_lanes; ++l) join(l);
       continue;
     }
-    const index_t first = std::max(row, begin), last = std::min(row + reduce_lanes, end);
+    const index_t first = std::max(lane0, begin), last = std::min(lane0 + reduce_lanes, end);
     for (index_t at = first / kWidth * kWidth; at < last; at += kWidth) {
       if constexpr (kWidth == 1) {
         call(at, at);
@@ -100,7 +101,7 @@ void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, RegionFa
       }
     }
     keep_apart(numbers);
-    for (index_t i = first; i < last; ++i) join(static_cast<std::size_t>(i - row));
+    for (index_t i = first; i < last; ++i) join(static_cast<std::size_t>(i - lane0));
   }
   for (std::size_t k = 0; k < count; ++k) values[k] = join_lanes<Fold>(lanes[k].data());
 }

@@ -1,4 +1,4 @@
-// How kernels are called on the CPU: in packs of which width, and what their calls throw.
+// Calls kernels on the CPU: chooses the width of their packs and keeps what they throw.
 #pragma once
 
 #include <physgen/detail/host_loop.h>
@@ -35,17 +35,52 @@ constexpr int default_lanes() {
   return 1;
 }
 
+/// kLanes, or where that is 0 the lanes that suit the kernel.
+template <int kLanes, class Kernel>
+constexpr int lanes_of_calls() {
+  if constexpr (kLanes == 0) {
+    return default_lanes<Kernel>();
+  } else {
+    return kLanes;
+  }
+}
+
 /// In place of RunLanes where all lanes run.
 struct AllLanes {
   explicit AllLanes(const RunningLanes& /*lanes*/) {}
 };
 
+#ifdef PHYSGEN_CHECKED
+/// What a launch keeps of its calls: with what they throw, what the steps of a fused kernel do.
+struct LaunchFailure : RegionFailure {
+  FusedAccesses accesses;
+
+  /// Says that a kernel is called with i, until the result goes out of scope.
+  template <class I>
+  [[nodiscard]] RunStep runs(const I& i) {
+    RunningStep step;
+    if constexpr (!std::is_integral_v<I>)
+      step = {.launch = &accesses, .begin = i.begin, .range = lane_range(i), .width = index_width(i)};
+    return RunStep(step);
+  }
+};
+#else
+struct LaunchFailure : RegionFailure {
+  struct Nothing {};
+  template <class I>
+  [[nodiscard]] static Nothing runs(const I& /*i*/) {
+    return {};
+  }
+};
+#endif
+
 /// Calls work(), which calls a kernel with i; keeps what it throws, and says which lanes run.
 template <class I, class Work>
-void call_guarded([[maybe_unused]] const I& i, RegionFailure& failure, const Work& work) {
+void call_guarded([[maybe_unused]] const I& i, LaunchFailure& failure, const Work& work) {
   failure.guard([&] {
     constexpr bool partial = requires { i.first; };
     using Set = std::conditional_t<checked_build || partial, RunLanes, AllLanes>;
+    [[maybe_unused]] const auto runs = failure.runs(i);
     [[maybe_unused]] const Set set(RunningLanes{lane_range(i), index_width(i)});
     work();
   });
@@ -53,7 +88,7 @@ void call_guarded([[maybe_unused]] const I& i, RegionFailure& failure, const Wor
 
 /// Calls kernel(i), compiled for size: at the ends of a range.
 template <class Kernel, class I>
-[[gnu::cold, gnu::noinline]] void call_seldom(RegionFailure& failure, const Kernel& kernel, const I& i) {
+[[gnu::cold, gnu::noinline]] void call_seldom(LaunchFailure& failure, const Kernel& kernel, const I& i) {
   call_guarded(i, failure, [&] { kernel(i); });
 }
 

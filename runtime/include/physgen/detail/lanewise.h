@@ -55,7 +55,7 @@ PHYSGEN_FUNCTION inline S to_real(const Integers& n) {
   return detail::Cast<typename ScalarTraits<S>::Real, Integers>::of(n);
 }
 
-/// `to_index(floor(x / h))`: floating numbers as 32-bit indices of as many lanes; what stands behind the point is cut.
+/// `to_index(floor(x / h))`: floating numbers as 32-bit indices of as many lanes; digits behind the point are cut.
 /// @pre -2^31 <= x < 2^31, not NaN
 template <Lanewise S>
 PHYSGEN_FUNCTION inline auto to_index(const S& x) {

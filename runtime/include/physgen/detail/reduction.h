@@ -11,7 +11,7 @@ namespace physgen::detail {
 
 inline constexpr int reduce_block = 2048, reduce_lanes = 32, reduce_strands = 1024;
 
-/// What a kernel returned, entry by entry, and its result, given each entry's.
+/// Splits the term that a kernel returned into entries, and makes the result from those of its entries.
 template <class Term>
 struct Terms {
   static constexpr int count = 1;
@@ -76,7 +76,7 @@ struct Reduction {
   static_assert(std::is_trivially_copyable_v<Value> && sizeof(Value) <= 64);
 };
 
-/// How many blocks the objects begin .. end-1 lie in.
+/// The number of blocks in which the objects begin .. end-1 lie.
 [[nodiscard]] constexpr index_t blocks_of(index_t begin, index_t end) {
   return begin < end ? (end - 1) / reduce_block - begin / reduce_block + 1 : 0;
 }

@@ -1,4 +1,4 @@
-// What formats share: from double to float so that a second rounding does no harm, and numbers scaled.
+// Functions that formats share: doubles become floats so that a second rounding does no harm, and numbers are scaled.
 #pragma once
 
 #include <physgen/config.h>

@@ -1,4 +1,4 @@
-// Rows without the types of their arrays: what they must obey, and which entries are left when objects change.
+// Checks and changes of rows without the types of their arrays.
 #pragma once
 
 #include <physgen/untyped_array.h>
@@ -23,7 +23,7 @@ struct RowRange {
 /// Rows that follow each other. @throw Error when a length is negative or there are more entries than an Index can name
 [[nodiscard]] std::vector<RowRange> rows_of_lengths(std::string_view entries, std::span<const index_t> lengths);
 
-/// How many of the pairs, whose first members these are, each row has. @throw Error when one names no row
+/// Counts the pairs of each row, given the first members of all. @throw Error when one names no row
 [[nodiscard]] std::vector<index_t> lengths_of_pairs(std::string_view entries, index_t rows,
                                                     std::span<const index_t> row_of_pair);
 
@@ -32,7 +32,7 @@ struct RowRange {
                                                       std::size_t count);
 
 /// @pre `entries` are host records in Aos
-/// @throw Error when a row is no range of the entries, or an entry of a row does not name a target
+/// @throw Error when a row is not a range of the entries, or an entry of a row does not name a target
 void check_rows(std::span<const RowRange> rows, const UntypedArray& entries, const RowTargets& targets);
 
 /// @throw Error when new numbers are not given for each target, or one exceeds the new count
@@ -50,8 +50,5 @@ struct ChosenRows {
 [[nodiscard]] ChosenRows choose_rows(std::span<const RowRange> rows, const UntypedArray& entries,
                                      const std::string& field, std::span<const index_t> order,
                                      std::optional<std::span<const index_t>> new_number);
-
-/// Record i of `to` becomes record numbers[i] of `from`. @pre both are host records in Aos, of one size
-void pick_records(const UntypedArray& to, const UntypedArray& from, std::span<const index_t> numbers);
 
 }  // namespace physgen::detail

@@ -1,4 +1,4 @@
-// How the entries of rows are visited and summed.
+// Visits and sums the entries of rows.
 #pragma once
 
 #include <physgen/view.h>
@@ -7,7 +7,7 @@
 
 namespace physgen::detail {
 
-/// How the entries of the row(s) at an index of type I are visited. simd_rows.h has the form for packs.
+/// Visits the entries of the row(s) at an index of type I. simd_rows.h has the form for packs.
 template <class I>
 struct RowVisit {
   static_assert(std::is_integral_v<I>, "rows of packs need <physgen/parallel_for.h>; a gathered index has no rows");
@@ -29,7 +29,7 @@ template <class Object, class Real, class Layout, class Formats, class Space>
   return view;
 }
 
-/// What is summed: a number, or a matrix of numbers. Eigen's expressions, such as Zero(), stand for one.
+/// The type of a sum: a number, or a matrix of numbers, for which Eigen's expressions, such as Zero(), may stand.
 template <class Value>
 struct Summand {
   using type = Value;
@@ -42,7 +42,7 @@ struct Summand<Value> {
   using Scalar = typename Value::Scalar;
 };
 
-/// What a fold over a row forms next is of the type of its total.
+/// The next total of a fold over a row, which must have the type of the total.
 template <class Sum, class Next>
 [[nodiscard]] PHYSGEN_FUNCTION Sum next_total(const Next& next) {
   static_assert(!std::is_arithmetic_v<Next> || std::is_same_v<Next, Sum>,

@@ -100,7 +100,7 @@ inline batch<T, A> select(const batch_bool<U, B>& condition, const batch<T, A>& 
   return select(physgen::detail::mask_of<T, A>(physgen::detail::bits_of(condition)), a, b);
 }
 
-/// Of masks on lanes of different types: a mask on lanes of the first's.
+/// Joins masks on lanes of different types to one on lanes of the first's type.
 template <class T, class A, class U, class B>
   requires(!std::is_same_v<batch_bool<U, B>, batch_bool<T, A>> && batch_bool<U, B>::size == batch_bool<T, A>::size)
 inline batch_bool<T, A> operator&&(const batch_bool<T, A>& a, const batch_bool<U, B>& b) {
@@ -135,8 +135,8 @@ PHYSGEN_REFUSED(==)
 PHYSGEN_REFUSED(!=)
 #undef PHYSGEN_REFUSED
 
-// Comparisons that begin with a plain number, `k < count`. With `==` and `!=` both orders are needed: of one, C++20
-// would make the other, and insist on a bool. PHYSGEN_COMPARISON is undefined below.
+// Comparisons that begin with a plain number, `k < count`. `==` and `!=` need both orders: C++20 would make
+// one of the other, and insist on a bool. PHYSGEN_COMPARISON is undefined below.
 #define PHYSGEN_COMPARISON(op, reversed)                                           \
   template <class Number, class T, class A>                                        \
     requires(std::is_arithmetic_v<Number> && !physgen::detail::CutDown<T, Number>) \
@@ -161,7 +161,7 @@ inline batch_bool<T, A> operator!=(const batch<T, A>& a, Number b) {
   return a != batch<T, A>(static_cast<T>(b));
 }
 
-/// Of a condition that all lanes have and a mask.
+/// Joins a condition that all lanes have with a mask.
 template <class T, class A>
 inline batch_bool<T, A> operator&&(std::same_as<bool> auto a, const batch_bool<T, A>& b) {
   return batch_bool<T, A>(a) && b;

@@ -1,11 +1,15 @@
-// What the cursors of packs and of gathered objects share: batches in place of numbers, formats, loads and stores by
-// lane. Included by host translation units only.
+// The common base of the cursors of packs and of gathered objects: batches in place of numbers, formats, loads and
+// stores by lane. Host translation units alone include it.
 #pragma once
 
 #include <physgen/detail/cursor.h>
 #include <physgen/simd.h>
 
 #include <array>
+
+#ifdef PHYSGEN_CHECKED
+#include <physgen/detail/fused_accesses.h>
+#endif
 
 namespace physgen {
 
@@ -123,8 +127,7 @@ class RunLanes {
   RunningLanes before_;
 };
 
-/// What the SIMD cursors share: references to fields and elements, and formats, from read and write of the derived
-/// cursor.
+/// Makes references to fields and elements, and applies their formats, by read and write of the derived cursor.
 template <class Derived, int W>
 class SimdCursor : protected LossSink {
  public:
@@ -154,6 +157,7 @@ class SimdCursor : protected LossSink {
   [[nodiscard]] batch_t<T, W> load(int offset, int k) const {
     using Stored = typename Format::template Stored<T>;
     const int at = offset + k * int{sizeof(Stored)};
+    note_read(at);
     if constexpr (format::is_plain<Format, T>) {
       return self().template read<T>(at);
     } else {
@@ -166,6 +170,7 @@ class SimdCursor : protected LossSink {
   }
   template <class Format, class T>
   void store(int offset, int k, const batch_t<T, W>& value) const {
+    note_write<Format, T>(offset, k, all_lanes);
     if constexpr (format::is_plain<Format, T>) {
       self().template write<T>(offset + k * int{sizeof(T)}, value);
     } else if constexpr (format::StoresNothing<Format>) {
@@ -177,6 +182,7 @@ class SimdCursor : protected LossSink {
   /// Stores the lanes whose bits are set in `lanes`.
   template <class Format, class T>
   void store_where(int offset, int k, const batch_t<T, W>& value, std::uint64_t lanes) const {
+    note_write<Format, T>(offset, k, lanes);
     if constexpr (format::is_plain<Format, T>) {
       alignas(64) std::array<T, W> values;
       value.store_aligned(values.data());
@@ -195,6 +201,7 @@ class SimdCursor : protected LossSink {
     static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
                   "add() needs a field that is stored as it is computed: give it the format Native");
     for (int e = 0; e < kCount; ++e) {
+      note_sum(range, offset + (k + e) * int{sizeof(T)});
       alignas(64) std::array<T, W> lanes;
       values[e].store_aligned(lanes.data());
       for (int l = range.first; l < range.last; ++l) {
@@ -219,7 +226,44 @@ class SimdCursor : protected LossSink {
 #endif
   }
 
+ protected:
+  // Lane by lane, by way of memory; the cursor of whole packs has read() and write() of its own.
+  template <class T>
+  [[nodiscard]] batch_t<T, W> read(int offset) const {
+    alignas(64) std::array<T, W> lanes;
+    self().read_lanes(offset, lanes);
+    return batch_t<T, W>::load_aligned(lanes.data());
+  }
+  template <class T>
+  void write(int offset, const batch_t<T, W>& value) const {
+    alignas(64) std::array<T, W> lanes;
+    value.store_aligned(lanes.data());
+    self().write_some_lanes(offset, lanes, self().written());
+  }
+
  private:
+  // For races in fused kernels, which checked builds find.
+#ifdef PHYSGEN_CHECKED
+  void note(FusedAccess access, int offset, std::uint64_t lanes) const {
+    note_lanes<W>(access, this->losses(), this->offset() + offset, lanes,
+                  [&](int l) { return this->object() + self().further(l); });
+  }
+  void note_read(int offset) const { note(FusedAccess::read, offset, all_lanes); }
+  template <class Format, class T>
+  void note_write(int offset, int k, std::uint64_t lanes) const {
+    if constexpr (!format::StoresNothing<Format>)
+      note(FusedAccess::write, offset + k * int{sizeof(typename Format::template Stored<T>)}, lanes);
+  }
+  void note_sum(LaneRange range, int offset) const {
+    note(FusedAccess::add, offset, all_lanes >> (W - (range.last - range.first)) << range.first);
+  }
+#else
+  void note_read(int /*offset*/) const {}
+  template <class Format, class T>
+  void note_write(int /*offset*/, int /*k*/, std::uint64_t /*lanes*/) const {}
+  void note_sum(LaneRange /*range*/, int /*offset*/) const {}
+#endif
+
   template <class Format, class T>
   void store_nothing() const {
     using To = decltype(self().template address<typename Format::template Stored<T>>(0, 0));

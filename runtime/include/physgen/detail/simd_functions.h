@@ -37,88 +37,60 @@ template <class T, class A, class Function, class... X>
   return known;
 }
 
-template <class T, class A>
-xsimd::batch<T, A> mended_exp(const xsimd::batch<T, A>& x) {
-  constexpr T least_normal = sizeof(T) == 4 ? T(-87.3) : T(-708.3);  // results below it are subnormal
-  constexpr T largest = sizeof(T) == 4 ? T(88.3) : T(709.3);         // above it xsimd gives infinity, too early
-  using S = xsimd::batch<T, A>;
-  return mend(x < S(least_normal) || x > S(largest), xsimd::kernel::exp<A>(x, A{}), [](T a) { return std::exp(a); }, x);
-}
-template <class T, class A>
-xsimd::batch<T, A> mended_expm1(const xsimd::batch<T, A>& x) {
-  constexpr T largest = sizeof(T) == 4 ? T(88.3) : T(709.3);
-  return mend(x > xsimd::batch<T, A>(largest), xsimd::kernel::expm1<A>(x, A{}), [](T a) { return std::expm1(a); }, x);
-}
-template <class T, class A>
-xsimd::batch<T, A> mended_log(const xsimd::batch<T, A>& x) {
-  using S = xsimd::batch<T, A>;
-  return mend(x < S(std::numeric_limits<T>::min()), xsimd::kernel::log<A>(x, A{}), [](T a) { return std::log(a); }, x);
-}
-template <class T, class A>
-xsimd::batch<T, A> mended_cbrt(const xsimd::batch<T, A>& x) {
-  using S = xsimd::batch<T, A>;
-  return mend(
-      xsimd::abs(x) < S(std::numeric_limits<T>::min()), xsimd::kernel::cbrt<A>(x, A{}),
-      [](T a) { return std::cbrt(a); }, x);
-}
-template <class T, class A>
-xsimd::batch<T, A> mended_pow(const xsimd::batch<T, A>& x, const xsimd::batch<T, A>& y) {
-  return lane_by_lane(xsimd::batch_bool<T, A>(true), x, [](T a, T b) { return std::pow(a, b); }, x, y);
-}
-template <class T, class A>
-xsimd::batch<T, A> mended_fmod(const xsimd::batch<T, A>& x, const xsimd::batch<T, A>& y) {
-  return lane_by_lane(xsimd::batch_bool<T, A>(true), x, [](T a, T b) { return std::fmod(a, b); }, x, y);
-}
-/// Of both zero and of both infinite, and where the quotient is neither 0 nor a normal number.
-template <class T, class A>
-xsimd::batch<T, A> mended_atan2(const xsimd::batch<T, A>& y, const xsimd::batch<T, A>& x) {
-  using S = xsimd::batch<T, A>;
-  const S quotient = xsimd::abs(y / x);
-  const auto sound = quotient >= S(std::numeric_limits<T>::min()) && quotient <= S(std::numeric_limits<T>::max());
-  return mend(!sound, xsimd::kernel::atan2<A>(y, x, A{}), [](T a, T b) { return std::atan2(a, b); }, y, x);
-}
-/// Where a square over- or underflows.
-template <class T, class A>
-xsimd::batch<T, A> mended_hypot(const xsimd::batch<T, A>& x, const xsimd::batch<T, A>& y) {
-  using S = xsimd::batch<T, A>;
-  constexpr T large = sizeof(T) == 4 ? T(0x1p62) : T(0x1p510), small = sizeof(T) == 4 ? T(0x1p-50) : T(0x1p-480);
-  const S longer = xsimd::max(xsimd::abs(x), xsimd::abs(y));
-  const auto sound = longer <= S(large) && longer >= S(small) && x == x && y == y;
-  return mend(!sound, xsimd::sqrt(x * x + y * y), [](T a, T b) { return std::hypot(a, b); }, x, y);
-}
-
 }  // namespace physgen::detail
 
 namespace xsimd {
 
-// For float and double each, which is what makes them more special. PHYSGEN_MENDED_ONE and _TWO are undefined below.
-#define PHYSGEN_MENDED_ONE(T, name)                 \
-  template <class A>                                \
-  inline batch<T, A> name(const batch<T, A>& x) {   \
-    return physgen::detail::mended_##name<T, A>(x); \
-  }
-#define PHYSGEN_MENDED_TWO(T, name)                                     \
-  template <class A>                                                    \
-  inline batch<T, A> name(const batch<T, A>& x, const batch<T, A>& y) { \
-    return physgen::detail::mended_##name<T, A>(x, y);                  \
-  }
-PHYSGEN_MENDED_ONE(float, exp)
-PHYSGEN_MENDED_ONE(double, exp)
-PHYSGEN_MENDED_ONE(float, expm1)
-PHYSGEN_MENDED_ONE(double, expm1)
-PHYSGEN_MENDED_ONE(float, log)
-PHYSGEN_MENDED_ONE(double, log)
-PHYSGEN_MENDED_ONE(float, cbrt)
-PHYSGEN_MENDED_ONE(double, cbrt)
-PHYSGEN_MENDED_TWO(float, pow)
-PHYSGEN_MENDED_TWO(double, pow)
-PHYSGEN_MENDED_TWO(float, fmod)
-PHYSGEN_MENDED_TWO(double, fmod)
-PHYSGEN_MENDED_TWO(float, atan2)
-PHYSGEN_MENDED_TWO(double, atan2)
-PHYSGEN_MENDED_TWO(float, hypot)
-PHYSGEN_MENDED_TWO(double, hypot)
-#undef PHYSGEN_MENDED_ONE
-#undef PHYSGEN_MENDED_TWO
+template <std::floating_point T, class A>
+inline batch<T, A> exp(const batch<T, A>& x) {
+  constexpr T least_normal = sizeof(T) == 4 ? T(-87.3) : T(-708.3);  // results below it are subnormal
+  constexpr T largest = sizeof(T) == 4 ? T(88.3) : T(709.3);         // above it xsimd gives infinity, too early
+  using S = batch<T, A>;
+  return physgen::detail::mend(
+      x < S(least_normal) || x > S(largest), kernel::exp<A>(x, A{}), [](T a) { return std::exp(a); }, x);
+}
+template <std::floating_point T, class A>
+inline batch<T, A> expm1(const batch<T, A>& x) {
+  constexpr T largest = sizeof(T) == 4 ? T(88.3) : T(709.3);
+  return physgen::detail::mend(
+      x > batch<T, A>(largest), kernel::expm1<A>(x, A{}), [](T a) { return std::expm1(a); }, x);
+}
+template <std::floating_point T, class A>
+inline batch<T, A> log(const batch<T, A>& x) {
+  using S = batch<T, A>;
+  return physgen::detail::mend(
+      x < S(std::numeric_limits<T>::min()), kernel::log<A>(x, A{}), [](T a) { return std::log(a); }, x);
+}
+template <std::floating_point T, class A>
+inline batch<T, A> cbrt(const batch<T, A>& x) {
+  using S = batch<T, A>;
+  return physgen::detail::mend(
+      abs(x) < S(std::numeric_limits<T>::min()), kernel::cbrt<A>(x, A{}), [](T a) { return std::cbrt(a); }, x);
+}
+template <std::floating_point T, class A>
+inline batch<T, A> pow(const batch<T, A>& x, const batch<T, A>& y) {
+  return physgen::detail::lane_by_lane(batch_bool<T, A>(true), x, [](T a, T b) { return std::pow(a, b); }, x, y);
+}
+template <std::floating_point T, class A>
+inline batch<T, A> fmod(const batch<T, A>& x, const batch<T, A>& y) {
+  return physgen::detail::lane_by_lane(batch_bool<T, A>(true), x, [](T a, T b) { return std::fmod(a, b); }, x, y);
+}
+/// Wrong where both are zero or infinite, and where the quotient is neither 0 nor a normal number.
+template <std::floating_point T, class A>
+inline batch<T, A> atan2(const batch<T, A>& y, const batch<T, A>& x) {
+  using S = batch<T, A>;
+  const S quotient = abs(y / x);
+  const auto sound = quotient >= S(std::numeric_limits<T>::min()) && quotient <= S(std::numeric_limits<T>::max());
+  return physgen::detail::mend(!sound, kernel::atan2<A>(y, x, A{}), [](T a, T b) { return std::atan2(a, b); }, y, x);
+}
+/// Wrong where a square over- or underflows.
+template <std::floating_point T, class A>
+inline batch<T, A> hypot(const batch<T, A>& x, const batch<T, A>& y) {
+  using S = batch<T, A>;
+  constexpr T large = sizeof(T) == 4 ? T(0x1p62) : T(0x1p510), small = sizeof(T) == 4 ? T(0x1p-50) : T(0x1p-480);
+  const S longer = max(abs(x), abs(y));
+  const auto sound = longer <= S(large) && longer >= S(small) && x == x && y == y;
+  return physgen::detail::mend(!sound, sqrt(x * x + y * y), [](T a, T b) { return std::hypot(a, b); }, x, y);
+}
 
 }  // namespace xsimd

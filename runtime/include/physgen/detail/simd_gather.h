@@ -39,18 +39,6 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   [[nodiscard]] index_t further(int l) const { return index_[static_cast<std::size_t>(l)]; }
 
   template <class T>
-  [[nodiscard]] batch_t<T, W> read(int offset) const {
-    alignas(64) std::array<T, W> lanes;
-    read_lanes(offset, lanes);
-    return batch_t<T, W>::load_aligned(lanes.data());
-  }
-  template <class T>
-  void write(int offset, const batch_t<T, W>& value) const {
-    alignas(64) std::array<T, W> lanes;
-    value.store_aligned(lanes.data());
-    write_some_lanes(offset, lanes, written());
-  }
-  template <class T>
   void read_lanes(int offset, std::array<T, W>& lanes) const {
     PHYSGEN_UNROLL
     for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = *address<T>(offset, l);

@@ -1,9 +1,10 @@
-// Masks of SIMD packs that no `if` and no `?:` takes. Of xsimd 8.1, those for AVX-512 convert to an integer, so that
-// `if (a > b)` would compile and mean "in any lane"; on other instruction sets it does not compile. Here their
+// Makes masks of SIMD packs that no `if` and no `?:` takes. Those of xsimd 8.1 for AVX-512 convert to an integer, so
+// that `if (a > b)` would compile and mean "in any lane"; on other instruction sets it does not compile. Here their
 // conversion is narrowed to what xsimd's own code needs. Included before the rest of xsimd.
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 #include <xsimd/config/xsimd_arch.hpp>
 
 #if XSIMD_WITH_AVX512F
@@ -32,29 +33,11 @@ struct MaskRegister {
 
 namespace xsimd::types {
 
-template <>
-struct simd_avx512_bool_register<float> : physgen::detail::MaskRegister<__mmask16> {
-  using MaskRegister::MaskRegister;
-};
-template <>
-struct simd_avx512_bool_register<double> : physgen::detail::MaskRegister<__mmask8> {
-  using MaskRegister::MaskRegister;
-};
-template <>
-struct simd_avx512_bool_register<int> : physgen::detail::MaskRegister<__mmask16> {
-  using MaskRegister::MaskRegister;
-};
-template <>
-struct simd_avx512_bool_register<unsigned> : physgen::detail::MaskRegister<__mmask16> {
-  using MaskRegister::MaskRegister;
-};
-template <>
-struct simd_avx512_bool_register<long> : physgen::detail::MaskRegister<__mmask8> {
-  using MaskRegister::MaskRegister;
-};
-template <>
-struct simd_avx512_bool_register<unsigned long> : physgen::detail::MaskRegister<__mmask8> {
-  using MaskRegister::MaskRegister;
+template <class T>
+  requires(sizeof(T) >= 4)
+struct simd_avx512_bool_register<T>
+    : physgen::detail::MaskRegister<std::conditional_t<sizeof(T) == 4, __mmask16, __mmask8>> {
+  using simd_avx512_bool_register::MaskRegister::MaskRegister;
 };
 
 }  // namespace xsimd::types

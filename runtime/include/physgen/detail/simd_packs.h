@@ -10,7 +10,7 @@ namespace physgen {
 
 namespace detail {
 
-/// On W consecutive objects: what the cursors of whole and of partial packs share.
+/// The common base of the cursors of whole and of partial packs, which stand on W consecutive objects.
 template <class Derived, class Byte, class Layout, RecordSize kRecord, int W>
 class ConsecutiveCursor : public SimdCursor<Derived, W> {
  protected:
@@ -102,9 +102,7 @@ class Cursor<Byte, Layout, kRecord, Pack<W>>
       prefetch<T>(offset);
       return batch_t<T, W>::load_unaligned(this->template address<T>(offset, 0));
     } else {
-      alignas(64) std::array<T, W> lanes;
-      read_lanes(offset, lanes);
-      return batch_t<T, W>::load_aligned(lanes.data());
+      return Consecutive::Base::template read<T>(offset);
     }
   }
   template <class T>
@@ -166,18 +164,6 @@ class Cursor<Byte, Layout, kRecord, PartialPack<W>>
     return Consecutive::all_lanes >> (W - (pack_.last - pack_.first)) << pack_.first;
   }
 
-  template <class T>
-  [[nodiscard]] batch_t<T, W> read(int offset) const {
-    alignas(64) std::array<T, W> lanes;
-    read_lanes(offset, lanes);
-    return batch_t<T, W>::load_aligned(lanes.data());
-  }
-  template <class T>
-  void write(int offset, const batch_t<T, W>& value) const {
-    alignas(64) std::array<T, W> lanes;
-    value.store_aligned(lanes.data());
-    this->write_some_lanes(offset, lanes, written());
-  }
   // A loop that stays one: this runs at most twice per range, and its code stands in every kernel.
   template <class T>
   [[gnu::noinline]] void read_lanes(int offset, std::array<T, W>& lanes) const {

@@ -1,4 +1,4 @@
-// What packs get wrong with xsimd 8.1 or g++ 12, put right. Included by simd.h, behind xsimd.
+// Repairs of what packs get wrong with xsimd 8.1 or g++ 12. simd.h includes them behind xsimd.
 #pragma once
 
 #include <concepts>

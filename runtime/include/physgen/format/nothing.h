@@ -1,5 +1,5 @@
-// Fields of which nothing is stored: stores to them vanish, and what reads one does not compile. So an array holds no
-// more than a program needs, and the compiler proves that the program needs no more.
+// Fields of which nothing is stored: stores to them vanish, and code that reads one does not compile. So an array holds
+// no more than a program needs, and the compiler proves that the program needs no more.
 #pragma once
 
 #include <physgen/format/native.h>
@@ -18,9 +18,9 @@ struct NoElement {};
 
 }  // namespace detail
 
-/// No bytes. A kernel that stores such a field compiles to nothing there, and what it computes for the field alone is
-/// not computed; whatever reads it does not compile: get() of a whole object, add(), swap(), += included. A copy to an
-/// array whose field is Nothing is refused, since what the field was would be lost: Pruned says that this is meant.
+/// No bytes. A kernel that stores such a field compiles to nothing there, and values that it computes for the field
+/// alone are not computed; whatever reads it does not compile: get() of a whole object, add(), swap(), += included. A
+/// copy to an array whose field is Nothing is refused, since the field would be lost: Pruned says that this is meant.
 struct Nothing {
   using Library = Nothing;
   static constexpr const char* name = "nothing";

@@ -1,5 +1,5 @@
-// What formats know of those that tell reads and writes apart (probe.h has their definition): they have the traits of
-// the format that they stand for, but nothing is plain, so that every access goes through decode() and encode().
+// Declares to formats those that tell reads and writes apart (probe.h defines them): they have the traits of the format
+//  that they stand for, but nothing is plain, so that every access goes through decode() and encode().
 #pragma once
 
 #include <physgen/format/native.h>
@@ -15,15 +15,15 @@ struct Probe;
 
 namespace probe {
 
-/// In the place of an array's tag: the same array, under the index that a kernel is called with. What has the plain tag
-/// is under an index that the kernel forms, or under one of which types do not say which it is: that of single objects.
+/// Stands in the place of an array's tag: the same array, under the index that a kernel is called with. The plain tag
+/// says that the kernel forms the index, or that types do not say which it is, as for single objects.
 template <class ArrayTag>
 struct AtOwnIndex {
   static constexpr const char* name = ArrayTag::name;
 };
 
-/// In the place of an array's tag: an array that stores nothing, and may be read all the same. Where code is another
-/// over it than over the array with all fields, it depends on which fields are stored.
+/// Stands in the place of an array's tag: an array that stores nothing, and may be read all the same. Code that differs
+/// over it from code over the array with all fields depends on which fields are stored.
 template <class ArrayTag>
 struct StoringNothing {
   static constexpr const char* name = ArrayTag::name;

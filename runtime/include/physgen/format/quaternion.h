@@ -10,8 +10,9 @@
 namespace physgen::format {
 
 /// @tparam Component_ how each of the four is stored: Native, Float32, Half<>, Snorm16<Interval{-1, 1}>, ...
-/// Error of an entry of the matrix: 1.2e-6 for components in float, 2e-3 in half, 9e-5 in 16-bit steps. What is read is
-/// orthogonal to a few eps whatever the component's format, since a quaternion is made one of length 1 again.
+/// Error of an entry of the matrix: 1.2e-6 for components in float, 2e-3 in half, 9e-5 in 16-bit steps. The matrix that
+/// is read is orthogonal to a few eps whatever the component's format, since a quaternion is made one of length 1
+/// again.
 template <class Component_ = Native>
 struct Quaternion {
   static_assert(!StoresNothing<Component_>, "a rotation is pruned as a whole: its format is Nothing or Pruned itself");
@@ -29,7 +30,7 @@ inline constexpr bool is_quaternion = false;
 template <class Component>
 inline constexpr bool is_quaternion<Quaternion<Component>> = true;
 
-/// How the elements of a field of this format are stored.
+/// The format of the elements of a field of this format.
 template <class Format>
 struct ElementFormat {
   using type = Format;

@@ -10,7 +10,7 @@
 
 namespace physgen::format {
 
-/// What a stored number stands for: centre + scale * stored.
+/// A stored number stands for centre + scale * stored.
 struct Affine {
   double scale = 1;
   double centre = 0;

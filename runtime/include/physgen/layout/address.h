@@ -9,9 +9,8 @@
 //   lanes     | 0  1  2  3  | 0  1  2  3  | 0  1  2  3  | 0  1  2  3  |
 //   objects   | 0  1  2  3  | 0  1  2  3  | 4  5  6  7  | 4  5  6  7  |
 //
-// A record takes `record_bytes` bytes, and so a tile takes pitch * record_bytes. Of an element of `size` bytes that
-// lies `offset` bytes into the record, the channel begins at offset * pitch of its tile, and object i has lane i %
-// pitch:
+// A record takes `record_bytes` bytes, and so a tile takes pitch * record_bytes. An element of `size` bytes that
+// lies `offset` bytes into the record has its channel at offset * pitch of the tile, and object i has lane i % pitch:
 //
 //   address(i, offset) = base + (i / pitch) * pitch * record_bytes + offset * pitch + (i % pitch) * size
 //
@@ -23,20 +22,20 @@
 
 namespace physgen::law {
 
-/// What a tile takes [bytes].
+/// The size of a tile [bytes].
 [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t tile_bytes(index_t pitch, index_t record_bytes) {
   return pitch * record_bytes;
 }
 
-/// Where a tile begins in its array [bytes].
-/// @param bytes what each tile takes: tile_bytes(). (Made of pitch and record here, it would cost nvcc an instruction.)
+/// The beginning of a tile in its array [bytes].
+/// @param bytes of each tile: tile_bytes(). (Made of pitch and record here, it would cost nvcc an instruction.)
 [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t tile_begin(index_t tile, index_t bytes) { return tile * bytes; }
 
-/// Where the channel of what lies at `offset` of the record begins in its tile, in the unit of `offset`; so element k
-/// after another one lies channel_begin(k, pitch) elements after it.
+/// The beginning, in its tile, of the channel of an element at `offset` of the record, in the unit of `offset`; element
+/// k after another one lies channel_begin(k, pitch) elements after it.
 [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t channel_begin(index_t offset, index_t pitch) { return offset * pitch; }
 
-/// Where the element of the object at `lane` begins in its channel [bytes].
+/// The beginning, in its channel, of the element of the object at `lane` [bytes].
 [[nodiscard]] PHYSGEN_FUNCTION constexpr index_t lane_begin(index_t lane, index_t size) { return lane * size; }
 
 /// The law: the address of an element of object i.

@@ -1,4 +1,4 @@
-// One record for all objects: for what is the same for each of them.
+// One record for all objects, which are all the same.
 #pragma once
 
 #include <physgen/layout/aos.h>

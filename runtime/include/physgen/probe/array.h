@@ -7,7 +7,7 @@
 
 namespace physgen {
 
-/// Has of an Array what programs give to kernels.
+/// Has the members of an Array that programs give to kernels.
 /// @tparam Formats_ XProbe<ArrayTag, Base> of the generated code, or a struct derived from it
 template <class Object_, class Real, class Layout, class Formats_, class Space = Host>
 class ProbeArray {
@@ -20,7 +20,7 @@ class ProbeArray {
   using ConstView = physgen::View<Object, const Real, Layout, Formats, Space>;
   using Value = typename Object::template Value<Real>;
 
-  /// @param size what size() says
+  /// @param size returned by size()
   explicit ProbeArray(index_t size = 1) : size_(size) {}
 
   [[nodiscard]] index_t size() const { return size_; }
@@ -51,7 +51,7 @@ using ProbeOf =
     ProbeArray<typename Array::Object, typename Array::View::Precision, typename Array::View::Layout,
                typename Array::Object::template Probe<ArrayTag, typename Array::Formats>, typename Array::View::Space>;
 
-/// Has of RowArrays what programs give to kernels.
+/// Has the members of RowArrays that programs give to kernels.
 /// @tparam Ranges a ProbeArray of objects with `Index begin, end`
 /// @tparam Entries a ProbeArray of any objects
 template <class Ranges, class Entries>

@@ -8,7 +8,7 @@ namespace physgen {
 
 /// Field number `field` of Object::fields, in the array that ArrayTag names: has the size, the type and the numbers of
 /// Base, but is not plain, so that code reads through decode() and writes through encode(), whatever it is written
-/// like. Which of these a compiler instantiates is what the code may do. They compute what those of Base do.
+/// like. The code may do what a compiler instantiates of these. They compute what those of Base do.
 /// @tparam ArrayTag a type with `static constexpr const char* name`, one for each array
 /// @tparam Base a format of single elements, or the Quaternion of one
 template <class ArrayTag, class Object, int field, class Base>
@@ -34,7 +34,7 @@ struct Probe {
     found<probe::detail::Access::written>();
     return {Base::template encode<Real>(value)};
   }
-  /// Where an element's address is taken. @param stored in a read-only array to const
+  /// Takes an element's address. @param stored points to const in a read-only array
   template <class Real, class Stored>
   [[nodiscard]] PHYSGEN_FUNCTION static auto address(Stored* stored) {
     static_assert(format::is_plain<Base, Real>, "only an element that is stored as it is computed has an address");
@@ -53,7 +53,7 @@ struct Probe {
   }
 };
 
-/// Of an array that stores nothing. Tells nothing of reads and writes.
+/// The probe of an array that stores nothing. It tells nothing of reads and writes.
 template <class ArrayTag, class Object, int field, class Base>
   requires(probe::stores_nothing<ArrayTag> && !format::is_quaternion<Base>)
 struct Probe<ArrayTag, Object, field, Base> : format::Nothing {
@@ -69,7 +69,7 @@ struct Probe<ArrayTag, Object, field, Base> : format::Nothing {
   }
 };
 
-/// Of a rotation: each component of its quaternion is told apart from other fields, not from each other.
+/// The probe of a rotation: components of its quaternion are told apart from other fields, not from each other.
 template <class ArrayTag, class Object, int field, class Component_>
 struct Probe<ArrayTag, Object, field, format::Quaternion<Component_>> {
   static constexpr const char* name = format::Quaternion<Component_>::name;

@@ -1,5 +1,5 @@
-// What probes have found in a program, for compilers that are asked by running it. Every use of a probe makes an object
-// before main() begins, whether the code that uses it ever runs or not.
+// Holds what probes have found in a program, for compilers that are asked by running it. Every use of a probe makes an
+// object before main() begins, whether the code that uses it ever runs or not.
 #pragma once
 
 #include <physgen/object_info.h>
@@ -12,7 +12,7 @@
 
 namespace physgen::probe {
 
-/// What the code of a program does to a field of an array.
+/// The uses that a program's code makes of a field of an array.
 struct FieldAccess {
   std::string array;   ///< ArrayTag::name
   std::string object;  ///< "elasticity::Tet"
@@ -76,34 +76,34 @@ struct DeviceArray {
 
 }  // namespace detail
 
-/// All fields that the program's code reads or writes, each array's in one row per field, ascending. Code is found that
-/// was compiled by a compiler of the host: see unseen() for what is not.
+/// All fields that the program's code reads or writes, one access for each field of each array, ascending. Code is
+/// found that was compiled by a compiler of the host: see unseen() for the rest.
 [[nodiscard]] inline std::vector<FieldAccess> registered() {
-  std::vector<FieldAccess> rows;
+  std::vector<FieldAccess> accesses;
   for (const detail::Use* use = detail::Use::last; use != nullptr; use = use->next) {
     FieldAccess one{use->array, std::string(use->object), std::string(use->field)};
     for (std::size_t at; (at = one.field.find("[0]")) != std::string::npos;) one.field.erase(at, 3);
-    auto row = std::ranges::find_if(rows, [&](const FieldAccess& other) {
+    auto known = std::ranges::find_if(accesses, [&](const FieldAccess& other) {
       return std::tie(other.array, other.object, other.field) == std::tie(one.array, one.object, one.field);
     });
-    if (row == rows.end()) row = rows.insert(rows.end(), one);
-    row->read |= use->access == detail::Access::read;
-    row->written |= use->access == detail::Access::written;
-    row->address_taken |= use->access == detail::Access::address;
+    if (known == accesses.end()) known = accesses.insert(accesses.end(), one);
+    known->read |= use->access == detail::Access::read;
+    known->written |= use->access == detail::Access::written;
+    known->address_taken |= use->access == detail::Access::address;
   }
-  std::ranges::sort(rows, {}, [](const FieldAccess& row) { return std::tie(row.array, row.object, row.field); });
-  return rows;
+  std::ranges::sort(accesses, {}, [](const FieldAccess& one) { return std::tie(one.array, one.object, one.field); });
+  return accesses;
 }
 
-/// What registered() knows nothing of, since compilers of the host do not read code for devices: steps by perform() on
-/// CUDA, as texts that name their types; and the names of arrays of CUDA of which it has not found a use, as where all
-/// kernels over them are __device__ functions. Where there are any, ask `physgen usage`.
+/// The steps and arrays of which registered() knows nothing, since compilers of the host do not read code for devices:
+/// steps by perform() on CUDA, as texts that name their types; and the names of arrays of CUDA of which it has not
+/// found a use, as where all kernels over them are __device__ functions. Where there are any, ask `physgen usage`.
 [[nodiscard]] inline std::vector<std::string> unseen() {
   std::vector<std::string> names;
   const std::vector<FieldAccess> found = registered();
   for (const detail::ForDevice* one = detail::ForDevice::last; one != nullptr; one = one->next) {
     const bool seen =
-        one->is_array && std::ranges::any_of(found, [&](const auto& row) { return row.array == one->what; });
+        one->is_array && std::ranges::any_of(found, [&](const auto& access) { return access.array == one->what; });
     if (!seen) names.emplace_back(one->what);
   }
   std::ranges::sort(names);

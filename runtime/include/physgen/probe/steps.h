@@ -1,6 +1,6 @@
 // The steps of a program, as calls that compilers read and programs never make. A specialisation of step(),
-// reduce_step(), perform_step(), root() or host_reads() is what `physgen usage` begins at: what is reached from there
-// is what the step reads and writes.
+// reduce_step(), perform_step(), root() or host_reads() is where `physgen usage` begins: the step reads and writes what
+// is reached from there.
 #pragma once
 
 #include <physgen/lanes.h>
@@ -58,13 +58,13 @@ void perform_step(const Work& work) {
 #endif
 }
 
-/// What the end of a loop depends on: is always wanted.
+/// The end of a loop, which is always wanted.
 template <class Done>
 void root(const Done& done) {
   if (false) (void)done();
 }
 
-/// The host asks for an object: all its fields are wanted.
+/// The host asks for an object, so all its fields are wanted.
 template <class Array>
 void host_reads(const Array& array) {
   if (false) (void)array.const_view().get(index_t{0});

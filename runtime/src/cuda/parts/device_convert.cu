@@ -4,6 +4,7 @@
 #include <physgen/layout/pitch.h>
 
 #include <algorithm>
+#include <array>
 
 #include "device_convert.h"
 #include "moves.h"
@@ -35,97 +36,79 @@ struct Block {
   bool clear;  // elements do not fill the target's records
 };
 
-// Elements that only move, as words of type T.
-template <class T, bool kFromStaged, bool kToStaged>
-__device__ void move_words(const Moves& moves, const ObjectElements<kFromStaged>& from,
-                           const ObjectElements<kToStaged>& to) {
-  constexpr int batch = 16;  // loads in flight
-  constexpr int size = sizeof(T);
-  for (int first = 0; first < moves.elements; first += batch) {
-    T value[batch];
+// Calls write(e, read(e)) for the elements e = 0 .. count-1, and reads kBatch of them before it writes the first.
+template <class Value, int kBatch, class Read, class Write>
+__device__ void in_batches(int count, const Read& read, const Write& write) {
+  for (int first = 0; first < count; first += kBatch) {
+    Value value[kBatch];
 #pragma unroll
-    for (int k = 0; k < batch; ++k) {
-      if (first + k < moves.elements)
-        value[k] = read<kFromStaged, T>(from.at(moves.element[first + k].from_offset, size));
+    for (int k = 0; k < kBatch; ++k) {
+      if (first + k < count) value[k] = read(first + k);
     }
 #pragma unroll
-    for (int k = 0; k < batch; ++k) {
-      if (first + k < moves.elements) write<kToStaged, T>(to.at(moves.element[first + k].to_offset, size), value[k]);
+    for (int k = 0; k < kBatch; ++k) {
+      if (first + k < count) write(first + k, value[k]);
     }
   }
 }
 
-// Between floats and 16 bits of one encoding: kNarrow to 16 bits, else from them.
-template <bool kNarrow, class Codec, bool kFromStaged, bool kToStaged>
-__device__ void convert_by(const Codec& codec, const Moves& moves, const ObjectElements<kFromStaged>& from,
+// Moves elements as words of type T.
+template <class T, bool kFromStaged, bool kToStaged>
+__device__ void move_words(const Moves& moves, const ObjectElements<kFromStaged>& from,
                            const ObjectElements<kToStaged>& to) {
-  using From = std::conditional_t<kNarrow, float, unsigned short>;
-  constexpr int batch = 16;  // loads in flight
-  constexpr int from_size = sizeof(From), to_size = kNarrow ? 2 : 4;
-  for (int first = 0; first < moves.elements; first += batch) {
-    From value[batch];
-#pragma unroll
-    for (int k = 0; k < batch; ++k) {
-      if (first + k < moves.elements)
-        value[k] = read<kFromStaged, From>(from.at(moves.element[first + k].from_offset, from_size));
-    }
-#pragma unroll
-    for (int k = 0; k < batch; ++k) {
-      if (first + k >= moves.elements) continue;
-      std::byte* target = to.at(moves.element[first + k].to_offset, to_size);
-      if constexpr (kNarrow) {
-        write<kToStaged, unsigned short>(target, codec.encode(value[k]));
-      } else {
-        write<kToStaged, float>(target, codec.decode(value[k]));
-      }
-    }
-  }
+  constexpr int size = sizeof(T);
+  in_batches<T, 16>(
+      moves.elements, [&](int e) { return read<kFromStaged, T>(from.at(moves.element[e].from_offset, size)); },
+      [&](int e, T value) { write<kToStaged, T>(to.at(moves.element[e].to_offset, size), value); });
 }
+
+// Converts between floats and 16 bits of one format: kNarrow to 16 bits, else from them.
 template <bool kNarrow, bool kFromStaged, bool kToStaged>
 __device__ void convert_uniform(const Moves& moves, const ObjectElements<kFromStaged>& from,
                                 const ObjectElements<kToStaged>& to) {
-  const detail::Encoding& encoding = kNarrow ? moves.element[0].to : moves.element[0].from;
-  detail::with_codec<float>(encoding, [&](const auto& codec) { convert_by<kNarrow>(codec, moves, from, to); });
+  using From = std::conditional_t<kNarrow, float, unsigned short>;
+  constexpr int from_size = sizeof(From), to_size = kNarrow ? 2 : 4;
+  detail::with_codec<float>(kNarrow ? moves.element[0].to : moves.element[0].from, [&](const auto& codec) {
+    in_batches<From, 16>(
+        moves.elements,
+        [&](int e) { return read<kFromStaged, From>(from.at(moves.element[e].from_offset, from_size)); },
+        [&](int e, From value) {
+          std::byte* target = to.at(moves.element[e].to_offset, to_size);
+          if constexpr (kNarrow) {
+            write<kToStaged, unsigned short>(target, codec.encode(value));
+          } else {
+            write<kToStaged, float>(target, codec.decode(value));
+          }
+        });
+  });
 }
 
 template <bool kFromStaged, bool kToStaged>
 __device__ void convert_elements(const Moves& moves, const ObjectElements<kFromStaged>& from,
                                  const ObjectElements<kToStaged>& to) {
-  constexpr int batch = 4;  // loads in flight
-  for (int first = 0; first < moves.elements; first += batch) {
-    unsigned long long bits[batch];
-#pragma unroll
-    for (int k = 0; k < batch; ++k) {
-      if (first + k >= moves.elements) continue;
-      const ElementMove& move = moves.element[first + k];
-      const int size = element_bytes(move.from.type);
-      const std::byte* source = from.at(move.from_offset, size);
-      bits[k] = size == 8   ? read<kFromStaged, unsigned long long>(source)
-                : size == 4 ? read<kFromStaged, unsigned>(source)
-                            : read<kFromStaged, unsigned short>(source);
-    }
-#pragma unroll
-    for (int k = 0; k < batch; ++k) {
-      if (first + k >= moves.elements) continue;
-      const ElementMove& move = moves.element[first + k];
-      const int size = element_bytes(move.to.type);
-      unsigned long long out = 0;
-      detail::convert_element(reinterpret_cast<std::byte*>(&out), move.to, reinterpret_cast<const std::byte*>(&bits[k]),
-                              move.from);
-      std::byte* target = to.at(move.to_offset, size);
-      if (size == 8) {
-        write<kToStaged>(target, out);
-      } else if (size == 4) {
-        write<kToStaged>(target, static_cast<unsigned>(out));
-      } else {
-        write<kToStaged>(target, static_cast<unsigned short>(out));
-      }
-    }
-  }
+  const auto bits_of = [&](int e) -> unsigned long long {
+    const ElementMove& move = moves.element[e];
+    const int size = element_bytes(move.from.type);
+    const std::byte* source = from.at(move.from_offset, size);
+    if (size == 8) return read<kFromStaged, unsigned long long>(source);
+    if (size == 4) return read<kFromStaged, unsigned>(source);
+    return read<kFromStaged, unsigned short>(source);
+  };
+  in_batches<unsigned long long, 4>(moves.elements, bits_of, [&](int e, const unsigned long long& bits) {
+    const ElementMove& move = moves.element[e];
+    const int size = element_bytes(move.to.type);
+    unsigned long long out = 0;
+    detail::convert_element(reinterpret_cast<std::byte*>(&out), move.to, reinterpret_cast<const std::byte*>(&bits),
+                            move.from);
+    std::byte* target = to.at(move.to_offset, size);
+    if (size == 8) return write<kToStaged>(target, out);
+    if (size == 4) return write<kToStaged>(target, static_cast<unsigned>(out));
+    write<kToStaged>(target, static_cast<unsigned short>(out));
+  });
 }
 
-// What the elements of a launch have in common.
-enum class Kind { words4, words2, narrow, widen, any };
+// The elements of a launch have this in common.
+enum class Kind { words4, words2, narrow, widen, any };  // in the order of `launches`
 
 template <Kind kKind, bool kFromStaged, bool kToStaged>
 __global__ void convert_kernel(const Addressing to, const Addressing from, const __grid_constant__ Moves moves,
@@ -176,7 +159,7 @@ __global__ void convert_rotations(const Addressing to, const Addressing from, co
 }
 
 [[nodiscard]] Kind kind_of(const Moves& moves) {
-  const detail::Encoding &to = moves.element[0].to, &from = moves.element[0].from;
+  const detail::FieldFormat &to = moves.element[0].to, &from = moves.element[0].from;
   const bool uniform = std::all_of(moves.element, moves.element + moves.elements,
                                    [&](const ElementMove& move) { return move.to == to && move.from == from; });
   const auto all_moved = [&](int size) {
@@ -199,15 +182,12 @@ void launch(const Addressing& to, const Addressing& from, const Moves& moves, co
   while (block.from.shared_bytes(objects) + block.to.shared_bytes(objects) > most_shared) objects /= 2;
   const int shared = block.from.shared_bytes(objects) + block.to.shared_bytes(objects);
   const unsigned grid = blocks_for(block.last - block.begin, objects);
-  if (block.from.words > 0 && block.to.words > 0) {
-    convert_kernel<kKind, true, true><<<grid, objects, shared, stream>>>(to, from, moves, block);
-  } else if (block.from.words > 0) {
-    convert_kernel<kKind, true, false><<<grid, objects, shared, stream>>>(to, from, moves, block);
-  } else if (block.to.words > 0) {
-    convert_kernel<kKind, false, true><<<grid, objects, shared, stream>>>(to, from, moves, block);
-  } else {
-    convert_kernel<kKind, false, false><<<grid, objects, shared, stream>>>(to, from, moves, block);
-  }
+  const bool from_staged = block.from.words > 0, to_staged = block.to.words > 0;
+  auto* const kernel = from_staged && to_staged ? convert_kernel<kKind, true, true>
+                       : from_staged            ? convert_kernel<kKind, true, false>
+                       : to_staged              ? convert_kernel<kKind, false, true>
+                                                : convert_kernel<kKind, false, false>;
+  kernel<<<grid, objects, shared, stream>>>(to, from, moves, block);
   check(cudaGetLastError(), "launching a conversion");
 }
 
@@ -241,23 +221,9 @@ void cuda::convert(const UntypedArray& to, index_t to_first, const UntypedArray&
                     stage_to && element_bytes_written != to.record_bytes};
   for_each_part(conversion, [&](const Moves& moves) {
     if (moves.elements > 0) {
-      switch (kind_of(moves)) {
-        case Kind::words4:
-          launch<Kind::words4>(to_array, from_array, moves, block, stream);
-          break;
-        case Kind::words2:
-          launch<Kind::words2>(to_array, from_array, moves, block, stream);
-          break;
-        case Kind::narrow:
-          launch<Kind::narrow>(to_array, from_array, moves, block, stream);
-          break;
-        case Kind::widen:
-          launch<Kind::widen>(to_array, from_array, moves, block, stream);
-          break;
-        case Kind::any:
-          launch<Kind::any>(to_array, from_array, moves, block, stream);
-          break;
-      }
+      constexpr std::array launches{launch<Kind::words4>, launch<Kind::words2>, launch<Kind::narrow>,
+                                    launch<Kind::widen>, launch<Kind::any>};
+      launches[static_cast<std::size_t>(kind_of(moves))](to_array, from_array, moves, block, stream);
     }
     if (moves.rotations > 0) {
       convert_rotations<<<blocks_for(end - begin, threads), threads, 0, stream>>>(to_array, from_array, moves, begin,

@@ -6,7 +6,7 @@
 
 namespace physgen::cuda {
 
-/// Steps k = 0, 1, ... of work; what is waited for at step k < 0 is nothing.
+/// Steps k = 0, 1, ... of work; nothing is waited for at steps k < 0.
 class SideStream {
  public:
   /// Begins after the work that is in `main` now.

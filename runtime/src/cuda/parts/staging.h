@@ -64,7 +64,7 @@ __device__ void move_records(const Staged& staged, unsigned* shared, std::byte* 
     single(w);
 }
 
-/// Where the elements of one object lie: in memory, or in its record in shared memory.
+/// The elements of one object, which lie in memory, or in its record in shared memory.
 template <bool kStaged>
 struct ObjectElements {
   std::byte* object;

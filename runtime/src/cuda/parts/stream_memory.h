@@ -6,8 +6,8 @@
 
 namespace physgen::cuda {
 
-/// Memory of a pool, which keeps up to 128 MiB per device for the next time: to have memory mapped anew for each copy
-/// takes longer than to convert its objects.
+/// Memory of a pool, which keeps up to 128 MiB per device for the next time: mapping memory for each copy takes
+/// longer than to convert its objects.
 class StreamMemory {
  public:
   /// @throw Error when the memory cannot be had, or the stream is being captured

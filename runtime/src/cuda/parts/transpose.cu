@@ -15,7 +15,7 @@ using detail::Addressing;
 
 constexpr int block_objects = 256;
 
-/// Where the elements of an object lie in an array that is not made of records.
+/// The elements of an object in an array that is not made of records.
 struct Channels {
   std::byte* first;  // of the object's elements
   index_t step;      // from one element to the next [bytes]

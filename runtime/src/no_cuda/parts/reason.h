@@ -1,4 +1,4 @@
-// What every use of GPU or pinned memory says in a program whose library has no CUDA.
+// The message of every use of GPU or pinned memory in a program whose library has no CUDA.
 #pragma once
 
 namespace physgen::backend {

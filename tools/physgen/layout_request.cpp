@@ -1,12 +1,44 @@
-// Which arrays `physgen layout` draws. See layout_picture.h.
-#include "layout_picture.h"
+// Chooses the arrays that `physgen layout` draws. See layout_request.h.
+#include "layout_request.h"
 
 #include <algorithm>
+#include <cctype>
+
+#include "model/limits.h"
+#include "model/text.h"
 
 namespace physgen::command {
 namespace {
 
 using model::Space;
+using plan::LayoutMap;
+using plan::Precision;
+
+/// The layout that a word names. @param choices for the error
+model::Layout read(const std::string& word, const std::string& choices) {
+  for (const model::LayoutFacts& row : model::layouts()) {
+    if (!row.tiled && word == row.word) return {row.key, 0};
+    const std::string name(row.word), begin = name + "(";
+    if (!row.tiled || !word.starts_with(begin) || !word.ends_with(')')) continue;
+    const std::string tile = word.substr(begin.size(), word.size() - begin.size() - 1);
+    const bool digits = !tile.empty() && tile.size() <= 4 &&
+                        std::ranges::all_of(tile, [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (digits && std::stoi(tile) >= 2 && model::is_power_of_two_up_to(std::stoi(tile), model::max_tile))
+      return {row.key, std::stoi(tile)};
+    throw LayoutError("the tile of '" + word + "' is not a power of two from 2 to " + std::to_string(model::max_tile) +
+                      "; write '" + model::layout_word({row.key, 16}) + "' or '" + model::layout_word({row.key, 32}) +
+                      "'");
+  }
+  throw LayoutError("there is no layout '" + word + "'; write " + choices);
+}
+
+/// The layouts as they are written on a command line, the tile in quotes for the shell.
+std::vector<std::string> words_of_layouts() {
+  std::vector<std::string> words = model::layout_words("32");
+  for (std::string& word : words)
+    if (word.ends_with(')')) word.insert(0, 1, '\'').push_back('\'');
+  return words;
+}
 
 std::vector<Space> spaces_of(const std::string& word) {
   std::vector<Space> all;
@@ -51,13 +83,14 @@ std::vector<const model::Object*> objects_of(const model::Schema& schema, const 
 std::vector<model::Layout> layouts_of(const std::string& word, const model::Object& object, Space space) {
   const model::Layout own = object.layout(space);
   if (word.empty()) return {own};
-  if (word != "all") return {read_layout(word)};
+  if (word != "all") return {read(word, layout_choices())};
   std::vector<model::Layout> all;
   const int tile = own.tile != 0 ? own.tile : model::facts(space).standard.tile;
   for (const model::LayoutFacts& row : model::layouts()) all.push_back({row.key, row.tiled ? tile : 0});
   // From whole records to whole arrays.
-  std::ranges::stable_sort(
-      all, {}, [](model::Layout layout) { return model::facts(layout.kind).pitch(assumed_objects, layout.tile); });
+  std::ranges::stable_sort(all, {}, [](model::Layout layout) {
+    return model::facts(layout.kind).pitch(plan::assumed_objects, layout.tile);
+  });
   return all;
 }
 
@@ -67,6 +100,32 @@ bool same_but_for_space(const LayoutMap& a, const LayoutMap& b) {
 }
 
 }  // namespace
+
+model::Layout read_layout(const std::string& word, model::Space space) {
+  const model::Layout standard = model::facts(space).standard;
+  if (model::facts(standard.kind).word == word) return standard;
+  return read(word, layout_choices_of_a_space());
+}
+
+std::string layout_choices() {
+  std::vector<std::string> words = words_of_layouts();
+  words.emplace_back("all");
+  return model::joined(words, " or ");
+}
+
+std::string layout_choices_of_a_space() {
+  std::vector<std::string> words = words_of_layouts();
+  for (const model::LayoutFacts& row : model::layouts())
+    if (row.tiled) words.emplace_back(row.word);
+  return model::joined(words, " or ");
+}
+
+std::string space_choices() {
+  std::vector<std::string> words;
+  for (const model::SpaceFacts& row : model::spaces()) words.emplace_back(row.word);
+  words.emplace_back("both");
+  return model::joined(words, " or ");
+}
 
 std::vector<LayoutMap> layout_maps(const model::Schema& schema, const LayoutRequest& request) {
   const std::vector<Space> spaces = spaces_of(request.space);

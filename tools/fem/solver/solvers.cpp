@@ -117,11 +117,16 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
 
 namespace {
 
-/// What a scene is declared with, and its solvers.
+/// What a scene is declared with.
 struct DeclaredScene {
   const char* name;
-  const char* material;  ///< null: linear elasticity
-  bool assembled, patches;
+  const char* material;
+  bool assembled;
+  bool patches;  ///< whether volumes may be averaged over them
+  bool tets;     ///< whether volumes may be those of tets
+};
+/// The same, with its solvers of equilibria.
+struct SolvedScene : DeclaredScene {
   MakeSceneSolver *on_cpu, *on_cuda;
 };
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
@@ -129,12 +134,14 @@ struct DeclaredScene {
 #else
 #define PHYSGEN_SCENE_SOLVERS(scene) &make_host_##scene##_solver, nullptr
 #endif
-constexpr DeclaredScene declared_scenes[] = {
-    {"quasistatic", "stable-neo-hookean", true, true, PHYSGEN_SCENE_SOLVERS(quasistatic)},
-    {"quasistatic_matrix_free", "stable-neo-hookean", false, true, PHYSGEN_SCENE_SOLVERS(quasistatic_matrix_free)},
-    {"quasistatic_fixed_corotated", "fixed-corotated", true, false, PHYSGEN_SCENE_SOLVERS(quasistatic_fixed_corotated)},
-    {"linear_elastic", nullptr, false, false, PHYSGEN_SCENE_SOLVERS(linear_elastic)}};
+constexpr SolvedScene solved_scenes[] = {
+    {{"quasistatic", "stable-neo-hookean", true, true, false}, PHYSGEN_SCENE_SOLVERS(quasistatic)},
+    {{"quasistatic_matrix_free", "stable-neo-hookean", false, true, false},
+     PHYSGEN_SCENE_SOLVERS(quasistatic_matrix_free)},
+    {{"quasistatic_fixed_corotated", "fixed-corotated", true, false, true},
+     PHYSGEN_SCENE_SOLVERS(quasistatic_fixed_corotated)}};
 #undef PHYSGEN_SCENE_SOLVERS
+constexpr DeclaredScene implicit_scene{"implicit_dynamics", "stable-neo-hookean", true, true, true};
 
 /// @throw Error naming what is asked for that the scene has not
 void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
@@ -144,9 +151,8 @@ void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& 
   };
   const NewtonSettings& newton = settings.newton;
   require(settings.precision == TangentPrecision::float32, "is in float, and another precision is asked for");
-  require(scene.material == nullptr || settings.material == scene.material,
-          "is of the material '" + std::string(scene.material == nullptr ? "" : scene.material) + "', and '" +
-              settings.material + "' is asked for");
+  require(settings.material == scene.material,
+          "is of the material '" + std::string(scene.material) + "', and '" + settings.material + "' is asked for");
   require((newton.product == Product::assembled) == scene.assembled,
           scene.assembled ? "assembles its stiffness, and the matrix-free product is asked for"
                           : "assembles no stiffness, and the assembled product is asked for");
@@ -155,9 +161,18 @@ void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& 
   for (const MeshLevel& level : levels) {
     require(!level.is_grid(), "has no levels of a background grid; give meshes whose coarsest is small");
     require(!level.averages_at_nodes, "averages no volumes at nodes");
-    require(level.patches.nodes.empty() != scene.patches,
-            scene.patches ? "averages volumes over patches, and a level has none"
-                          : "takes the volumes of single tets, and a level has patches");
+    const bool has_patches = !level.patches.nodes.empty();
+    require(has_patches || scene.tets, "averages volumes over patches, and a level has none");
+    require(!has_patches || scene.patches, "takes the volumes of single tets, and a level has patches");
+  }
+}
+
+/// @throw Error naming what is wrong with what a solver of motion by Newton's method is given
+void require_implicit(const std::vector<MeshLevel>& levels, const Loading& loading, const DynamicSettings& settings) {
+  require_nonlinear(levels, loading, settings.solver);
+  require_motion(settings);
+  if (settings.solver.newton.product == Product::matrix_free) {
+    throw Error("inertia goes with the assembled product: the matrix-free one has the stiffness of tets alone");
   }
 }
 
@@ -165,23 +180,29 @@ void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& 
 
 std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels,
                                                      const Loading& loading, const SolverSettings& settings) {
-  const auto* declared = std::ranges::find_if(declared_scenes, [&](const auto& known) { return scene == known.name; });
-  if (declared == std::end(declared_scenes)) {
+  const auto* solved = std::ranges::find_if(solved_scenes, [&](const auto& known) { return scene == known.name; });
+  if (solved == std::end(solved_scenes)) {
     std::string names;
-    for (const DeclaredScene& known : declared_scenes) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    for (const SolvedScene& known : solved_scenes) names += (names.empty() ? "" : ", ") + std::string(known.name);
     throw Error("there is no solver of a scene '" + scene + "'; there are " + names);
   }
-  require_declared(*declared, levels, loading, settings);
-  if (declared->material == nullptr) {
-    require_meshes(levels);
-    require_settings(settings);
-    require_plain("linear elasticity", levels.front(), loading);
-  } else {
-    require_nonlinear(levels, loading, settings);
-  }
-  if (settings.device == Device::cpu) return declared->on_cpu(levels, loading, settings);
-  if (declared->on_cuda == nullptr) refuse_cuda();
-  return declared->on_cuda(levels, loading, settings);
+  require_declared(*solved, levels, loading, settings);
+  require_nonlinear(levels, loading, settings);
+  if (settings.device == Device::cpu) return solved->on_cpu(levels, loading, settings);
+  if (solved->on_cuda == nullptr) refuse_cuda();
+  return solved->on_cuda(levels, loading, settings);
+}
+
+std::unique_ptr<DynamicSolver> make_scene_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                          const DynamicSettings& settings) {
+  require_declared(implicit_scene, levels, loading, settings.solver);
+  require_implicit(levels, loading, settings);
+  if (settings.solver.device == Device::cpu) return make_host_implicit_dynamics_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_implicit_dynamics_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
 }
 
 std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
@@ -199,11 +220,7 @@ std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLeve
 
 std::unique_ptr<DynamicSolver> make_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                     const DynamicSettings& settings) {
-  require_nonlinear(levels, loading, settings.solver);
-  require_motion(settings);
-  if (settings.solver.newton.product == Product::matrix_free) {
-    throw Error("inertia goes with the assembled product: the matrix-free one has the stiffness of tets alone");
-  }
+  require_implicit(levels, loading, settings);
   if (settings.solver.device == Device::cpu) return make_host_implicit_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
   return make_cuda_implicit_solver(levels, loading, settings);

@@ -1,11 +1,12 @@
-// What `physgen layout` draws, and what it says of wrong words.
-#include "layout_picture.h"
+// The boxes that `physgen layout` shows, the text that is drawn of them, and messages about wrong words.
+#include "layout_boxes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "layout_cases.h"
+#include "layout_request.h"
 
 namespace physgen::command {
 namespace {
@@ -64,13 +65,17 @@ TEST(LayoutText, draws_records_channels_and_costs) {
             R"(model::Node on cuda, aos_padded, Real = float
   records of 16 bytes, 4 of them padding
 
-    byte  object    +0          +12        sectors
-       0       0  | x[0]..[2] | -- 4 -- |  0
-      16       1  | x[0]..[2] | -- 4 -- |  0
-      32       2  | x[0]..[2] | -- 4 -- |  1
-      48       3  | x[0]..[2] | -- 4 -- |  1
-     ...     ...
-     496      31  | x[0]..[2] | -- 4 -- |  15
+  byte  object  fields at their offsets, with a bar where a sector of 32 bytes begins
+     0  0       | +0 x[0]..[2] : +12 -- 4 -- :
+    16  1       : +0 x[0]..[2] : +12 -- 4 -- |
+    32  2       | +0 x[0]..[2] : +12 -- 4 -- :
+    48  3       : +0 x[0]..[2] : +12 -- 4 -- |
+    64  4       | +0 x[0]..[2] : +12 -- 4 -- :
+    80  5       : +0 x[0]..[2] : +12 -- 4 -- |
+    96  6       | +0 x[0]..[2] : +12 -- 4 -- :
+   112  7       : +0 x[0]..[2] : +12 -- 4 -- |
+        ...
+   496  31      : +0 x[0]..[2] : +12 -- 4 -- |
 
   field  elements  format  offset  bytes  sectors/request  of ideal  used of 32 B
   x             3  float        0     12               16     4.00x           8.0
@@ -79,16 +84,16 @@ TEST(LayoutText, draws_records_channels_and_costs) {
 model::Stress on cuda, aosoa(32), Real = float
   records of 26 bytes; tiles of 32 objects, 832 bytes
 
-    byte  element     objects, with a bar where a sector of 32 bytes begins
-       0  sigma(0,0)  | 0..7 | 8..15 | 16..23 | 24..31 |
-     128  sigma(1,0)  | 0..7 | 8..15 | 16..23 | 24..31 |
-     256  sigma(2,0)  | 0..7 | 8..15 | 16..23 | 24..31 |
-     384  sigma(1,1)  | 0..7 | 8..15 | 16..23 | 24..31 |
-     512  sigma(2,1)  | 0..7 | 8..15 | 16..23 | 24..31 |
-     640  sigma(2,2)  | 0..7 | 8..15 | 16..23 | 24..31 |
-     768  pressure    | 0..15 | 16..31 |
-     832  sigma(0,0)  | 32..39 | 40..47 | 48..55 | 56..63 |
-          ...
+  byte  element     objects, with a bar where a sector of 32 bytes begins
+     0  sigma(0,0)  | 0..7 | 8..15 | 16..23 | 24..31 |
+   128  sigma(1,0)  | 0..7 | 8..15 | 16..23 | 24..31 |
+   256  sigma(2,0)  | 0..7 | 8..15 | 16..23 | 24..31 |
+   384  sigma(1,1)  | 0..7 | 8..15 | 16..23 | 24..31 |
+   512  sigma(2,1)  | 0..7 | 8..15 | 16..23 | 24..31 |
+   640  sigma(2,2)  | 0..7 | 8..15 | 16..23 | 24..31 |
+   768  pressure    | 0..15 | 16..31 |
+   832  sigma(0,0)  | 32..39 | 40..47 | 48..55 | 56..63 |
+        ...
 
   field     elements  format  offset  bytes  sectors/request  of ideal  used of 32 B
   sigma            6  float        0     24                4     1.00x          32.0
@@ -134,48 +139,61 @@ TEST(LayoutText, elides_the_middle_of_large_records) {
     for (const std::string& shown : all)
       EXPECT_NE(text.find(shown), std::string::npos) << shown << " is not in\n" << text;
   };
-  expect(draw("aos"), {"points[0].d", "... 5 more ...", "k[0](0,0)..[4](99,99)"});
+  expect(draw("aos"), {"points[0].d", " more ... ", "k[0](0,0)..[4](99,99)"});
   expect(draw("aosoa(32)"), {"points[0].d", "points[999].d", "k[0](0,0)", "k[4](99,99)"});
 }
 
-/// Whether every tag is closed by its own name, and nothing but entities begins with an ampersand.
-void expect_well_formed(const std::string& xml) {
-  std::vector<std::string> open;
-  std::size_t end = 0;
-  for (std::size_t begin = xml.find('<'); begin != std::string::npos; begin = xml.find('<', end)) {
-    end = xml.find('>', begin);
-    ASSERT_NE(end, std::string::npos);
-    const std::string tag = xml.substr(begin + 1, end - begin - 1);
-    ASSERT_EQ(tag.find('<'), std::string::npos) << tag;
-    ASSERT_EQ(std::count(tag.begin(), tag.end(), '"') % 2, 0) << tag;
-    if (tag.front() == '?' || tag.back() == '/') continue;
-    if (tag.front() == '/') {
-      ASSERT_FALSE(open.empty());
-      ASSERT_EQ(tag.substr(1), open.back());
-      open.pop_back();
-    } else {
-      open.push_back(tag.substr(0, tag.find(' ')));
+/// Every element whose bytes a box claims lies there, by the law of addresses, and boxes of padding hold none.
+void expect_true_boxes(const LayoutMap& map) {
+  const std::vector<Row> rows = layout_rows(map);
+  EXPECT_LE(rows.size(), 30U);
+  long long end = 0;
+  for (const Row& row : rows)
+    for (const Box& box : row.boxes) {
+      ASSERT_LT(box.begin, box.end) << box.text;
+      ASSERT_LE(end, box.begin) << "boxes stand in the order of their bytes, and share none";
+      end = box.end;
+      if (box.field < 0) {
+        for (const Accessor& accessor : map.accessors)
+          for (int e = 0; e < accessor.elements(); ++e)
+            for (const long long object : {0LL, 1LL, 7LL, 31LL, map.pitch - 1, plan::assumed_objects - 1}) {
+              if (object >= plan::assumed_objects) continue;
+              const long long begin = map.address(accessor.offset(e), accessor.bytes, object);
+              ASSERT_TRUE(begin >= box.end || begin + accessor.bytes <= box.begin) << row.name << " " << box.text;
+            }
+        continue;
+      }
+      const Accessor& accessor = map.accessors[static_cast<std::size_t>(box.field)];
+      ASSERT_TRUE(box.elements == 1 || box.objects == 1);
+      long long begin = box.begin;
+      for (long long object = box.object; object < box.object + box.objects; ++object)
+        for (int e = box.element; e < box.element + box.elements; ++e, begin += accessor.bytes)
+          ASSERT_EQ(begin, map.address(accessor.offset(e), accessor.bytes, object))
+              << element_name(accessor, e) << " of object " << object;
+      ASSERT_EQ(begin, box.end);
     }
-  }
-  EXPECT_TRUE(open.empty());
-  for (std::size_t at = xml.find('&'); at != std::string::npos; at = xml.find('&', at + 1))
-    EXPECT_NE(xml.substr(at, 6).find(';'), std::string::npos);
 }
 
-TEST(LayoutSvg, is_well_formed_and_names_every_object_field_and_layout) {
-  for (const model::Schema& all : {stress(), random_schema(3), random_schema(5), large_schema()}) {
-    const auto maps = layout_maps(all, {{}, "both", "double", "all"});
-    const std::string svg = layout_svg(maps);
-    expect_well_formed(svg);
-    EXPECT_TRUE(svg.ends_with("</svg>\n"));
-    EXPECT_EQ(svg.find("href"), std::string::npos) << "needs another file";
-    for (const LayoutMap& map : maps) {
-      EXPECT_NE(svg.find(">" + map.object + "<"), std::string::npos);
-      EXPECT_NE(svg.find(">" + layout_word(map.layout) + " on "), std::string::npos);
-      for (const Accessor& accessor : map.accessors)
-        EXPECT_NE(svg.find(">" + accessor.name.substr(0, 12)), std::string::npos) << accessor.name;
-    }
-  }
+TEST(LayoutBoxes, hold_the_elements_that_they_claim) {
+  std::vector<model::Schema> schemas{stress(), large_schema()};
+  for (unsigned seed = 0; seed < 20; ++seed) schemas.push_back(random_schema(seed));
+  for (const model::Schema& all : schemas)
+    for (const char* layout : {"all", "aosoa(2)", "aosoa(1024)"})
+      for (const LayoutMap& map : layout_maps(all, {{}, "both", "double", layout})) {
+        SCOPED_TRACE(map.object + " " + layout_word(map.layout));
+        expect_true_boxes(map);
+      }
+}
+
+TEST(LayoutJson, has_the_boxes_of_the_text_and_the_costs_of_every_field) {
+  const std::string json = layout_json(layout_maps(stress(), {{"Node"}, "cuda", "float", ""}));
+  for (const char* part : {R"("physgen_layout": 1)", R"("object": "model::Node")", R"("layout": "aos_padded")",
+                           R"("record": "records of 16 bytes, 4 of them padding")", R"("sectors": 48)",
+                           R"("ideal_sectors": 12)", R"("begin": 496)", R"("text": "+12 -- 4 --")"})
+    EXPECT_NE(json.find(part), std::string::npos) << part << " is not in\n" << json;
+  std::size_t boxes = 0;
+  for (std::size_t at = json.find("\"begin\""); at != std::string::npos; at = json.find("\"begin\"", at + 1)) ++boxes;
+  EXPECT_EQ(boxes, 18U) << "two of each of nine objects";
 }
 
 }  // namespace

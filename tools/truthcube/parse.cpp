@@ -1,4 +1,4 @@
-#include "options.h"
+#include "parse.h"
 
 #include <physgen/error.h>
 
@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "arrays.h"
+#include "choices.h"
 #include "command_line.h"
 #include "scene_choice.h"
 #include "sizes.h"
@@ -43,31 +44,6 @@ Built: every material, precision and treatment of volume, on the CPU)"
     "; without Gmsh's library, so --mesh is refused"
 #endif
     ".\nAnother layout is another build: cmake -DPHYSGEN_LAYOUT=schema, aos, aos_padded, soa or aosoa.";
-
-const Names<VolumeTreatment> volumes{
-    {"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}, {"nodes", VolumeTreatment::nodes}};
-const Names<TopPlate> tops{{"bonded", TopPlate::bonded}, {"frictionless", TopPlate::frictionless}};
-const Names<Plates> plate_kinds{{"held", Plates::held}, {"contact", Plates::contact}};
-const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
-#ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
-                                 {"cuda", fem::Device::cuda}
-#endif
-};
-const Names<fem::TangentPrecision> precisions{{"half", fem::TangentPrecision::half},
-                                              {"float", fem::TangentPrecision::float32},
-                                              {"double", fem::TangentPrecision::float64}};
-const Names<fem::Preconditioner> preconditioners{{"multigrid", fem::Preconditioner::multigrid},
-                                                 {"schwarz", fem::Preconditioner::schwarz},
-                                                 {"block-jacobi", fem::Preconditioner::block_jacobi},
-                                                 {"none", fem::Preconditioner::none}};
-const Names<bool> steppings{{"nested", true}, {"loads", false}};  // whether nested
-const Names<fem::Product> products{{"assembled", fem::Product::assembled}, {"matrix-free", fem::Product::matrix_free}};
-
-Names<std::string> materials() {
-  Names<std::string> names;
-  for (const std::string& name : fem::material_names()) names.emplace_back(name, name);
-  return names;
-}
 
 /// @throw Error for a layout that the solver was not compiled for
 void require_built(const std::string& layout) {
@@ -136,35 +112,36 @@ void check(const Options& options) {
 
 std::string built_layout() { return PHYSGEN_TRUTHCUBE_LAYOUT; }
 
-std::string Options::settings_json() const {
+std::string settings_json(const Options& options) {
   nlohmann::json json;
-  json["scene"] = name_of(scene_kinds, scene);
-  json["arrays"] = arrays_of(scene, solver);
-  if (moves()) {
-    json["time_step"] = motion.time_step;
-    json["duration"] = motion.duration;
-    json["density"] = motion.density;
-    json["damping"] = motion.damping;
-    json["frames"] = motion.frames;
+  json["scene"] = name_of(scene_kinds, options.scene);
+  json["arrays"] = arrays_of(options);
+  if (options.moves()) {
+    json["time_step"] = options.motion.time_step;
+    json["duration"] = options.motion.duration;
+    json["density"] = options.motion.density;
+    json["damping"] = options.motion.damping;
+    json["frames"] = options.motion.frames;
+    if (options.scene == SceneKind::explicit_dynamics) json["fixed_order"] = options.motion.fixed_order;
   }
-  if (is_cube()) {
-    json["cells"] = cells;
+  if (options.is_cube()) {
+    json["cells"] = options.cells;
   } else {
-    json["refine"] = refinements;
+    json["refine"] = options.refinements;
   }
-  json["material"] = solver.material;
-  json["young"] = solver.youngs_modulus;
-  json["poisson"] = solver.poissons_ratio;
-  json["volume"] = name_of(volumes, volume);
-  json["top"] = name_of(tops, top);
-  json["plates"] = name_of(plate_kinds, plates);
-  if (plates == Plates::contact) json["plate_stiffness"] = solver.plane_stiffness;
-  json["precision"] = name_of(precisions, solver.precision);
-  json["preconditioner"] = name_of(preconditioners, solver.newton.preconditioner.kind);
-  json["product"] = name_of(products, solver.newton.product);
-  json["tolerance"] = solver.newton.tolerance;
-  json["stepping"] = solver.nested ? "nested" : "loads";
-  json["historical"] = historical;
+  json["material"] = options.solver.material;
+  json["young"] = options.solver.youngs_modulus;
+  json["poisson"] = options.solver.poissons_ratio;
+  json["volume"] = name_of(volumes, options.volume);
+  json["top"] = name_of(tops, options.top);
+  json["plates"] = name_of(plate_kinds, options.plates);
+  if (options.plates == Plates::contact) json["plate_stiffness"] = options.solver.plane_stiffness;
+  json["precision"] = name_of(precisions, options.solver.precision);
+  json["preconditioner"] = name_of(preconditioners, options.solver.newton.preconditioner.kind);
+  json["product"] = name_of(products, options.solver.newton.product);
+  json["tolerance"] = options.solver.newton.tolerance;
+  json["stepping"] = options.solver.nested ? "nested" : "loads";
+  json["historical"] = options.historical;
   return json.dump();
 }
 
@@ -177,23 +154,25 @@ Options parse(const std::vector<std::string>& arguments) {
   app.option_defaults()->always_capture_default();
   app.set_help_flag("-h,--help", "this text");
   auto* cells = app.add_option("--cells", options.cells, "the cube in N^3 cells of 6 tets; powers of two are fastest")
-                    ->check(CLI::Range(1, 100000))
+                    ->check(whole_number(1, 100000))
                     ->type_name("N");
   app.add_option("--mesh", options.mesh,
                  "a mesh of tets in Gmsh's format, in metres, in place of the cube; its plates "
                  "are its lowest and highest nodes along z")
       ->excludes(cells)
+      ->check(name_of_file())
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,
                  "cut each tet of the mesh into 8, so many times; --stepping nested needs 1 at least")
-      ->check(CLI::Range(0, 6))
+      ->check(whole_number(0, 6))
       ->type_name("N");
   add_choice(
       app, "--scene", options.scene, scene_kinds, "scene",
       "what is solved: equilibria by Newton's method with any of the choices below (everything); the same over arrays "
       "of the one scene alone, in float, of stable Neo-Hookean bodies (quasistatic), also without blocks of edges "
       "(matrix-free), or of fixed corotated ones (fixed-corotated); motion in time by backward Euler "
-      "(implicit-dynamics) or symplectic Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
+      "(implicit-dynamics; of stable Neo-Hookean bodies in float where --material and --precision say nothing else) or "
+      "symplectic Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
   add_choice(app, "--material", options.solver.material, materials(), "material", "law of elasticity");
   app.add_option("--young", options.solver.youngs_modulus, "Young's modulus [Pa]")->type_name("E");
   app.add_option("--poisson", options.solver.poissons_ratio, "Poisson's ratio, above -1 and below 0.5")
@@ -220,12 +199,15 @@ Options parse(const std::vector<std::string>& arguments) {
                  "stable")
       ->type_name("DT");
   app.add_option("--frames", options.motion.frames, "number of states of a motion that are written, evenly in time")
-      ->check(CLI::Range(1, 100000))
+      ->check(whole_number(1, 100000))
       ->type_name("N");
   app.add_option("--density", options.motion.density, "density of a body that moves [kg/m^3]")->type_name("RHO");
   app.add_option("--damping", options.motion.damping,
                  "damping of a body that moves [1/s]: the force -D m v on each node")
       ->type_name("D");
+  app.add_flag("--fixed-order", options.motion.fixed_order,
+               "explicit-dynamics on CUDA: forces on nodes are summed in a fixed order, so that a motion has the same "
+               "bits on every run; it takes longer, and 80 bytes more per tet in float. On the CPU it is always so");
   add_choice(app, "--device", options.solver.device, devices, "device", "device that solves");
   auto* precision =
       add_choice(app, "--precision", options.solver.precision, precisions, "precision",
@@ -258,17 +240,19 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(product)
       ->excludes(stepping);
   app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
+      ->check(name_of_file())
       ->type_name("DIR");
   app.add_flag("--restart", options.restart, "continue after the last step in --out");
   app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")
+      ->check(name_of_file())
       ->type_name("FILE");
   app.add_option("--repeat", options.repetitions,
                  "solve all steps so often again and print the shortest times: the first solve of a program loads and "
                  "records kernels")
-      ->check(CLI::Range(0, 1000))
+      ->check(whole_number(0, 1000))
       ->type_name("N");
   app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
-      ->check(CLI::Range(0, 4096))
+      ->check(whole_number(0, 4096))
       ->type_name("N");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");
   app.add_flag("-q,--quiet", options.quiet, "print errors only");
