@@ -21,9 +21,7 @@ ROOMS = (
     *("tools/physbench/groups", "tools/physbench/vendor", "tools/physbench/report", "tools/physbench"),
     *("tools/truthcube/output", "tools/truthcube", "tools/truthcube/linear_solves", "tools/examples"),
 )
-# Parts without circles of units, and without files that are longer than a concept should be.
-HELD_TO_ALL = ("runtime", "generator", "tools/physgen")
-LONGEST = 300
+LONGEST = 300  # of a source, in lines
 
 
 def sources(root):
@@ -126,12 +124,12 @@ class StructureTest(unittest.TestCase):
         self.assertEqual(upward(ROOT), [])
 
     def test_no_units_include_each_other(self):
-        edges = {name: others for name, others in graph(ROOT).items() if name.startswith(HELD_TO_ALL)}
-        self.assertGreater(sum(map(len, edges.values())), 100)
+        edges = graph(ROOT)
+        self.assertGreater(sum(map(len, edges.values())), 1000)
         self.assertEqual(circles(edges), [])
 
     def test_no_source_is_longer_than_a_concept(self):
-        self.assertEqual([text for text in too_long(ROOT) if text.startswith(HELD_TO_ALL)], [])
+        self.assertEqual(too_long(ROOT), [])
 
     def test_both_backends_have_the_same_files(self):
         with_cuda, without = backends(ROOT)

@@ -1,5 +1,5 @@
 // truthcube: the paper's silicone cube, or a mesh of your own, compressed quasistatically.
-#include "options.h"
+#include "parse.h"
 #include "program.h"
 #include "run.h"
 

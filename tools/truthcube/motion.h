@@ -6,8 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "options.h"
+#include "outcome.h"
 #include "output/run_json.h"
-#include "run.h"
 #include "run_files.h"
 #include "scene.h"
 #include "terminal.h"

@@ -1,4 +1,4 @@
-// The command line of truthcube.
+// Everything that one may choose of a run; plain values, which parse.h makes of a command line.
 #pragma once
 
 #include <fem/solver/settings.h>
@@ -59,14 +59,6 @@ struct Options {
   [[nodiscard]] bool moves() const {
     return scene == SceneKind::implicit_dynamics || scene == SceneKind::explicit_dynamics;
   }
-  /// The settings that a run that is continued must not change, as a JSON object.
-  [[nodiscard]] std::string settings_json() const;
 };
-
-/// The layout that the build has for all arrays: "schema", or one for all, such as "aos".
-[[nodiscard]] std::string built_layout();
-
-/// @throw Error for a flag or value that does not exist, with the nearest name, or is out of range
-[[nodiscard]] Options parse(const std::vector<std::string>& arguments);
 
 }  // namespace physgen::truthcube

@@ -14,9 +14,10 @@
 #include "motion.h"
 #include "output/folder_lock.h"
 #include "output/hash.h"
+#include "parse.h"
+#include "run_bytes.h"
 #include "run_files.h"
 #include "scene.h"
-#include "sizes.h"
 #include "steps.h"
 #include "terminal.h"
 
@@ -149,7 +150,7 @@ Outcome run(Options options, const std::string& command) {
   record.device = fem::device_name(options.solver.device);
   record.layout = built_layout();
   record.command = command;
-  record.settings = options.settings_json();
+  record.settings = settings_json(options);
   record.setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const auto total = static_cast<double>(record.bytes);
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; %.1f MB, %.0f bytes per node; set up in %.2f s",

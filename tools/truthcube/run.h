@@ -4,11 +4,9 @@
 #include <string>
 
 #include "options.h"
+#include "outcome.h"
 
 namespace physgen::truthcube {
-
-/// Ends of a run, as exit statuses.
-enum class Outcome { done = 0, not_converged = 3, interrupted = 130 };
 
 /// @param command as it was typed, for run.json
 /// @throw Error for files, meshes and memory

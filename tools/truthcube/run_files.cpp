@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "fields.h"
+#include "parse.h"
 
 namespace physgen::truthcube {
 
@@ -41,7 +42,7 @@ void require_writable(const std::filesystem::path& folder) {
 
 RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done)
     : folder_(options.out),
-      settings_(options.settings_json()),
+      settings_(settings_json(options)),
       mesh_hash_(mesh_hash),
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
@@ -83,7 +84,7 @@ void RunFiles::write_checkpoint(const RunRecord& record, const fem::SolverState&
 }
 
 Checkpoint read_last_step(const Options& options, std::uint64_t mesh_hash) {
-  return read_checkpoint(options.out / checkpoint_name, options.settings_json(), mesh_hash);
+  return read_checkpoint(options.out / checkpoint_name, settings_json(options), mesh_hash);
 }
 
 std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& checkpoint) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "memory.h"
+#include "run_bytes.h"
 #ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
 #include <fem/mesh/gmsh_file.h>
 #endif

@@ -1,5 +1,4 @@
-// How large a run will be, before anything of it is allocated: objects of each level, and bytes from the records of the
-// generated arrays.
+// How many objects each level of a run will have, before anything of it is allocated.
 #pragma once
 
 #include <fem/solver/hierarchy.h>
@@ -39,24 +38,5 @@ struct LevelCounts {
 
 /// @throw Error when numbers of 32 bits do not reach for a cube, with a number of cells that fits
 void require_cube_fits(int cells, VolumeTreatment volume);
-
-struct RunBytes {
-  std::int64_t solver = 0;           ///< arrays in the memory of the device: QuasistaticSolver::bytes()
-  std::vector<std::int64_t> levels;  ///< of each level that the solver uses; their sum is `solver`
-  std::int64_t stresses = 0;         ///< in the same memory while a step is written
-  std::int64_t lists = 0;            ///< meshes and graphs in the host's memory while the solver is set up
-};
-/// What decides of a run's arrays beside its settings.
-struct RunArrays {
-  SceneKind scene = SceneKind::everything;
-  std::string names = "everything";  ///< arrays_of()
-  std::int64_t planes = 0;           ///< fem::Loading::planes, their number
-  bool fixed_order = false;          ///< fem::DynamicSettings::fixed_order
-};
-[[nodiscard]] RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
-                                    const RunArrays& arrays = {});
-
-/// The bytes that a mesh of a level takes in the host's memory.
-[[nodiscard]] std::int64_t bytes_of_mesh(const LevelCounts& level);
 
 }  // namespace physgen::truthcube

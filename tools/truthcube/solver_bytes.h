@@ -4,11 +4,26 @@
 #include <fem/solver/settings.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sizes.h"
 
 namespace physgen::truthcube {
+
+struct RunBytes {
+  std::int64_t solver = 0;           ///< arrays in the memory of the device: QuasistaticSolver::bytes()
+  std::vector<std::int64_t> levels;  ///< of each level that the solver uses; their sum is `solver`
+  std::int64_t stresses = 0;         ///< in the same memory while a step is written
+  std::int64_t lists = 0;            ///< meshes and graphs in the host's memory while the solver is set up
+};
+/// What decides of a run's arrays beside its settings.
+struct RunArrays {
+  SceneKind scene = SceneKind::everything;
+  std::string names = "everything";  ///< arrays_of()
+  std::int64_t planes = 0;           ///< fem::Loading::planes, their number
+  bool fixed_order = false;          ///< fem::DynamicSettings::fixed_order
+};
 
 /// All of RunBytes but what lies in lists.
 [[nodiscard]] RunBytes solver_bytes(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "outcome.h"
 #include "output/bead_table.h"
 #include "output/run_json.h"
-#include "run.h"
 #include "run_files.h"
 #include "scene.h"
 #include "terminal.h"

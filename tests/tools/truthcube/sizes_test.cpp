@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 #include <truthcube/arrays.h>
-#include <truthcube/sizes.h>
+#include <truthcube/run_bytes.h>
 
 #include <limits>
 #include <numeric>

@@ -1,7 +1,7 @@
 // The nodes of a level must hang on nodes of the next coarser one. For hierarchy.cpp.
 #pragma once
 
-#include <fem/solver/hierarchy.h>
+#include <fem/solver/mesh_level.h>
 #include <physgen/error.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fem/solver/graph_lists.h>
-#include <fem/solver/hierarchy.h>
+#include <fem/solver/mesh_level.h>
 
 #include <algorithm>
 #include <numeric>

@@ -3,7 +3,8 @@
 
 #include <fem/materials/materials.h>
 #include <fem/solver/material_split.h>
-#include <fem/solver/settings.h>
+
+#include <string>
 
 namespace physgen::fem {
 

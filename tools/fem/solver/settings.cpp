@@ -1,3 +1,5 @@
+#include <fem/solver/settings.h>
+
 #include <fem/solver/material_names.h>
 #include <physgen/error.h>
 

@@ -4,8 +4,8 @@
 #include <fem/solver/scattered.h>
 #include <physgen/error.h>
 #include <truthcube/memory.h>
+#include <truthcube/run_bytes.h>
 #include <truthcube/scene.h>
-#include <truthcube/sizes.h>
 
 #include <algorithm>
 #include <memory>
@@ -155,7 +155,7 @@ void require_memory_for(const LinearOptions& options, int cells) {
     settings.nested = false;
     settings.newton.preconditioner.kind = preconditioner_of(method);
     settings.precision = precision_of(method, std::ranges::max(options.precisions));
-    const RunBytes bytes = bytes_of_run(counts, settings, 0);
+    const RunBytes bytes = bytes_of_run(counts, settings);
     if (options.device == fem::Device::cuda)
       require_memory(who, bytes.solver, "the GPU", cuda_memory(), "fewer --cells");
     const std::int64_t on_host = bytes.lists + (options.device == fem::Device::cuda ? 0 : bytes.solver);

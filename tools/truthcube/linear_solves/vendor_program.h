@@ -2,14 +2,18 @@
 // gradients with block Jacobi over a product that somebody else makes.
 #pragma once
 
+#include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/conjugate_gradients.h>
 #include <fem/solver/measure_linear.h>
 
 #include <cmath>
 #include <memory>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "vendor_solver.h"
+#include "vendor_measurement.h"
 #include "vendor_steps.h"
 
 namespace physgen::truthcube {

@@ -6,17 +6,11 @@
 #include <fem/solver/linear_measurement.h>
 
 #include <span>
-#include <string>
 #include <vector>
 
-namespace physgen::truthcube {
+#include "vendor_measurement.h"
 
-struct VendorMeasurement {
-  /// Without assembly: the stiffness comes from the solver. The preconditioner is the inversion of the nodes' blocks.
-  fem::LinearMeasurement measured;
-  std::string product;  ///< which of cuSPARSE's
-  std::string note;     ///< where the loop could not be recorded as a graph: why
-};
+namespace physgen::truthcube {
 
 /// Solves K dx = -force in float, as often as the task says.
 /// @param fixed per node: bit k is set where component k is prescribed

@@ -1,4 +1,4 @@
-#include "options.h"
+#include "parse.h"
 
 #include <physgen/error.h>
 
@@ -112,36 +112,36 @@ void check(const Options& options) {
 
 std::string built_layout() { return PHYSGEN_TRUTHCUBE_LAYOUT; }
 
-std::string Options::settings_json() const {
+std::string settings_json(const Options& options) {
   nlohmann::json json;
-  json["scene"] = name_of(scene_kinds, scene);
-  json["arrays"] = arrays_of(*this);
-  if (moves()) {
-    json["time_step"] = motion.time_step;
-    json["duration"] = motion.duration;
-    json["density"] = motion.density;
-    json["damping"] = motion.damping;
-    json["frames"] = motion.frames;
-    if (scene == SceneKind::explicit_dynamics) json["fixed_order"] = motion.fixed_order;
+  json["scene"] = name_of(scene_kinds, options.scene);
+  json["arrays"] = arrays_of(options);
+  if (options.moves()) {
+    json["time_step"] = options.motion.time_step;
+    json["duration"] = options.motion.duration;
+    json["density"] = options.motion.density;
+    json["damping"] = options.motion.damping;
+    json["frames"] = options.motion.frames;
+    if (options.scene == SceneKind::explicit_dynamics) json["fixed_order"] = options.motion.fixed_order;
   }
-  if (is_cube()) {
-    json["cells"] = cells;
+  if (options.is_cube()) {
+    json["cells"] = options.cells;
   } else {
-    json["refine"] = refinements;
+    json["refine"] = options.refinements;
   }
-  json["material"] = solver.material;
-  json["young"] = solver.youngs_modulus;
-  json["poisson"] = solver.poissons_ratio;
-  json["volume"] = name_of(volumes, volume);
-  json["top"] = name_of(tops, top);
-  json["plates"] = name_of(plate_kinds, plates);
-  if (plates == Plates::contact) json["plate_stiffness"] = solver.plane_stiffness;
-  json["precision"] = name_of(precisions, solver.precision);
-  json["preconditioner"] = name_of(preconditioners, solver.newton.preconditioner.kind);
-  json["product"] = name_of(products, solver.newton.product);
-  json["tolerance"] = solver.newton.tolerance;
-  json["stepping"] = solver.nested ? "nested" : "loads";
-  json["historical"] = historical;
+  json["material"] = options.solver.material;
+  json["young"] = options.solver.youngs_modulus;
+  json["poisson"] = options.solver.poissons_ratio;
+  json["volume"] = name_of(volumes, options.volume);
+  json["top"] = name_of(tops, options.top);
+  json["plates"] = name_of(plate_kinds, options.plates);
+  if (options.plates == Plates::contact) json["plate_stiffness"] = options.solver.plane_stiffness;
+  json["precision"] = name_of(precisions, options.solver.precision);
+  json["preconditioner"] = name_of(preconditioners, options.solver.newton.preconditioner.kind);
+  json["product"] = name_of(products, options.solver.newton.product);
+  json["tolerance"] = options.solver.newton.tolerance;
+  json["stepping"] = options.solver.nested ? "nested" : "loads";
+  json["historical"] = options.historical;
   return json.dump();
 }
 
