@@ -1,4 +1,4 @@
-// Emitters: what turns a model into the text of a file. Each is a folder here and a line in emitter.cpp.
+// An emitter turns a model into the text of a file. Each is a folder here and a line in emitter.cpp.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ struct Emitter {
   std::string_view name;    ///< of --emitter: "cpp"
   std::string_view what;    ///< for help: "accessor classes in C++"
   std::string_view ending;  ///< of its files: ".physgen.h"
-  /// What it cannot write of a schema, beyond the rules of the model: names that its language keeps, types that would
-  /// clash, sizes.
+  /// Finds the parts of a schema that it cannot write, beyond the rules of the model: names that its language keeps,
+  /// types that would clash, sizes.
   model::Rules objections;
   /// The text of the file; the same text for the same schema, whatever the machine and the time.
   /// @pre neither model::validate() nor objections() has an objection

@@ -1,4 +1,4 @@
-// What C++ allows in a struct and a schema does not: an object is a record of public fields, and nothing else.
+// Refuses constructs that C++ allows in a struct and a schema does not: an object has public fields, and nothing else.
 #pragma once
 
 #include "frontend/report.h"
@@ -9,7 +9,7 @@ namespace physgen::frontend {
 /// @return whether the object has none of them
 bool is_plain_record(const clang::CXXRecordDecl& record, Report& report);
 
-/// Reports a member that is no field, if it may not stand in an object.
+/// Reports a member that is not a field, if it may not stand in an object.
 /// @return whether it may
 bool is_harmless(const clang::CXXRecordDecl& record, const clang::Decl& member, Report& report);
 

@@ -108,7 +108,7 @@ llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> file_system() {
   return files;
 }
 
-/// What to write instead, where Clang can only say that it does not know a name.
+/// Notes that say how to mend an error of which Clang can only say that it does not know a name.
 std::string notes(llvm::StringRef diagnostics) {
   std::string text;
   if (diagnostics.contains("' file not found"))
@@ -127,10 +127,10 @@ std::string notes(llvm::StringRef diagnostics) {
   if (!library && (diagnostics.contains("use of undeclared identifier") || diagnostics.contains("call to 'format'") ||
                    diagnostics.contains("call to 'layout'")))
     text +=
-        "note: options of fields are unit(\"Pa\"), range(low, high), initial(value) and format(space, storage), "
+        "note: options of fields are unit(\"Pa\"), range(low, high), initial(value) and format(space, encoding), "
         "of objects layout(space, pattern) and align(bytes); spaces are host and cuda, one layout and one format for "
         "each; patterns " +
-        model::joined(model::layout_words("W")) + "; storages " + model::joined(model::encoding_words()) +
+        model::joined(model::layout_words("W")) + "; encodings " + model::joined(model::encoding_words()) +
         ", quaternion(), quaternion(half)\n";
   return text;
 }

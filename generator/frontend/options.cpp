@@ -157,21 +157,21 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, R
     } else if (option.type == "Initial") {
       if (places.add(Aspect::initial, option, "initial(...)")) field.initial = option.real(0);
     } else if (option.type == "Format") {
-      const Member storage = option.member(1);
-      const auto space_name = option.member(0).enumerator(), encoding_name = storage.member(0).enumerator();
-      const auto quaternions = storage.member(1).value.getInt().getExtValue();
+      const Member stored = option.member(1);
+      const auto space_name = option.member(0).enumerator(), encoding_name = stored.member(0).enumerator();
+      const auto quaternions = stored.member(1).value.getInt().getExtValue();
       if (!space_name || !encoding_name)
         return report.error(option.range(),
-                            "this names no space or no storage of the vocabulary; write format(host, ...) or "
+                            "this names no space or no encoding of the vocabulary; write format(host, ...) or "
                             "format(cuda, ...) with " +
                                 model::joined(model::encoding_words()) + " or quaternion(...)");
       const auto* space = known(model::spaces(), *space_name, "memory space", option, report);
-      const auto* encoding = known(model::encodings(), *encoding_name, "storage", option, report);
+      const auto* encoding = known(model::encodings(), *encoding_name, "encoding", option, report);
       if (space == nullptr || encoding == nullptr) return;
       if (quaternions != 0 && quaternions != 1)
         return report.error(option.range(),
                             "the components of a quaternion are numbers, not quaternions; write quaternion(), or one "
-                            "with their storage, such as quaternion(half)");
+                            "with their encoding, such as quaternion(half)");
       const bool host = space->key == model::Space::host;
       if (!places.add(host ? Aspect::host_format : Aspect::cuda_format, option,
                       "format(" + std::string(space->word) + ", ...)"))

@@ -15,7 +15,7 @@ struct Program {
   std::string name;  ///< of the file that does not exist, for messages
   std::string text;
   std::vector<std::string> flags;  ///< as of a compiler: "-I", "include"; the runtime's folder needs none
-  bool skip_bodies = false;        ///< of functions that are no constants: for what only looks at declarations
+  bool skip_bodies = false;        ///< of functions that are not constants: for readers of declarations alone
 };
 
 struct ProgramOutcome {

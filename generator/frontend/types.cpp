@@ -13,7 +13,7 @@
 namespace physgen::frontend {
 namespace {
 
-/// What to write instead.
+/// The remedy.
 std::string allowed() { return "write " + model::joined(model::field_types()) + " or an object"; }
 
 clang::SourceRange type_range(const clang::FieldDecl& declaration) {

@@ -1,7 +1,6 @@
 // The catalogue: the closed sets of the domain, with one row for every memory space, layout, encoding, shape and
-// element type. What JSON, the frontend, validation, plan, emitters, help texts and the drawings of `physgen layout`
-// know of one of them is its row. A new one is an enumerator and a row here; generator/README.md lists what else it
-// takes.
+// element type. JSON, the frontend, validation, plan, emitters, help texts and the drawings of `physgen layout` read
+// its row. A new one is an enumerator and a row here; generator/README.md lists what else it takes.
 #pragma once
 
 #include <cfloat>
@@ -83,7 +82,7 @@ inline constexpr SpaceFacts space_rows[] = {
 
 enum class Encoding { native, float32, float64, half, bfloat16, snorm16 };
 
-/// What of a field's range goes into its format.
+/// The part of a field's range that goes into its format.
 enum class Scaling {
   none,
   exponent,  ///< the power of two that brings its larger end just below the largest number: Half<4>

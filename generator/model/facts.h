@@ -17,7 +17,7 @@ namespace physgen::model {
 [[nodiscard]] std::span<const ShapeFacts> shapes();
 [[nodiscard]] std::span<const ElementFacts> elements();
 
-/// The row of one. @throws std::invalid_argument if the value is none of the enumerators
+/// The row of one. @throws std::invalid_argument if the value is not an enumerator
 [[nodiscard]] const SpaceFacts& facts(Space space);
 [[nodiscard]] const LayoutFacts& facts(LayoutKind kind);
 [[nodiscard]] const EncodingFacts& facts(Encoding encoding);
@@ -40,7 +40,7 @@ template <class Facts>
 /// The words of all layouts, with this in the brackets of tiled ones: "aos", ..., "aosoa(W)".
 [[nodiscard]] std::vector<std::string> layout_words(std::string_view tile);
 
-/// What format(...) takes besides quaternion(...): "float32", "float64", "half", ...
+/// The arguments of format(...) besides quaternion(...): "float32", "float64", "half", ...
 [[nodiscard]] std::vector<std::string> encoding_words();
 
 /// Element types, as a schema names them; those of integers, or those of real numbers: "Index", "int".

@@ -57,8 +57,9 @@ void check_format(Aspect aspect, const Field& field, const Format& format, const
            word + " has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
   else if (encoding.scaling == Scaling::exponent && field.initial && std::abs(*field.initial) > encoding.largest &&
            !field.range)
-    report(aspect, "initial(" + number(*field.initial) + ") is no " + word + ", which ends at " +
-                       number(encoding.largest) + "; state the range of " + quoted(field.name) + ", and it is scaled");
+    report(aspect, "initial(" + number(*field.initial) + ") does not fit " + word + ", whose largest number is " +
+                       number(encoding.largest) + "; add range(...) to " + quoted(field.name) +
+                       ", so that it is scaled");
   else
     check_magnitudes(aspect, field, encoding, report);
 }

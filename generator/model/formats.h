@@ -1,5 +1,5 @@
-// What the formats of a field mean: by which power of two its numbers are scaled, over which range its steps lie, and
-// how much of them is lost.
+// The meaning of a field's formats: the power of two by which its numbers are scaled, the range of its steps, and the
+// errors. A format is an encoding, the word of the schema, with these numbers.
 #pragma once
 
 #include <string>

@@ -1,11 +1,11 @@
-// What is wrong with a model, and where: what rules report, whether they are the model's or an emitter's.
+// Broken rules of a model and their places; rules are the model's or an emitter's.
 #pragma once
 
 #include <string>
 
 namespace physgen::model {
 
-/// What a rule was broken by; the frontend points its caret there.
+/// The part of a declaration that breaks a rule; the frontend points its caret there.
 enum class Aspect {
   name,
   scope,
@@ -33,7 +33,7 @@ struct Issue {
   Place place;
   Aspect aspect = Aspect::name;
   std::string message;  ///< what is wrong and what to write instead, one line without a full stop
-  Place other;          ///< what it clashes with, if other.object >= 0
+  Place other;          ///< the other side of a clash, if other.object >= 0
 };
 
 }  // namespace physgen::model

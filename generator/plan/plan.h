@@ -1,6 +1,6 @@
 // Where everything lies: byte offsets of the fields of an object in its record, in one memory space, for both
 // precisions at once. The runtime computes the same at compile time, for formats that a program chooses, too; emitters
-// print what is planned here for compilers to compare, and proof.h checks it.
+// print these offsets for compilers to compare, and proof.h checks it.
 #pragma once
 
 #include <functional>
@@ -41,8 +41,8 @@ struct Record;
 
 /// A field in a record.
 struct Slot {
-  Bytes offset;                    ///< of the first entry
-  Bytes stride;                    ///< from one entry of a fixed array to the next; the whole field if it is no array
+  Bytes offset;  ///< of the first entry
+  Bytes stride;  ///< from one entry of a fixed array to the next; the whole field if it is not an array
   const Record* nested = nullptr;  ///< of the nested object, for Shape::object only
 };
 

@@ -13,7 +13,7 @@
 
 namespace physgen::plan {
 
-/// What is wrong with a record, for either precision, one sentence each: an element that is not aligned to its size,
+/// The faults of a record, for either precision, one sentence each: an element that is not aligned to its size,
 /// that lies outside its tile, or that shares bytes with another. Empty: there is no such element, in no layout and for
 /// no number of objects.
 [[nodiscard]] std::vector<std::string> violations(const Record& record);

@@ -10,6 +10,8 @@ std::string probe_unit(const Scene& scene, const std::string& space, const std::
   out.comment("//", "The program of the scene " + scene.name + ", instantiated over probes. Written by physgen.");
   out.line("#include <physgen/probe.h>");
   out.line();
+  out.line("#include <cstdlib>");
+  out.line();
   out.line("#include \"" + declaration + "\"");
   out.line();
   out.line("namespace physgen_probe_unit {");
@@ -42,8 +44,9 @@ std::string probe_unit(const Scene& scene, const std::string& space, const std::
     out.close("};");
     out.line();
   }
+  out.comment("///", "Nothing calls it: who compiles this unit for what its probes register links a body.");
   out.line("template <class T>");
-  out.line("std::remove_reference_t<T>& some();");
+  out.line("std::remove_reference_t<T>& some() { std::abort(); }");
   out.line();
   std::string parameters = "physgen::ProbeExecutor<Space>& on", arguments = "on";
   for (const Group& group : scene.groups) {

@@ -20,7 +20,7 @@ void check_range(std::size_t position, index_t number, index_t size, const std::
              (size == 0 ? std::string("there are none") : "write 0 to " + std::to_string(size - 1)));
 }
 
-// Which of the objects 0 .. size-1 are listed.
+// Marks those of the objects 0 .. size-1 that are listed.
 std::vector<bool> listed(std::span<const index_t> numbers, index_t size, const std::string& of) {
   if (size < 0) throw Error(of + ": there cannot be " + std::to_string(size) + " objects");
   std::vector<bool> seen(static_cast<std::size_t>(size), false);

@@ -72,13 +72,13 @@ inline const std::vector<DiagnosticCase> options_cases = {
      "}\nnamespace index {\nusing namespace physgen::schema;\n" + object("Scalar x;"),
      {"6:25: error: namespace 'index' has the name of something in the C library, which stands outside all namespaces, "
       "too; choose another name"}},
-    {"a_cast_to_a_storage_that_is_not_there",
+    {"a_cast_to_an_encoding_that_is_not_there",
      object("PHYSGEN(format(host, {static_cast<detail::Encoding>(77), false})) Scalar x;"),
-     {"4:11: error: this names no space or no storage of the vocabulary; write format(host, ...) or format(cuda, ...) "
+     {"4:11: error: this names no space or no encoding of the vocabulary; write format(host, ...) or format(cuda, ...) "
       "with float32, float64, half, bfloat16, snorm16 or quaternion(...)"}},
     {"a_cast_to_a_space_that_is_not_there",
      object("PHYSGEN(format(static_cast<detail::Space>(2), half)) Scalar x;"),
-     {"4:11: error: this names no space or no storage of the vocabulary; write format(host, ...)"}},
+     {"4:11: error: this names no space or no encoding of the vocabulary; write format(host, ...)"}},
     {"a_cast_to_a_pattern_that_is_not_there",
      "struct PHYSGEN_OBJECT(layout(host, {static_cast<detail::Arrangement>(9), 0})) A {\n  Scalar x;\n};\n",
      {"3:23: error: this names no space or no pattern of the vocabulary; write layout(host, ...) or layout(cuda, ...) "
@@ -86,7 +86,7 @@ inline const std::vector<DiagnosticCase> options_cases = {
     {"a_quaternion_of_quaternions",
      object("PHYSGEN(format(host, quaternion(quaternion()))) Rotation R;"),
      {"4:11: error: the components of a quaternion are numbers, not quaternions; write quaternion(), or one with their "
-      "storage, such as quaternion(half)"}},
+      "encoding, such as quaternion(half)"}},
     {"an_initial_scalar_that_is_0_as_a_float",
      object("PHYSGEN(initial(1e-60)) Scalar x;"),
      {"4:11: error: initial(1e-60) is 0 as a float, as the elements of 'x' are or can be; write 0 or a size from "
@@ -112,11 +112,11 @@ inline const std::vector<DiagnosticCase> options_cases = {
     {"a_format_at_an_object",
      "struct PHYSGEN_OBJECT(format(cuda, half)) A {\n  Scalar x;\n};\n",
      {"3:23: error: this is not an option of PHYSGEN_OBJECT; PHYSGEN_OBJECT takes layout(...) and align(...)"}},
-    {"a_storage_without_its_space",
+    {"an_encoding_without_its_space",
      object("PHYSGEN(half) Scalar x;"),
      {"4:11: error: this is not an option of PHYSGEN; PHYSGEN takes unit(...), range(...), initial(...) and "
       "format(...)"}},
-    {"a_misspelt_storage",
+    {"a_misspelt_encoding",
      object("PHYSGEN(format(cuda, halv)) Scalar x;"),
      {"4:24: error: use of undeclared identifier 'halv'"}},
     {"a_misspelt_space",
@@ -139,7 +139,8 @@ inline const std::vector<DiagnosticCase> options_cases = {
      {"4:11: error: snorm16 has equal steps over a range, and 'x' states none; add one, such as range(-1, 1)"}},
     {"a_half_with_an_initial_value_beyond_it",
      object("PHYSGEN(format(cuda, half), initial(1e5)) Scalar x;"),
-     {"4:11: error: initial(1e+05) is no half, which ends at 65504; state the range of 'x', and it is scaled"}},
+     {"4:11: error: initial(1e+05) does not fit half, whose largest number is 65504; add range(...) to 'x', so that it "
+      "is scaled"}},
     {"a_format_at_a_nested_object",
      "struct PHYSGEN_OBJECT() B {\n  Scalar x;\n};\n" + object("PHYSGEN(format(cuda, half)) B b;"),
      {"7:11: error: format() has no meaning for nested object 'b'; write it at the fields of 'm::B'"}},

@@ -65,7 +65,7 @@ TEST(Frontend, reports_enumerators_and_types_that_only_another_version_has) {
       headlines(result.diagnostics),
       (std::vector<std::string>{
           "3:23: error: this physgen does not know the layout 'curve'" + version + "aos, aos_padded, soa and aosoa",
-          "4:11: error: this physgen does not know the storage 'posit16'" + version +
+          "4:11: error: this physgen does not know the encoding 'posit16'" + version +
               "native, float32, float64, half, bfloat16 and snorm16",
           "5:11: error: this physgen does not know the memory space 'disk'" + version + "host and cuda",
           "6:3: error: field 'h' has the type 'Hankel' of a <physgen/schema.h> for another version, which this "

@@ -81,7 +81,8 @@ TEST(Rules, refuse_an_initial_value_that_no_half_holds) {
   Field load = stored_on_host(scalar("load"), Encoding::half);
   load.initial = -65505;
   EXPECT_EQ(issues(with({load})),
-            "initial(-65505) is no half, which ends at 65504; state the range of 'load', and it is scaled");
+            "initial(-65505) does not fit half, whose largest number is 65504; add range(...) to 'load', so that it is "
+            "scaled");
   load.range = Range{-1e6, 0};
   EXPECT_EQ(issues(with({load})), "");
   load.range.reset();

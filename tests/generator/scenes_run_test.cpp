@@ -1,89 +1,11 @@
-// The generated arrays of scenes, run: what is pruned changes no bit of what is wanted, in packs and one by one; no
-// field that is said to be unread reaches an output, and every field that is said to be read does.
-#include <derivative_chain.everything.h>
-#include <derivative_chain.scene.h>
-#include <gtest/gtest.h>
-#include <physgen/executor.h>
-#include <scenes/derivative_chain.h>
-
-#include <fstream>
-#include <functional>
+// The generated arrays of scenes, run: what is pruned changes no bit of what is wanted, in packs and one by one; and
+// what these arrays are made of.
 #include <map>
-#include <nlohmann/json.hpp>
-#include <random>
+
+#include "scenes_run_case.h"
 
 namespace physgen::test {
 namespace {
-
-namespace scene = scenes::derivative_chain_scene;
-namespace everything = scenes::derivative_chain_everything;
-
-constexpr index_t nodes = 61, tets = 103;  // the last pack is not whole
-
-/// One object at a time.
-struct Singles : HostExecutor {
-  template <class Kernel>
-  void run(index_t n, const Kernel& kernel) {
-    parallel_for<1>(Host{}, n, kernel);
-  }
-};
-
-/// Calls a function after every step.
-struct Interrupted : HostExecutor {
-  std::function<void()> after;
-  template <class Kernel>
-  void run(index_t n, const Kernel& kernel) {
-    HostExecutor::run(n, kernel);
-    after();
-  }
-};
-
-template <class Body>
-void set_up(Body& body) {
-  std::mt19937 random(20100607);
-  body.allocate({.node = nodes, .tet = tets});
-  std::uniform_real_distribution<float> coordinate(-1, 1);
-  const auto positions = body.positions.contents().view();
-  for (index_t i = 0; i < nodes; ++i)
-    positions[i].x() = Eigen::Vector3f(coordinate(random), coordinate(random), coordinate(random));
-  const auto connectivity = body.tets.contents().view();
-  for (index_t i = 0; i < tets; ++i) {
-    const auto next = [&](int low, int high) {
-      return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
-    };
-    const int first = next(0, nodes);
-    connectivity[i].nodes() = Eigen::Vector4i(first, (first + next(1, 15)) % nodes, (first + next(15, 30)) % nodes,
-                                              (first + next(30, 60)) % nodes);
-  }
-  Eigen::Matrix3f dm_inverse;
-  dm_inverse << 1, 0.25F, 0, 0, 2, 0.5F, -0.125F, 0, 1.5F;
-  body.rest.contents().view()[index_t{0}].dm_inverse() = dm_inverse;
-}
-
-/// All that is wanted of the scene, as bits.
-template <class State>
-std::vector<std::uint32_t> outputs(State& state) {
-  std::vector<std::uint32_t> bits;
-  for (index_t i = 0; i < tets; ++i) {
-    const Eigen::Vector3f s = state.stretches.view()[i].s().get();
-    for (int k = 0; k < 3; ++k) bits.push_back(std::bit_cast<std::uint32_t>(s[k]));
-    bits.push_back(std::bit_cast<std::uint32_t>(state.derivatives.view()[i].x1111()));
-    bits.push_back(std::bit_cast<std::uint32_t>(state.derivatives.view()[i].x2121()));
-  }
-  return bits;
-}
-
-const fem::NeoHookean<float> material{1.5F, 20.F};
-
-template <class Body, class State, class On>
-std::vector<std::uint32_t> results(On& on) {
-  Body body;
-  State state;
-  set_up(body);
-  state.allocate({.tet = tets});
-  scenes::derivative_chain::program(on, body, state, material);
-  return outputs(state);
-}
 
 TEST(GeneratedScene, gives_the_bits_of_the_same_arrays_with_every_field) {
   HostExecutor packs;
@@ -128,49 +50,6 @@ TEST(GeneratedScene, takes_copies_of_whole_objects_and_leaves_out_what_it_prunes
   state.allocate({.tet = tets});
   copy(state.svds, whole);
   for (index_t i = 0; i < tets; ++i) EXPECT_EQ(state.svds.view()[i].s().get()[2], static_cast<float>(i));
-}
-
-// ---- Fields that are said to be read, or not ------------------------------------------------------------------------
-
-/// What the need report says of every field of an array of numbers: whether something reads it.
-std::map<std::pair<std::string, std::string>, bool> reads() {
-  std::ifstream in(PHYSGEN_NEEDS);
-  const auto json = nlohmann::json::parse(in);
-  std::map<std::pair<std::string, std::string>, bool> reads;
-  for (const auto& array : json.at("arrays"))
-    for (const auto& field : array.at("fields"))
-      if (field.at("type") == "float32")
-        reads[{array.at("array"), field.at("field")}] = !field.at("read_by").empty() || field.at("output");
-  return reads;
-}
-
-TEST(GeneratedScene, no_output_depends_on_a_field_that_is_said_to_be_unread_and_each_other_field_reaches_one) {
-  HostExecutor plain;
-  const auto expected = results<everything::Body<>, everything::State<>>(plain);
-  const auto fields = reads();
-  EXPECT_EQ(fields.size(), 21U);
-  std::vector<std::string> read_in_vain;
-  for (const auto& [name, is_read] : fields) {
-    const auto& [array, field] = name;
-    everything::Body<> body;
-    everything::State<> state;
-    set_up(body);
-    state.allocate({.tet = tets});
-    const std::map<std::string, UntypedArray> arrays = {
-        {"body.positions", body.positions.untyped()},      {"body.rest", body.rest.contents().untyped()},
-        {"state.gradients", state.gradients.untyped()},    {"state.svds", state.svds.untyped()},
-        {"state.rotations", state.rotations.untyped()},    {"state.stretches", state.stretches.untyped()},
-        {"state.derivatives", state.derivatives.untyped()}};
-    ASSERT_TRUE(arrays.contains(array)) << array;
-    Interrupted on;
-    on.after = [&, field_name = std::string_view(field)] { start_without_values(arrays.at(array), {field_name}); };
-    on.after();
-    scenes::derivative_chain::program(on, body, state, material);
-    const bool changed = outputs(state) != expected;
-    EXPECT_TRUE(is_read || !changed) << array << "." << field << " is said to be unread";
-    if (is_read && !changed) read_in_vain.push_back(array + "." + field);
-  }
-  EXPECT_EQ(read_in_vain, std::vector<std::string>()) << "fields that are read and never change an output";
 }
 
 // ---- One record for all objects -------------------------------------------------------------------------------------

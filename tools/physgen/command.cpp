@@ -172,13 +172,13 @@ std::string standard_layouts() {
   return model::joined(words, " and ");
 }
 
-/// "What is written: cpp (accessor classes in C++ and CUDA; the default)"
+/// "Kind of output: cpp (accessor classes in C++ and CUDA; the default)"
 std::string emitter_choices() {
   std::vector<std::string> choices;
   for (const emit::Emitter& one : emit::emitters())
     choices.push_back(std::string(one.name) + " (" + std::string(one.what) +
                       (choices.empty() ? "; the default)" : ")"));
-  return "What is written: " + model::joined(choices, " or ");
+  return "Kind of output: " + model::joined(choices, " or ");
 }
 
 void describe_layout(CLI::App& app, Arguments& arguments) {

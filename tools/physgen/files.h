@@ -17,10 +17,10 @@ struct File {
   std::string text;
 };
 
-/// @throws FileError if `path` is no file that can be read
+/// @throws FileError if `path` cannot be read
 void require_readable(const std::string& path);
 
-/// @throws FileError if `path` is no file that can be read
+/// @throws FileError if `path` cannot be read
 [[nodiscard]] std::string read_file(const std::string& path);
 
 /// Writes the files whose text is not there already; makes their folders. Each is written beside its place under

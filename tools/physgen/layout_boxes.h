@@ -1,6 +1,6 @@
-// What `physgen layout` shows of an array: one list of boxes, which stand for neighbouring bytes, and the words beside
-// it. layout_text() draws the list for the terminal; layout_json() writes it for other tools, such as the one that
-// draws pictures.
+// The drawing of an array by `physgen layout`: one list of boxes, which stand for neighbouring bytes, and the words
+// beside it. layout_text() draws the list for the terminal; layout_json() writes it for other tools, such as the one
+// that draws pictures.
 #pragma once
 
 #include <string>

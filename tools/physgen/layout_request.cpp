@@ -1,4 +1,4 @@
-// See layout_request.h.
+// Chooses the arrays that `physgen layout` draws. See layout_request.h.
 #include "layout_request.h"
 
 #include <algorithm>

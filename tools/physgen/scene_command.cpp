@@ -148,7 +148,7 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
       ->needs(stamp)
       ->type_name("FILE");
   scene->footer(
-      "What follows '--' are flags of a compiler, such as -I DIR and -march=x86-64-v3, by which the declaration and "
+      "Arguments after '--' are flags of a compiler, such as -I DIR and -march=x86-64-v3, by which the declaration and "
       "its "
       "kernels are read.");
 }

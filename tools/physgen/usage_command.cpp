@@ -192,7 +192,7 @@ void describe_usage(CLI::App& app, UsageRequest& request) {
       ->check(CLI::IsMember({"host", "device", "both"}))
       ->type_name("SIDE");
   usage->footer(
-      "What follows '--' are flags of a compiler, such as -I DIR and -march=x86-64-v3. R: some code can read the "
+      "Arguments after '--' are flags of a compiler, such as -I DIR and -march=x86-64-v3. R: some code can read the "
       "field; "
       "W: some code can write it; &: its address is taken. Branches are united, whatever their conditions; places are "
       "in the kernel's own source, with '(all fields)' for a get() or put() of whole objects. Code outside of steps, "

@@ -1,4 +1,4 @@
-// See header.h. This file holds what surrounds the objects: head, includes, namespaces.
+// See header.h. This file writes the frame of the objects: head, includes, namespaces.
 #include "emit/cpp/header.h"
 
 #include <cctype>
@@ -69,7 +69,7 @@ void object_code(Printer& out, const plan::Record& host, const plan::Record& cud
   out.line();
 }
 
-// What the pieces of each object are, once for all of them.
+// Explains the pieces that each object has, once for all of them.
 void explain(Printer& out) {
   const auto paragraph = [&](const char* text) {
     out.line("//");

@@ -1,5 +1,5 @@
-// What C++ asks of a schema beyond the rules of the model: names that it, the C library, Eigen and the generated code
-// leave free, types that do not clash, and code and values of a bearable size.
+// The rules of C++ for a schema, beyond the rules of the model: names that it, the C library, Eigen and the generated
+// code leave free, types that do not clash, and code and values of a bearable size.
 #pragma once
 
 #include <vector>

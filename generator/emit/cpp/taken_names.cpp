@@ -39,7 +39,7 @@ constexpr std::string_view error_numbers[] = {
     "ETIMEDOUT",       "ETOOMANYREFS", "ETXTBSY",      "EUCLEAN",         "EUNATCH",
     "EUSERS",          "EWOULDBLOCK",  "EXDEV",        "EXFULL"};
 
-// Of <csignal>, <sys/wait.h> and <cmath>.
+// From <csignal>, <sys/wait.h> and <cmath>.
 constexpr std::string_view signals_and_states[] = {
     "SIGABRT",     "SIGALRM",      "SIGBUS",    "SIGCHLD",     "SIGCLD",     "SIGCONT",    "SIGFPE",   "SIGHUP",
     "SIGILL",      "SIGINT",       "SIGIO",     "SIGIOT",      "SIGKILL",    "SIGPIPE",    "SIGPOLL",  "SIGPROF",
@@ -229,7 +229,7 @@ bool is_macro(std::string_view name) {
     if (goes_on_in_capitals(name, beginning)) return true;
   for (const char* beginning : {"PHYSGEN", "EIGEN_", "SYS_"})
     if (name.starts_with(beginning)) return true;
-  // Of <cinttypes>: PRIu64, SCNxMAX.
+  // From <cinttypes>: PRIu64, SCNxMAX.
   if ((name.starts_with("PRI") || name.starts_with("SCN")) && name.size() > 4 &&
       std::string_view("diouxX").find(name[3]) != std::string_view::npos && is_capital_or_digit(name[4]))
     return true;

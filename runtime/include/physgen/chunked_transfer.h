@@ -20,10 +20,17 @@ class ChunkedTransfer {
   [[nodiscard]] const UntypedArray& chunk() const;
   [[nodiscard]] index_t begin() const;
 
+  /// Goes on to the next chunk. On the way up this sends the chunk that has been filled, in the order of the stream,
+  /// and makes room for this one; on the way down it waits for this one, while those after it are on their way.
+  /// @return false behind the last chunk; transfers on the way up may then still be under way
+  bool next();
+
  protected:
-  /// @param array in CUDA memory; @param begin, end which of its objects
+  /// @param up to CUDA memory, or else from there
+  /// @param array in CUDA memory
+  /// @param begin, end which of its objects
   /// @throw Error when pinned memory cannot be had, without CUDA, and while `stream` is being captured
-  ChunkedTransfer(const UntypedArray& array, index_t begin, index_t end, Stream stream);
+  ChunkedTransfer(bool up, const UntypedArray& array, index_t begin, index_t end, Stream stream);
   ~ChunkedTransfer();
 
   struct State;
@@ -31,24 +38,17 @@ class ChunkedTransfer {
 };
 
 /// To CUDA memory: `while (upload.next()) fill objects upload.begin() + i = upload.chunk()'s object i`.
-class ChunkedUpload : public ChunkedTransfer {
- public:
+struct ChunkedUpload : ChunkedTransfer {
   /// As ChunkedTransfer.
   ChunkedUpload(const UntypedArray& to, index_t begin, index_t end, Stream stream)
-      : ChunkedTransfer(to, begin, end, stream) {}
-  /// Sends the chunk that has been filled, in the order of the stream, and makes room for the next one.
-  /// @return false when all have been sent; the transfers may still be under way
-  bool next();
+      : ChunkedTransfer(true, to, begin, end, stream) {}
 };
 
 /// From CUDA memory: `while (download.next()) read objects`.
-class ChunkedDownload : public ChunkedTransfer {
- public:
+struct ChunkedDownload : ChunkedTransfer {
   /// As ChunkedTransfer.
   ChunkedDownload(const UntypedArray& from, index_t begin, index_t end, Stream stream)
-      : ChunkedTransfer(from, begin, end, stream) {}
-  /// Waits for the next chunk; the ones after it are on their way meanwhile. @return false when there is none
-  bool next();
+      : ChunkedTransfer(false, from, begin, end, stream) {}
 };
 
 }  // namespace physgen

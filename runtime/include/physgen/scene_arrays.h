@@ -64,7 +64,7 @@ using StoredArray = typename Stored::template Of<Tag, Array>;
 template <class Array, template <class Formats> class Pruning>
 using PrunedArray = WithFormats<Array, Pruning<typename Array::Formats>>;
 
-/// An array that programs read and do not write: its views are read-only. Who fills it copies to it, or takes
+/// An array that programs read and do not write: its views are read-only. It is filled by copies, or through
 /// contents().
 template <class Array>
 class ReadOnlyArray : public Array {
@@ -181,9 +181,9 @@ void allocate(Array& array, index_t size, [[maybe_unused]] std::initializer_list
     if (written_first.size() == 0) return;
     if constexpr (requires { array.untyped(); }) {
       start_without_values(array.untyped(), written_first);
-    } else {
+    } else if constexpr (requires { array.contents(); }) {
       start_without_values(array.contents().untyped(), written_first);
-    }
+    }  // a LocalArray holds nothing: each call of the fused kernel begins so
   }
 }
 

@@ -133,7 +133,7 @@ inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
 /// The elements' meaningful values, both ends included, in the field's unit.
 [[nodiscard]] constexpr detail::Range range(double low, double high) { return {low, high}; }
 
-// How elements are stored, apart from the precision that they are computed with:
+// Ways to store elements, apart from the precision that they are computed with:
 /// In single or double precision, whatever the scene chooses.
 inline constexpr detail::Storage float32{detail::Encoding::float32, 0};
 inline constexpr detail::Storage float64{detail::Encoding::float64, 0};

@@ -89,8 +89,9 @@ bool processor_converts(const UntypedArray& host, const UntypedArray& device) {
 }
 
 // Chunks of an array in CUDA memory that pass through pinned memory in some form: the array's own, or the host's, which
-// the device converts.
+// the device converts. On their way up they are filled by the host, on their way down it reads them.
 struct Passage {
+  bool up;
   UntypedArray device;
   Chunks chunks;
   UntypedArray chunk;                        // in pinned memory; take_piece() says which
@@ -99,11 +100,12 @@ struct Passage {
   std::optional<cuda::StreamMemory> memory;  // of the part
   Stream stream;
   index_t at = -1;      // the chunk that is being filled or read
-  index_t ordered = 0;  // chunks whose way from the device has been ordered
+  index_t ordered = 0;  // chunks whose way down has been ordered
 
-  Passage(const UntypedArray& device_, const UntypedArray& form, bool device_converts, index_t begin, index_t end,
-          Stream stream_)
-      : device(device_),
+  Passage(bool up_, const UntypedArray& device_, const UntypedArray& form, bool device_converts, index_t begin,
+          index_t end, Stream stream_)
+      : up(up_),
+        device(device_),
         chunks(form, begin, end),
         chunk(part_of(form, chunks.objects, SpaceKind::pinned)),
         part(chunk),
@@ -119,70 +121,58 @@ struct Passage {
 
   // The number of the object at the beginning of a chunk: what the device converts is in step with its tiles.
   [[nodiscard]] index_t beginning(index_t k) const { return memory ? chunks.aligned(k) : chunks.first(k); }
-  [[nodiscard]] index_t count(index_t k) const { return chunks.last(k) - chunks.first(k); }
   void take_piece(index_t k) {
     chunk.base = ring->piece(k);
     chunk.size = chunks.last(k) - beginning(k);
   }
 
-  void send(index_t k) {
-    const index_t first = chunks.first(k), lead = first - beginning(k);
+  // Orders the way of chunk k.
+  void move(index_t k) {
+    const index_t first = chunks.first(k), last = chunks.last(k), lead = first - beginning(k);
     take_piece(k);
-    detail::copy_plain(memory ? part : device, memory ? lead : first, chunk, lead, count(k), stream);
+    if (memory && !up) cuda::convert(part, beginning(k), device, 0, first, last, stream);
+    const UntypedArray& in_cuda = memory ? part : device;
+    const index_t there = memory ? lead : first;
+    if (up) {
+      detail::copy_plain(in_cuda, there, chunk, lead, last - first, stream);
+    } else {
+      detail::copy_plain(chunk, lead, in_cuda, there, last - first, stream);
+    }
     ring->used(k, stream);
-    if (memory) cuda::convert(device, 0, part, beginning(k), first, chunks.last(k), stream);
-  }
-  void fetch(index_t k) {
-    const index_t first = chunks.first(k), lead = first - beginning(k);
-    take_piece(k);
-    if (memory) cuda::convert(part, beginning(k), device, 0, first, chunks.last(k), stream);
-    detail::copy_plain(chunk, lead, memory ? part : device, memory ? lead : first, count(k), stream);
-    ring->used(k, stream);
+    if (memory && up) cuda::convert(device, 0, part, beginning(k), first, last, stream);
   }
 
-  // The chunk before is on its way when this returns, and the next one may be filled.
-  bool next_to_fill() {
+  // Goes on to the next chunk. On the way up the one before is on its way when this returns, and this one may be
+  // filled; on the way down this one has come, and those after it are on their way.
+  bool next() {
     if (at >= chunks.count()) return false;
-    if (at >= 0) send(at);
-    if (++at >= chunks.count()) return false;
+    if (up && at >= 0) move(at);
+    ++at;
+    for (; !up && ordered < std::min(chunks.count(), at + cuda::PinnedRing::pieces); ++ordered) move(ordered);
+    if (at >= chunks.count()) return false;
     ring->wait(at);
     take_piece(at);
     // Padding of records travels, too, and must not be what another transfer left.
     const bool padded_records = detail::stored_bytes(device) < device.record_bytes;
-    if (!memory && padded_records) detail::clear_on_host(chunk.base, chunk.size * chunk.record_bytes);
-    return true;
-  }
-  // The next chunk has come, and those after it are on their way.
-  bool next_to_read() {
-    if (at >= chunks.count()) return false;
-    ++at;
-    for (; ordered < std::min(chunks.count(), at + cuda::PinnedRing::pieces); ++ordered) fetch(ordered);
-    if (at >= chunks.count()) return false;
-    take_piece(at);
-    ring->wait(at);
+    if (up && !memory && padded_records) detail::clear_on_host(chunk.base, chunk.size * chunk.record_bytes);
     return true;
   }
 };
 
-// Pageable memory to the device.
-index_t upload(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
-  const bool on_host = processor_converts(from, to);
-  const UntypedArray& form = on_host ? to : from;
-  Passage way(to, form, !on_host, begin, end, stream);
-  while (way.next_to_fill()) {
-    detail::convert_on_host(way.chunk, way.beginning(way.at), from, 0, way.chunks.first(way.at),
-                            way.chunks.last(way.at));
-  }
-  return (end - begin) * form.record_bytes;
-}
-
-// The device to pageable memory.
-index_t download(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
-  const bool on_host = processor_converts(to, from);
-  const UntypedArray& form = on_host ? from : to;
-  Passage way(from, form, !on_host, begin, end, stream);
-  while (way.next_to_read()) {
-    detail::convert_on_host(to, 0, way.chunk, way.beginning(way.at), way.chunks.first(way.at), way.chunks.last(way.at));
+// Between pageable memory and the device; also pinned memory, where the processor converts.
+index_t convert_pageable(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end, Stream stream) {
+  const bool up = to.space == SpaceKind::cuda;
+  const UntypedArray &host = up ? from : to, &device = up ? to : from;
+  const bool on_host = processor_converts(host, device);
+  const UntypedArray& form = on_host ? device : host;
+  Passage way(up, device, form, !on_host, begin, end, stream);
+  while (way.next()) {
+    const index_t beginning = way.beginning(way.at), first = way.chunks.first(way.at), last = way.chunks.last(way.at);
+    if (up) {
+      detail::convert_on_host(way.chunk, beginning, host, 0, first, last);
+    } else {
+      detail::convert_on_host(host, 0, way.chunk, beginning, first, last);
+    }
   }
   return (end - begin) * form.record_bytes;
 }
@@ -206,22 +196,19 @@ index_t backend::convert(const UntypedArray& to, const UntypedArray& from, index
     detail::wait_for_host_work(from.space, stream);
     detail::wait_for_host_work(to.space, stream);
   }
-  if (from.space == SpaceKind::host || (on_host && from.space == SpaceKind::pinned))
-    return upload(to, from, begin, end, stream);
-  if (to.space == SpaceKind::host || (on_host && to.space == SpaceKind::pinned))
-    return download(to, from, begin, end, stream);
+  if (on_host || from.space == SpaceKind::host || to.space == SpaceKind::host)
+    return convert_pageable(to, from, begin, end, stream);
   return convert_pinned(to, from, begin, end, stream);
 }
 
 struct ChunkedTransfer::State : Passage {
   using Passage::Passage;
 };
-ChunkedTransfer::ChunkedTransfer(const UntypedArray& array, index_t begin, index_t end, Stream stream)
-    : state_(std::make_unique<State>(checked_range(array, begin, end), array, false, begin, end, stream)) {}
+ChunkedTransfer::ChunkedTransfer(bool up, const UntypedArray& array, index_t begin, index_t end, Stream stream)
+    : state_(std::make_unique<State>(up, checked_range(array, begin, end), array, false, begin, end, stream)) {}
 ChunkedTransfer::~ChunkedTransfer() = default;
 const UntypedArray& ChunkedTransfer::chunk() const { return state_->chunk; }
 index_t ChunkedTransfer::begin() const { return state_->beginning(state_->at); }
-bool ChunkedUpload::next() { return state_->next_to_fill(); }
-bool ChunkedDownload::next() { return state_->next_to_read(); }
+bool ChunkedTransfer::next() { return state_->next(); }
 
 }  // namespace physgen

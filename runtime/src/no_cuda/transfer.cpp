@@ -16,13 +16,13 @@ index_t backend::convert(const UntypedArray& /*to*/, const UntypedArray& /*from*
 struct ChunkedTransfer::State {
   UntypedArray chunk;
 };
-ChunkedTransfer::ChunkedTransfer(const UntypedArray& /*array*/, index_t /*begin*/, index_t /*end*/, Stream /*stream*/) {
+ChunkedTransfer::ChunkedTransfer(bool /*up*/, const UntypedArray& /*array*/, index_t /*begin*/, index_t /*end*/,
+                                 Stream /*stream*/) {
   throw Error(backend::reason);
 }
 ChunkedTransfer::~ChunkedTransfer() = default;
 const UntypedArray& ChunkedTransfer::chunk() const { return state_->chunk; }
 index_t ChunkedTransfer::begin() const { return 0; }
-bool ChunkedUpload::next() { return false; }
-bool ChunkedDownload::next() { return false; }
+bool ChunkedTransfer::next() { return false; }
 
 }  // namespace physgen

@@ -9,6 +9,7 @@
 #include <fem/kernels/elastic_force.h>
 #include <fem/kernels/force_differential.h>
 #include <fem/kernels/keep_directions.h>
+#include <fem/kernels/load_first.h>
 #include <fem/kernels/node_sums.h>
 #include <fem/kernels/stress.h>
 #include <fem/kernels/stress_derivative.h>
@@ -31,31 +32,19 @@ template <class TetView, class Real, class Layout, class Formats, class Space, c
   return ComputeDisplacedGradient{tets, nodes, rest, gradients};
 }
 
-namespace detail {
-
-/// Corner forces from nodes; then a step that they are given to, last(corner forces).
-template <class Model, class TetView, class PositionView, class RestView, class MakeLast>
-auto fused_forces(const Model& material, const TetView& tets, const PositionView& positions, const RestView& rest,
-                  const MakeLast& last) {
-  using Real = typename RestView::Precision;
-  constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
-  constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
-  constexpr auto P = local<elasticity::StressObject, Real>();
-  constexpr auto G = local<elasticity::CornerForcesObject, Real>();
-  return fuse(locals(F, svd, P, G), gradient_step(tets, positions, rest, F), ComputeSvd{F, svd},
-              ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, G}, last(G));
-}
-
-}  // namespace detail
-
 /// From positions to the forces on nodes, which are set to zero before (ClearNodes); the order of sums is open.
 /// @param tets elasticity::Tet @param positions elasticity::NodePosition @param rest elasticity::RestShape
 /// @param nodes elasticity::NodeForce, added to
 template <class Model, class TetView, class PositionView, class RestView, class NodeView>
 [[nodiscard]] auto fuse_added_forces(const Model& material, const TetView& tets, const PositionView& positions,
                                      const RestView& rest, const NodeView& nodes) {
-  return detail::fused_forces(material, tets, positions, rest,
-                              [&](const auto& G) { return AddCornerForces{tets, G, nodes}; });
+  using Real = typename RestView::Precision;
+  constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
+  constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
+  constexpr auto P = local<elasticity::StressObject, Real>();
+  constexpr auto G = local<elasticity::CornerForcesObject, Real>();
+  return fuse(locals(F, svd, P, G), gradient_step(tets, positions, rest, F), ComputeSvd{F, svd},
+              ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, G}, AddCornerForces{tets, G, nodes});
 }
 
 /// From positions to the forces of tets on their corners, in the rows of nodes; SumRowForces sums them.
@@ -63,8 +52,15 @@ template <class Model, class TetView, class PositionView, class RestView, class 
 template <class Model, class TetView, class PositionView, class RestView, class PlaceView, class PlacedView>
 [[nodiscard]] auto fuse_placed_forces(const Model& material, const TetView& tets, const PositionView& positions,
                                       const RestView& rest, const PlaceView& places, const PlacedView& placed) {
-  return detail::fused_forces(material, tets, positions, rest,
-                              [&](const auto& G) { return ScatterCornerForces{places, G, placed}; });
+  using Real = typename RestView::Precision;
+  constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
+  constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
+  constexpr auto P = local<elasticity::StressObject, Real>();
+  constexpr auto G = local<elasticity::CornerForcesObject, Real>();
+  constexpr auto loaded = local<elasticity::TetPlacesObject, Real>();
+  return fuse(locals(F, svd, P, G, loaded), LoadPlaces{places, loaded}, gradient_step(tets, positions, rest, F),
+              ComputeSvd{F, svd}, ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, G},
+              ScatterCornerForces{loaded, G, placed});
 }
 
 /// From positions to the forces of tets on their corners, which GatherForces sums: on a CPU, where atomic sums take
@@ -94,9 +90,10 @@ template <class Model, class TetView, class PositionView, class RestView, class 
   constexpr auto F = local<elasticity::DeformationGradientObject, Real>();
   constexpr auto svd = local<elasticity::DeformationSvdObject, Real>();
   constexpr auto P = local<elasticity::StressObject, Real>();
-  return fuse(locals(F, svd, P), gradient_step(tets, positions, rest, F), ComputeSvd{F, svd},
-              KeepDirections{svd, directions}, ComputeStressDerivative{material, svd, derivatives, ClampEigenvalues{}},
-              ComputeStress{material, svd, P}, ComputeCornerForces{rest, P, corners});
+  constexpr auto shapes = local<elasticity::RestShapeObject, Real>();
+  return fuse(locals(F, svd, P, shapes), LoadShapes{rest, shapes}, gradient_step(tets, positions, shapes, F),
+              ComputeSvd{F, svd}, ComputeStress{material, svd, P}, ComputeCornerForces{shapes, P, corners},
+              KeepDirections{svd, directions}, ComputeStressDerivative{material, svd, derivatives, ClampEigenvalues{}});
 }
 
 /// The force differential of nodes, matrix-free; they are set to zero before (ClearNodes), the order of sums is open.

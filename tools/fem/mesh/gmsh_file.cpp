@@ -21,7 +21,7 @@ namespace {
 
 using Tags = std::vector<std::size_t>;
 
-// What Gmsh changes for the whole process, kept and put back.
+// Keeps, and puts back, the settings that Gmsh changes for the whole process.
 class KeptSettings {
  public:
   KeptSettings() : threads_(omp_get_max_threads()) {
@@ -196,7 +196,7 @@ ReadMesh read_open_model(const std::filesystem::path& path) {
   return mesh;
 }
 
-// What Gmsh said last, with the file's name in the place of the link's.
+// The last words of Gmsh, with the file's name in the place of the link's.
 std::string last_words(const std::filesystem::path& path, const Link& link) {
   std::string said;
   try {

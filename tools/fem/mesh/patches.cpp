@@ -60,7 +60,7 @@ IncidenceList lists_of(const std::vector<Index>& tet_patch, std::size_t patches)
   return list;
 }
 
-// What follows from the patch of each tet, numbered 0, 1, ...
+// Makes the lists of patches from the patch of each tet, numbered 0, 1, ...
 // @pre no patch has more than 8 nodes
 VolumePatches patches_of(const TetMesh& mesh, std::vector<Index> tet_patch, std::size_t count) {
   VolumePatches patches;

@@ -18,7 +18,7 @@ using Long3 = Eigen::Matrix<Long, 3, 3>;
 template <class Real>
 constexpr Long eps = std::numeric_limits<Real>::epsilon();
 
-// What an error is beyond the rounding to subnormal numbers.
+// The part of an error beyond the rounding to subnormal numbers.
 template <class Real>
 Long beyond_underflow(Long error) {
   return std::max(Long(0), error - Long(std::numeric_limits<Real>::denorm_min()));

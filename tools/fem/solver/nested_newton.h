@@ -1,6 +1,7 @@
 // Newton's method over nested meshes and the steps of a load: what a solver does, over parts of any types.
 #pragma once
 
+#include <fem/solver/interpolate_motion.h>
 #include <fem/solver/solver_parts.h>
 
 #include <algorithm>
@@ -99,8 +100,9 @@ class NestedNewton : protected SolverParts<On, Types> {
       if (!coarsest) {
         const Arrays& coarse = *arrays_[l + 1];
         on_->run(a.nodes(),
-                 InterpolateMotion{HalfWay{level.parents.const_view()}, coarse.kept.const_view(),
-                                   coarse.positions.const_view(), level.constraints.const_view(), a.positions.view()});
+                 InterpolateMotion{level.parents.const_view(), coarse.node_tets.const_view(), coarse.tets.const_view(),
+                                   coarse.rest.const_view(), coarse.kept.const_view(), coarse.positions.const_view(),
+                                   level.constraints.const_view(), a.positions.view()});
       }
       on_->run(a.nodes(),
                ComputeIncrement{load, a.rest.const_view(), a.motion.const_view(), level.constraints.const_view(),
@@ -111,6 +113,7 @@ class NestedNewton : protected SolverParts<On, Types> {
       const bool increment = coarsest && moves_[l] && (load != load_ || !reached_);
       NewtonSettings newton = settings_.newton;
       newton.start_load = load_;
+      newton.is_interpolated = !coarsest;
       newton.start_is_given = l == 0 && !reached_;
       newton.last_reaction = last_reaction_;
       if (l > 0) newton.tolerance = std::max(newton.tolerance, settings_.coarser_tolerance);

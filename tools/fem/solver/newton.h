@@ -153,7 +153,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, true);
   };
   if (settings.start_is_given && !(state.smallest_ratio > 0)) begin_nearer_to_rest();
-  double before = free_of(state), forcing = settings.least_forcing;
+  // What is left of a coarser mesh's equilibrium lies where F changes most, and no linear solve takes all of it away.
+  double before = free_of(state), forcing = settings.is_interpolated ? settings.most_forcing : settings.least_forcing;
   // A full step may raise the energy where the one behind it makes up for that; if it does not, none may any more.
   bool risky = false, may_risk = true, fresh = true;
   double risked_energy = 0, risked_free = 0;
@@ -278,7 +279,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
                                        std::min(settings.most_forcing, 0.9 * (free / before) * (free / before)));
     // The last step goes a little below the tolerance, and no further. Conjugate gradients measure in another norm.
     if (settings.absolute_tolerance == 0 && residual_of(state) > settings.tolerance) {
-      forcing = std::max(forcing, 0.05 * settings.tolerance / residual_of(state));
+      forcing = std::max(forcing, 0.02 * settings.tolerance / residual_of(state));
     }
     before = free;
     has_increment = false;

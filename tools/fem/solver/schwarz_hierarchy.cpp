@@ -173,7 +173,7 @@ void add_block_edges(SchwarzHierarchy& hierarchy, const Level& level, Index edge
   append(hierarchy.block_edges, at(level.blocks()), blocks, entries);
 }
 
-/// What the next level's stiffness is summed from. @param base number of the level's first supernode, 0 of nodes
+/// The terms of the next level's stiffness. @param base number of the level's first supernode, 0 of nodes
 void add_terms(SchwarzHierarchy& hierarchy, const Level& level, const Level& next, const std::vector<Index>& parents,
                Index base, Index edge_base) {
   std::vector<Index> supernodes, pairs;

@@ -46,7 +46,7 @@ struct NewtonSettings {
   int most_steps = 60;            ///< of Newton's method, in one load increment
   int most_iterations = 20000;    ///< of conjugate gradients, in one step
   double least_forcing = 1e-3;    ///< tolerance of linear solves, from here while convergence is quadratic
-  double most_forcing = 1e-2;     ///< to here; looser in the last step, as far as the tolerance allows
+  double most_forcing = 1e-2;  ///< to here, and from a coarser mesh; looser in the last step, as the tolerance allows
   bool line_search = true;
   int most_halvings = 12;  ///< of a step, until the energy falls
   /// A full step may raise the energy, if no tet is inverted and the next makes up for it.
@@ -56,11 +56,12 @@ struct NewtonSettings {
   PreconditionerSettings preconditioner;
 
   // A solver fills these in.
-  double start_load = 0;        ///< of the equilibrium that a first linear solve with an increment goes on from
-  double last_reaction = 0;     ///< [N]: |forces that hold the body| at the last equilibrium
-  double rounding_force = 0;    ///< [N]: what positions' rounding makes of the forces on all nodes
-  bool all_prescribed = false;  ///< no component is free
-  bool start_is_given = false;  ///< positions were set from outside; where tets are inverted, it begins nearer to rest
+  double start_load = 0;         ///< of the equilibrium that a first linear solve with an increment goes on from
+  double last_reaction = 0;      ///< [N]: |forces that hold the body| at the last equilibrium
+  double rounding_force = 0;     ///< [N]: what positions' rounding makes of the forces on all nodes
+  bool all_prescribed = false;   ///< no component is free
+  bool is_interpolated = false;  ///< positions are those of a coarser mesh's equilibrium
+  bool start_is_given = false;   ///< positions were set from outside; where tets are inverted, it begins nearer to rest
 };
 
 /// The record of one Newton step.

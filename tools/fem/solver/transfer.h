@@ -1,5 +1,5 @@
-// Kernels between a level and the next coarser one, in the scaled unknowns of both: restriction of residuals,
-// interpolation of corrections, and interpolation of displacements for nested iteration.
+// Kernels between a level and the next coarser one, in the scaled unknowns of both: restriction of residuals and
+// interpolation of corrections.
 #pragma once
 
 #include <fem/solver/free_part.h>
@@ -73,26 +73,5 @@ struct InterpolateCorrection {
 };
 template <class... Arguments>
 InterpolateCorrection(Arguments...) -> InterpolateCorrection<Arguments...>;
-
-/// Moves free components of nodes by how far their parents have moved, interpolated: x += now - before.
-template <class Interpolation, class BeforeView, class NowView, class ConstraintView, class PositionView>
-struct InterpolateMotion {
-  using Scalar = typename PositionView::Precision;
-  Interpolation interpolation;  ///< HalfWay or InGrid
-  BeforeView before;            ///< elasticity::NodePosition, of the coarser level
-  NowView now;                  ///< elasticity::NodePosition, of the coarser level
-  ConstraintView constraints;   ///< quasistatic::NodeConstraint
-  PositionView positions;       ///< elasticity::NodePosition
-
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
-    using Vector = Vector3<Scalar>;
-    const Vector motion = interpolation.template value<Scalar>(node, [&](index_t parent) -> Vector {
-      return Vector(now[parent].x().get()) - Vector(before[parent].x().get());
-    });
-    positions[node].x() += detail::free_part<Scalar>(motion, constraints[node]);
-  }
-};
-template <class... Arguments>
-InterpolateMotion(Arguments...) -> InterpolateMotion<Arguments...>;
 
 }  // namespace physgen::fem

@@ -1,0 +1,108 @@
+// How nested iteration carries the motion of a coarser mesh to the next finer one.
+#include <fem/mesh/mesh_arrays.h>
+#include <fem/solver/interpolate_motion.h>
+#include <gtest/gtest.h>
+#include <physgen/parallel_for.h>
+
+#include <cstdio>
+
+#include "bodies.h"
+
+namespace physgen::fem {
+namespace {
+
+constexpr double side = 2;
+
+/// Positions on the finer of two meshes of a cube, where `motion` was found on the coarser one, beside a rest that is
+/// already moved by `start`.
+std::vector<Point> interpolated(const Body& body, const std::function<Point(const Point&)>& motion, double start) {
+  const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
+  const auto coarse_nodes = index_t{coarse.mesh.nodes}, fine_nodes = index_t{fine.mesh.nodes};
+  quasistatic::NodeParentsArray<float> parents(fine_nodes);
+  quasistatic::NodeConstraintArray<float> constraints(fine_nodes);
+  elasticity::NodePositionArray<double> positions(fine_nodes), rest(coarse_nodes), before(coarse_nodes),
+      now(coarse_nodes);
+  elasticity::TetArray<float> tets(index_t(coarse.mesh.tets.size()));
+  store_tets(coarse.mesh, tets.view());
+  const auto node_tets = packed_rows<NodeTetEntry>(coarse.mesh.node_tets, tets.size(), "tets");
+  for (index_t n = 0; n < fine_nodes; ++n) {
+    const auto& [a, b] = fine.parents[std::size_t(n)];
+    parents.view().put(n, {{a, b}});
+    constraints.view().put(n, {int{fine.fixed[std::size_t(n)]}});
+    const Point& x = fine.rest[std::size_t(n)];
+    positions.view().put(n, {{x[0] + start, x[1] + start, x[2] + start}});
+  }
+  for (index_t n = 0; n < coarse_nodes; ++n) {
+    const Point& x = coarse.rest[std::size_t(n)];
+    const Point w = motion(x);
+    rest.view().put(n, {{x[0], x[1], x[2]}});
+    before.view().put(n, {{x[0] + 7, x[1] - 5, x[2] + 3}});
+    now.view().put(n, {{x[0] + 7 + w[0], x[1] - 5 + w[1], x[2] + 3 + w[2]}});
+  }
+  parallel_for<1>(Host{}, fine_nodes,
+                  InterpolateMotion{parents.const_view(), node_tets.const_view(), tets.const_view(), rest.const_view(),
+                                    before.const_view(), now.const_view(), constraints.const_view(), positions.view()});
+  std::vector<Point> result(std::size_t(fine_nodes), Point{});
+  for (index_t n = 0; n < fine_nodes; ++n) {
+    const auto x = positions.view().get(n).x;
+    result[std::size_t(n)] = {x[0], x[1], x[2]};
+  }
+  return result;
+}
+
+/// Cells of 1/4, and of 1/2, some of whose components are prescribed.
+Body cube_with(std::uint8_t fixed_below) {
+  return make_cube(
+      8, side, false, 0, [&](const Point& x) { return x[2] == 0 ? fixed_below : std::uint8_t{0}; },
+      [](const Point& /*x*/) { return Point{}; });
+}
+
+TEST(InterpolateMotion, is_exact_for_affine_motions_everywhere) {
+  const Body body = cube_with(0);
+  const auto motion = [](const Point& x) {
+    return Point{0.3 + 0.2 * x[0] - 0.7 * x[1], 0.1 + 0.5 * x[2] - x[0], 0.9 * x[1] - 0.4 * x[2]};
+  };
+  const auto positions = interpolated(body, motion, 0.25);
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Point& x = body.levels[0].rest[n];
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + 0.25 + motion(x)[k], 1e-13) << n;
+  }
+}
+
+/// A straight line between parents would be off by h^2/8 times the second derivative.
+TEST(InterpolateMotion, is_exact_for_quadratic_motions_between_nodes_inside) {
+  const Body body = cube_with(0);
+  const auto motion = [](const Point& x) {
+    return Point{x[0] * x[0] - 0.5 * x[1] * x[2], 0.7 * x[1] * x[1] + x[0] * x[2], x[2] * (x[0] - x[1] - 0.3 * x[2])};
+  };
+  const auto positions = interpolated(body, motion, 0);
+  const double spacing = side / 4;
+  int inside = 0;
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Point& x = body.levels[0].rest[n];
+    const bool near_surface =
+        std::ranges::any_of(x, [&](double number) { return number < spacing * 0.9 || number > side - spacing * 0.9; });
+    if (near_surface) continue;
+    ++inside;
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + motion(x)[k], 1e-13) << n;
+  }
+  EXPECT_EQ(inside, 125);
+}
+
+TEST(InterpolateMotion, leaves_prescribed_components_where_they_are) {
+  const Body body = cube_with(5);
+  const auto positions = interpolated(body, [](const Point& /*x*/) { return Point{0.5, 0.25, -0.125}; }, 0);
+  int prescribed = 0;
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Point& x = body.levels[0].rest[n];
+    const bool below = x[2] == 0;
+    prescribed += below;
+    EXPECT_EQ(positions[n][0], below ? x[0] : x[0] + 0.5);
+    EXPECT_NEAR(positions[n][1], x[1] + 0.25, 1e-14);
+    EXPECT_EQ(positions[n][2], below ? x[2] : x[2] - 0.125);
+  }
+  EXPECT_EQ(prescribed, 81);
+}
+
+}  // namespace
+}  // namespace physgen::fem

@@ -1,0 +1,55 @@
+"""What the scenes of truthcube keep and take. Its file is what scene_runs.py writes: a list `scenes`, of each {scene,
+scalars, own: {flags, tets, bytes, seconds}} and, where the scene everything offers the same choices, `everything`, too."""
+import pathlib
+
+from . import records
+from .records import RunError
+
+AGAIN = "measure again with tools/report/scene_runs.py"
+# Whose arrays a scene has; of what they have of tets, corner forces and assembled tangents are those of a chunk.
+ARRAYS = {
+    "quasistatic": "quasistatic",
+    "matrix-free": "quasistatic_matrix_free",
+    "fixed-corotated": "quasistatic_fixed_corotated",
+    "implicit-dynamics": "implicit_dynamics",
+    "explicit-dynamics": "explicit_dynamics",
+    "linear-elastic": "linear_elastic_assembled",
+}
+_RUN = {"flags": str, "tets": int, "bytes": int, "seconds": float}
+
+
+def scalars(checkout, scene, flags):
+    """The scalars, numbers of nodes and the like left out, that a scene stores of each tet between two steps, as physgen
+    found them. @throws RunError"""
+    by_tets = "matrix-free" in flags
+    arrays = "linear_elastic" if scene == "linear-elastic" and by_tets else ARRAYS[scene]
+    sets = ["per tet", "per gathered_tet"] + ["per kept_tet"] * (by_tets and scene != "linear-elastic")
+    need = records.load_json(pathlib.Path(checkout) / "generated" / "scenes" / f"{arrays}.need.json")
+    return sum(
+        field["elements"]
+        for array in need["arrays"]
+        if array["of"] in sets and not array["array"].startswith("stresses.")
+        for field in array["fields"]
+        if field["fate"] == "kept" and not field["type"].startswith("int")
+    )
+
+
+def lines(content, name):
+    """Header and rows of the table, a row for each scene. @param name of the file. @throws RunError naming the place"""
+    rows = content.get("scenes") if isinstance(content, dict) else None
+    if not isinstance(rows, list) or not rows:
+        raise RunError(f"{name}: no list of 'scenes'; {AGAIN}")
+    table = []
+    for number, row in enumerate(rows):
+        place = f"{name}: scenes[{number}]"
+        records.require(row, {"scene": str, "scalars": int, "own": dict}, place, AGAIN)
+        both = [row["own"], row.get("everything")]
+        for run in filter(None, both):
+            records.require(run, _RUN, place, AGAIN)
+        words = row["own"]["flags"].removeprefix("--scene ")
+        cells = [f"`{words}`", f"{row['scalars']}"]
+        cells += [f"{run['bytes'] / run['tets']:.1f}" if run else "" for run in both]
+        cells += [f"{1e3 * run['seconds']:.3g}" if run else "" for run in both]
+        table.append(cells)
+    head = ["`--scene`", "scalars per tet", "bytes per tet", "over arrays of `everything`"]
+    return [*head, "a step [ms]", "over arrays of `everything` [ms]"], table
