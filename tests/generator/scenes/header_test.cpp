@@ -1,12 +1,13 @@
 // The text that is written of a scene: the header against a golden one, which is compared letter by letter.
+#include "scenes/header.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "scenes/header.h"
+#include "by_hand.h"
 #include "scenes/probe_unit.h"
-#include "scenes_by_hand.h"
 
 namespace physgen::test {
 namespace {
@@ -88,7 +89,7 @@ TEST(ProbeUnit, gives_the_program_a_probe_for_every_array_and_something_for_ever
   scene.parameters = {"double"};
   const auto text = scenes::probe_unit(scene, "Host", "/x/chain.h");
   for (const char* line : {"#include \"/x/chain.h\"\n",
-                           "typename Arrays::template type<m::SvdArray<float, Space>, tags_of_Body::svd> svd;\n",
+                           "physgen::ProbeOf<m::SvdArray<float, Space>, tags_of_Body::svd> svd;\n",
                            "struct svd { static constexpr const char* name = \"body.svd\"; };\n",
                            "::scenes::chain::program(on, the_body, some<double>());\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "in\n" << text;

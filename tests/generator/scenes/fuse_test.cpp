@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_case.h"
-#include "scenes_fuse_kernels.h"
+#include "fuse_kernels.h"
 
 namespace physgen::test {
 namespace {
@@ -32,6 +32,9 @@ const std::vector<Block> blocks = {
     {"masked", "on.run(n, Copy{in, M});\n    on.run(n, Limit{M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
     {"element", "on.run(n, CopyElement{in, M});\n    on.run(n, CopyVector{M, OUT});", "\"x\""},
     {"index", "on.run(n, CopyByIndex{in, M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
+    {"leave", "on.run(n, CopyOrLeave{in, M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
+    {"pointer", "on.run(n, CopyRemembering{&last, in, M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
+    {"variable", "on.run(n, CopyCounting{in, M});\n    on.run(n, Shift{1, M, OUT});", "\"a\""},
     {"reduced",
      "on.run(n, Copy{in, M});\n    on.reduce(n, Value{M}, physgen::Sum{}, Keep{body.sum.view()});\n"
      "    on.run(n, CopyBack{M, OUT});",
@@ -127,6 +130,9 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
            {"element",
             "no earlier step of the group is sure to store all of body.m_element.x, which CopyVector reads; "},
            {"index", "CopyByIndex: it asks what its index is at kernels.h:"},
+           {"leave", "no earlier step of the group is sure to store all of body.m_leave.a, which Shift reads; "},
+           {"pointer", "CopyRemembering: it holds a pointer or a reference to what is no array at kernels.h:"},
+           {"variable", "CopyCounting: it uses the variable last at kernels.h:"},
            {"reduced", "on.reduce() at scenes/groups.h:"},
            {"host", "the declaration of s at scenes/groups.h:"},
            {"called", "Shift: it calls told() at scenes/groups.h:"},
