@@ -15,13 +15,13 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_E03D5D37FEFD6A3E
-#define PHYSGEN_CONTACT_H_E03D5D37FEFD6A3E
+#ifndef PHYSGEN_CONTACT_H_1808DE509C753577
+#define PHYSGEN_CONTACT_H_1808DE509C753577
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 5
-#error "contact.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 6
+#error "contact.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace contact {
@@ -66,13 +66,10 @@ struct NodeAreaRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { area() = value.area; }
 };
 
-struct NodeAreaObject : physgen::ObjectTag<NodeArea, NodeAreaFormats, NodeAreaRecord, NodeAreaRef> {
+struct NodeAreaObject : physgen::ObjectTag<
+    NodeAreaObject, NodeArea, NodeAreaFormats, NodeAreaRecord, NodeAreaRef, NodeAreaProbe> {
   static constexpr std::string_view name = "contact::NodeArea";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"area", "m^2"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeAreaProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -147,13 +144,10 @@ struct RigidPlaneRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct RigidPlaneObject : physgen::ObjectTag<RigidPlane, RigidPlaneFormats, RigidPlaneRecord, RigidPlaneRef> {
+struct RigidPlaneObject : physgen::ObjectTag<
+    RigidPlaneObject, RigidPlane, RigidPlaneFormats, RigidPlaneRecord, RigidPlaneRef, RigidPlaneProbe> {
   static constexpr std::string_view name = "contact::RigidPlane";
   static constexpr std::array<physgen::FieldText, 3> texts = {{{"normal", "1"}, {"offset", "m"}, {"travel", "m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = RigidPlaneProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -219,13 +213,10 @@ struct PlaneContactRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct PlaneContactObject : physgen::ObjectTag<PlaneContact, PlaneContactFormats, PlaneContactRecord, PlaneContactRef> {
+struct PlaneContactObject : physgen::ObjectTag<
+    PlaneContactObject, PlaneContact, PlaneContactFormats, PlaneContactRecord, PlaneContactRef, PlaneContactProbe> {
   static constexpr std::string_view name = "contact::PlaneContact";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"force", "N"}, {"depth", "m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PlaneContactProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -238,4 +229,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_E03D5D37FEFD6A3E
+#endif  // PHYSGEN_CONTACT_H_1808DE509C753577

@@ -15,13 +15,13 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_DYNAMICS_H_81AF73F477DF372E
-#define PHYSGEN_DYNAMICS_H_81AF73F477DF372E
+#ifndef PHYSGEN_DYNAMICS_H_46928D9189B1593C
+#define PHYSGEN_DYNAMICS_H_46928D9189B1593C
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 5
-#error "dynamics.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 6
+#error "dynamics.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace dynamics {
@@ -66,13 +66,10 @@ struct NodeMassRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { mass() = value.mass; }
 };
 
-struct NodeMassObject : physgen::ObjectTag<NodeMass, NodeMassFormats, NodeMassRecord, NodeMassRef> {
+struct NodeMassObject : physgen::ObjectTag<
+    NodeMassObject, NodeMass, NodeMassFormats, NodeMassRecord, NodeMassRef, NodeMassProbe> {
   static constexpr std::string_view name = "dynamics::NodeMass";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"mass", "kg"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeMassProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -124,13 +121,10 @@ struct NodeVelocityRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { v() = value.v; }
 };
 
-struct NodeVelocityObject : physgen::ObjectTag<NodeVelocity, NodeVelocityFormats, NodeVelocityRecord, NodeVelocityRef> {
+struct NodeVelocityObject : physgen::ObjectTag<
+    NodeVelocityObject, NodeVelocity, NodeVelocityFormats, NodeVelocityRecord, NodeVelocityRef, NodeVelocityProbe> {
   static constexpr std::string_view name = "dynamics::NodeVelocity";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"v", "m/s"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeVelocityProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -216,14 +210,10 @@ struct MotionRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct MotionObject : physgen::ObjectTag<Motion, MotionFormats, MotionRecord, MotionRef> {
+struct MotionObject : physgen::ObjectTag<MotionObject, Motion, MotionFormats, MotionRecord, MotionRef, MotionProbe> {
   static constexpr std::string_view name = "dynamics::Motion";
   static constexpr std::array<physgen::FieldText, 4> texts = {{
       {"kinetic", "J"}, {"momentum", "kg m/s"}, {"elastic", "J"}, {"farthest", "m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = MotionProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -237,4 +227,4 @@ static_assert(physgen::are_sound_records<MotionObject, physgen::Host>(
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_81AF73F477DF372E
+#endif  // PHYSGEN_DYNAMICS_H_46928D9189B1593C

@@ -15,13 +15,13 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_ELASTICITY_H_A2AA0F29D06F0D26
-#define PHYSGEN_ELASTICITY_H_A2AA0F29D06F0D26
+#ifndef PHYSGEN_ELASTICITY_H_5BEF633084D1DD9F
+#define PHYSGEN_ELASTICITY_H_5BEF633084D1DD9F
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 5
-#error "elasticity.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 6
+#error "elasticity.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace elasticity {
@@ -68,13 +68,10 @@ struct DeformationGradientRef : physgen::OnCursor<Cursor> {
 };
 
 struct DeformationGradientObject : physgen::ObjectTag<
-    DeformationGradient, DeformationGradientFormats, DeformationGradientRecord, DeformationGradientRef> {
+    DeformationGradientObject, DeformationGradient, DeformationGradientFormats, DeformationGradientRecord,
+    DeformationGradientRef, DeformationGradientProbe> {
   static constexpr std::string_view name = "elasticity::DeformationGradient";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"F", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = DeformationGradientProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -129,14 +126,10 @@ struct DeformationGradientDifferentialRef : physgen::OnCursor<Cursor> {
 };
 
 struct DeformationGradientDifferentialObject : physgen::ObjectTag<
-    DeformationGradientDifferential, DeformationGradientDifferentialFormats, DeformationGradientDifferentialRecord,
-    DeformationGradientDifferentialRef> {
+    DeformationGradientDifferentialObject, DeformationGradientDifferential, DeformationGradientDifferentialFormats,
+    DeformationGradientDifferentialRecord, DeformationGradientDifferentialRef, DeformationGradientDifferentialProbe> {
   static constexpr std::string_view name = "elasticity::DeformationGradientDifferential";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"dF", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = DeformationGradientDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -211,13 +204,10 @@ struct DeformationSvdRef : physgen::OnCursor<Cursor> {
 };
 
 struct DeformationSvdObject : physgen::ObjectTag<
-    DeformationSvd, DeformationSvdFormats, DeformationSvdRecord, DeformationSvdRef> {
+    DeformationSvdObject, DeformationSvd, DeformationSvdFormats, DeformationSvdRecord, DeformationSvdRef,
+    DeformationSvdProbe> {
   static constexpr std::string_view name = "elasticity::DeformationSvd";
   static constexpr std::array<physgen::FieldText, 3> texts = {{{"U"}, {"V"}, {"s", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = DeformationSvdProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -290,13 +280,10 @@ struct QuaternionSvdRef : physgen::OnCursor<Cursor> {
 };
 
 struct QuaternionSvdObject : physgen::ObjectTag<
-    QuaternionSvd, QuaternionSvdFormats, QuaternionSvdRecord, QuaternionSvdRef> {
+    QuaternionSvdObject, QuaternionSvd, QuaternionSvdFormats, QuaternionSvdRecord, QuaternionSvdRef,
+    QuaternionSvdProbe> {
   static constexpr std::string_view name = "elasticity::QuaternionSvd";
   static constexpr std::array<physgen::FieldText, 3> texts = {{{"u"}, {"v"}, {"s", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = QuaternionSvdProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -361,13 +348,10 @@ struct PrincipalDirectionsRef : physgen::OnCursor<Cursor> {
 };
 
 struct PrincipalDirectionsObject : physgen::ObjectTag<
-    PrincipalDirections, PrincipalDirectionsFormats, PrincipalDirectionsRecord, PrincipalDirectionsRef> {
+    PrincipalDirectionsObject, PrincipalDirections, PrincipalDirectionsFormats, PrincipalDirectionsRecord,
+    PrincipalDirectionsRef, PrincipalDirectionsProbe> {
   static constexpr std::string_view name = "elasticity::PrincipalDirections";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"U"}, {"V"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PrincipalDirectionsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -422,13 +406,10 @@ struct PrincipalStretchesRef : physgen::OnCursor<Cursor> {
 };
 
 struct PrincipalStretchesObject : physgen::ObjectTag<
-    PrincipalStretches, PrincipalStretchesFormats, PrincipalStretchesRecord, PrincipalStretchesRef> {
+    PrincipalStretchesObject, PrincipalStretches, PrincipalStretchesFormats, PrincipalStretchesRecord,
+    PrincipalStretchesRef, PrincipalStretchesProbe> {
   static constexpr std::string_view name = "elasticity::PrincipalStretches";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"s", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PrincipalStretchesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -482,13 +463,10 @@ struct ElementRotationRef : physgen::OnCursor<Cursor> {
 };
 
 struct ElementRotationObject : physgen::ObjectTag<
-    ElementRotation, ElementRotationFormats, ElementRotationRecord, ElementRotationRef> {
+    ElementRotationObject, ElementRotation, ElementRotationFormats, ElementRotationRecord, ElementRotationRef,
+    ElementRotationProbe> {
   static constexpr std::string_view name = "elasticity::ElementRotation";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"R"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = ElementRotationProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -660,15 +638,12 @@ struct StressDerivativeRef : physgen::OnCursor<Cursor> {
 };
 
 struct StressDerivativeObject : physgen::ObjectTag<
-    StressDerivative, StressDerivativeFormats, StressDerivativeRecord, StressDerivativeRef> {
+    StressDerivativeObject, StressDerivative, StressDerivativeFormats, StressDerivativeRecord, StressDerivativeRef,
+    StressDerivativeProbe> {
   static constexpr std::string_view name = "elasticity::StressDerivative";
   static constexpr std::array<physgen::FieldText, 12> texts = {{
       {"x1111", "Pa"}, {"x2211", "Pa"}, {"x3311", "Pa"}, {"x2222", "Pa"}, {"x3322", "Pa"}, {"x3333", "Pa"},
       {"x2121", "Pa"}, {"x2112", "Pa"}, {"x3131", "Pa"}, {"x3113", "Pa"}, {"x3232", "Pa"}, {"x3223", "Pa"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = StressDerivativeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -721,13 +696,9 @@ struct StressRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { P() = value.P; }
 };
 
-struct StressObject : physgen::ObjectTag<Stress, StressFormats, StressRecord, StressRef> {
+struct StressObject : physgen::ObjectTag<StressObject, Stress, StressFormats, StressRecord, StressRef, StressProbe> {
   static constexpr std::string_view name = "elasticity::Stress";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"P", "Pa"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = StressProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -782,13 +753,10 @@ struct StressDifferentialRef : physgen::OnCursor<Cursor> {
 };
 
 struct StressDifferentialObject : physgen::ObjectTag<
-    StressDifferential, StressDifferentialFormats, StressDifferentialRecord, StressDifferentialRef> {
+    StressDifferentialObject, StressDifferential, StressDifferentialFormats, StressDifferentialRecord,
+    StressDifferentialRef, StressDifferentialProbe> {
   static constexpr std::string_view name = "elasticity::StressDifferential";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"dP", "Pa"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = StressDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -855,13 +823,10 @@ struct RestShapeRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct RestShapeObject : physgen::ObjectTag<RestShape, RestShapeFormats, RestShapeRecord, RestShapeRef> {
+struct RestShapeObject : physgen::ObjectTag<
+    RestShapeObject, RestShape, RestShapeFormats, RestShapeRecord, RestShapeRef, RestShapeProbe> {
   static constexpr std::string_view name = "elasticity::RestShape";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"dm_inverse", "1/m"}, {"volume", "m^3"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = RestShapeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -914,13 +879,10 @@ struct CornerForcesRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { G() = value.G; }
 };
 
-struct CornerForcesObject : physgen::ObjectTag<CornerForces, CornerForcesFormats, CornerForcesRecord, CornerForcesRef> {
+struct CornerForcesObject : physgen::ObjectTag<
+    CornerForcesObject, CornerForces, CornerForcesFormats, CornerForcesRecord, CornerForcesRef, CornerForcesProbe> {
   static constexpr std::string_view name = "elasticity::CornerForces";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"G", "N"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = CornerForcesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1126,16 +1088,13 @@ struct ElementRecordRef : physgen::OnCursor<Cursor> {
 };
 
 struct ElementRecordObject : physgen::ObjectTag<
-    ElementRecord, ElementRecordFormats, ElementRecordRecord, ElementRecordRef> {
+    ElementRecordObject, ElementRecord, ElementRecordFormats, ElementRecordRecord, ElementRecordRef,
+    ElementRecordProbe> {
   static constexpr std::string_view name = "elasticity::ElementRecord";
   static constexpr std::array<physgen::FieldText, 16> texts = {{
       {"U"}, {"V"}, {"x1111", "Pa"}, {"x2211", "Pa"}, {"x3311", "Pa"}, {"x2222", "Pa"}, {"x3322", "Pa"},
       {"x3333", "Pa"}, {"x2121", "Pa"}, {"x2112", "Pa"}, {"x3131", "Pa"}, {"x3113", "Pa"}, {"x3232", "Pa"},
       {"x3223", "Pa"}, {"dF", "1"}, {"dP", "Pa"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = ElementRecordProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1189,13 +1148,10 @@ struct NodePositionRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { x() = value.x; }
 };
 
-struct NodePositionObject : physgen::ObjectTag<NodePosition, NodePositionFormats, NodePositionRecord, NodePositionRef> {
+struct NodePositionObject : physgen::ObjectTag<
+    NodePositionObject, NodePosition, NodePositionFormats, NodePositionRecord, NodePositionRef, NodePositionProbe> {
   static constexpr std::string_view name = "elasticity::NodePosition";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"x", "m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodePositionProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1247,13 +1203,10 @@ struct NodeForceRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { f() = value.f; }
 };
 
-struct NodeForceObject : physgen::ObjectTag<NodeForce, NodeForceFormats, NodeForceRecord, NodeForceRef> {
+struct NodeForceObject : physgen::ObjectTag<
+    NodeForceObject, NodeForce, NodeForceFormats, NodeForceRecord, NodeForceRef, NodeForceProbe> {
   static constexpr std::string_view name = "elasticity::NodeForce";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"f", "N"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeForceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1306,13 +1259,10 @@ struct PlacedForceRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { f() = value.f; }
 };
 
-struct PlacedForceObject : physgen::ObjectTag<PlacedForce, PlacedForceFormats, PlacedForceRecord, PlacedForceRef> {
+struct PlacedForceObject : physgen::ObjectTag<
+    PlacedForceObject, PlacedForce, PlacedForceFormats, PlacedForceRecord, PlacedForceRef, PlacedForceProbe> {
   static constexpr std::string_view name = "elasticity::PlacedForce";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"f", "N"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PlacedForceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1366,13 +1316,10 @@ struct NodeDisplacementRef : physgen::OnCursor<Cursor> {
 };
 
 struct NodeDisplacementObject : physgen::ObjectTag<
-    NodeDisplacement, NodeDisplacementFormats, NodeDisplacementRecord, NodeDisplacementRef> {
+    NodeDisplacementObject, NodeDisplacement, NodeDisplacementFormats, NodeDisplacementRecord, NodeDisplacementRef,
+    NodeDisplacementProbe> {
   static constexpr std::string_view name = "elasticity::NodeDisplacement";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"dx", "m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeDisplacementProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1427,13 +1374,10 @@ struct NodeForceDifferentialRef : physgen::OnCursor<Cursor> {
 };
 
 struct NodeForceDifferentialObject : physgen::ObjectTag<
-    NodeForceDifferential, NodeForceDifferentialFormats, NodeForceDifferentialRecord, NodeForceDifferentialRef> {
+    NodeForceDifferentialObject, NodeForceDifferential, NodeForceDifferentialFormats, NodeForceDifferentialRecord,
+    NodeForceDifferentialRef, NodeForceDifferentialProbe> {
   static constexpr std::string_view name = "elasticity::NodeForceDifferential";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"df", "N"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeForceDifferentialProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1487,13 +1431,10 @@ struct NodeStiffnessRef : physgen::OnCursor<Cursor> {
 };
 
 struct NodeStiffnessObject : physgen::ObjectTag<
-    NodeStiffness, NodeStiffnessFormats, NodeStiffnessRecord, NodeStiffnessRef> {
+    NodeStiffnessObject, NodeStiffness, NodeStiffnessFormats, NodeStiffnessRecord, NodeStiffnessRef,
+    NodeStiffnessProbe> {
   static constexpr std::string_view name = "elasticity::NodeStiffness";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"K", "N/m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1547,13 +1488,10 @@ struct EdgeStiffnessRef : physgen::OnCursor<Cursor> {
 };
 
 struct EdgeStiffnessObject : physgen::ObjectTag<
-    EdgeStiffness, EdgeStiffnessFormats, EdgeStiffnessRecord, EdgeStiffnessRef> {
+    EdgeStiffnessObject, EdgeStiffness, EdgeStiffnessFormats, EdgeStiffnessRecord, EdgeStiffnessRef,
+    EdgeStiffnessProbe> {
   static constexpr std::string_view name = "elasticity::EdgeStiffness";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"E", "N/m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = EdgeStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1633,13 +1571,10 @@ struct TetStiffnessRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct TetStiffnessObject : physgen::ObjectTag<TetStiffness, TetStiffnessFormats, TetStiffnessRecord, TetStiffnessRef> {
+struct TetStiffnessObject : physgen::ObjectTag<
+    TetStiffnessObject, TetStiffness, TetStiffnessFormats, TetStiffnessRecord, TetStiffnessRef, TetStiffnessProbe> {
   static constexpr std::string_view name = "elasticity::TetStiffness";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"k", "N/m"}, {"e", "N/m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = TetStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1693,13 +1628,9 @@ struct TetRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { nodes() = value.nodes; }
 };
 
-struct TetObject : physgen::ObjectTag<Tet, TetFormats, TetRecord, TetRef> {
+struct TetObject : physgen::ObjectTag<TetObject, Tet, TetFormats, TetRecord, TetRef, TetProbe> {
   static constexpr std::string_view name = "elasticity::Tet";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = TetProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<TetObject, Space>>
@@ -1753,13 +1684,10 @@ struct TetPlacesRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { places() = value.places; }
 };
 
-struct TetPlacesObject : physgen::ObjectTag<TetPlaces, TetPlacesFormats, TetPlacesRecord, TetPlacesRef> {
+struct TetPlacesObject : physgen::ObjectTag<
+    TetPlacesObject, TetPlaces, TetPlacesFormats, TetPlacesRecord, TetPlacesRef, TetPlacesProbe> {
   static constexpr std::string_view name = "elasticity::TetPlaces";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"places"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = TetPlacesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1813,13 +1741,9 @@ struct EdgeRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { nodes() = value.nodes; }
 };
 
-struct EdgeObject : physgen::ObjectTag<Edge, EdgeFormats, EdgeRecord, EdgeRef> {
+struct EdgeObject : physgen::ObjectTag<EdgeObject, Edge, EdgeFormats, EdgeRecord, EdgeRef, EdgeProbe> {
   static constexpr std::string_view name = "elasticity::Edge";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = EdgeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<EdgeObject, Space>>
@@ -1886,13 +1810,10 @@ struct IncidenceRangeRef : physgen::OnCursor<Cursor> {
 };
 
 struct IncidenceRangeObject : physgen::ObjectTag<
-    IncidenceRange, IncidenceRangeFormats, IncidenceRangeRecord, IncidenceRangeRef> {
+    IncidenceRangeObject, IncidenceRange, IncidenceRangeFormats, IncidenceRangeRecord, IncidenceRangeRef,
+    IncidenceRangeProbe> {
   static constexpr std::string_view name = "elasticity::IncidenceRange";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"begin"}, {"end"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = IncidenceRangeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1958,13 +1879,10 @@ struct IncidenceRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct IncidenceObject : physgen::ObjectTag<Incidence, IncidenceFormats, IncidenceRecord, IncidenceRef> {
+struct IncidenceObject : physgen::ObjectTag<
+    IncidenceObject, Incidence, IncidenceFormats, IncidenceRecord, IncidenceRef, IncidenceProbe> {
   static constexpr std::string_view name = "elasticity::Incidence";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"element"}, {"local"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = IncidenceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1977,4 +1895,4 @@ static_assert(physgen::are_sound_records<IncidenceObject, physgen::Host>({8, 4, 
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_A2AA0F29D06F0D26
+#endif  // PHYSGEN_ELASTICITY_H_5BEF633084D1DD9F

@@ -15,13 +15,13 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_QUASISTATIC_H_FABD1B9BB9098300
-#define PHYSGEN_QUASISTATIC_H_FABD1B9BB9098300
+#ifndef PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
+#define PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 5
-#error "quasistatic.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 6
+#error "quasistatic.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace quasistatic {
@@ -71,13 +71,10 @@ struct NodeConstraintRef : physgen::OnCursor<Cursor> {
 };
 
 struct NodeConstraintObject : physgen::ObjectTag<
-    NodeConstraint, NodeConstraintFormats, NodeConstraintRecord, NodeConstraintRef> {
+    NodeConstraintObject, NodeConstraint, NodeConstraintFormats, NodeConstraintRecord, NodeConstraintRef,
+    NodeConstraintProbe> {
   static constexpr std::string_view name = "quasistatic::NodeConstraint";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"fixed"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeConstraintProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -132,13 +129,10 @@ struct NodeParentsRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { nodes() = value.nodes; }
 };
 
-struct NodeParentsObject : physgen::ObjectTag<NodeParents, NodeParentsFormats, NodeParentsRecord, NodeParentsRef> {
+struct NodeParentsObject : physgen::ObjectTag<
+    NodeParentsObject, NodeParents, NodeParentsFormats, NodeParentsRecord, NodeParentsRef, NodeParentsProbe> {
   static constexpr std::string_view name = "quasistatic::NodeParents";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeParentsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -206,13 +200,10 @@ struct GridParentsRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct GridParentsObject : physgen::ObjectTag<GridParents, GridParentsFormats, GridParentsRecord, GridParentsRef> {
+struct GridParentsObject : physgen::ObjectTag<
+    GridParentsObject, GridParents, GridParentsFormats, GridParentsRecord, GridParentsRef, GridParentsProbe> {
   static constexpr std::string_view name = "quasistatic::GridParents";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"nodes"}, {"weights", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = GridParentsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -277,13 +268,10 @@ struct NodeScaleRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct NodeScaleObject : physgen::ObjectTag<NodeScale, NodeScaleFormats, NodeScaleRecord, NodeScaleRef> {
+struct NodeScaleObject : physgen::ObjectTag<
+    NodeScaleObject, NodeScale, NodeScaleFormats, NodeScaleRecord, NodeScaleRef, NodeScaleProbe> {
   static constexpr std::string_view name = "quasistatic::NodeScale";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"scale"}, {"inverse"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeScaleProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -335,13 +323,10 @@ struct NodeInverseRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { D() = value.D; }
 };
 
-struct NodeInverseObject : physgen::ObjectTag<NodeInverse, NodeInverseFormats, NodeInverseRecord, NodeInverseRef> {
+struct NodeInverseObject : physgen::ObjectTag<
+    NodeInverseObject, NodeInverse, NodeInverseFormats, NodeInverseRecord, NodeInverseRef, NodeInverseProbe> {
   static constexpr std::string_view name = "quasistatic::NodeInverse";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"D"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeInverseProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -396,13 +381,10 @@ struct TranslationStiffnessRef : physgen::OnCursor<Cursor> {
 };
 
 struct TranslationStiffnessObject : physgen::ObjectTag<
-    TranslationStiffness, TranslationStiffnessFormats, TranslationStiffnessRecord, TranslationStiffnessRef> {
+    TranslationStiffnessObject, TranslationStiffness, TranslationStiffnessFormats, TranslationStiffnessRecord,
+    TranslationStiffnessRef, TranslationStiffnessProbe> {
   static constexpr std::string_view name = "quasistatic::TranslationStiffness";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"T", "N/m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = TranslationStiffnessProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -588,16 +570,13 @@ struct TetTangentRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct TetTangentObject : physgen::ObjectTag<TetTangent, TetTangentFormats, TetTangentRecord, TetTangentRef> {
+struct TetTangentObject : physgen::ObjectTag<
+    TetTangentObject, TetTangent, TetTangentFormats, TetTangentRecord, TetTangentRef, TetTangentProbe> {
   static constexpr std::string_view name = "quasistatic::TetTangent";
   static constexpr std::array<physgen::FieldText, 14> texts = {{
       {"U"}, {"g", "1/m"}, {"x1111", "N m"}, {"x2211", "N m"}, {"x3311", "N m"}, {"x2222", "N m"}, {"x3322", "N m"},
       {"x3333", "N m"}, {"x2121", "N m"}, {"x2112", "N m"}, {"x3131", "N m"}, {"x3113", "N m"}, {"x3232", "N m"},
       {"x3223", "N m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = TetTangentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -653,13 +632,10 @@ struct TetPatchRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { patch() = value.patch; }
 };
 
-struct TetPatchObject : physgen::ObjectTag<TetPatch, TetPatchFormats, TetPatchRecord, TetPatchRef> {
+struct TetPatchObject : physgen::ObjectTag<
+    TetPatchObject, TetPatch, TetPatchFormats, TetPatchRecord, TetPatchRef, TetPatchProbe> {
   static constexpr std::string_view name = "quasistatic::TetPatch";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"patch"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = TetPatchProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -715,13 +691,10 @@ struct PatchParentRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { patch() = value.patch; }
 };
 
-struct PatchParentObject : physgen::ObjectTag<PatchParent, PatchParentFormats, PatchParentRecord, PatchParentRef> {
+struct PatchParentObject : physgen::ObjectTag<
+    PatchParentObject, PatchParent, PatchParentFormats, PatchParentRecord, PatchParentRef, PatchParentProbe> {
   static constexpr std::string_view name = "quasistatic::PatchParent";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"patch"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PatchParentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -776,13 +749,10 @@ struct PatchNodesRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { nodes() = value.nodes; }
 };
 
-struct PatchNodesObject : physgen::ObjectTag<PatchNodes, PatchNodesFormats, PatchNodesRecord, PatchNodesRef> {
+struct PatchNodesObject : physgen::ObjectTag<
+    PatchNodesObject, PatchNodes, PatchNodesFormats, PatchNodesRecord, PatchNodesRef, PatchNodesProbe> {
   static constexpr std::string_view name = "quasistatic::PatchNodes";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PatchNodesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -846,13 +816,10 @@ struct PatchTetRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct PatchTetObject : physgen::ObjectTag<PatchTet, PatchTetFormats, PatchTetRecord, PatchTetRef> {
+struct PatchTetObject : physgen::ObjectTag<
+    PatchTetObject, PatchTet, PatchTetFormats, PatchTetRecord, PatchTetRef, PatchTetProbe> {
   static constexpr std::string_view name = "quasistatic::PatchTet";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"tet"}, {"slots"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PatchTetProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -969,15 +936,12 @@ struct MeanVolumeRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct MeanVolumeObject : physgen::ObjectTag<MeanVolume, MeanVolumeFormats, MeanVolumeRecord, MeanVolumeRef> {
+struct MeanVolumeObject : physgen::ObjectTag<
+    MeanVolumeObject, MeanVolume, MeanVolumeFormats, MeanVolumeRecord, MeanVolumeRef, MeanVolumeProbe> {
   static constexpr std::string_view name = "quasistatic::MeanVolume";
   static constexpr std::array<physgen::FieldText, 7> texts = {{
       {"volume", "m^3"}, {"ratio", "1"}, {"pressure", "Pa"}, {"linearised", "Pa"}, {"tangent_pressure", "Pa"},
       {"before", "Pa"}, {"full", "Pa"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = MeanVolumeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1040,13 +1004,10 @@ struct RingNodeRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct RingNodeObject : physgen::ObjectTag<RingNode, RingNodeFormats, RingNodeRecord, RingNodeRef> {
+struct RingNodeObject : physgen::ObjectTag<
+    RingNodeObject, RingNode, RingNodeFormats, RingNodeRecord, RingNodeRef, RingNodeProbe> {
   static constexpr std::string_view name = "quasistatic::RingNode";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"node"}, {"g", "m^2"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = RingNodeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1099,13 +1060,10 @@ struct NodeVolumeTangentRef : physgen::OnCursor<Cursor> {
 };
 
 struct NodeVolumeTangentObject : physgen::ObjectTag<
-    NodeVolumeTangent, NodeVolumeTangentFormats, NodeVolumeTangentRecord, NodeVolumeTangentRef> {
+    NodeVolumeTangentObject, NodeVolumeTangent, NodeVolumeTangentFormats, NodeVolumeTangentRecord, NodeVolumeTangentRef,
+    NodeVolumeTangentProbe> {
   static constexpr std::string_view name = "quasistatic::NodeVolumeTangent";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"k", "N/m^5"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NodeVolumeTangentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1159,13 +1117,10 @@ struct CoarseInverseRef : physgen::OnCursor<Cursor> {
 };
 
 struct CoarseInverseObject : physgen::ObjectTag<
-    CoarseInverse, CoarseInverseFormats, CoarseInverseRecord, CoarseInverseRef> {
+    CoarseInverseObject, CoarseInverse, CoarseInverseFormats, CoarseInverseRecord, CoarseInverseRef,
+    CoarseInverseProbe> {
   static constexpr std::string_view name = "quasistatic::CoarseInverse";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"G"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = CoarseInverseProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1227,13 +1182,10 @@ struct PatchTangentRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct PatchTangentObject : physgen::ObjectTag<PatchTangent, PatchTangentFormats, PatchTangentRecord, PatchTangentRef> {
+struct PatchTangentObject : physgen::ObjectTag<
+    PatchTangentObject, PatchTangent, PatchTangentFormats, PatchTangentRecord, PatchTangentRef, PatchTangentProbe> {
   static constexpr std::string_view name = "quasistatic::PatchTangent";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"g", "m^2"}, {"k", "N/m^5"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PatchTangentProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1288,13 +1240,10 @@ struct PatchChangeRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { change() = value.change; }
 };
 
-struct PatchChangeObject : physgen::ObjectTag<PatchChange, PatchChangeFormats, PatchChangeRecord, PatchChangeRef> {
+struct PatchChangeObject : physgen::ObjectTag<
+    PatchChangeObject, PatchChange, PatchChangeFormats, PatchChangeRecord, PatchChangeRef, PatchChangeProbe> {
   static constexpr std::string_view name = "quasistatic::PatchChange";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"change", "N/m^2"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PatchChangeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1347,13 +1296,10 @@ struct SchwarzNodeRef : physgen::OnCursor<Cursor> {
   PHYSGEN_FUNCTION void put(const Value& value) const { slot() = value.slot; }
 };
 
-struct SchwarzNodeObject : physgen::ObjectTag<SchwarzNode, SchwarzNodeFormats, SchwarzNodeRecord, SchwarzNodeRef> {
+struct SchwarzNodeObject : physgen::ObjectTag<
+    SchwarzNodeObject, SchwarzNode, SchwarzNodeFormats, SchwarzNodeRecord, SchwarzNodeRef, SchwarzNodeProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzNode";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"slot"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SchwarzNodeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1421,13 +1367,10 @@ struct SchwarzSlotRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct SchwarzSlotObject : physgen::ObjectTag<SchwarzSlot, SchwarzSlotFormats, SchwarzSlotRecord, SchwarzSlotRef> {
+struct SchwarzSlotObject : physgen::ObjectTag<
+    SchwarzSlotObject, SchwarzSlot, SchwarzSlotFormats, SchwarzSlotRecord, SchwarzSlotRef, SchwarzSlotProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzSlot";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"source"}, {"parent"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SchwarzSlotProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1516,13 +1459,10 @@ struct SchwarzBlockRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct SchwarzBlockObject : physgen::ObjectTag<SchwarzBlock, SchwarzBlockFormats, SchwarzBlockRecord, SchwarzBlockRef> {
+struct SchwarzBlockObject : physgen::ObjectTag<
+    SchwarzBlockObject, SchwarzBlock, SchwarzBlockFormats, SchwarzBlockRecord, SchwarzBlockRef, SchwarzBlockProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzBlock";
   static constexpr std::array<physgen::FieldText, 4> texts = {{{"scale"}, {"parent"}, {"children"}, {"arrived"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SchwarzBlockProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1587,13 +1527,10 @@ struct SupernodeRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct SupernodeObject : physgen::ObjectTag<Supernode, SupernodeFormats, SupernodeRecord, SupernodeRef> {
+struct SupernodeObject : physgen::ObjectTag<
+    SupernodeObject, Supernode, SupernodeFormats, SupernodeRecord, SupernodeRef, SupernodeProbe> {
   static constexpr std::string_view name = "quasistatic::Supernode";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"K", "N/m"}, {"magnitude", "N/m"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SupernodeProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1658,13 +1595,10 @@ struct SchwarzTermRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct SchwarzTermObject : physgen::ObjectTag<SchwarzTerm, SchwarzTermFormats, SchwarzTermRecord, SchwarzTermRef> {
+struct SchwarzTermObject : physgen::ObjectTag<
+    SchwarzTermObject, SchwarzTerm, SchwarzTermFormats, SchwarzTermRecord, SchwarzTermRef, SchwarzTermProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzTerm";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"source"}, {"kind"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SchwarzTermProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1729,13 +1663,10 @@ struct SchwarzPairRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct SchwarzPairObject : physgen::ObjectTag<SchwarzPair, SchwarzPairFormats, SchwarzPairRecord, SchwarzPairRef> {
+struct SchwarzPairObject : physgen::ObjectTag<
+    SchwarzPairObject, SchwarzPair, SchwarzPairFormats, SchwarzPairRecord, SchwarzPairRef, SchwarzPairProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzPair";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"edge"}, {"places"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SchwarzPairProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1789,13 +1720,10 @@ struct SchwarzFactorRef : physgen::OnCursor<Cursor> {
 };
 
 struct SchwarzFactorObject : physgen::ObjectTag<
-    SchwarzFactor, SchwarzFactorFormats, SchwarzFactorRecord, SchwarzFactorRef> {
+    SchwarzFactorObject, SchwarzFactor, SchwarzFactorFormats, SchwarzFactorRecord, SchwarzFactorRef,
+    SchwarzFactorProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzFactor";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"W"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SchwarzFactorProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1913,15 +1841,12 @@ struct LinearSolveRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct LinearSolveObject : physgen::ObjectTag<LinearSolve, LinearSolveFormats, LinearSolveRecord, LinearSolveRef> {
+struct LinearSolveObject : physgen::ObjectTag<
+    LinearSolveObject, LinearSolve, LinearSolveFormats, LinearSolveRecord, LinearSolveRef, LinearSolveProbe> {
   static constexpr std::string_view name = "quasistatic::LinearSolve";
   static constexpr std::array<physgen::FieldText, 7> texts = {{
       {"rz", "N m"}, {"rz_first", "N m"}, {"tolerance", "1"}, {"alpha", "1"}, {"beta", "1"}, {"iterations"},
       {"status"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = LinearSolveProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1976,13 +1901,10 @@ struct PackedIncidenceRef : physgen::OnCursor<Cursor> {
 };
 
 struct PackedIncidenceObject : physgen::ObjectTag<
-    PackedIncidence, PackedIncidenceFormats, PackedIncidenceRecord, PackedIncidenceRef> {
+    PackedIncidenceObject, PackedIncidence, PackedIncidenceFormats, PackedIncidenceRecord, PackedIncidenceRef,
+    PackedIncidenceProbe> {
   static constexpr std::string_view name = "quasistatic::PackedIncidence";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"code"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PackedIncidenceProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2047,13 +1969,10 @@ struct SmootherRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct SmootherObject : physgen::ObjectTag<Smoother, SmootherFormats, SmootherRecord, SmootherRef> {
+struct SmootherObject : physgen::ObjectTag<
+    SmootherObject, Smoother, SmootherFormats, SmootherRecord, SmootherRef, SmootherProbe> {
   static constexpr std::string_view name = "quasistatic::Smoother";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"largest", "1"}, {"length", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = SmootherProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2173,15 +2092,12 @@ struct EquilibriumRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct EquilibriumObject : physgen::ObjectTag<Equilibrium, EquilibriumFormats, EquilibriumRecord, EquilibriumRef> {
+struct EquilibriumObject : physgen::ObjectTag<
+    EquilibriumObject, Equilibrium, EquilibriumFormats, EquilibriumRecord, EquilibriumRef, EquilibriumProbe> {
   static constexpr std::string_view name = "quasistatic::Equilibrium";
   static constexpr std::array<physgen::FieldText, 7> texts = {{
       {"elastic", "J"}, {"volumetric", "J"}, {"loads", "J"}, {"free_square", "N^2"}, {"fixed_square", "N^2"},
       {"work", "J"}, {"smallest_ratio", "1"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = EquilibriumProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2195,4 +2111,4 @@ static_assert(physgen::are_sound_records<EquilibriumObject, physgen::Host>(
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_FABD1B9BB9098300
+#endif  // PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C

@@ -1,9 +1,61 @@
 // See probe_unit.h.
 #include "scenes/probe_unit.h"
 
+#include <set>
+#include <utility>
+
 #include "emit/printer.h"
+#include "scenes/header.h"
+#include "scenes/liveness.h"
 
 namespace physgen::scenes {
+namespace {
+
+/// @param scope of the groups' types; empty: they are those of probes
+void instantiation(const Scene& scene, const std::string& name, const std::string& scope, emit::Printer& out) {
+  std::string types;
+  for (const Group& group : scene.groups)
+    types += ", " + (scope.empty() ? group.name : "::" + scope + "::" + group.name + "<Space>") + "&";
+  out.line("struct " + name + ";");
+  out.line("template void instantiate<" + name + ">(physgen::ProbeExecutor<Space>&" + types + ");");
+}
+
+/// The arrays as text in a unit, which is no file that could be included once.
+std::string arrays(const Scene& scene, const Needs& needs, const std::string& suffix) {
+  static const std::string once = "#pragma once\n";
+  std::string text = header(scene, needs, suffix);
+  return text.erase(text.find(once), once.size());
+}
+
+/// What is kept, whatever else is wrong with the scene, so that its code can be compared in any case.
+Needs kept(const Scene& scene, const usage::Usage& usage) {
+  std::set<FieldName> read, written;
+  const auto add = [&](const std::vector<usage::FieldUse>& uses) {
+    for (const usage::FieldUse& use : uses) {
+      if (reads(use)) read.insert(name_of(use));
+      if (writes(use)) written.insert(name_of(use));
+    }
+  };
+  for (const auto& step : usage.steps) add(step.fields);
+  add(usage.unattributed);
+  Needs needs;
+  for (const Group& group : scene.groups)
+    for (const Array& array : group.arrays) {
+      ArrayNeed& need = needs.arrays.emplace_back();
+      need.array = group.full_name(array);
+      need.read_only = true;
+      for (const Field& field : array.fields) {
+        const FieldName name{need.array, field.name};
+        FieldNeed& of = need.fields.emplace_back();
+        of.field = field;
+        of.kept = read.contains(name) || array.is_output(field.name);
+        need.read_only = need.read_only && !written.contains(name);
+      }
+    }
+  return needs;
+}
+
+}  // namespace
 
 std::string probe_unit(const Scene& scene, const std::string& space, const std::string& declaration) {
   emit::Printer out;
@@ -18,29 +70,18 @@ std::string probe_unit(const Scene& scene, const std::string& space, const std::
   out.line();
   out.line("using Space = physgen::" + space + ";");
   out.line();
-  out.comment("///",
-              "Arrays whose reads and writes are found; arrays with all fields; and arrays that store nothing. "
-              "Code that is not the same over all three depends on how fields are stored.");
-  const auto arrays = [&](const char* name, const char* type) {
-    out.line("struct " + std::string(name) + " { template <class Array, class Tag> using type = " + type + "; };");
-  };
-  arrays("Probed", "physgen::ProbeOf<Array, Tag>");
-  arrays("AllFields", "Array");
-  arrays("StoringNothing", "physgen::ProbeOf<Array, physgen::probe::StoringNothing<Tag>>");
-  out.line();
   for (const Group& group : scene.groups) {
     out.line("namespace tags_of_" + group.name + " {");
     for (const Array& array : group.arrays)
       out.line("struct " + array.name + " { static constexpr const char* name = \"" + group.full_name(array) +
                "\"; };");
     out.line("}");
-    out.line("template <class Arrays>");
     out.open("struct " + group.name + " {");
     out.line("using Space = physgen_probe_unit::Space;");
     if (!scene.real.empty()) out.line("using Real = " + scene.real + ";");
     for (const Array& array : group.arrays)
-      out.line("typename Arrays::template type<" + generated_name(array, "Array") + "<" + array.real +
-               ", Space>, tags_of_" + group.name + "::" + array.name + "> " + array.name + ";");
+      out.line("physgen::ProbeOf<" + generated_name(array, "Array") + "<" + array.real + ", Space>, tags_of_" +
+               group.name + "::" + array.name + "> " + array.name + ";");
     out.close("};");
     out.line();
   }
@@ -48,27 +89,35 @@ std::string probe_unit(const Scene& scene, const std::string& space, const std::
   out.line("template <class T>");
   out.line("std::remove_reference_t<T>& some() { std::abort(); }");
   out.line();
-  std::string parameters = "physgen::ProbeExecutor<Space>& on", arguments = "on";
+  std::string parameters = "physgen::ProbeExecutor<Space>& on", arguments = "on", types;
   for (const Group& group : scene.groups) {
-    parameters += ", " + group.name + "<Arrays>& the_" + group.variable;
+    types += ", class Of" + group.name;
+    parameters += ", Of" + group.name + "& the_" + group.variable;
     arguments += ", the_" + group.variable;
   }
   for (const std::string& type : scene.parameters) arguments += ", some<" + type + ">()";
-  out.line("template <class Arrays>");
+  out.line("template <class Arrays" + types + ">");
   out.open("void instantiate(" + parameters + ") {");
   out.line("::" + scene.qualified_name() + "::program(" + arguments + ");");
   out.close("}");
-  std::string types = "physgen::ProbeExecutor<Space>&";
-  for (const Group& group : scene.groups) types += ", " + group.name + "<Arrays>&";
-  for (const std::string arrays_of : {"Probed", "AllFields", "StoringNothing"}) {
-    std::string of = types;
-    for (std::size_t at = 0; (at = of.find("<Arrays>", at)) != std::string::npos;)
-      of.replace(at, 8, "<" + arrays_of + ">");
-    out.line("template void instantiate<" + arrays_of + ">(" + of + ");");
-  }
+  instantiation(scene, "Probed", "", out);
   out.line();
   out.line("}  // namespace physgen_probe_unit");
   return std::move(out).text();
+}
+
+std::string rest_of_unit(const Scene& declared, const usage::Usage& usage) {
+  const Needs needs = kept(declared, usage);
+  Scene scene = declared;
+  for (Group& group : scene.groups)  // what is uniform and written is an error of its own
+    for (Array& array : group.arrays) array.uniform = array.uniform && needs.of(group.full_name(array)).read_only;
+  emit::Printer out;
+  out.line();
+  out.line("namespace physgen_probe_unit {");
+  instantiation(scene, "AllFields", scene.qualified_name() + "_all", out);
+  instantiation(scene, "Needed", scene.qualified_name() + "_needed", out);
+  out.line("}  // namespace physgen_probe_unit");
+  return arrays(scene, everything(needs), "_all") + arrays(scene, needs, "_needed") + std::move(out).text();
 }
 
 }  // namespace physgen::scenes

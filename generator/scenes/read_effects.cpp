@@ -49,6 +49,8 @@ class Effects {
   }
   [[nodiscard]] std::string construct(const clang::CXXConstructExpr& made) const {
     const auto& constructor = *made.getConstructor();
+    if (!constructor.getParent()->hasTrivialDestructor() && !is_of_runtime(constructor))
+      return at("calls the destructor of " + constructor.getParent()->getNameAsString(), made);
     if (is_of_runtime(constructor) || is_constant(constructor)) return {};
     if (constructor.isImplicit() || constructor.isDefaulted()) {
       for (const auto* member : constructor.inits())

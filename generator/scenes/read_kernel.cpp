@@ -6,6 +6,8 @@
 #include <clang/AST/ExprConcepts.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 
+#include <set>
+
 #include "scenes/read_stores.h"
 
 namespace physgen::scenes {
@@ -13,8 +15,46 @@ namespace {
 
 using usage::Names;
 
-/// What a kernel must not do to be a step of a fused kernel: ask what its index is, make one, or do what locals, which
-/// are not arrays, do not allow.
+/// Memory beside the scene's arrays that a kernel holds and may write: nobody sees what it does there for which object,
+/// and so not whether another kernel, which runs after it for all objects, may run after it for each.
+class OtherMemory {
+ public:
+  explicit OtherMemory(Names& names) : names_(names) {}
+
+  /// @return what it holds; empty: nothing
+  std::string find(const clang::CXXRecordDecl& record) {
+    if (!record.hasDefinition() || !seen_.insert(record.getCanonicalDecl()).second) return {};
+    for (const auto& base : record.getDefinition()->bases())
+      if (std::string found = find(base.getType()); !found.empty()) return found;
+    for (const auto* member : record.getDefinition()->fields())
+      if (std::string found = find(member->getType()); !found.empty())
+        return found + (names_.is_library(member->getLocation())
+                            ? ""
+                            : " at " + usage::text_of(names_.place(member->getLocation())));
+    return {};
+  }
+
+ private:
+  std::string find(clang::QualType type) {
+    type = type.getCanonicalType();
+    while (type->isArrayType()) type = type->castAsArrayTypeUnsafe()->getElementType();
+    if (type->isMemberPointerType()) return "holds a pointer to a member";
+    if (type->isPointerType() || type->isReferenceType())
+      return type->getPointeeType().isConstQualified() ? "" : "holds a pointer or a reference to what is no array";
+    const auto* record = type->getAsCXXRecordDecl();
+    if (record == nullptr) return {};
+    const auto* view = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
+    if (view == nullptr || !Names::is_physgen(record, "View")) return find(*record);
+    const bool is_read_only = view->getTemplateArgs()[1].getAsType().isConstQualified();
+    return is_read_only || !names_.arrays(type).empty() ? "" : "holds a view of an array that the scene has not";
+  }
+
+  Names& names_;
+  std::set<const clang::Decl*> seen_;
+};
+
+/// What a kernel must not do to be a step of a fused kernel: ask what its index is, make one, do what locals, which
+/// are not arrays, do not allow, or use what cannot be seen.
 class Unfit : public clang::RecursiveASTVisitor<Unfit> {
  public:
   explicit Unfit(const Names& names) : names_(names) {}
@@ -36,7 +76,17 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     if (callee != nullptr && callee->getIdentifier() != nullptr && callee->getName() == "store_where" &&
         names_.is_library(callee->getLocation()))
       say(call->getBeginLoc(), "stores under a mask");
+    if (callee == nullptr && !llvm::isa<clang::CXXPseudoDestructorExpr>(call->getCallee()->IgnoreParens()))
+      say(call->getBeginLoc(), "calls what is not known");
     follow(callee);
+    return found_.empty();
+  }
+  bool VisitAsmStmt(clang::AsmStmt* statement) {
+    say(statement->getBeginLoc(), "holds instructions of a processor");
+    return false;
+  }
+  bool VisitCastExpr(clang::CastExpr* cast) {
+    if (cast->getCastKind() == clang::CK_IntegralToPointer) say(cast->getBeginLoc(), "makes a pointer");
     return found_.empty();
   }
   bool VisitCXXMemberCallExpr(clang::CXXMemberCallExpr* call) {
@@ -71,6 +121,9 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
   bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
     if (variable == nullptr) return true;
+    if (variable->hasGlobalStorage() && !variable->getType().isConstQualified() &&
+        !names_.is_library(variable->getLocation()))
+      say(named->getBeginLoc(), "uses the variable " + variable->getNameAsString());
     const auto* scope = llvm::dyn_cast<clang::CXXRecordDecl>(variable->getDeclContext());
     if (scope != nullptr && (Names::is_physgen(scope, "Pack") || Names::is_physgen(scope, "PartialPack")))
       say(named->getBeginLoc(), "asks what its index is");
@@ -99,7 +152,14 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
   /// Functions of the program, and the kernel's, which may be one of the runtime's that holds a lambda.
   void follow(const clang::FunctionDecl* function, bool is_kernels = false) {
     const clang::FunctionDecl* definition = nullptr;
-    if (function == nullptr || !function->isDefined(definition)) return;
+    if (function == nullptr) return;
+    const bool is_known = function->isDefined(definition) && definition->getBody() != nullptr;
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
+    if (!names_.is_library(function->getLocation()) &&
+        ((method != nullptr && method->isVirtual()) ||
+         (!is_known && !function->isImplicit() && !function->isDefaulted() && function->getBuiltinID() == 0)))
+      say(function->getLocation(), "calls " + function->getNameAsString() + "(), which is not known,");
+    if (!is_known) return;
     if (!is_kernels && names_.is_library(definition->getLocation())) return;
     if (!seen_.insert(definition->getCanonicalDecl()).second) return;
     const auto* pattern = definition->getTemplateInstantiationPattern();
@@ -166,6 +226,7 @@ KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel
     facts.obstacle = "it has more call operators than one template over the index";
     return facts;
   }
+  if (const std::string use = OtherMemory(names).find(*record); !use.empty()) facts.obstacle = "it " + use;
   if (const std::string use = Unfit(names).find(*packs); !use.empty()) facts.obstacle = "it " + use;
   facts.stores = Stores(names, scene, context).of(*packs);
   return facts;

@@ -17,7 +17,8 @@ using usage::Names;
 /// Whether control may leave a function, or jump, from within a statement.
 bool leaves(const clang::Stmt* statement) {
   if (statement == nullptr || llvm::isa<clang::LambdaExpr>(statement)) return false;
-  if (llvm::isa<clang::ReturnStmt, clang::GotoStmt, clang::IndirectGotoStmt, clang::CoreturnStmt>(statement))
+  if (llvm::isa<clang::ReturnStmt, clang::GotoStmt, clang::IndirectGotoStmt, clang::AsmStmt, clang::CoreturnStmt,
+                clang::CoawaitExpr, clang::CoyieldExpr>(statement))
     return true;
   return std::any_of(statement->child_begin(), statement->child_end(), leaves);
 }
@@ -75,11 +76,11 @@ bool Stores::statement(const clang::Stmt* statement, Fields& stored) {
   if (const auto* declarations = llvm::dyn_cast<clang::DeclStmt>(statement)) {
     for (const clang::Decl* declared : declarations->decls())
       if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declared)) expression(variable->getInit(), stored);
-    return true;
+    return !leaves(statement);
   }
   if (llvm::isa<clang::Expr>(statement)) {
     expression(statement, stored);
-    return true;
+    return !leaves(statement);  // by a statement in an expression
   }
   return !leaves(statement);  // loops and the like may run their bodies or not
 }
@@ -91,6 +92,7 @@ bool Stores::branches(const clang::IfStmt& branch, Fields& stored) {
     return taken ? statement(*taken, stored) : !leaves(&branch);
   }
   expression(branch.getCond(), stored);
+  if (leaves(branch.getCond())) return false;
   Fields yes, no;
   const bool after_yes = statement(branch.getThen(), yes), after_no = statement(branch.getElse(), no);
   std::set_intersection(yes.begin(), yes.end(), no.begin(), no.end(), std::inserter(stored, stored.end()));

@@ -8,6 +8,7 @@
 #include <clang/Lex/HeaderSearchOptions.h>
 #include <clang/Lex/PPCallbacks.h>
 #include <clang/Lex/Preprocessor.h>
+#include <clang/Sema/Sema.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -26,6 +27,8 @@ using Clock = std::chrono::steady_clock;
 struct Reading {
   Usage usage;
   Clock::time_point headers_end = Clock::now();
+  bool past_headers = false;       ///< and in what a unit goes on with
+  Clock::duration elsewhere = {};  ///< time in which others found that
 };
 
 /// Notes when the last header has been parsed.
@@ -34,7 +37,7 @@ class HeaderEnd : public clang::PPCallbacks {
   explicit HeaderEnd(Reading& reading) : reading_(reading) {}
   void FileChanged(clang::SourceLocation /*place*/, FileChangeReason reason, clang::SrcMgr::CharacteristicKind /*kind*/,
                    clang::FileID /*before*/) override {
-    if (reason == ExitFile) reading_.headers_end = Clock::now();
+    if (reason == ExitFile && !reading_.past_headers) reading_.headers_end = Clock::now();
   }
 
  private:
@@ -44,29 +47,55 @@ class HeaderEnd : public clang::PPCallbacks {
 /// Collects the functions that the parser and the instantiation of templates hand over.
 class Consumer : public clang::ASTConsumer {
  public:
-  Consumer(clang::CompilerInstance& compiler, Reading& reading, const Reader& reader)
-      : compiler_(compiler), reading_(reading), reader_(reader) {}
+  Consumer(clang::CompilerInstance& compiler, Reading& reading, const Reader& reader, const Rest& rest)
+      : compiler_(compiler), reading_(reading), reader_(reader), rest_(rest) {}
 
   bool HandleTopLevelDecl(clang::DeclGroupRef group) override {
     for (const clang::Decl* declaration : group) collect(declaration);
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(*group.begin());
+    if (rest_ && !reading_.past_headers && space != nullptr && space->getName() == "physgen_probe_unit") go_on();
     return true;
   }
   void HandleInlineFunctionDefinition(clang::FunctionDecl* function) override { collect(function); }
 
   void HandleTranslationUnit(clang::ASTContext& context) override {
-    if (context.getDiagnostics().hasErrorOccurred()) return;
-    std::vector<std::string> folders;
-    for (const auto& entry : compiler_.getHeaderSearchOpts().UserEntries) {
-      std::string folder = entry.Path;
-      while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-      folders.push_back(std::move(folder));
-    }
-    folders.emplace_back("/physgen.program");  // of the source itself
-    reading_.usage = attribute(read_graph(context, functions_, folders));
-    if (reader_) reader_(context, folders);
+    // What compiles over probes and not over other arrays is another program there.
+    if (context.getDiagnostics().hasErrorOccurred() && !graph_) return;
+    if (graph_)
+      reading_.usage.dependences = dependences(graph_->read_variants());
+    else
+      read_usage(context);
+    if (reader_ && !context.getDiagnostics().hasErrorOccurred()) reader_(context, folders_);
   }
 
  private:
+  void read_usage(clang::ASTContext& context) {
+    for (const auto& entry : compiler_.getHeaderSearchOpts().UserEntries) {
+      std::string folder = entry.Path;
+      while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+      folders_.push_back(std::move(folder));
+    }
+    folders_.emplace_back("/physgen.program");  // of the source itself
+    graph_.emplace(context, folders_);
+    reading_.usage = attribute(graph_->read(functions_));
+  }
+
+  /// Instantiates what Clang leaves to the end of a unit, and lets the parser go on with other text.
+  void go_on() {
+    reading_.past_headers = true;
+    clang::Sema& sema = compiler_.getSema();
+    do sema.PerformPendingInstantiations();
+    while (sema.DefineUsedVTables());
+    if (compiler_.getDiagnostics().hasErrorOccurred()) return;
+    read_usage(compiler_.getASTContext());
+    const auto begin = Clock::now();
+    const std::string text = rest_(reading_.usage);
+    reading_.elsewhere = Clock::now() - begin;
+    const auto file = compiler_.getSourceManager().createFileID(
+        llvm::MemoryBuffer::getMemBufferCopy(text, "/physgen.program/arrays.physgen.h"));
+    compiler_.getPreprocessor().EnterSourceFile(file, nullptr, clang::SourceLocation());
+  }
+
   void collect(const clang::Decl* declaration) {
     if (const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(declaration)) {
       for (const clang::Decl* inner : space->decls()) collect(inner);
@@ -78,21 +107,25 @@ class Consumer : public clang::ASTConsumer {
   clang::CompilerInstance& compiler_;
   Reading& reading_;
   const Reader& reader_;
+  const Rest& rest_;
   std::vector<const clang::FunctionDecl*> functions_;
+  std::vector<std::string> folders_;
+  std::optional<GraphReader> graph_;
 };
 
 class Action : public clang::ASTFrontendAction {
  public:
-  Action(Reading& reading, const Reader& reader) : reading_(reading), reader_(reader) {}
+  Action(Reading& reading, const Reader& reader, const Rest& rest) : reading_(reading), reader_(reader), rest_(rest) {}
 
   std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler, llvm::StringRef) override {
     compiler.getPreprocessor().addPPCallbacks(std::make_unique<HeaderEnd>(reading_));
-    return std::make_unique<Consumer>(compiler, reading_, reader_);
+    return std::make_unique<Consumer>(compiler, reading_, reader_, rest_);
   }
 
  private:
   Reading& reading_;
   const Reader& reader_;
+  const Rest& rest_;
 };
 
 /// The folder of the CUDA toolkit; empty: there is none.
@@ -151,16 +184,21 @@ std::string text_of_time(const std::string& program, Side side, const Diagnostic
 bool has_device_side() { return !cuda_folder().empty(); }
 
 std::optional<Usage> analyse(const std::string& name, const std::string& source, const std::vector<std::string>& flags,
-                             Side side, Diagnostics& diagnostics, const Reader& reader) {
+                             Side side, Diagnostics& diagnostics, const Reader& reader, const Rest& rest) {
   const auto begin = Clock::now();
   Reading reading;
-  Action action(reading, reader);
-  const auto outcome = frontend::run({name, source, flags_of(side, flags), false}, action);
+  Action action(reading, reader, rest);
+  // The parser looks one token ahead: over this one, and not over what the unit goes on with.
+  const std::string text = rest ? source + ";\n" : source;
+  const auto outcome = frontend::run({name, text, flags_of(side, flags), false}, action);
   diagnostics.text = without_toolkit_warning(outcome.diagnostics) + notes(outcome.diagnostics);
   diagnostics.dependencies = outcome.dependencies;
   diagnostics.headers_seconds = seconds(reading.headers_end - begin);
-  diagnostics.seconds = seconds(Clock::now() - begin);
-  if (!outcome.parsed) return std::nullopt;
+  diagnostics.seconds = seconds(Clock::now() - begin - reading.elsewhere);
+  if (!reading.usage.dependences.empty())
+    diagnostics.text.clear();  // they say it better
+  else if (!outcome.parsed)
+    return std::nullopt;
   return std::move(reading.usage);
 }
 

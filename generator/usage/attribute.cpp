@@ -28,11 +28,10 @@ class Attribution {
   Usage usage() {
     Usage result;
     std::set<int> steps_lead_to;
-    const std::set<int> others = compare_variants(result);
     for (const Step& step : graph_.steps) {
-      if (is_part_of_a_step(step.function) || others.count(step.function) != 0) continue;
+      if (is_part_of_a_step(step.function)) continue;
       StepUse use = step.use;
-      const Own own = [&](const Function& f) { return step.own_files.count(f.file) != 0; };
+      const Own own = [&](const Function& f) { return step.own_files.count(f.place.file) != 0; };
       use.fields = accesses({step.function}, own);
       const std::set<int> lead_to = reached_;
       races(lead_to, own, result);
@@ -175,54 +174,6 @@ class Attribution {
       if (graph_.functions[f].access != Access::none && !known)
         add(result.unattributed, use_of(static_cast<int>(f), {}));
     }
-  }
-
-  /// All functions that one leads to, through any others.
-  [[nodiscard]] std::set<int> all_from(int function) const {
-    std::set<int> result;
-    std::vector<int> next = {function};
-    while (!next.empty()) {
-      const int f = next.back();
-      next.pop_back();
-      if (!result.insert(f).second) continue;
-      for (const Call& call : at(f).calls) next.push_back(call.to);
-    }
-    return result;
-  }
-
-  /// @return the functions that only other variants lead to than that over probes
-  std::set<int> compare_variants(Usage& result) const {
-    std::set<int> others;
-    if (graph_.variants.empty()) return others;
-    const auto facts = [&](const std::set<int>& functions) {
-      std::map<Place, std::set<std::string>> found;
-      for (const int f : functions)
-        for (const Fact& fact : at(f).facts) found[fact.place].insert(fact.what);
-      return found;
-    };
-    const auto text = [](auto& of, auto& without, const Place& place) {
-      std::string result;
-      for (const std::string& what : of[place])
-        if (without[place].count(what) == 0) result += (result.empty() ? "" : " and ") + what;
-      return result.empty() ? std::string("nothing") : result;
-    };
-    const std::set<int> over_probes = all_from(graph_.variants.front());
-    auto expected = facts(over_probes);
-    for (const int variant : graph_.variants) {
-      const std::set<int> functions = all_from(variant);
-      std::ranges::set_difference(functions, over_probes, std::inserter(others, others.end()));
-      auto found = facts(functions);
-      auto places = found;
-      places.insert(expected.begin(), expected.end());
-      const Place* before = nullptr;  // one for each line is enough
-      for (const auto& [place, ignored] : places) {
-        if (found[place] == expected[place]) continue;
-        if (before == nullptr || before->file != place.file || before->line != place.line)
-          result.dependences.push_back({place, text(found, expected, place) + " or " + text(expected, found, place)});
-        before = &place;
-      }
-    }
-    return others;
   }
 
   /// The kernels of a fused kernel, and what each does.

@@ -58,6 +58,9 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(reference->getDecl());
     name(*reference->getDecl(), reference->getLocation());
     if (variable != nullptr) constant(*variable, reference->getLocation());
+    if (variable != nullptr && variable->hasGlobalStorage()) one_for_each_type(*variable, reference->getLocation());
+    if (llvm::isa<clang::FunctionDecl>(reference->getDecl()) && called_.count(reference) == 0)
+      numbers_among_arguments(*reference->getDecl(), reference->getLocation());
     if (llvm::isa<clang::EnumConstantDecl>(reference->getDecl())) value(reference);
     return true;
   }
@@ -65,10 +68,23 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
     name(*member->getMemberDecl(), member->getMemberLoc());
     if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(member->getMemberDecl()))
       constant(*variable, member->getMemberLoc());
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(member->getMemberDecl()))
+      one_for_each_type(*variable, member->getMemberLoc());
+    return true;
+  }
+  bool VisitGenericSelectionExpr(clang::GenericSelectionExpr* selection) {
+    if (!selection->isResultDependent())
+      add(selection->getBeginLoc(), "choice " + std::to_string(selection->getResultIndex()));
+    return true;
+  }
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* made) {  // dynamic_cast tells them by their types
+    const auto* record = made->getConstructor()->getParent();
+    if (record->isPolymorphic()) numbers_among_arguments(*record, made->getBeginLoc());
     return true;
   }
   bool VisitSubstNonTypeTemplateParmExpr(clang::SubstNonTypeTemplateParmExpr* expression) { return value(expression); }
   bool VisitCallExpr(clang::CallExpr* call) {
+    called_.insert(call->getCallee()->IgnoreParenImpCasts());
     const clang::FunctionDecl* callee = call->getDirectCallee();
     if (callee != nullptr && callee->isConstexpr() && call->getNumArgs() == 0) value(call);
     return true;
@@ -97,6 +113,33 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
     add(location, std::move(text));
   }
 
+  /// Of a variable that lives as long as the program: there is one for each instance of what it stands in.
+  void one_for_each_type(const clang::VarDecl& variable, clang::SourceLocation location) {
+    if (variable.getType().isConstQualified()) return;
+    numbers_among_arguments(variable, location);
+    for (const auto* around = variable.getDeclContext(); around != nullptr; around = around->getParent())
+      if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(around)) numbers_among_arguments(*named, location);
+  }
+  /// Which arguments of a template are types of numbers: what is read from a view is one where memory holds it, and a
+  /// stand-in elsewhere.
+  void numbers_among_arguments(const clang::NamedDecl& declaration, clang::SourceLocation location) {
+    const clang::TemplateArgumentList* arguments = nullptr;
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(&declaration))
+      arguments = function->getTemplateSpecializationArgs();
+    if (const auto* record = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&declaration))
+      arguments = &record->getTemplateArgs();
+    if (const auto* variable = llvm::dyn_cast<clang::VarTemplateSpecializationDecl>(&declaration))
+      arguments = &variable->getTemplateArgs();
+    if (arguments == nullptr) return;
+    std::string text = "types";
+    for (const auto& argument : arguments->asArray()) {
+      const bool is_number = argument.getKind() == clang::TemplateArgument::Type &&
+                             argument.getAsType().getNonReferenceType()->isArithmeticType();
+      text += is_number ? ' ' + argument.getAsType().getNonReferenceType().getUnqualifiedType().getAsString() : " -";
+    }
+    add(location, std::move(text));
+  }
+
   void constant(const clang::VarDecl& variable, clang::SourceLocation location) {
     if (!variable.isUsableInConstantExpressions(context_)) return;
     const clang::APValue* value = variable.evaluateValue();
@@ -116,6 +159,7 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
 
   clang::ASTContext& context_;
   const std::function<Place(clang::SourceLocation)>& place_;
+  std::set<const clang::Expr*> called_;
   std::set<Fact> facts_;
 };
 

@@ -26,7 +26,7 @@ struct Fact {
 };
 
 struct Function {
-  std::string file;            ///< where it is defined
+  Place place;                 ///< where it is defined
   bool of_library = false;     ///< of the runtime, generated, or the system's
   bool whole_object = false;   ///< get() or put() of a generated reference
   bool adds = false;           ///< add() of a reference to a field
@@ -35,7 +35,7 @@ struct Function {
   Access access = Access::none;
   int field = -1;  ///< that it accesses: index into Graph::fields
   std::vector<Call> calls;
-  std::set<Fact> facts;  ///< of a function of the program, where there are variants
+  std::set<Fact> facts;  ///< of a function of the program, once there are variants
 };
 
 struct Step {
@@ -64,5 +64,9 @@ struct Graph {
 /// Gives every access to the steps that lead to it. Its places are those calls in the step's own files that lead to it
 /// through functions of other files alone.
 [[nodiscard]] Usage attribute(const Graph& graph);
+
+/// Where the program's code is another over other arrays than over probes. Functions are compared with those that the
+/// same calls lead to, so that what a kernel does to one array is not taken for what it does to another.
+[[nodiscard]] std::vector<Dependence> dependences(const Graph& graph);
 
 }  // namespace physgen::usage

@@ -5,6 +5,7 @@
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -14,30 +15,41 @@
 #include "usage/unknown.h"
 
 namespace physgen::usage {
-namespace {
 
 using clang::FunctionDecl;
 
 class Walk {
  public:
   Walk(clang::ASTContext& context, const std::vector<std::string>& folders)
-      : context_(context), names_(context, folders) {}
+      : context_(context), names_(context, folders), unknown_(context, names_) {}
 
-  Graph graph(const std::vector<const FunctionDecl*>& functions) {
+  const Graph& graph(const std::vector<const FunctionDecl*>& functions) {
     for (const auto* probe : names_.probes()) accesses_of(*probe);
     for (const FunctionDecl* function : names_.steps()) {
       Step step = names_.step(*function);
       step.function = number(function);
       graph_.steps.push_back(std::move(step));
     }
-    for (const FunctionDecl* function : names_.variants()) graph_.variants.push_back(number(function));
     follow();
     for (const FunctionDecl* function : functions)
       if (!names_.is_library(function->getLocation())) graph_.entries.push_back(number(function));
     follow();
     for (const auto* run : runs_) part(*run);
-    if (!graph_.variants.empty()) facts();
-    return std::move(graph_);
+    graph_.unknown = unknown_.found([&](const FunctionDecl& function) {
+      const int called = number(&function);
+      return std::ranges::any_of(graph_.functions, [&](const Function& caller) {
+        return caller.of_library &&
+               std::ranges::any_of(caller.calls, [&](const Call& call) { return call.to == called; });
+      });
+    });
+    return graph_;
+  }
+
+  const Graph& with_variants() {
+    for (const FunctionDecl* function : names_.variants()) graph_.variants.push_back(number(function));
+    follow();
+    facts();
+    return graph_;
   }
 
  private:
@@ -72,7 +84,7 @@ class Walk {
     const FunctionDecl* definition = nullptr;
     if (const auto* function = llvm::dyn_cast<FunctionDecl>(declaration)) (void)function->isDefined(definition);
     const auto location = (definition != nullptr ? definition : declaration)->getLocation();
-    made.file = names_.place(location).file;
+    made.place = names_.place(location);
     made.of_library = names_.is_library(location);
     if (const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(declaration);
         method != nullptr && method->getIdentifier() != nullptr) {
@@ -121,6 +133,7 @@ class Walk {
 
   clang::ASTContext& context_;
   Names names_;
+  UnknownUses unknown_;
   Graph graph_;
   std::map<const clang::Decl*, int> numbers_;
   std::vector<const clang::Decl*> queue_, declarations_;  // the latter beside Graph::functions
@@ -238,14 +251,15 @@ void Walk::follow() {
     const Access access = graph_.functions[static_cast<std::size_t>(function)].access;
     if (access == Access::read || access == Access::write) continue;
     Body body(*this, function);
+    const bool of_library = graph_.functions[static_cast<std::size_t>(function)].of_library;
     if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declaration)) {
+      if (!of_library) unknown_.look_through(*variable);
       body.TraverseStmt(const_cast<clang::Expr*>(variable->getAnyInitializer()));
       continue;
     }
     const auto* definition = llvm::cast<FunctionDecl>(declaration);
     if (definition->isDependentContext()) continue;
-    if (!graph_.functions[static_cast<std::size_t>(function)].of_library)
-      add_unknown_uses(*definition, names_, graph_.unknown);
+    if (!of_library) unknown_.look_through(*definition);
     if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(definition))
       for (const auto* member : constructor->inits()) body.TraverseStmt(member->getInit());
     if (const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(definition)) body.members_of(*destructor);
@@ -253,11 +267,12 @@ void Walk::follow() {
   }
 }
 
-}  // namespace
+GraphReader::GraphReader(clang::ASTContext& context, const std::vector<std::string>& folders)
+    : walk_(std::make_unique<Walk>(context, folders)) {}
+GraphReader::~GraphReader() = default;
+GraphReader::GraphReader(GraphReader&&) noexcept = default;
 
-Graph read_graph(clang::ASTContext& context, const std::vector<const FunctionDecl*>& functions,
-                 const std::vector<std::string>& folders) {
-  return Walk(context, folders).graph(functions);
-}
+const Graph& GraphReader::read(const std::vector<const FunctionDecl*>& functions) { return walk_->graph(functions); }
+const Graph& GraphReader::read_variants() { return walk_->with_variants(); }
 
 }  // namespace physgen::usage

@@ -5,6 +5,7 @@
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/Decl.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,9 +13,23 @@
 
 namespace physgen::usage {
 
-/// @param functions of the program that have bodies, instantiated ones among them
-/// @param folders in which #include looks: files are named without them
-[[nodiscard]] Graph read_graph(clang::ASTContext& context, const std::vector<const clang::FunctionDecl*>& functions,
-                               const std::vector<std::string>& folders);
+class Walk;
+
+/// A unit's graph, in two parts: what is there over probes, and later what else its program has been run over.
+class GraphReader {
+ public:
+  /// @param folders in which #include looks: files are named without them. It outlives the reader
+  GraphReader(clang::ASTContext& context, const std::vector<std::string>& folders);
+  ~GraphReader();
+  GraphReader(GraphReader&&) noexcept;
+
+  /// @param functions of the program that have bodies, instantiated ones among them
+  [[nodiscard]] const Graph& read(const std::vector<const clang::FunctionDecl*>& functions);
+  /// The same graph with the variants and what all functions consist of.
+  [[nodiscard]] const Graph& read_variants();
+
+ private:
+  std::unique_ptr<Walk> walk_;
+};
 
 }  // namespace physgen::usage

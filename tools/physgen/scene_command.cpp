@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "files.h"
+#include "scenes/analysis.h"
 #include "scenes/groups.h"
 #include "scenes/header.h"
 #include "scenes/needs.h"
@@ -16,7 +17,6 @@
 #include "scenes/read.h"
 #include "scenes/read_program.h"
 #include "scenes/report.h"
-#include "usage/analyse.h"
 #include "usage/json.h"
 
 namespace physgen::command {
@@ -45,17 +45,13 @@ class SceneCommand {
       out_ << scenes::probe_unit(scene, "Host", path);
       return done;
     }
-    auto usage = analyse(scene, path, usage::Side::host);
     if (request_.device && !usage::has_device_side()) {
       err_ << request_.file
            << ": error: --device needs the headers of a CUDA toolkit, which is looked for by CUDA_HOME, "
            << "CUDA_PATH and in /usr/local/cuda; without --device, only what the CPU does is looked at\n";
       return errors;
     }
-    if (usage && request_.device) {
-      const auto device = analyse(scene, path, usage::Side::device);
-      usage = device ? std::optional(usage::unite(*usage, *device)) : std::nullopt;
-    }
+    const auto usage = analyse(scene, path);
     if (!usage) return errors;
     scenes::Needs needs = scenes::find_needs(scene, *usage);
     for (const scenes::Issue& issue : needs.issues)  // notes are of needs that hold
@@ -70,18 +66,19 @@ class SceneCommand {
   }
 
  private:
-  std::optional<usage::Usage> analyse(const scenes::Scene& scene, const std::string& path, usage::Side side) {
-    const char* space = side == usage::Side::host ? "Host" : "Cuda";
-    usage::Diagnostics diagnostics;
-    auto usage =
-        usage::analyse("probes_of_" + scene.name + ".cpp", scenes::probe_unit(scene, space, path), request_.flags, side,
-                       diagnostics, [&](clang::ASTContext& context, const std::vector<std::string>& folders) {
-                         if (side == usage::Side::host) program_ = scenes::read_program(context, scene, folders);
-                       });
-    err_ << diagnostics.text;
-    depends_on(diagnostics.dependencies);
-    times_ += usage::text_of_time(scene.name, side, diagnostics);
-    return usage;
+  std::optional<usage::Usage> analyse(const scenes::Scene& scene, const std::string& path) {
+    std::vector<usage::Side> sides = {usage::Side::host};
+    if (request_.device) sides.push_back(usage::Side::device);
+    auto analysis = scenes::analyse(scene, path, request_.flags, sides,
+                                    [&](clang::ASTContext& context, const std::vector<std::string>& folders) {
+                                      program_ = scenes::read_program(context, scene, folders);
+                                    });
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      err_ << analysis.diagnostics[i].text;
+      depends_on(analysis.diagnostics[i].dependencies);
+      times_ += usage::text_of_time(scene.name, sides[i], analysis.diagnostics[i]);
+    }
+    return std::move(analysis.usage);
   }
 
   void depends_on(const std::vector<std::string>& files) {

@@ -8,9 +8,8 @@
 #include <ostream>
 
 #include "files.h"
-#include "scenes/probe_unit.h"
+#include "scenes/analysis.h"
 #include "scenes/read.h"
-#include "usage/analyse.h"
 #include "usage/compare.h"
 #include "usage/json.h"
 #include "usage/table.h"
@@ -23,11 +22,11 @@ using ::physgen::usage::Side;
 
 constexpr int done = 0, errors = 1;
 
-/// The source that is analysed for a file.
+/// What is analysed for a file.
 struct Unit {
-  std::string name;          // of the program
-  std::string file;          // for messages
-  std::string host, device;  // texts
+  std::string name;  // of the program
+  std::string file;  // for messages
+  std::string text;  // of the file
   std::vector<std::string> flags;
   std::optional<scenes::Scene> scene;
 };
@@ -61,25 +60,22 @@ class UsageCommand {
   std::optional<usage::Program> program_of(const std::string& file) {
     const auto unit = unit_of(file);
     if (!unit) return std::nullopt;
-    usage::Program program{unit->name, {}};
-    for (const Side side : sides()) {
-      const auto found = analyse(*unit, side);
-      if (!found) return std::nullopt;
-      program.usage = usage::unite(program.usage, *found);
-    }
+    auto found = analyse(*unit);
+    if (!found) return std::nullopt;
+    const usage::Program program{unit->name, std::move(*found)};
     if (!is_sound(*unit, program.usage)) return std::nullopt;
     return program;
   }
 
-  /// The sources to analyse: of a scene, the unit that instantiates it; any other file is itself such a unit.
+  /// A scene, or a file that is itself a unit to analyse.
   std::optional<Unit> unit_of(const std::string& file) {
     Unit unit;
     unit.file = file;
     unit.flags = request_.flags;
-    const std::string text = read_file(file);
-    if (text.find("PHYSGEN_SCENE") == std::string::npos) {
+    unit.text = read_file(file);
+    if (unit.text.find("PHYSGEN_SCENE") == std::string::npos) {
       unit.name = fs::path(file).filename().string();
-      unit.host = unit.device = "#line 1 \"" + file + "\"\n" + text;
+      unit.text = "#line 1 \"" + file + "\"\n" + unit.text;
       unit.flags.emplace_back("-iquote");
       unit.flags.push_back(fs::absolute(file).parent_path().string());
       return unit;
@@ -87,10 +83,7 @@ class UsageCommand {
     auto declaration = scenes::read(file, request_.flags);
     err_ << declaration.diagnostics;
     if (!declaration.scene) return std::nullopt;
-    const std::string path = fs::absolute(file).lexically_normal().string();
     unit.name = declaration.scene->name;
-    unit.host = scenes::probe_unit(*declaration.scene, "Host", path);
-    unit.device = scenes::probe_unit(*declaration.scene, "Cuda", path);
     unit.scene = std::move(declaration.scene);
     return unit;
   }
@@ -101,13 +94,27 @@ class UsageCommand {
     return {Side::host, Side::device};
   }
 
-  std::optional<usage::Usage> analyse(const Unit& unit, Side side) {
-    usage::Diagnostics diagnostics;
-    auto found =
-        usage::analyse(unit.name + ".cpp", side == Side::host ? unit.host : unit.device, unit.flags, side, diagnostics);
-    err_ << diagnostics.text;
-    times_ += usage::text_of_time(unit.name, side, diagnostics);
-    return found;
+  std::optional<usage::Usage> analyse(const Unit& unit) {
+    const std::vector<Side> sides = this->sides();
+    scenes::Analysis analysis;
+    if (unit.scene) {
+      const std::string path = fs::absolute(unit.file).lexically_normal().string();
+      analysis = scenes::analyse(*unit.scene, path, unit.flags, sides);
+    } else {
+      analysis.usage = usage::Usage();
+      for (const Side side : sides) {
+        const auto found =
+            usage::analyse(unit.name + ".cpp", unit.text, unit.flags, side, analysis.diagnostics.emplace_back());
+        if (!found) analysis.usage = std::nullopt;
+        if (!analysis.usage) break;
+        analysis.usage = usage::unite(*analysis.usage, *found);
+      }
+    }
+    for (std::size_t i = 0; i < analysis.diagnostics.size(); ++i) {
+      err_ << analysis.diagnostics[i].text;
+      times_ += usage::text_of_time(unit.name, sides[i], analysis.diagnostics[i]);
+    }
+    return std::move(analysis.usage);
   }
 
   /// Whether there is something to say, and nothing that cannot be said.

@@ -4,7 +4,7 @@ A table stands between `<!-- figures: NAME, from FILE.json -->` and `<!-- end of
 all its lines. The table of packages comes in the same way from their list, tools/packages.txt."""
 import json
 
-from truthcube import bead_errors, layouts, linear_solves, records
+from truthcube import bead_errors, layouts, linear_solves, records, scenes
 
 
 # ---- Numbers ---------------------------------------------------------------------------------------------------------
@@ -206,6 +206,12 @@ def _layouts(text):
     return _lines(*layouts.lines(records.parse(text, name), name))
 
 
+def _scenes(text):
+    """Scenes of scene_runs.py: one line for each."""
+    name = "scenes.json"
+    return _lines(*scenes.lines(records.parse(text, name), name))
+
+
 TABLES = {
     "fast": _fast,
     "kernels": _kernels,
@@ -218,5 +224,6 @@ TABLES = {
     "linear_solves": _linear_solves,
     "iterations": _iterations,
     "layouts": _layouts,
+    "scenes": _scenes,
     "beads": _beads,
 }

@@ -5,7 +5,7 @@ Of each scene: the scalars that it stores of a tet, from generated/scenes; the b
 (--bytes-cells), and of those of the scene everything by the same choices, where it offers them; and the time of a step
 of both on one thread of the CPU, by turns: that of a load for equilibria, a time step for motions. A time is what the
 processor spent, so that other programs do not change it much: that of several steps less that of one step, the shortest
-of --repeats. Needs nothing but Python."""
+of --repeats. With --cells 0 nothing is timed, and any build does, since bytes are the same in all. Needs nothing but Python."""
 import argparse
 import json
 import pathlib
@@ -22,7 +22,7 @@ from truthcube import records, scenes  # noqa: E402
 FLOAT = ["--precision", "float"]
 STABLE = ["--material", "stable-neo-hookean"]
 BY_TETS = ["--product", "matrix-free", "--preconditioner", "block-jacobi"]
-# Of each: what stands in the table, the flags of the scene, those of everything for the same or none, and whether it moves.
+# Of each: its name, its other flags, and those of everything for the same, or none.
 SCENES = (
     ("quasistatic", [], [*STABLE, *FLOAT]),
     ("matrix-free", [], [*STABLE, *FLOAT, *BY_TETS]),
@@ -32,7 +32,7 @@ SCENES = (
     ("linear-elastic", FLOAT, None),
     ("linear-elastic", [*FLOAT, *BY_TETS], None),
 )
-MOTIONS = {"implicit-dynamics": "1e-3", "explicit-dynamics": "1e-5"}  # with their time steps [s]
+MOTIONS = {"implicit-dynamics": "1e-2", "explicit-dynamics": "1e-5"}  # with their time steps [s]
 STEPS = 3  # of which the first does what a program does once
 
 
@@ -66,16 +66,19 @@ def bytes_of(program, arguments):
 def measure(options, name, flags):
     """Tets and bytes of the large cube, and the seconds of several steps of the small one."""
     tets, total = bytes_of(options.program, [*flags, "--cells", str(options.bytes_cells)])
+    own = {"flags": " ".join(flags), "tets": tets, "bytes": total, "seconds": None}
+    if options.cells == 0:
+        return own
     times = [
         run(options.program, [*flags, "--cells", str(options.cells), "--quiet", *steps(name, count)])[1] for count in (1, STEPS)
     ]
-    return {"flags": " ".join(flags), "tets": tets, "bytes": total, "seconds": (times[1] - times[0]) / (STEPS - 1)}
+    return {**own, "seconds": (times[1] - times[0]) / (STEPS - 1)}
 
 
 def best(options, name, flags_of_each):
     """Of each choice of flags the run with the shortest step, taking turns."""
     runs = [[measure(options, name, flags) for flags in flags_of_each] for _ in range(options.repeats)]
-    return [min(turns, key=lambda one: one["seconds"]) for turns in zip(*runs)]
+    return [min(turns, key=lambda one: one["seconds"] or 0) for turns in zip(*runs)]
 
 
 def main():
@@ -83,9 +86,10 @@ def main():
     parser.add_argument("program")
     parser.add_argument("-o", "--output", required=True, metavar="FILE.json")
     parser.add_argument("--bytes-cells", type=int, default=64, help="of the cube whose bytes are said; 64")
-    parser.add_argument("--cells", type=int, default=16, help="of the cube whose steps are timed; 16")
+    parser.add_argument("--cells", type=int, default=16, help="of the cube whose steps are timed, 0: none are; 16")
     parser.add_argument("--repeats", type=int, default=3, help="measurements, of which the shortest counts; 3")
     options = parser.parse_args()
+    where = truthcube_runs.machine(argparse.Namespace(device="cpu", threads=1))
     rows = []
     for name, flags, others in SCENES:
         both = [["--scene", name, *flags]] + ([["--scene", "everything", *others]] if others else [])
@@ -93,11 +97,9 @@ def main():
         rows.append({"scene": name, "scalars": scenes.scalars(sources.CHECKOUT, name, own["flags"]), "own": own})
         if everything:
             rows[-1]["everything"] = everything[0]
-        options.device = "cpu"
-        options.threads = 1
         file = {
             "sources": sources.text(sources.hashes(groups=truthcube_runs.MEASURED)),
-            "machine": truthcube_runs.machine(options),
+            "machine": where,
             "cells": options.cells,
             "scenes": rows,
         }

@@ -10,9 +10,9 @@
 namespace physgen::emit::cpp {
 
 /// The runtime that generated code is written for: PHYSGEN_RUNTIME_VERSION of its <physgen/config.h>.
-inline constexpr int runtime_version = 5;
+inline constexpr int runtime_version = 6;
 
-/// Of the names of generated headers.
+/// Generated headers end with it.
 inline constexpr std::string_view ending = ".physgen.h";
 
 /// The text of the header with the accessor classes of all objects of `schema`. It depends on the runtime and on the

@@ -19,7 +19,7 @@ ObjectSize HeaderSizes::of(const model::Object& object) {
   const double name = length(object.name), qualified = length(object.qualified_name());
   Runs all;
   ObjectSize size;
-  size.bytes = (runs_.empty() ? 1740 : 0) + 1720 + 28 * name + qualified + length(object.scope) + length(object.doc);
+  size.bytes = (runs_.empty() ? 1740 : 0) + 1530 + 29 * name + qualified + length(object.scope) + length(object.doc);
   double largest = 0, nested_bytes = 0;
   for (int f = 0; const model::Field& field : object.fields) {
     const double own = length(field.name);

@@ -23,19 +23,17 @@ std::string without_trigraphs(const std::string& text) {
 
 using Runs = std::vector<plan::Run>;
 
-void fields(Printer& out, const Runs& runs) {
-  std::vector<std::string> texts;
+void texts(Printer& out, const Runs& runs) {
+  std::vector<std::string> items;
   for (const plan::Run& run : runs) {
     const model::Field& field = run.field();
     std::string text = "{\"" + run.name() + "\"";
     if (!field.unit.empty() || field.initial) text += ", \"" + without_trigraphs(field.unit) + "\"";
     if (field.initial) text += ", " + real(*field.initial);
-    texts.push_back(text + "}");
+    items.push_back(text + "}");
   }
-  out.filled("static constexpr std::array<physgen::FieldText, " + std::to_string(runs.size()) + "> texts = {{", texts,
+  out.filled("static constexpr std::array<physgen::FieldText, " + std::to_string(runs.size()) + "> texts = {{", items,
              "}};");
-  out.line("template <class Real, class Formats>");
-  out.line("static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);");
 }
 
 void aliases(Printer& out, const model::Object& object) {
@@ -84,12 +82,10 @@ void object_tag(Printer& out, const plan::Record& host, const plan::Record& cuda
   const Runs host_runs = plan::runs(host), cuda_runs = plan::runs(cuda);
   // One type of formats where the spaces agree, so that kernels may name views without saying for which space.
   out.filled("struct " + name + "Object : physgen::ObjectTag" + (same_formats(host_runs) ? "<" : "PerSpace<"),
-             {name, name + "Formats", name + "Record", name + "Ref"}, "> {");
+             {name + "Object", name, name + "Formats", name + "Record", name + "Ref", name + "Probe"}, "> {");
   out.open();
   out.line("static constexpr std::string_view name = \"" + object.qualified_name() + "\";");
-  fields(out, host_runs);
-  out.line("template <class ArrayTag, class Base>");
-  out.line("using Probe = " + name + "Probe<ArrayTag, Base>;");
+  texts(out, host_runs);
   out.close("};");
   out.line();
   aliases(out, object);

@@ -144,10 +144,12 @@ template <class Record, std::size_t N>
   return infos;
 }
 
-/// The base of the tags of object types. A tag adds `name`, `texts`, `fields` and `Probe`.
+/// The base of the tags of object types. A tag adds `name` and `texts`.
+/// @tparam Object the tag
 /// @tparam Formats_ the same in both spaces, so that kernels may name views without saying for which space
-template <template <class> class Value_, template <class> class Formats_, template <class, class> class Record_,
-          template <class, class, class> class Accessors>
+template <class Object, template <class> class Value_, template <class> class Formats_,
+          template <class, class> class Record_, template <class, class, class> class Accessors,
+          template <class, class, class, int> class Probe_>
 struct ObjectTag {
   template <class Real>
   using Value = Value_<Real>;
@@ -157,11 +159,17 @@ struct ObjectTag {
   using Record = SizedRecord<Record_<Real, Formats>>;
   template <class Real, class Formats, class Cursor>
   using Ref = ObjectRef<Accessors<Real, Formats, Cursor>>;
+  template <class ArrayTag, class Base>
+  using Probe = Probe_<ArrayTag, Base, Object, 0>;
+  /// The fields as data.
+  template <class Real, class Formats>
+  static constexpr auto fields = field_infos<Record<Real, Formats>>(Object::texts);
 };
 /// The same where the spaces store some field differently.
-template <template <class> class Value_, template <class> class Formats_, template <class, class> class Record_,
-          template <class, class, class> class Accessors>
-struct ObjectTagPerSpace : ObjectTag<Value_, Formats_, Record_, Accessors> {
+template <class Object, template <class> class Value_, template <class> class Formats_,
+          template <class, class> class Record_, template <class, class, class> class Accessors,
+          template <class, class, class, int> class Probe_>
+struct ObjectTagPerSpace : ObjectTag<Object, Value_, Formats_, Record_, Accessors, Probe_> {
   template <class Space>
   using Formats = Formats_<Space>;
 };

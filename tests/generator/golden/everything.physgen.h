@@ -15,13 +15,13 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_EVERYTHING_H_336BE2E398A348F0
-#define PHYSGEN_EVERYTHING_H_336BE2E398A348F0
+#ifndef PHYSGEN_EVERYTHING_H_88BC4A0D8170971C
+#define PHYSGEN_EVERYTHING_H_88BC4A0D8170971C
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 5
-#error "everything.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 6
+#error "everything.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 #include "materials.physgen.h"
@@ -76,13 +76,9 @@ struct StampRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct StampObject : physgen::ObjectTag<Stamp, StampFormats, StampRecord, StampRef> {
+struct StampObject : physgen::ObjectTag<StampObject, Stamp, StampFormats, StampRecord, StampRef, StampProbe> {
   static constexpr std::string_view name = "tissue::Stamp";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"time", "s"}, {"step"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = StampProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<StampObject, Space>>
@@ -242,15 +238,11 @@ struct ShapesRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct ShapesObject : physgen::ObjectTag<Shapes, ShapesFormats, ShapesRecord, ShapesRef> {
+struct ShapesObject : physgen::ObjectTag<ShapesObject, Shapes, ShapesFormats, ShapesRecord, ShapesRef, ShapesProbe> {
   static constexpr std::string_view name = "tissue::model::Shapes";
   static constexpr std::array<physgen::FieldText, 14> texts = {{
       {"a"}, {"v"}, {"nodes"}, {"F", "1"}, {"B"}, {"row"}, {"K", "N/m"}, {"C2"}, {"s"}, {"W", "1/s"}, {"U"}, {"V"},
       {"count"}, {"M"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = ShapesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -518,16 +510,12 @@ struct NamesRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct NamesObject : physgen::ObjectTag<Names, NamesFormats, NamesRecord, NamesRef> {
+struct NamesObject : physgen::ObjectTag<NamesObject, Names, NamesFormats, NamesRecord, NamesRef, NamesProbe> {
   static constexpr std::string_view name = "tissue::model::Names";
   static constexpr std::array<physgen::FieldText, 25> texts = {{
       {"value"}, {"entry"}, {"S"}, {"R"}, {"at"}, {"cursor"}, {"name"}, {"fields"}, {"Layout"}, {"host"}, {"plan"},
       {"slot"}, {"stride"}, {"offset"}, {"format"}, {"Native"}, {"PerSpace"}, {"field"}, {"element"}, {"nested"},
       {"self"}, {"assign"}, {"texts"}, {"Inner"}, {"tissue"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = NamesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<NamesObject, Space>>
@@ -664,14 +652,11 @@ struct EntriesRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct EntriesObject : physgen::ObjectTag<Entries, EntriesFormats, EntriesRecord, EntriesRef> {
+struct EntriesObject : physgen::ObjectTag<
+    EntriesObject, Entries, EntriesFormats, EntriesRecord, EntriesRef, EntriesProbe> {
   static constexpr std::string_view name = "tissue::model::Entries";
   static constexpr std::array<physgen::FieldText, 6> texts = {{
       {"weights", "1"}, {"k", "N/m"}, {"flags"}, {"history"}, {"edges"}, {"entry"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = EntriesProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -802,15 +787,12 @@ struct OptionsRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct OptionsObject : physgen::ObjectTag<Options, OptionsFormats, OptionsRecord, OptionsRef> {
+struct OptionsObject : physgen::ObjectTag<
+    OptionsObject, Options, OptionsFormats, OptionsRecord, OptionsRef, OptionsProbe> {
   static constexpr std::string_view name = "tissue::model::Options";
   static constexpr std::array<physgen::FieldText, 8> texts = {{
       {"density", "kg/m^3", 1060.0}, {"nu", "", 0.45}, {"direction", "1", 0.5}, {"metric", "", 1.0},
       {"label", "", -1.0}, {"group", "", 7.0}, {"spin", "", 0.25}, {"fixed", "", 1e-12}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = OptionsProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -920,7 +902,8 @@ struct ElementRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct ElementObject : physgen::ObjectTag<Element, ElementFormats, ElementRecord, ElementRef> {
+struct ElementObject : physgen::ObjectTag<
+    ElementObject, Element, ElementFormats, ElementRecord, ElementRef, ElementProbe> {
   static constexpr std::string_view name = "tissue::model::Element";
   static constexpr std::array<physgen::FieldText, 24> texts = {{
       {"flag"}, {"lame.mu", "Pa"}, {"lame.lambda", "Pa"}, {"fibres[0].direction"}, {"fibres[0].strength", "Pa"},
@@ -928,10 +911,6 @@ struct ElementObject : physgen::ObjectTag<Element, ElementFormats, ElementRecord
       {"shapes.v"}, {"shapes.nodes"}, {"shapes.F", "1"}, {"shapes.B"}, {"shapes.row"}, {"shapes.K", "N/m"},
       {"shapes.C2"}, {"shapes.s"}, {"shapes.W", "1/s"}, {"shapes.U"}, {"shapes.V"}, {"shapes.count"}, {"shapes.M"},
       {"volume", "m^3"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = ElementProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1020,7 +999,7 @@ struct PatchRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct PatchObject : physgen::ObjectTag<Patch, PatchFormats, PatchRecord, PatchRef> {
+struct PatchObject : physgen::ObjectTag<PatchObject, Patch, PatchFormats, PatchRecord, PatchRef, PatchProbe> {
   static constexpr std::string_view name = "tissue::other::Patch";
   static constexpr std::array<physgen::FieldText, 57> texts = {{
       {"elements[0].flag"}, {"elements[0].lame.mu", "Pa"}, {"elements[0].lame.lambda", "Pa"},
@@ -1041,10 +1020,6 @@ struct PatchObject : physgen::ObjectTag<Patch, PatchFormats, PatchRecord, PatchR
       {"options.nu", "", 0.45}, {"options.direction", "1", 0.5}, {"options.metric", "", 1.0},
       {"options.label", "", -1.0}, {"options.group", "", 7.0}, {"options.spin", "", 0.25},
       {"options.fixed", "", 1e-12}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = PatchProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<PatchObject, Space>>
@@ -1129,13 +1104,9 @@ struct FrameRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct FrameObject : physgen::ObjectTagPerSpace<Frame, FrameFormats, FrameRecord, FrameRef> {
+struct FrameObject : physgen::ObjectTagPerSpace<FrameObject, Frame, FrameFormats, FrameRecord, FrameRef, FrameProbe> {
   static constexpr std::string_view name = "tissue::model::Frame";
   static constexpr std::array<physgen::FieldText, 3> texts = {{{"turn"}, {"origin", "m"}, {"weight", "", 0.25}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = FrameProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FrameObject, Space>>
@@ -1464,7 +1435,8 @@ struct StoredRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct StoredObject : physgen::ObjectTagPerSpace<Stored, StoredFormats, StoredRecord, StoredRef> {
+struct StoredObject : physgen::ObjectTagPerSpace<
+    StoredObject, Stored, StoredFormats, StoredRecord, StoredRef, StoredProbe> {
   static constexpr std::string_view name = "tissue::model::Stored";
   static constexpr std::array<physgen::FieldText, 32> texts = {{
       {"single"}, {"twice"}, {"narrowed"}, {"plain_half"}, {"load", "N", 1000.0}, {"wide"}, {"angle", "rad", 0.5},
@@ -1472,10 +1444,6 @@ struct StoredObject : physgen::ObjectTagPerSpace<Stored, StoredFormats, StoredRe
       {"Rbfloat"}, {"R16"}, {"entries"}, {"halves"}, {"turns"}, {"many"}, {"count", "", 7.0}, {"frame.turn"},
       {"frame.origin", "m"}, {"frame.weight", "", 0.25}, {"frames[0].turn"}, {"frames[0].origin", "m"},
       {"frames[0].weight", "", 0.25}, {"frames[1].turn"}, {"frames[1].origin", "m"}, {"frames[1].weight", "", 0.25}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = StoredProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1498,4 +1466,4 @@ static_assert(physgen::are_sound_records<StoredObject, physgen::Cuda>(
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_336BE2E398A348F0
+#endif  // PHYSGEN_EVERYTHING_H_88BC4A0D8170971C

@@ -15,13 +15,13 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_MATERIALS_H_1178CD65959DBC3B
-#define PHYSGEN_MATERIALS_H_1178CD65959DBC3B
+#ifndef PHYSGEN_MATERIALS_H_28797DA79750F906
+#define PHYSGEN_MATERIALS_H_28797DA79750F906
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 5
-#error "materials.physgen.h is for version 5 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 6
+#error "materials.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
 
 namespace material {
@@ -78,13 +78,9 @@ struct LameRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct LameObject : physgen::ObjectTag<Lame, LameFormats, LameRecord, LameRef> {
+struct LameObject : physgen::ObjectTag<LameObject, Lame, LameFormats, LameRecord, LameRef, LameProbe> {
   static constexpr std::string_view name = "material::Lame";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"mu", "Pa"}, {"lambda", "Pa"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = LameProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<LameObject, Space>>
@@ -149,13 +145,9 @@ struct FibreRef : physgen::OnCursor<Cursor> {
   }
 };
 
-struct FibreObject : physgen::ObjectTag<Fibre, FibreFormats, FibreRecord, FibreRef> {
+struct FibreObject : physgen::ObjectTag<FibreObject, Fibre, FibreFormats, FibreRecord, FibreRef, FibreProbe> {
   static constexpr std::string_view name = "material::Fibre";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"direction"}, {"strength", "Pa"}}};
-  template <class Real, class Formats>
-  static constexpr auto fields = physgen::field_infos<Record<Real, Formats>>(texts);
-  template <class ArrayTag, class Base>
-  using Probe = FibreProbe<ArrayTag, Base>;
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FibreObject, Space>>
@@ -168,4 +160,4 @@ static_assert(physgen::are_sound_records<FibreObject, physgen::Host>({20, 8, {8,
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_1178CD65959DBC3B
+#endif  // PHYSGEN_MATERIALS_H_28797DA79750F906

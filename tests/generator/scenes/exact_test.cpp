@@ -9,10 +9,9 @@
 #include <set>
 
 #include "frontend/case.h"
+#include "scenes/analysis.h"
 #include "scenes/header.h"
-#include "scenes/probe_unit.h"
 #include "scenes/read.h"
-#include "usage/analyse.h"
 
 namespace physgen::test {
 namespace {
@@ -93,10 +92,9 @@ TEST_P(EveryScene, keeps_no_field_that_compiles_without) {
   const auto declaration = scenes::read(GetParam(), flags());
   ASSERT_TRUE(declaration.scene) << declaration.diagnostics;
   const scenes::Scene& scene = *declaration.scene;
-  usage::Diagnostics diagnostics;
-  const auto usage = usage::analyse("unit.cpp", scenes::probe_unit(scene, "Host", GetParam()), flags(),
-                                    usage::Side::host, diagnostics);
-  ASSERT_TRUE(usage) << diagnostics.text;
+  const auto analysis = scenes::analyse(scene, GetParam(), flags(), {usage::Side::host});
+  const auto& usage = analysis.usage;
+  ASSERT_TRUE(usage) << analysis.diagnostics[0].text;
   scenes::Needs needs = scenes::find_needs(scene, *usage);
   ASSERT_TRUE(needs.sound());
   const Folder folder;

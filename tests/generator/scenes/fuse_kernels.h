@@ -84,6 +84,46 @@ struct CopySome {
 };
 STEP(CopySome)
 template <class From, class To>
+struct CopyOrLeave {
+  using Scalar = typename To::Precision;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    using S = physgen::lanes_t<Scalar, I>;
+    const S a = ({
+      if (!physgen::any(i, S(from[i].a()) > S(0))) return;
+      S(from[i].a());
+    });
+    to[i].a() = a;
+  }
+};
+STEP(CopyOrLeave)
+inline float last = 0;
+template <class From, class To>
+struct CopyRemembering {
+  using Scalar = typename To::Precision;
+  float* remembered;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const { to[i].a() = physgen::lanes_t<Scalar, I>(from[i].a()); }
+};
+template <class From, class To>
+CopyRemembering(float*, From, To) -> CopyRemembering<From, To>;
+template <class From, class To>
+struct CopyCounting {
+  using Scalar = typename To::Precision;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    to[i].a() = physgen::lanes_t<Scalar, I>(from[i].a());
+    ++last;
+  }
+};
+STEP(CopyCounting)
+template <class From, class To>
 struct CopyElement {
   using Scalar = typename To::Precision;
   From from;

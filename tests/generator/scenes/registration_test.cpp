@@ -118,10 +118,12 @@ TEST(RegistrationOfScenes, is_one_set_for_gcc_clang_and_nvcc_of_a_scene_whose_st
   EXPECT_EQ(analysed(scene, usage::Side::device), expected);
 }
 
+// Not for nvcc: what steps of the solver do in a way of their own on CUDA is code for devices, which registers nothing.
 TEST(RegistrationOfScenes, is_one_set_for_gcc_and_clang_of_a_solver_with_an_assembled_matrix) {
-  const Texts expected = analysed("linear_elastic", usage::Side::host);
-  EXPECT_GE(expected.size(), 60U);
-  EXPECT_EQ(registered_by_gcc("linear_elastic"), expected);
+  const Texts expected = analysed("quasistatic", usage::Side::host);
+  EXPECT_GE(expected.size(), 90U);
+  EXPECT_TRUE(expected.contains("level.edge_stiffness.E RW"));
+  EXPECT_EQ(registered_by_gcc("quasistatic"), expected);
 }
 
 }  // namespace

@@ -7,10 +7,9 @@
 #include <set>
 #include <sstream>
 
+#include "scenes/analysis.h"
 #include "scenes/liveness.h"
-#include "scenes/probe_unit.h"
 #include "scenes/read.h"
-#include "usage/analyse.h"
 
 namespace physgen::usage {
 namespace {
@@ -39,10 +38,9 @@ TEST(UsageOfHiddenUses, is_found_at_each_line_that_hides_one_and_at_no_other) {
   const std::vector<std::string> flags(std::istream_iterator<std::string>(text), {});
   const auto declaration = scenes::read(file(), flags);
   ASSERT_TRUE(declaration.scene) << declaration.diagnostics;
-  Diagnostics diagnostics;
-  const auto usage =
-      analyse("hidden.cpp", scenes::probe_unit(*declaration.scene, "Host", file()), flags, Side::host, diagnostics);
-  ASSERT_TRUE(usage) << diagnostics.text;
+  const auto analysis = scenes::analyse(*declaration.scene, file(), flags, {Side::host});
+  const auto& usage = analysis.usage;
+  ASSERT_TRUE(usage) << analysis.diagnostics[0].text;
   Lines dependent, unknown;
   for (const Dependence& dependence : usage->dependences) dependent.insert(dependence.place.line);
   for (const UnknownUse& use : usage->unknown) unknown.insert(use.place.line);

@@ -166,7 +166,7 @@ Graph sample_graph() {
   graph.fields[1].field = "y";
   const auto function = [&](const char* file, std::vector<Call> calls, Access access = Access::none, int field = -1) {
     Function made;
-    made.file = file;
+    made.place.file = file;
     made.of_library = std::string(file).starts_with("physgen/");
     made.calls = std::move(calls);
     made.access = access;

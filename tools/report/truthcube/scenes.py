@@ -39,7 +39,7 @@ def lines(content, name):
     rows = content.get("scenes") if isinstance(content, dict) else None
     if not isinstance(rows, list) or not rows:
         raise RunError(f"{name}: no list of 'scenes'; {AGAIN}")
-    table = []
+    table, timed = [], False
     for number, row in enumerate(rows):
         place = f"{name}: scenes[{number}]"
         records.require(row, {"scene": str, "scalars": int, "own": dict}, place, AGAIN)
@@ -49,7 +49,10 @@ def lines(content, name):
         words = row["own"]["flags"].removeprefix("--scene ")
         cells = [f"`{words}`", f"{row['scalars']}"]
         cells += [f"{run['bytes'] / run['tets']:.1f}" if run else "" for run in both]
-        cells += [f"{1e3 * run['seconds']:.3g}" if run else "" for run in both]
-        table.append(cells)
+        times = [run and run["seconds"] for run in both]
+        timed = timed or any(times)
+        table.append([*cells, *(f"{1e3 * time:.3g}" if time else "" for time in times)])
     head = ["`--scene`", "scalars per tet", "bytes per tet", "over arrays of `everything`"]
+    if not timed:
+        return head, [cells[: len(head)] for cells in table]
     return [*head, "a step [ms]", "over arrays of `everything` [ms]"], table

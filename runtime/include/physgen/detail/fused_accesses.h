@@ -72,7 +72,7 @@ class ArrayAccesses {
   /// @throw Error when it and another one, for another object of the kernel, are a race
   void note(FusedAccess access, index_t object, int offset, index_t of, int step) {
     Entry& entry = entries_.get()[object * units_ + offset / unit_];
-    const Place place{object, offset}, &at = place;
+    const Place at{object, offset};
     const std::uint64_t mine = static_cast<std::uint64_t>(step) << index_bits | static_cast<std::uint64_t>(of + 1);
     // What is done is stored before others' is looked at: of two threads one at least sees the other.
     if (access == FusedAccess::write) {

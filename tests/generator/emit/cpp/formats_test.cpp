@@ -89,7 +89,7 @@ TEST(Probes, number_the_fields_as_the_list_of_fields_does) {
                   "  using b = BProbe<ArrayTag, typename Base::b, Object, first + 1>;\n"
                   "  using c = BProbe<ArrayTag, typename Base::c, Object, first + 7>;\n"
                   "  using n = physgen::Probe<ArrayTag, Object, first + 9, typename Base::n>;\n};\n");
-  expect_contains(text, "  template <class ArrayTag, class Base>\n  using Probe = AProbe<ArrayTag, Base>;\n");
+  expect_contains(text, "struct AObject : physgen::ObjectTag<AObject, A, AFormats, ARecord, ARef, AProbe> {\n");
 }
 
 TEST(Probes, give_way_to_fields_that_are_called_as_their_parameters) {
