@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <span>
 
 #include "emit/cpp/taken_names.h"
 #include "model/facts.h"
@@ -18,10 +17,6 @@ constexpr std::string_view reserved_objects[] = {"Real", "Cursor", "Value",   "R
                                                  "View", "Array",  "Ref",     "Object", "bytes",  "alignment",
                                                  "get",  "put",    "physgen", "std",    "Eigen",  "Formats"};
 constexpr std::string_view reserved_scopes[] = {"physgen", "std", "Eigen", "xsimd"};
-
-bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 bool is_type_of_the_vocabulary(std::string_view name) {
   return std::ranges::any_of(model::shapes(), [&](const model::ShapeFacts& row) { return row.type == name; }) ||

@@ -206,10 +206,6 @@ constexpr std::string_view library_names[] = {
     "vhangup",     "vprintf",    "vscanf",    "vsprintf",  "wait",        "waitpid",    "winsize",       "write",
     "writev",      "y0",         "y1",        "yn"};
 
-bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool is_capital_or_digit(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0 || (c >= '0' && c <= '9'); }
 
 // "M_PIf" behind "M_", "cudaHostAllocMapped" behind "cuda".

@@ -2,9 +2,15 @@
 // library outside all namespaces.
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <string_view>
 
 namespace physgen::emit::cpp {
+
+[[nodiscard]] inline bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
+}
 
 /// Capitals, digits and an underscore, as in INT_MAX: the form of nearly all macros of system headers, too many to
 /// list. J2, EA or K are none.
