@@ -1,5 +1,5 @@
 // Schemas with C++ constructs that a schema does not have, and what is said about them: see
-// frontend_diagnostics_test.cpp.
+// diagnostics_test.cpp.
 #pragma once
 
 #include "case.h"

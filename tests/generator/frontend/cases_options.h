@@ -1,5 +1,5 @@
 // Schemas with names, options and schemas that do not parse, and what is said about them: see
-// frontend_diagnostics_test.cpp.
+// diagnostics_test.cpp.
 #pragma once
 
 #include "case.h"

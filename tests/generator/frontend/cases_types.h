@@ -1,5 +1,5 @@
 // Schemas with field types, sizes and whole objects that cannot be, and what is said about them: see
-// frontend_diagnostics_test.cpp.
+// diagnostics_test.cpp.
 #pragma once
 
 #include "case.h"

@@ -1,4 +1,4 @@
-// The scene force_chain on a CUDA device: see scenes_force_chain_case.h.
+// The scene force_chain on a CUDA device: see force_chain_case.h.
 #include <physgen/cuda/executor.h>
 
 #include "force_chain_case.h"

@@ -1,4 +1,4 @@
-// The scene force_chain on the CPU: see scenes_force_chain_case.h.
+// The scene force_chain on the CPU: see force_chain_case.h.
 #include <physgen/executor.h>
 
 #include "force_chain_case.h"

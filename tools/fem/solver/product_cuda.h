@@ -75,17 +75,24 @@ __global__ void __launch_bounds__(1024)
   Real* column = reinterpret_cast<Real*>(memory);  // of the pivot, before the step
   Real* row = column + size;
   Real* matrix = row + size;
-  const auto far = [&](int r, int c) -> Real& {
-    return *&inverse[index_t{r / 3} * n + c / 3].G()[3 * (c % 3) + r % 3];
+  const auto far = [&](int r, int c) -> decltype(auto) {
+    return inverse[index_t{r / 3} * n + c / 3].G()[3 * (c % 3) + r % 3];
   };
-  const auto at = [&](int r, int c) -> Real& { return shared ? matrix[r * size + c] : far(r, c); };
+  const auto at = [&](int r, int c) -> Real { return shared ? matrix[r * size + c] : static_cast<Real>(far(r, c)); };
+  const auto set = [&](int r, int c, Real value) {
+    if (shared) {
+      matrix[r * size + c] = value;
+    } else {
+      far(r, c) = value;
+    }
+  };
   const auto put = [&](index_t i, index_t j, const Matrix3<Real>& block) {
     for (int c = 0; c < 3; ++c) {
-      for (int r = 0; r < 3; ++r) at(3 * static_cast<int>(i) + r, 3 * static_cast<int>(j) + c) = block(r, c);
+      for (int r = 0; r < 3; ++r) set(3 * static_cast<int>(i) + r, 3 * static_cast<int>(j) + c, block(r, c));
     }
   };
   for (int r = ty; r < size; r += 32) {
-    for (int c = tx; c < size; c += 32) at(r, c) = Real(0);
+    for (int c = tx; c < size; c += 32) set(r, c, Real(0));
   }
   __syncthreads();
   for (int i = thread; i < n; i += 1024) stiffness.put_node(i, put);
@@ -102,11 +109,10 @@ __global__ void __launch_bounds__(1024)
     for (int r = ty; r < size; r += 32) {
       const Real scaled = column[r] * factor;
       for (int c = tx; c < size; c += 32) {
-        Real& entry = at(r, c);
         if (r == p) {
-          entry = c == p ? factor : row[c] * factor;
+          set(r, c, c == p ? factor : row[c] * factor);
         } else {
-          entry = c == p ? -scaled : fma(-scaled, row[c], entry);
+          set(r, c, c == p ? -scaled : fma(-scaled, row[c], at(r, c)));
         }
       }
     }
