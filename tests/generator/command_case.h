@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "frontend_case.h"
+#include "frontend/case.h"
 
 namespace physgen::test {
 

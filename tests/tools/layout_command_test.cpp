@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <iterator>
 
-#include "frontend_case.h"
+#include "frontend/case.h"
 
 namespace physgen::test {
 namespace {

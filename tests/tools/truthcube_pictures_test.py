@@ -11,12 +11,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 REPORT = ROOT / "tools" / "report"
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(REPORT))
+import drawing  # noqa: E402
 import h5py  # noqa: E402
 import matplotlib.quiver  # noqa: E402
 import numpy as np  # noqa: E402
@@ -265,7 +267,8 @@ class PicturesTest(unittest.TestCase):
         del record["settings"]["cells"]  # as of a mesh of one's own
         record["steps"] = record["steps"][:1]  # and a run that is going on
         (folder / "run.json").write_text(json.dumps(record))
-        self.assertEqual(command(folder, "-o", self.folder / "mesh"), (0, ""))
+        with unittest.mock.patch.object(drawing, "png", lambda figure, *rest, **options: b""):  # which take its time
+            self.assertEqual(command(folder, "-o", self.folder / "mesh"), (0, ""))
         self.assertEqual(len(list((self.folder / "mesh").iterdir())), 4)
 
     def test_wrong_use_exits_with_2(self):

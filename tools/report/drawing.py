@@ -66,7 +66,7 @@ def png(figure, description=None, dpi=160):
     """The figure as a PNG file, `dpi` pixels per inch; the description stands in the file."""
     stream = io.BytesIO()
     metadata = {"Software": None, "Description": description}
-    figure.savefig(stream, format="png", dpi=dpi, metadata=metadata, pil_kwargs={"optimize": True})
+    figure.savefig(stream, format="png", dpi=dpi, metadata=metadata)
     return stream.getvalue()
 
 

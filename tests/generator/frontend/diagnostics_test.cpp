@@ -2,9 +2,9 @@
 // compared as beginnings, because the ends of Clang's own differ between its versions.
 #include <gtest/gtest.h>
 
-#include "frontend_cases_constructs.h"
-#include "frontend_cases_options.h"
-#include "frontend_cases_types.h"
+#include "cases_constructs.h"
+#include "cases_options.h"
+#include "cases_types.h"
 
 namespace physgen::test {
 namespace {

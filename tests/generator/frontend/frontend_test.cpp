@@ -3,7 +3,7 @@
 
 #include <iterator>
 
-#include "frontend_case.h"
+#include "case.h"
 
 namespace physgen::test {
 namespace {

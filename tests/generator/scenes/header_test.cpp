@@ -1,12 +1,13 @@
 // The text that is written of a scene: the header against a golden one, which is compared letter by letter.
+#include "scenes/header.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "scenes/header.h"
+#include "by_hand.h"
 #include "scenes/probe_unit.h"
-#include "scenes_by_hand.h"
 
 namespace physgen::test {
 namespace {

@@ -1,11 +1,12 @@
 // Which neighbouring steps become one: a group that is found, and for each rule a program that breaks this rule alone.
+#include "scenes/groups.h"
+
 #include <gtest/gtest.h>
 
-#include "scenes/groups.h"
+#include "by_hand.h"
 #include "scenes/header.h"
 #include "scenes/program_text.h"
 #include "scenes/report.h"
-#include "scenes_by_hand.h"
 
 namespace physgen::test {
 namespace {
@@ -167,7 +168,8 @@ TEST(Groups, run_over_the_same_objects) {
   EXPECT_NE(chain.why().find("they run over different objects, per tet of body and per node of body"),
             std::string::npos);
   chain.second().runs = "";
-  EXPECT_NE(chain.why().find("Force runs over a number of objects that is not the size() of an array"), std::string::npos);
+  EXPECT_NE(chain.why().find("Force runs over a number of objects that is not the size() of an array"),
+            std::string::npos);
   chain.first().runs = chain.second().runs = "n";
   EXPECT_NE(chain.why(), "") << "a number that the caller chooses may not be that of the array's objects";
 }

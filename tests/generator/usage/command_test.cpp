@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "command_case.h"
+#include "small.h"
 #include "usage/json.h"
-#include "usage_small.h"
 
 namespace physgen::test {
 namespace {

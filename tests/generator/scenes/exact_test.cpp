@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "frontend_case.h"
+#include "frontend/case.h"
 #include "scenes/analysis.h"
 #include "scenes/header.h"
 #include "scenes/read.h"

@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "small.h"
 #include "usage/analyse.h"
-#include "usage_small.h"
 
 namespace physgen::usage {
 namespace {

@@ -2,7 +2,7 @@
 // frontend_diagnostics_test.cpp.
 #pragma once
 
-#include "frontend_case.h"
+#include "case.h"
 
 namespace physgen::test {
 

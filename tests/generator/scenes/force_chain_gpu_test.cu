@@ -1,7 +1,7 @@
 // The scene force_chain on a CUDA device: see scenes_force_chain_case.h.
 #include <physgen/cuda/executor.h>
 
-#include "scenes_force_chain_case.h"
+#include "force_chain_case.h"
 
 namespace physgen::test {
 namespace {

@@ -2,7 +2,7 @@
 // what these arrays are made of.
 #include <map>
 
-#include "scenes_run_case.h"
+#include "run_case.h"
 
 namespace physgen::test {
 namespace {

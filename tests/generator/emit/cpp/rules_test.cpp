@@ -1,7 +1,7 @@
 // The rules that C++ asks of a schema: names, types that do not clash, sizes of values and of generated code.
 #include <gtest/gtest.h>
 
-#include "rules_case.h"
+#include "model/rules_case.h"
 
 namespace physgen::emit::cpp {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "scenes_run_case.h"
+#include "run_case.h"
 
 namespace physgen::test {
 namespace {

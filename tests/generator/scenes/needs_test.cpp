@@ -1,11 +1,12 @@
 // The rules of what a scene needs, over uses that are written by hand: each with the fault that it is there for.
+#include "scenes/needs.h"
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "scenes/needs.h"
+#include "by_hand.h"
 #include "scenes/report.h"
-#include "scenes_by_hand.h"
 
 namespace physgen::test {
 namespace {

@@ -1,7 +1,7 @@
 // Programs of scenes in checked builds. This program is compiled with PHYSGEN_CHECKED.
 #include <physgen/executor.h>
 
-#include "scenes_force_chain_case.h"
+#include "force_chain_case.h"
 
 namespace physgen::test {
 namespace {

@@ -1,12 +1,13 @@
 // Declarations of scenes: what is read from a sound one, and what is said of others. The objects stand for generated
 // ones, so that nothing else is parsed.
+#include "scenes/read.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "frontend_case.h"
-#include "scenes/read.h"
+#include "frontend/case.h"
 
 namespace physgen::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command_case.h"
-#include "scenes_fuse_kernels.h"
+#include "fuse_kernels.h"
 
 namespace physgen::test {
 namespace {

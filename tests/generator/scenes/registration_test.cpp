@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "frontend_case.h"
+#include "frontend/case.h"
 #include "scenes/probe_unit.h"
 #include "scenes/read.h"
 #include "usage/analyse.h"

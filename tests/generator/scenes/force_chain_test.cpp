@@ -1,7 +1,7 @@
 // The scene force_chain on the CPU: see scenes_force_chain_case.h.
 #include <physgen/executor.h>
 
-#include "scenes_force_chain_case.h"
+#include "force_chain_case.h"
 
 namespace physgen::test {
 namespace {
