@@ -53,7 +53,8 @@ class LayoutPictureTest(unittest.TestCase):
         texts, boxes = self.picture("--object", "Node", "--space", "cuda")
         for text in ("m::Node", "aos_padded on cuda, Real = float", "records of 16 bytes, 4 of them padding", "4.00x",
                      "object 7", "object 31", "All 3 requests: 48 sectors, 4.00x the ideal 12; 16 different ones.",
-                     "... 256 bytes ..."):  # fmt: skip
+                     "... 256 bytes ...", "Outlined: x[0] of objects 0 to 31, one request of a warp. Each sector that it "
+                     "touches has a bar below."):  # fmt: skip
             self.assertIn(text, texts)
         # Objects 0 to 7 and 31 of three elements, each with its padding; two of them share a sector, but for the last.
         self.assertEqual([boxes.count(kind) for kind in ("cell", "padding", "request", "sector")], [27, 9, 9, 5])

@@ -228,7 +228,7 @@ def _memory(page, array, y):
     page.text(LEFT, y + 9, "...", 8, GREY)
     name, first = array["rows"][0]["name"], array["rows"][0]["boxes"][0]
     if array["pitch"] == 1:
-        name = array["fields"][first["field"]]["name"] + first.get("indices", [""])[0]
+        name = first["text"].split(" ", 1)[1].split("..")[0]  # "+0 F(0,0)..(2,2)"
     page.text(LEFT, y + 30, f"Outlined: {name} of objects 0 to 31, one request of a warp. Each sector that it touches has "
                             "a bar below.")  # fmt: skip
     return y + 42
