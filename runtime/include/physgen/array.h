@@ -143,7 +143,7 @@ class Array {
 namespace detail {
 
 /// The size of an array that holds no object of its own. @throw Error when it is negative
-inline index_t checked_size(const char* object, index_t size) {
+inline index_t checked_size(std::string_view object, index_t size) {
   if (size >= 0) return size;
   throw Error(std::string(object) + ": an array of " + std::to_string(size) + " objects cannot exist; 0 or more can");
 }
