@@ -76,7 +76,8 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     if (callee != nullptr && callee->getIdentifier() != nullptr && callee->getName() == "store_where" &&
         names_.is_library(callee->getLocation()))
       say(call->getBeginLoc(), "stores under a mask");
-    if (callee == nullptr && !llvm::isa<clang::CXXPseudoDestructorExpr>(call->getCallee()->IgnoreParens()))
+    if (callee == nullptr && !call->getCallee()->isInstantiationDependent() &&  // as in a generic lambda's pattern
+        !llvm::isa<clang::CXXPseudoDestructorExpr>(call->getCallee()->IgnoreParens()))
       say(call->getBeginLoc(), "calls what is not known");
     follow(callee);
     return found_.empty();
