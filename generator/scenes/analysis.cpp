@@ -22,7 +22,7 @@ class Analyser {
   }
 
  private:
-  /// Of the side of this number and those behind it.
+  /// Analyses the side of this number and those behind it. @return their uses, united; none: a unit has errors
   std::optional<usage::Usage> from(std::size_t number) {
     const usage::Side side = sides_[number];
     std::optional<usage::Usage> others = usage::Usage();

@@ -31,7 +31,7 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
   Finder(UnknownUses& to, const clang::FunctionDecl* function)
       : to_(to), names_(to.names_), context_(to.context_), function_(function) {}
 
-  // Operands that are not evaluated, and types.
+  // Types and operands that are not evaluated use nothing.
   static bool TraverseTypeLoc(clang::TypeLoc /*type*/, bool /*qualifier*/ = true) { return true; }
   static bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr* /*expression*/) { return true; }
   static bool TraverseRequiresExpr(clang::RequiresExpr* /*expression*/) { return true; }
@@ -91,7 +91,7 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
     return true;
   }
 
-  // Where no more than one element is used: what becomes a value, and what is not used.
+  // These find where no more than one element is used: what becomes a value, and what is not used.
   bool VisitReturnStmt(clang::ReturnStmt* statement) {
     if (statement->getRetValue() != nullptr && function_ != nullptr && function_->getReturnType()->isReferenceType())
       only_the_element(statement->getRetValue(), true);

@@ -87,12 +87,17 @@ class LayoutPictureTest(unittest.TestCase):
         self.assertTrue(target.read_bytes().startswith(b"\x89PNG"))
 
     def test_files_that_physgen_did_not_write_are_refused(self):
-        content = json.loads(self.layout().read_text())
-        del content["arrays"][0]["rows"][0]["boxes"][0]["end"]
+        def damaged(change):
+            content = json.loads(self.layout().read_text())
+            change(content["arrays"][0])
+            return json.dumps(content)
+
         target = self.folder / "refused.svg"
         for text, why in (("{", "is not JSON"), ("[]", "is not a file of layouts of format 1"),
                           ('{"physgen_layout": 2}', "is not a file of layouts of format 1"),
-                          (json.dumps(content), "is damaged (KeyError: 'end')")):  # fmt: skip
+                          (damaged(lambda array: array["rows"][0]["boxes"][0].pop("end")), "is damaged (KeyError: 'end')"),
+                          (damaged(lambda array: array["rows"][0]["boxes"][0].update(elements=0)), "is damaged (ZeroDiv"),
+                          (damaged(lambda array: array.update(warp=7)), "is damaged (TypeError")):  # fmt: skip
             path = self.folder / "wrong.json"
             path.write_text(text)
             status, message = self.draw(path, "-o", target)

@@ -84,7 +84,7 @@ def draw(path, arrays, as_png=False):
             y = _legend(page, 32)
             for array in arrays:
                 y = _array(page, array, y)
-        except (KeyError, IndexError, TypeError, ValueError) as error:
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
             raise _refuse(path, f"is damaged ({type(error).__name__}: {error})") from None
         figure = page.finish(y)
         return drawing.png(figure) if as_png else drawing.svg(figure).encode()

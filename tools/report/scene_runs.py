@@ -4,8 +4,8 @@
 Of each scene: the scalars that it stores of a tet, from generated/scenes; the bytes of its arrays for a cube in float
 (--bytes-cells), and of those of the scene everything by the same choices, where it offers them; and the time of a step
 of both on one thread of the CPU, by turns: that of a load for equilibria, a time step for motions. A time is what the
-processor spent, so that other programs do not change it much: that of several steps less that of one step, the shortest
-of --repeats. With --cells 0 nothing is timed, and any build does, since bytes are the same in all. Needs nothing but Python."""
+processor spent, so that other programs do not change it much: that of several steps less that of one step, each the
+shortest of --repeats. With --cells 0 nothing is timed, and any build does, since bytes are the same in all. Needs nothing but Python."""
 import argparse
 import json
 import pathlib
@@ -64,21 +64,29 @@ def bytes_of(program, arguments):
 
 
 def measure(options, name, flags):
-    """Tets and bytes of the large cube, and the seconds of several steps of the small one."""
+    """Tets and bytes of the large cube, and the seconds that one step and several steps of the small one take."""
     tets, total = bytes_of(options.program, [*flags, "--cells", str(options.bytes_cells)])
-    own = {"flags": " ".join(flags), "tets": tets, "bytes": total, "seconds": None}
+    own = {"flags": " ".join(flags), "tets": tets, "bytes": total}
     if options.cells == 0:
-        return own
-    times = [
-        run(options.program, [*flags, "--cells", str(options.cells), "--quiet", *steps(name, count)])[1] for count in (1, STEPS)
-    ]
-    return {**own, "seconds": (times[1] - times[0]) / (STEPS - 1)}
+        return own, None
+    cube = [*flags, "--cells", str(options.cells), "--quiet"]
+    return own, [run(options.program, [*cube, *steps(name, count)])[1] for count in (1, STEPS)]
+
+
+def shortest(turns):
+    """A run of those that were measured by turns, with the seconds of a step: the shortest of several steps less the
+    shortest of one. (The shortest difference would be that of the slowest single step.)"""
+    own, times = turns[0]
+    if times is None:
+        return {**own, "seconds": None}
+    one, several = (min(seconds) for seconds in zip(*(times for _, times in turns)))
+    return {**own, "seconds": (several - one) / (STEPS - 1)}
 
 
 def best(options, name, flags_of_each):
-    """Of each choice of flags the run with the shortest step, taking turns."""
+    """Of each choice of flags the run, taking turns."""
     runs = [[measure(options, name, flags) for flags in flags_of_each] for _ in range(options.repeats)]
-    return [min(turns, key=lambda one: one["seconds"] or 0) for turns in zip(*runs)]
+    return [shortest(turns) for turns in zip(*runs)]
 
 
 def main():
@@ -87,7 +95,7 @@ def main():
     parser.add_argument("-o", "--output", required=True, metavar="FILE.json")
     parser.add_argument("--bytes-cells", type=int, default=64, help="of the cube whose bytes are said; 64")
     parser.add_argument("--cells", type=int, default=16, help="of the cube whose steps are timed, 0: none are; 16")
-    parser.add_argument("--repeats", type=int, default=3, help="measurements, of which the shortest counts; 3")
+    parser.add_argument("--repeats", type=int, default=3, help="measurements, of which the shortest count; 3")
     options = parser.parse_args()
     where = truthcube_runs.machine(argparse.Namespace(device="cpu", threads=1))
     rows = []

@@ -37,7 +37,7 @@ struct PastTheCaches {
 template <class From, class To>
 PastTheCaches(From, To) -> PastTheCaches<From, To>;
 
-/// Of the program, in spite of its name.
+/// This is a function of the program, in spite of its name.
 PHYSGEN_FUNCTION inline void atomicRaise(float* number) { number[1] += 1.0F; }
 
 template <class Behind, class Given>

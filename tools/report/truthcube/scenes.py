@@ -21,9 +21,10 @@ _RUN = {"flags": str, "tets": int, "bytes": int, "seconds": float}
 def scalars(checkout, scene, flags):
     """The scalars, numbers of nodes and the like left out, that a scene stores of each tet between two steps, as physgen
     found them. @throws RunError"""
-    by_tets = "matrix-free" in flags
-    arrays = "linear_elastic" if scene == "linear-elastic" and by_tets else ARRAYS[scene]
-    sets = ["per tet", "per gathered_tet"] + ["per kept_tet"] * (by_tets and scene != "linear-elastic")
+    arrays = ARRAYS[scene]
+    if scene == "linear-elastic" and "--product matrix-free" in flags:
+        arrays = "linear_elastic"
+    sets = ["per tet", "per gathered_tet"] + ["per kept_tet"] * (scene == "matrix-free")
     need = records.load_json(pathlib.Path(checkout) / "generated" / "scenes" / f"{arrays}.need.json")
     return sum(
         field["elements"]
