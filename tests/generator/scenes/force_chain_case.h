@@ -10,7 +10,7 @@
 #include <bit>
 #include <random>
 
-namespace physgen::test {
+namespace physgen::test::force_chain {
 
 inline constexpr index_t nodes = 40, tets = 117;
 inline const fem::NeoHookean<float> material{1.5F, 20.F};
@@ -58,14 +58,14 @@ void fill(Arrays& to) {
 template <class Real, class Space>
 struct Plain {
   elasticity::NodePositionArray<Real, Space> positions{nodes};
-  elasticity::TetArray<Real, Space> tets{test::tets};
-  elasticity::RestShapeArray<Real, Space> rest{test::tets};
+  elasticity::TetArray<Real, Space> tets{force_chain::tets};
+  elasticity::RestShapeArray<Real, Space> rest{force_chain::tets};
   elasticity::IncidenceRangeArray<Real, Space> node_ranges{nodes};
-  elasticity::IncidenceArray<Real, Space> node_tets{4 * test::tets};
-  elasticity::DeformationGradientArray<Real, Space> gradients{test::tets};
-  elasticity::DeformationSvdArray<Real, Space> svds{test::tets};
-  elasticity::StressArray<Real, Space> stresses{test::tets};
-  elasticity::CornerForcesArray<Real, Space> corner_forces{test::tets};
+  elasticity::IncidenceArray<Real, Space> node_tets{4 * force_chain::tets};
+  elasticity::DeformationGradientArray<Real, Space> gradients{force_chain::tets};
+  elasticity::DeformationSvdArray<Real, Space> svds{force_chain::tets};
+  elasticity::StressArray<Real, Space> stresses{force_chain::tets};
+  elasticity::CornerForcesArray<Real, Space> corner_forces{force_chain::tets};
   elasticity::NodeForceArray<Real, Space> forces{nodes};
 };
 
@@ -107,4 +107,4 @@ void expect_the_same_forces(On& on) {
   EXPECT_LT((sum.cwiseAbs() - 1e-5 * nodes * most).maxCoeff(), 0.0) << "forces of a free body cancel: " << sum;
 }
 
-}  // namespace physgen::test
+}  // namespace physgen::test::force_chain

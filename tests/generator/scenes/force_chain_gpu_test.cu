@@ -3,7 +3,7 @@
 
 #include "force_chain_case.h"
 
-namespace physgen::test {
+namespace physgen::test::force_chain {
 namespace {
 
 TEST(ForceChainOnCuda, gives_as_one_step_the_forces_that_its_kernels_give_one_by_one_over_ordinary_arrays) {
@@ -14,4 +14,4 @@ TEST(ForceChainOnCuda, gives_as_one_step_the_forces_that_its_kernels_give_one_by
 }
 
 }  // namespace
-}  // namespace physgen::test
+}  // namespace physgen::test::force_chain

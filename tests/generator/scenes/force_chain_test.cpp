@@ -3,7 +3,7 @@
 
 #include "force_chain_case.h"
 
-namespace physgen::test {
+namespace physgen::test::force_chain {
 namespace {
 
 /// One object at a time.
@@ -34,4 +34,4 @@ TEST(ForceChain, keeps_nothing_of_what_its_tets_kernels_hand_to_each_other) {
 }
 
 }  // namespace
-}  // namespace physgen::test
+}  // namespace physgen::test::force_chain
