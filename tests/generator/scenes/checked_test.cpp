@@ -3,7 +3,7 @@
 
 #include "force_chain_case.h"
 
-namespace physgen::test {
+namespace physgen::test::force_chain {
 namespace {
 
 /// The scene force_chain with its tets' kernels as one step, of which the kernel of stresses is the first: it reads
@@ -47,4 +47,4 @@ TEST(CheckedScene, has_nan_where_a_step_reads_what_is_local_to_it_before_it_is_w
 }
 
 }  // namespace
-}  // namespace physgen::test
+}  // namespace physgen::test::force_chain
