@@ -1,4 +1,6 @@
 """Tests of pictures of layouts, through both commands: python3 layout_picture_test.py PHYSGEN"""
+import contextlib
+import io
 import json
 import pathlib
 import re
@@ -6,10 +8,13 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DRAW = ROOT / "tools" / "report" / "layout_picture.py"
+sys.path.insert(0, str(DRAW.parent))
+sys.dont_write_bytecode = True
 PHYSGEN = sys.argv.pop()
 SCHEMA = """#include <physgen/schema.h>
 using namespace physgen::schema;
@@ -85,6 +90,17 @@ class LayoutPictureTest(unittest.TestCase):
         target = self.folder / "a.png"
         self.assertEqual(self.draw(self.layout("--object", "Node", "--space", "host"), "-o", target), (0, ""))
         self.assertTrue(target.read_bytes().startswith(b"\x89PNG"))
+
+    def test_a_png_higher_than_matplotlib_draws_is_refused(self):
+        import drawing
+        import layout_picture
+
+        target, errors = self.folder / "high.png", io.StringIO()
+        with unittest.mock.patch.object(drawing, "PNG_MOST", 200), contextlib.redirect_stderr(errors):
+            self.assertEqual(layout_picture.main([str(self.layout()), "-o", str(target)]), 2)
+            self.assertEqual(layout_picture.main([str(self.layout()), "-o", str(self.folder / "high.svg")]), 0)
+        self.assertRegex(errors.getvalue(), r"its 4 arrays is \d+ pixels high.* at most 200; write a \.svg, or fewer arrays")
+        self.assertFalse(target.exists())
 
     def test_files_that_physgen_did_not_write_are_refused(self):
         def damaged(change):

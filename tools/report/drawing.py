@@ -10,6 +10,8 @@ from matplotlib import offsetbox  # noqa: E402
 from matplotlib.figure import Figure as Plot  # noqa: E402
 
 INK, MUTED, RULE, PAPER = "#24262b", "#6f7279", "#d8dade", "#ffffff"
+PNG_DPI = 160  # pixels per inch
+PNG_MOST = 2**16 - 1  # pixels of a side that matplotlib draws
 WIDTH = 8.6  # of the page's column [inch]
 _PAGE_COLOURS = {INK: "var(--ink)", MUTED: "var(--muted)", RULE: "var(--rule)", PAPER: "var(--paper)"}
 
@@ -62,7 +64,7 @@ def svg(figure):
     return stream.getvalue()
 
 
-def png(figure, description=None, dpi=160):
+def png(figure, description=None, dpi=PNG_DPI):
     """The figure as a PNG file, `dpi` pixels per inch; the description stands in the file."""
     stream = io.BytesIO()
     metadata = {"Software": None, "Description": description}

@@ -87,6 +87,10 @@ def draw(path, arrays, as_png=False):
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
             raise _refuse(path, f"is damaged ({type(error).__name__}: {error})") from None
         figure = page.finish(y)
+        height = int(figure.get_size_inches()[1] * drawing.PNG_DPI)
+        if as_png and height > drawing.PNG_MOST:
+            raise LayoutError(f"{path}: a picture of its {len(arrays)} arrays is {height} pixels high, and a PNG has at most "
+                              f"{drawing.PNG_MOST}; write a .svg, or fewer arrays: physgen layout --object NAME --space SPACE")  # fmt: skip
         return drawing.png(figure) if as_png else drawing.svg(figure).encode()
 
 
