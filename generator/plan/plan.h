@@ -46,8 +46,8 @@ struct Slot {
   const Record* nested = nullptr;  ///< of the nested object, for Shape::object only
 };
 
-/// The record of one object: what one object takes in memory. It is packed: an array of structs rounds it up to
-/// `alignment`, the tiled layouts do not.
+/// The record of one object: its bytes in memory. It is packed: an array of structs rounds it up to `alignment`, tiles
+/// of two objects to 4 bytes, and larger tiles do not.
 struct Record {
   const model::Object* object = nullptr;
   model::Space space = model::Space::host;

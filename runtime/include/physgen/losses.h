@@ -1,5 +1,5 @@
 // Counts values that storage formats could not hold. Checked builds do so wherever elements are stored, and remember
-// the place of // the first value, in the order of the objects, that is wrong and of the first one that is imprecise.
+// the place of the first value, in the order of the objects, that is wrong and of the first one that is imprecise.
 #pragma once
 
 #include <physgen/config.h>

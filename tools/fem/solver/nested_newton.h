@@ -106,7 +106,7 @@ class NestedNewton : protected SolverParts<On, Types> {
     find_increment(a, level, load);
     on_->run(a.nodes(), MovePrescribed{a.increment.const_view(), a.positions.view()});
   }
-  /// Of a tet's current to its rest volume.
+  /// The smallest ratio of a tet's current volume to its rest volume.
   [[nodiscard]] double smallest_ratio(Arrays& a) {
     on_->reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), a.positions.const_view()}, Min{},
                 StoreSmallestRatio{a.state.view()});
