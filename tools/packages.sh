@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2154
 # The Debian packages that building and checking physgen takes, and how they are installed. tools/dev reads this file, which
 # calls its say, fail and have, and sets $root and $build.
 packages=$root/tools/packages.txt

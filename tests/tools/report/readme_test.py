@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 TOOL = ROOT / "tools" / "report" / "readme_numbers.py"
 sys.path.insert(0, str(TOOL.parent))
 import readme_figures  # noqa: E402
