@@ -53,8 +53,8 @@ class OtherMemory {
   std::set<const clang::Decl*> seen_;
 };
 
-/// What a kernel must not do to be a step of a fused kernel: ask what its index is, make one, do what locals, which
-/// are not arrays, do not allow, or use what cannot be seen.
+/// Finds what keeps a kernel from being a step of a fused kernel: it asks for its index, makes one, does what locals,
+/// which are not arrays, do not allow, or uses what cannot be seen.
 class Unfit : public clang::RecursiveASTVisitor<Unfit> {
  public:
   explicit Unfit(const Names& names) : names_(names) {}
