@@ -8,8 +8,8 @@
 // corner forces of the evaluation, which nobody reads while a system is solved.
 #pragma once
 
-#include <fem/kernels/dp_from_df.h>
 #include <fem/kernels/stiffness.h>
+#include <fem/kernels/stress_differential.h>
 #include <fem/solver/corner_sums.h>
 #include <fem/solver/evaluate_tets.h>
 #include <fem/solver/linear_level.h>
