@@ -40,7 +40,9 @@ class OtherMemory {
     while (type->isArrayType()) type = type->castAsArrayTypeUnsafe()->getElementType();
     if (type->isMemberPointerType()) return "holds a pointer to a member";
     if (type->isPointerType() || type->isReferenceType())
-      return type->getPointeeType().isConstQualified() ? "" : "holds a pointer or a reference to what is no array";
+      return type->getPointeeType().isConstQualified()
+                 ? ""
+                 : "holds a pointer or a reference to something that is not an array";
     const auto* record = type->getAsCXXRecordDecl();
     if (record == nullptr) return {};
     const auto* view = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);

@@ -178,7 +178,8 @@ const std::vector<Wrong> cases = {
       "write the type"}},
     {"no_set",
      scene_of("PHYSGEN_ARRAY() Array<SvdObject, float> svds;"),
-     {"3:41: error: array 'svds' says not how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or per(1) "
+     {"3:41: error: array 'svds' does not say how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or "
+      "per(1) "
       "for one object"}},
     {"a_set_without_a_name",
      scene_of("PHYSGEN_ARRAY(per(\"a tet\")) Array<SvdObject, float> svds;"),
