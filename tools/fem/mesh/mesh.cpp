@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace physgen::fem {
 
@@ -100,7 +101,7 @@ TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets) {
   return mesh;
 }
 
-TetMesh make_box_mesh(Index nx, Index ny, Index nz) {
+TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored) {
   if (nx < 1 || ny < 1 || nz < 1) {
     throw Error("box mesh: cells " + std::to_string(nx) + " x " + std::to_string(ny) + " x " + std::to_string(nz) +
                 "; each count must be at least 1");
@@ -120,11 +121,13 @@ TetMesh make_box_mesh(Index nx, Index ny, Index nz) {
   for (Index z = 0; z < nz; ++z) {
     for (Index y = 0; y < ny; ++y) {
       for (Index x = 0; x < nx; ++x) {
+        const int mirrored_x = x >= mirrored.x ? 1 : 0, mirrored_y = y >= mirrored.y ? 1 : 0;
         for (const auto& path : paths) {
           std::array<Index, 4> tet{};
           for (std::size_t c = 0; c < 4; ++c) {
-            tet[c] = node(x + (path[c] & 1), y + (path[c] >> 1 & 1), z + (path[c] >> 2));
+            tet[c] = node(x + ((path[c] & 1) ^ mirrored_x), y + ((path[c] >> 1 & 1) ^ mirrored_y), z + (path[c] >> 2));
           }
+          if (mirrored_x != mirrored_y) std::swap(tet[1], tet[2]);  // a mirror turns volumes negative
           tets.push_back(tet);
         }
       }
