@@ -1,4 +1,4 @@
-// What the 3x3 SVD must fulfil on ordinary and hard matrices, written once for SIMD packs, single numbers and CUDA:
+// Requirements on the 3x3 SVD of ordinary and hard matrices, written once for SIMD packs, single numbers and CUDA:
 // type-parameterised tests, instantiated by svd_test.cpp and svd_gpu_test.cu. parallel_for is included by those files.
 #pragma once
 

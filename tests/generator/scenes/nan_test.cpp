@@ -13,7 +13,7 @@ namespace {
 
 using Objects = std::set<index_t>;
 
-/// What the need report says of every field of an array of numbers: whether something reads it.
+/// The need report's word on every field of an array of numbers: whether something reads it.
 std::map<std::pair<std::string, std::string>, bool> reads() {
   std::ifstream in(PHYSGEN_NEEDS);
   const auto json = nlohmann::json::parse(in);
