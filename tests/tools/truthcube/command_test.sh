@@ -130,7 +130,7 @@ case $rule in
   plates_with_contact_push_sides_back)
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 --out held
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 --plates contact --out contact
-    expect out 'free sides reach 0[.]0[0-9]+ mm past the plates; the upper one pushes them back with [0-9.]+ N'
+    expect out 'reach 0[.]0[0-9]+ mm past the plates; the lower one pushes them back with [0-9.]+ N, the upper one with [0-9.]+ N'
     awk -v a="$(number_of past_plates held/run.json)" -v b="$(number_of past_plates contact/run.json)" \
       'BEGIN { exit !(b > 0 && b < 1e-4 && b < a / 10) }' || fail 'past the plates'
     awk -v a="$(number_of reaction held/run.json)" -v b="$(number_of reaction contact/run.json)" \
@@ -141,6 +141,8 @@ case $rule in
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 --plates contact --plate-stiffness 1000 --out stiff
     awk -v a="$(number_of past_plates contact/run.json)" -v b="$(number_of past_plates stiff/run.json)" \
       'BEGIN { exit !(b < a / 2) }' || fail 'stiffness'
+    expect_exit 0 --cells 8 --threads 1 --top frictionless --compress 0.5 --plates contact
+    expect out 'past the plates; the lower one pushes them back with [0-9.]+ N, the upper one with 0 N'
     expect_exit 1 --cells 8 --threads 1 --compress 0.45 0.5 --out contact --restart
     expect err 'plates: .*contact.*, .*held'
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 0.5 --plates contact --out contact --restart
