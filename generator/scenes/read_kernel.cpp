@@ -40,7 +40,9 @@ class OtherMemory {
     while (type->isArrayType()) type = type->castAsArrayTypeUnsafe()->getElementType();
     if (type->isMemberPointerType()) return "holds a pointer to a member";
     if (type->isPointerType() || type->isReferenceType())
-      return type->getPointeeType().isConstQualified() ? "" : "holds a pointer or a reference to what is no array";
+      return type->getPointeeType().isConstQualified()
+                 ? ""
+                 : "holds a pointer or a reference to something that is not an array";
     const auto* record = type->getAsCXXRecordDecl();
     if (record == nullptr) return {};
     const auto* view = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
@@ -53,8 +55,8 @@ class OtherMemory {
   std::set<const clang::Decl*> seen_;
 };
 
-/// What a kernel must not do to be a step of a fused kernel: ask what its index is, make one, do what locals, which
-/// are not arrays, do not allow, or use what cannot be seen.
+/// Finds what keeps a kernel from being a step of a fused kernel: it asks for its index, makes one, does what locals,
+/// which are not arrays, do not allow, or uses what cannot be seen.
 class Unfit : public clang::RecursiveASTVisitor<Unfit> {
  public:
   explicit Unfit(const Names& names) : names_(names) {}

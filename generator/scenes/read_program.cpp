@@ -22,7 +22,7 @@ namespace {
 
 using usage::Names;
 
-/// What executors are asked for: run, reduce, repeat, ...; empty: it is no call of an executor.
+/// The function of an executor that is called: run, reduce, repeat, ...; empty: it is not a call of an executor.
 std::string asked(const clang::CallExpr& call) {
   const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call.getDirectCallee());
   return method != nullptr && Names::is_physgen(method->getParent(), "ProbeExecutor") ? method->getNameAsString() : "";

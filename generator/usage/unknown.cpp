@@ -79,7 +79,7 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
       unknown(object_of(*call)->getType(), "data()", place_of(*call));
     return true;
   }
-  /// Of a function that is not called here, but by whoever gets its address.
+  /// Looks at a function that is not called here, but by whoever gets its address.
   bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(named->getDecl());
         function != nullptr && called_.count(named) == 0)
@@ -194,7 +194,7 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
           unknown(argument, name_of_type, location);
     }
   }
-  /// What a std::any holds is known by its type alone.
+  /// The content of a std::any is known by its type alone.
   void any(const clang::FunctionDecl& callee, clang::SourceLocation location) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&callee);
     const clang::NamedDecl& named =

@@ -22,7 +22,7 @@ class UnknownUses {
   /// @param code a function of the program, whose body and initializers are looked through, or a variable
   void look_through(const clang::Decl& code);
 
-  /// What has been found in all of them.
+  /// The finds in all of them.
   /// @param is_called_by_libraries of a function
   [[nodiscard]] std::vector<UnknownUse> found(
       const std::function<bool(const clang::FunctionDecl&)>& is_called_by_libraries);

@@ -199,7 +199,7 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
     return true;
   }
 
-  /// What the end of an object's life does behind the body of its destructor.
+  /// Follows the end of an object's life behind the body of its destructor.
   void members_of(const clang::CXXDestructorDecl& destructor) {
     for (const auto& base : destructor.getParent()->bases()) destroys(base.getType(), destructor.getLocation());
     for (const auto* member : destructor.getParent()->fields()) destroys(member->getType(), destructor.getLocation());

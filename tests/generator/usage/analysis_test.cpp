@@ -131,7 +131,7 @@ TEST(UsageOfKernels, has_places_in_the_kernels_own_source) {
   EXPECT_EQ(parts->arrays, (std::vector<std::string>{"ComputeSvdParts.gradients", "ComputeSvdParts.left",
                                                      "ComputeSvdParts.stretches"}));
   EXPECT_TRUE(parts->fields[0].whole_object) << "gradients.get(i)";
-  const StepUse* differential = step(usage, "physgen::fem::ForceDifferential");
+  const StepUse* differential = step(usage, "physgen::fem::ComputeForceDifferentials");
   ASSERT_NE(differential, nullptr);
   for (const FieldUse& use : differential->fields) {
     EXPECT_FALSE(use.whole_object) << use.field;

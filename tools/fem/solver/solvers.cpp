@@ -117,7 +117,7 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
 
 namespace {
 
-/// What a scene is declared with.
+/// The choices that a scene is declared with.
 struct DeclaredScene {
   const char* name;
   const char* material;
