@@ -61,19 +61,19 @@ __global__ void __launch_bounds__(inverse_side* inverse_side)
   const DenseEntries<InverseView> far{n, inverse};
   put_stiffness(n, edges, stiffness, far, side * ty + tx, side * side);
   Real own[tiles][tiles];
-  const auto each_far = [&](const auto& use) {
+  const auto each_entry = [&](const auto& use) {
     PHYSGEN_UNROLL
     for (int a = 0; a < tiles; ++a) {
       PHYSGEN_UNROLL
       for (int b = 0; b < tiles; ++b) {
         const int r = ty + side * a, c = tx + side * b;
-        if (r < size && c < size) use(own[a][b], far(r, c));
+        if (r < size && c < size) use(own[a][b], r, c);
       }
     }
   };
   PHYSGEN_UNROLL
   for (int k = 0; k < tiles * tiles; ++k) own[k / tiles][k % tiles] = Real(0);
-  each_far([](Real& mine, auto&& entry) { mine = entry; });
+  each_entry([&](Real& mine, int r, int c) { mine = far(r, c); });
   PHYSGEN_UNROLL
   for (int tile = 0; tile < tiles; ++tile) {
     for (int k = 0; k < side && side * tile + k < size; ++k) {
@@ -103,7 +103,7 @@ __global__ void __launch_bounds__(inverse_side* inverse_side)
       }
     }
   }
-  each_far([](const Real& mine, auto&& entry) { entry = mine; });
+  each_entry([&](const Real& mine, int r, int c) { far(r, c) = mine; });
 }
 
 /// The same of a matrix that stays where it is stored, by 32 x 32 threads.

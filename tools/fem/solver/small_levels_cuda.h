@@ -189,11 +189,16 @@ bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSe
   using Small = detail::SmallLevels<LevelViews<Level>>;
   const Small small{detail::level_views(levels, l, std::make_index_sequence<detail::most_small_levels>()), count,
                     settings};
-  const auto kernel = detail::run_small_levels<LevelViews<Level>>;
-  static const unsigned blocks = detail::blocks_of_cluster(kernel);
+  static const unsigned blocks = detail::blocks_of_cluster(detail::run_small_levels<LevelViews<Level>>);
   on.perform([&](Stream stream) {
-    const detail::ClusterLaunch launch(blocks, stream);
-    cuda::check(cudaLaunchKernelEx(&launch.config, kernel, small), "launching the small levels of a cycle");
+    if (blocks == 1) {
+      detail::run_small_levels<LevelViews<Level>><<<1, detail::small_level_threads, 0, stream>>>(small);
+      cuda::check(cudaGetLastError(), "launching the small levels of a cycle");
+    } else {
+      const detail::ClusterLaunch launch(blocks, stream);
+      cuda::check(cudaLaunchKernelEx(&launch.config, detail::run_small_levels<LevelViews<Level>>, small),
+                  "launching the small levels of a cycle");
+    }
   });
   return true;
 }
