@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <physgen/fuse.h>
 #include <physgen/kernel.h>
+#include <physgen/math.h>
 #include <physgen/parallel_for.h>
+#include <physgen/row_arrays.h>
 
 #include "test_objects.h"
 
@@ -151,7 +153,50 @@ struct ReadOne {
 template <class From, class To>
 ReadOne(int, From, To) -> ReadOne<From, To>;
 
+/// to[i] = the sum of from[entry] over row i
+template <class Rows, class From, class To>
+struct SumRow {
+  using Scalar = float;
+  Rows rows;
+  From from;
+  To to;
+  template <class I>
+  void operator()(I i) const {
+    using S = lanes_t<float, I>;
+    to[i].volume() = rows.sum(i, S(0.0F), [this](const auto& entry) -> S {
+      const lanes_t<std::int32_t, I> object = entry.element();
+      return from[object].volume();
+    });
+  }
+};
+template <class Rows, class From, class To>
+SumRow(Rows, From, To) -> SumRow<Rows, From, To>;
+
+/// to[entry] += from[i] for each entry of row i; where `all` lanes add, those whose rows have ended do, too.
+template <class Rows, class From, class To>
+struct AddToRow {
+  using Scalar = float;
+  bool all;
+  Rows rows;
+  From from;
+  To to;
+  template <class I>
+  void operator()(I i) const {
+    using S = lanes_t<float, I>;
+    const S value = from[i].volume();
+    rows.for_each(i, [&](const auto& entry, const auto& active) {
+      const lanes_t<std::int32_t, I> object = entry.element();
+      using math::select;
+      add(i, to[object].volume(), all ? value : S(select(active, value, S(0.0F))));
+    });
+  }
+};
+template <class Rows, class From, class To>
+AddToRow(bool, Rows, From, To) -> AddToRow<Rows, From, To>;
+
 struct Races : testing::Test {
+  using Rows = RowArrays<elasticity::IncidenceRangeArray<float>, elasticity::IncidenceArray<float>>;
+
   elasticity::RestShapeArray<float> first{shapes}, between{shapes}, last{shapes}, distances{shapes}, none{shapes};
 
   Races() {
@@ -159,6 +204,14 @@ struct Races : testing::Test {
       first.view()[i].volume() = static_cast<float>(i);
       distances.view()[i].volume() = none.view()[i].volume() = 0;
     }
+  }
+  /// Rows of 0 to 3 entries that name their own object, but for the last one of row 41.
+  static Rows own_rows(std::int32_t last_of_41) {
+    std::vector<std::vector<Rows::Value>> rows(shapes);
+    for (std::int32_t i = 0; i < shapes; ++i)
+      for (std::int32_t k = 0; k < (i + 2) % 4; ++k) rows[static_cast<std::size_t>(i)].push_back({i, k});
+    rows[41].back().element = last_of_41;
+    return Rows::from_lists({"element", shapes}, rows);
   }
   template <class... Step>
   std::string of(const Step&... step) {
@@ -213,6 +266,48 @@ TEST_F(Races, are_of_elements_not_of_objects_or_fields) {
   EXPECT_EQ(of(store, ReadOne{8, between.const_view(), between.view()}), "nothing was thrown");
   const std::string found = of(store, ReadOne{0, between.const_view(), between.view()});
   EXPECT_NE(found.find("field dm_inverse of object 0: ReadOne reads it for object "), std::string::npos) << found;
+}
+
+TEST_F(Races, are_none_of_lanes_whose_rows_have_ended_and_are_of_those_whose_rows_have_not) {
+  const Copy copy{first.const_view(), between.view()};
+  for (const bool sums : {false, true}) {
+    const auto found = [&](const Rows& rows, bool all) {
+      return sums ? of(AddToRow{all, rows.const_view(), first.const_view(), between.view()},
+                       Copy{between.const_view(), last.view()})
+                  : of(copy, SumRow{rows.const_view(), between.const_view(), last.view()});
+    };
+    EXPECT_EQ(found(own_rows(41), false), "nothing was thrown");
+    const std::string race = found(own_rows(43), false);
+    EXPECT_NE(race.find("field volume of object 43: "), std::string::npos) << race;
+    EXPECT_NE(race.find(sums ? "AddToRow adds to it for object 41" : "SumRow reads it for object 41"),
+              std::string::npos)
+        << race;
+    if (sums) {
+      EXPECT_NE(found(own_rows(41), true).find("AddToRow adds to it for object "), std::string::npos)
+          << "what a lane adds although its row has ended is there";
+    }
+  }
+}
+
+TEST(RacesOfViews, are_found_behind_the_objects_of_a_shorter_view_of_the_same_array) {
+  constexpr index_t many = 2'000'000, few = 32;  // so far behind what a shorter one needs, no memory is
+  elasticity::RestShapeArray<float> shapes_of(many), last(few), distances(few);
+  for (index_t i = 0; i < few; ++i) {
+    distances.view()[i].volume() = static_cast<float>(many - few);
+    shapes_of.view()[i].volume() = static_cast<float>(i);
+    shapes_of.view()[many - few + i].volume() = static_cast<float>(2 * i);
+  }
+  const auto whole = shapes_of.view();
+  const decltype(whole) beginning(whole.data(), few, whole.pitch(), whole.losses());
+  const Copy first_step{beginning, last.view()};
+  const CopyOther far{distances.const_view(), whole, last.view()};
+  EXPECT_EQ(message_of([&] { parallel_for(Host{}, few, fuse(locals(), first_step, far)); }), "nothing was thrown");
+  for (index_t i = 0; i < few; ++i) EXPECT_EQ(last.view()[i].volume(), static_cast<float>(2 * i));
+  const Copy writes_it{last.const_view(), whole};
+  const auto of_end = [&] { parallel_for(Host{}, few, fuse(locals(), first_step, far, writes_it)); };
+  EXPECT_NO_THROW(of_end()) << "it writes the beginning, and others read the end";
+  distances.view()[index_t{5}].volume() = 9;
+  EXPECT_NE(message_of(of_end).find("field volume of object 14: "), std::string::npos) << message_of(of_end);
 }
 
 TEST(RacesOfThreads, are_found_between_objects_of_different_threads) {

@@ -26,7 +26,8 @@ struct LevelCounts {
 };
 
 /// Of the levels that make_cube_levels(cells, ...) would make, without making them: each count is a polynomial of
-/// degree 3 in the cells of a side, whose coefficients come from four small cubes. @pre cells >= 1
+/// degree 3 in the cells of a side, whose coefficients come from four small cubes, unless the cube itself is small.
+/// @pre cells >= 1
 [[nodiscard]] std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume);
 
 /// Of given levels. Takes about a third of the solver's set-up.

@@ -26,14 +26,17 @@ using FormatsOf = typename Object::template Formats<PerSpace<Space, Host, Cuda>>
 
 /// @tparam Object_ a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double: the precision of the scene
-/// @tparam Space Host, PinnedHost or Cuda
-/// @tparam Layout Aos, AosPadded, Soa or Aosoa<W>
+/// @tparam Space_ Host, PinnedHost or Cuda
+/// @tparam Layout_ Aos, AosPadded, Soa or Aosoa<W>
 /// @tparam Formats_ how the fields are stored: what the schema says for the space, or a struct derived from it that
 /// redeclares some: `struct Compact : DeformationSvdFormats<Cuda> { using U = format::Quaternion<>; };`
-template <class Object_, class Real, class Space, class Layout, class Formats_ = FormatsOf<Object_, Space>>
+template <class Object_, class Real, class Space_, class Layout_, class Formats_ = FormatsOf<Object_, Space_>>
 class Array {
  public:
   using Object = Object_;
+  using Precision = Real;
+  using Space = Space_;
+  using Layout = Layout_;
   using Formats = Formats_;
   using View = physgen::View<Object, Real, Layout, Formats, Space>;
   using ConstView = physgen::View<Object, const Real, Layout, Formats, Space>;

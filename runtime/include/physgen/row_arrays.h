@@ -146,7 +146,7 @@ class RowArrays {
 
  private:
   template <class Given>
-  using HostForm = Array<typename Given::Object, typename Given::View::Precision, Host, Aos, typename Given::Formats>;
+  using HostForm = Array<typename Given::Object, typename Given::Precision, Host, Aos, typename Given::Formats>;
   using HostRanges = HostForm<Ranges>;
   using HostEntries = HostForm<Entries>;
   static constexpr std::string_view name = Entries::Object::name;

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "probe_kernels.h"
+#include "kernels/probe_kernels.h"
 #include "usage/analyse.h"
 
 namespace physgen::usage {

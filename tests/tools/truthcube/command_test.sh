@@ -123,13 +123,13 @@ case $rule in
     expect out 'bytes per node'
     expect out 'reaction -[0-9.]+ N' ;;
   sides_that_fold_past_the_plates_are_said)
-    expect_exit 0 --cells 8 --threads 1 --compress 0.3 0.4
+    expect_exit 0 --cells 8 --threads 1 --compress 0.4 0.45
     expect out 'free sides reach [0-9.]+ mm past the plates'
     expect_exit 0 --cells 8 --threads 1 --top frictionless --compress 0.05
     expect_no out 'free sides reach' ;;
   plates_with_contact_push_sides_back)
-    expect_exit 0 --cells 8 --threads 1 --compress 0.4 --out held
-    expect_exit 0 --cells 8 --threads 1 --compress 0.4 --plates contact --out contact
+    expect_exit 0 --cells 8 --threads 1 --compress 0.45 --out held
+    expect_exit 0 --cells 8 --threads 1 --compress 0.45 --plates contact --out contact
     expect out 'free sides reach 0[.]0[0-9]+ mm past the plates; the upper one pushes them back with [0-9.]+ N'
     awk -v a="$(number_of past_plates held/run.json)" -v b="$(number_of past_plates contact/run.json)" \
       'BEGIN { exit !(b > 0 && b < 1e-4 && b < a / 10) }' || fail 'past the plates'
@@ -138,13 +138,13 @@ case $rule in
     expect contact/run.json '"plates": "contact"'
     expect contact/run.json '"plate_stiffness": 100'
     expect held/run.json '"plates": "held"'
-    expect_exit 0 --cells 8 --threads 1 --compress 0.4 --plates contact --plate-stiffness 1000 --out stiff
+    expect_exit 0 --cells 8 --threads 1 --compress 0.45 --plates contact --plate-stiffness 1000 --out stiff
     awk -v a="$(number_of past_plates contact/run.json)" -v b="$(number_of past_plates stiff/run.json)" \
       'BEGIN { exit !(b < a / 2) }' || fail 'stiffness'
-    expect_exit 1 --cells 8 --threads 1 --compress 0.4 0.45 --out contact --restart
+    expect_exit 1 --cells 8 --threads 1 --compress 0.45 0.5 --out contact --restart
     expect err 'plates: .*contact.*, .*held'
-    expect_exit 0 --cells 8 --threads 1 --compress 0.4 0.45 --plates contact --out contact --restart
-    expect_exit 0 --cells 8 --threads 1 --compress 0.4 0.45 --plates contact --out whole
+    expect_exit 0 --cells 8 --threads 1 --compress 0.45 0.5 --plates contact --out contact --restart
+    expect_exit 0 --cells 8 --threads 1 --compress 0.45 0.5 --plates contact --out whole
     for file in beads.csv checkpoint.h5; do expect_same whole/$file contact/$file; done ;;
   quiet_prints_nothing)
     for flags in "--quiet --out o" "-q --dry-run" "-q --restart --out o"; do

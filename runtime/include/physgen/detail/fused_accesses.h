@@ -57,6 +57,7 @@ template <class Step>
 /// What one launch did to one array.
 class ArrayAccesses {
  public:
+  /// @param size objects of the array, of which a view may have fewer
   ArrayAccesses(std::string_view object, std::span<const FieldInfo> fields, index_t size, int record_bytes)
       : object_(object), fields_(fields) {
     for (const FieldInfo& field : fields)
@@ -150,11 +151,10 @@ class FusedAccesses {
     known = {number_, losses, entry->second.get()};
     return known.accesses;
   }
-  void add(const Losses* losses, std::string_view object, std::span<const FieldInfo> fields, index_t size,
-           int record_bytes) {
+  void add(const Losses* losses, std::string_view object, std::span<const FieldInfo> fields, int record_bytes) {
     const std::lock_guard lock(mutex_);
     std::unique_ptr<ArrayAccesses>& accesses = arrays_[losses];
-    if (!accesses) accesses = std::make_unique<ArrayAccesses>(object, fields, size, record_bytes);
+    if (!accesses) accesses = std::make_unique<ArrayAccesses>(object, fields, losses->objects, record_bytes);
   }
 
  private:
@@ -175,7 +175,8 @@ struct RunningStep {
   index_t begin = 0;  ///< of lane 0
   LaneRange range{0, 0};
   int width = 0;
-  int step = -1;  ///< none: no fused kernel runs
+  std::uint64_t used = ~std::uint64_t{0};  ///< bits of the lanes for which it runs; what others find is not used
+  int step = -1;                           ///< none: no fused kernel runs
 
   [[nodiscard]] bool watched() const { return launch != nullptr && step >= 0; }
 };
@@ -199,14 +200,20 @@ template <class Step>
   here.step = number_of_step<Step>();
   return here;
 }
+/// The same step, for those of its lanes whose bits are set.
+[[nodiscard]] inline RunningStep of_lanes(std::uint64_t lanes) {
+  RunningStep here = running_step;
+  here.used &= lanes;
+  return here;
+}
 
 /// Makes an array known to the launch whose fused kernel looks at objects of it. @param losses null: of no array
 template <class View>
-void watch_array(const Losses* losses, index_t size) {
+void watch_array(const Losses* losses) {
   if (losses == nullptr || !running_step.watched() || running_step.launch->find(losses) != nullptr) return;
   using Object = typename View::Object;
   running_step.launch->add(losses, Object::name,
-                           Object::template fields<typename View::Precision, typename View::Formats>, size,
+                           Object::template fields<typename View::Precision, typename View::Formats>,
                            View::Record::bytes);
 }
 

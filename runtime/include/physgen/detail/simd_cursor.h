@@ -201,9 +201,9 @@ class SimdCursor : protected LossSink {
     static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
                   "add() needs a field that is stored as it is computed: give it the format Native");
     for (int e = 0; e < kCount; ++e) {
-      note_sum(range, offset + (k + e) * int{sizeof(T)});
       alignas(64) std::array<T, W> lanes;
       values[e].store_aligned(lanes.data());
+      note_sum(range, offset + (k + e) * int{sizeof(T)}, lanes);
       for (int l = range.first; l < range.last; ++l) {
         auto* to = self().template address<T>(offset + (k + e) * int{sizeof(T)}, l);
         static_assert(!std::is_const_v<std::remove_pointer_t<decltype(to)>>, "this array is read-only here");
@@ -248,20 +248,27 @@ class SimdCursor : protected LossSink {
     note_lanes<W>(access, this->losses(), this->offset() + offset, lanes,
                   [&](int l) { return this->object() + self().further(l); });
   }
-  void note_read(int offset) const { note(FusedAccess::read, offset, all_lanes); }
+  void note_read(int offset) const { note(FusedAccess::read, offset, running_step.used); }
   template <class Format, class T>
   void note_write(int offset, int k, std::uint64_t lanes) const {
     if constexpr (!format::StoresNothing<Format>)
       note(FusedAccess::write, offset + k * int{sizeof(typename Format::template Stored<T>)}, lanes);
   }
-  void note_sum(LaneRange range, int offset) const {
-    note(FusedAccess::add, offset, all_lanes >> (W - (range.last - range.first)) << range.first);
+  // A lane that is not used adds zeros, which change nothing.
+  template <class T>
+  void note_sum(LaneRange range, int offset, const std::array<T, W>& values) const {
+    std::uint64_t lanes = 0;
+    for (int l = range.first; l < range.last; ++l)
+      if ((running_step.used >> l & 1) != 0 || values[static_cast<std::size_t>(l)] != T(0))
+        lanes |= std::uint64_t{1} << l;
+    note(FusedAccess::add, offset, lanes);
   }
 #else
   void note_read(int /*offset*/) const {}
   template <class Format, class T>
   void note_write(int /*offset*/, int /*k*/, std::uint64_t /*lanes*/) const {}
-  void note_sum(LaneRange /*range*/, int /*offset*/) const {}
+  template <class T>
+  void note_sum(LaneRange /*range*/, int /*offset*/, const std::array<T, W>& /*values*/) const {}
 #endif
 
   template <class Format, class T>

@@ -11,7 +11,7 @@ import unittest
 import unittest.mock
 import xml.etree.ElementTree
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 DRAW = ROOT / "tools" / "report" / "layout_picture.py"
 sys.path.insert(0, str(DRAW.parent))
 sys.dont_write_bytecode = True

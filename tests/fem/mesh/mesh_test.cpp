@@ -32,8 +32,8 @@ TEST(BoxMesh, fills_the_box_with_tets_of_equal_positive_volume) {
   for (const auto& tet : cube.mesh.tets) EXPECT_NEAR(edges_of(tet, cube.rest).determinant(), cell, 1e-12 * cell);
 }
 
-TEST(BoxMesh, is_conforming) {
-  const TetMesh mesh = make_box_mesh(3, 4, 2);
+// Of a mesh no face of which belongs to more than two tets.
+int boundary_faces(const TetMesh& mesh) {
   std::map<std::array<Index, 3>, int> faces;
   for (const auto& tet : mesh.tets) {
     for (std::size_t skip = 0; skip < 4; ++skip) {
@@ -47,10 +47,45 @@ TEST(BoxMesh, is_conforming) {
   }
   int boundary = 0;
   for (const auto& [face, count] : faces) {
-    ASSERT_LE(count, 2);
+    EXPECT_LE(count, 2);
     boundary += count == 1;
   }
-  EXPECT_EQ(boundary, 2 * 2 * (3 * 4 + 3 * 2 + 4 * 2));
+  return boundary;
+}
+
+TEST(BoxMesh, is_conforming) {
+  for (const MirroredFrom& mirrored : {MirroredFrom{}, {1, 2, 1}, {2, 5, 0}, {0, 0, 0}, {3, 4, 1}}) {
+    EXPECT_EQ(boundary_faces(make_box_mesh(3, 4, 2, mirrored)), 2 * 2 * (3 * 4 + 3 * 2 + 4 * 2));
+  }
+}
+
+TEST(BoxMesh, is_its_own_mirror_image_where_half_of_its_cells_are_mirrored_along_each_axis) {
+  constexpr Index nx = 4, ny = 6, nz = 2;
+  const auto tets_of = [](const TetMesh& mesh, const auto& place) {
+    std::set<std::array<Index, 4>> tets;
+    for (std::array<Index, 4> tet : mesh.tets) {
+      for (Index& node : tet) node = place(node % (nx + 1), node / (nx + 1) % (ny + 1), node / (nx + 1) / (ny + 1));
+      std::ranges::sort(tet);
+      tets.insert(tet);
+    }
+    return tets;
+  };
+  const auto node = [](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
+  const auto across_x = [&](Index x, Index y, Index z) { return node(nx - x, y, z); };
+  const auto across_y = [&](Index x, Index y, Index z) { return node(x, ny - y, z); };
+  const auto across_z = [&](Index x, Index y, Index z) { return node(x, y, nz - z); };
+  const TetMesh mesh = make_box_mesh(nx, ny, nz, {nx / 2, ny / 2, nz / 2}), plain = make_box_mesh(nx, ny, nz);
+  EXPECT_EQ(tets_of(mesh, node), tets_of(mesh, across_x));
+  EXPECT_EQ(tets_of(mesh, node), tets_of(mesh, across_y));
+  EXPECT_EQ(tets_of(mesh, node), tets_of(mesh, across_z));
+  EXPECT_NE(tets_of(plain, node), tets_of(plain, across_x));
+  EXPECT_NE(tets_of(plain, node), tets_of(plain, across_y));
+  EXPECT_NE(tets_of(plain, node), tets_of(plain, across_z));
+  std::vector<Point> rest;
+  for (Index n = 0; n < mesh.nodes; ++n) {
+    rest.push_back({double(n % (nx + 1)), double(n / (nx + 1) % (ny + 1)), double(n / (nx + 1) / (ny + 1))});
+  }
+  for (const auto& tet : mesh.tets) EXPECT_NEAR(edges_of(tet, rest).determinant(), 1, 1e-12);
 }
 
 TEST(BoxMesh, lists_every_edge_once_in_order) {

@@ -14,7 +14,7 @@ import unittest
 import unittest.mock
 
 sys.dont_write_bytecode = True
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 REPORT = ROOT / "tools" / "report"
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
 sys.path.insert(0, str(REPORT))

@@ -55,6 +55,9 @@ TEST(BoxParents, are_edges_of_the_coarse_box_whose_midpoints_are_the_fine_nodes)
     SCOPED_TRACE(testing::Message() << nx << " x " << ny << " x " << nz);
     const auto coarse = reference::box(nx, ny, nz, {2, 2, 2}), fine = reference::box(2 * nx, 2 * ny, 2 * nz);
     expect_parents(coarse.mesh, coarse.rest, box_parents(nx, ny, nz), fine.rest);
+    const MirroredFrom mirrored{nx / 2, ny - 1, nz / 2};
+    const TetMesh other = make_box_mesh(nx, ny, nz, mirrored);
+    expect_parents(other, coarse.rest, box_parents(nx, ny, nz, mirrored), fine.rest);
   }
 }
 

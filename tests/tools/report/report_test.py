@@ -11,7 +11,7 @@ sys.dont_write_bytecode = True
 import report_test_rows  # noqa: E402
 from report_page import SECTIONS, Page, report, report_of_a_process, report_of_words  # noqa: E402
 
-TOOL = pathlib.Path(__file__).resolve().parents[2] / "tools" / "report"
+TOOL = pathlib.Path(__file__).resolve().parents[3] / "tools" / "report"
 CHECKED_IN = sorted(str(path) for path in (TOOL / "results").glob("*.json"))
 
 sys.path.insert(0, str(TOOL))

@@ -7,7 +7,7 @@ import math
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "report"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "tools" / "report"))
 import sources  # noqa: E402
 
 TETS, NODES, HOST_TETS = 8388608, 1442897, 1048576

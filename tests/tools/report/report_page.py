@@ -8,7 +8,7 @@ import sys
 import unittest.mock
 from html.parser import HTMLParser
 
-TOOL = pathlib.Path(__file__).resolve().parents[2] / "tools" / "report"
+TOOL = pathlib.Path(__file__).resolve().parents[3] / "tools" / "report"
 sys.path.insert(0, str(TOOL))
 import drawing  # noqa: E402
 import report as tool  # noqa: E402

@@ -136,7 +136,7 @@ using OwnObject = elasticity::StressDerivativeObject;
 template <class Array>
 std::vector<std::vector<std::byte>> stored_elements(const Array& array) {
   using Same =
-      physgen::Array<typename Array::Object, typename Array::View::Precision, Host, Aos, typename Array::Formats>;
+      physgen::Array<typename Array::Object, typename Array::Precision, Host, Aos, typename Array::Formats>;
   Same records(array.size());
   copy(records, array);
   synchronize();
