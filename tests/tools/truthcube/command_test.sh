@@ -74,6 +74,9 @@ case $rule in
     expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
     expect_refused "--poisson -1: Poisson's ratio is" --poisson -1
     expect_refused "--poisson nan: Poisson's ratio is" --poisson nan
+    expect_exit 1 --cells 4 --young 1e30 --compress 0.1 --out o
+    expect err "a Young's modulus of 1e[+]30 Pa over tets of 0.02 m leaves what single precision holds: take double precision"
+    expect_exit 0 --cells 4 --young 1e30 --compress 0.1 --precision double
     expect_refused "--young 0: Young's modulus is" --young 0
     expect_refused '--compress .* 1 does not fit behind 0' --compress 1
     expect_refused '--compress .* 0.05 does not fit behind 0.1' --compress 0.1 0.05
@@ -154,6 +157,27 @@ case $rule in
       expect_exit 0 "${small[@]}" $flags
       [[ ! -s out && ! -s err ]] || fail "output of $flags"
     done ;;
+  output_that_cannot_be_written_is_said)
+    : >out
+    for flags in --help "--dry-run" "${small[*]} --compress 0.02 --out o"; do
+      got=0
+      # shellcheck disable=SC2086
+      "$program" $flags >/dev/full 2>err || got=$?
+      ((got == 1)) || fail "exit $got of $flags"
+      expect err '^truthcube: cannot write all of the standard output; is there room where it goes[?]$'
+    done
+    [[ $(wc -l <o/beads.csv) == 344 ]] || fail 'no files' ;;
+  closed_standard_streams_do_not_become_files)
+    mkdir o
+    touch o/run.lock # the first file that a run opens, which it removes
+    ln o/run.lock kept
+    stdbuf -o0 "$program" "${small[@]}" --compress 0.02 --out o >&- 2>err || fail 'no success'
+    : >out
+    expect kept '^process [0-9]+'
+    expect_no kept 'reaction|residual' ;;
+  the_command_in_the_record_can_be_typed_again)
+    expect_exit 0 "${small[@]}" --compress 0.02 --out "it's a folder"
+    expect "it's a folder/run.json" '"command": "truthcube --cells 4 --threads 1 --compress 0.02 --out '"'it'.{2}''s a folder'"'"' ;;
   a_terminal_has_a_bar_during_set_up)
     script -qec "'$program' --cells 4 --threads 1 --compress 0.02" /dev/null >out 2>err || fail 'no success'
     expect out '#\.*\] set-up, 4 of 4: the solver'
