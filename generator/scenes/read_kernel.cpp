@@ -60,9 +60,8 @@ class OtherMemory {
   std::set<const clang::Decl*> seen_;
 };
 
-/// Finds what keeps a kernel from being a step of a fused kernel: it asks for its index, makes one, does what locals,
-/// which are not arrays, do not allow, or uses what cannot be seen. Functions of libraries are looked through for those
-/// of the program that they call, such as those that std::invoke() is given.
+/// Finds what keeps a kernel from being a step of a fused kernel: it asks for its index, makes one, does what locals do
+/// not allow, or uses what cannot be seen; also in functions of its own that libraries call, such as std::invoke().
 class Unfit : public clang::RecursiveASTVisitor<Unfit> {
  public:
   explicit Unfit(Names& names) : names_(names) {}
