@@ -63,7 +63,7 @@ std::optional<Field> field_of(const Constant& info) {
   Field field;
   const auto name = text_of(info.member("name"));
   const Constant type = info.member("type");
-  const auto type_name = frontend::enumerator(type.value, type.type);
+  const auto type_name = type.enumerator();
   if (!name || !type_name) return std::nullopt;
   field.name = without_entries(*name);
   field.type = *type_name;

@@ -29,6 +29,13 @@ class UnknownUses {
 
  private:
   class Finder;
+  class Memory;
+
+  static constexpr const char* address = "the address of an element, behind which lie others,";
+
+  /// Of all arrays in a type.
+  void add(clang::QualType type, const char* what, clang::SourceLocation location);
+  void look_for_memory(const clang::Decl& code);
 
   /// A call of a function of the program that may return `*&view[i].m()` as a reference: where that is returned, too,
   /// or where more may be done with it than to use the one element.
