@@ -28,7 +28,7 @@ namespace contact {
 
 // ---- NodeArea -------------------------------------------------------------------------------------------------------
 
-/// What a node carries of the surface of the body: a third of each boundary face that it is a corner of.
+/// The part of the body's surface that a node carries: a third of each boundary face that it is a corner of.
 template <class Real>
 struct NodeArea {
   /// at rest; 0 inside the body [m^2]

@@ -138,7 +138,7 @@ static_assert(physgen::are_sound_records<NodeVelocityObject, physgen::Host>({12,
 
 // ---- Motion ---------------------------------------------------------------------------------------------------------
 
-/// What the nodes' velocities amount to; one object, which kernels leave for the host.
+/// The sums of the nodes' velocities; one object, which kernels leave for the host.
 template <class Real>
 struct Motion {
   /// kinetic energy [J]

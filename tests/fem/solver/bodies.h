@@ -60,6 +60,17 @@ inline Body make_cube(Index cells, double side, bool patches, double jitter,
   return body;
 }
 
+/// The same cube with all cells cut along one diagonal, so that the tets around a node inside are symmetric in it.
+inline Body cut_along_one_diagonal(Body body, Index cells) {
+  for (MeshLevel& level : body.levels) {
+    level.mesh = make_box_mesh(cells, cells, cells);
+    if (!level.patches.nodes.empty()) level.patches = cell_patches(level.mesh);
+    cells /= 2;
+    if (!level.parents.empty()) level.parents = box_parents(cells, cells, cells);
+  }
+  return body;
+}
+
 /// The Truth Cube: base bonded, top moved down by its height at a load of 1.
 inline Body make_truth_cube_body(Index cells, bool patches, bool frictionless = false) {
   constexpr double side = 0.08;

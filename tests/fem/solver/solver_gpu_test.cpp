@@ -194,7 +194,7 @@ TEST_F(SolverOnCuda, touches_rigid_planes_as_on_the_cpu) {
     for (const Device device : {Device::cpu, Device::cuda}) {
       settings.device = device;
       const auto solver = make_solver(body.levels, body.loading, settings);
-      ASSERT_EQ(solver->solve_to(0.4, {}).status, NewtonStatus::converged);
+      ASSERT_EQ(solver->solve_to(0.45, {}).status, NewtonStatus::converged);
       contacts.push_back(solver->plane_contacts());
       positions.push_back(solver->positions());
     }

@@ -11,11 +11,15 @@
 #include <bit>
 #include <concepts>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <optional>
 #include <source_location>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <typeinfo>
+#include <utility>
 #include <variant>
 
 namespace hidden {
@@ -49,6 +53,7 @@ template <class T> struct BoxOf : Box {};
 template <class T> BoxOf<T> boxed(const T&) { return {}; }  // depends
 template <class V> decltype(auto) element(const V& view, index_t i) { return *&view[i].V()[2]; }
 template <class V> decltype(auto) same_element(const V& view, index_t i) { return element(view, i); }
+inline float any_arguments(int n, ...) { return float(n); }
 template <class V> struct Overlaid { const float* first; index_t size; };
 
 template <class In, class Out, class Same>
@@ -124,8 +129,17 @@ struct Kernel {
     In copy(in);
     std::memcpy(&copy, &in, sizeof copy);  // not followed
     const void* const bytes = &in;  // not followed
-    y += (*static_cast<const In*>(bytes))[i].s()[0];
+    y += (*static_cast<const In*>(bytes))[i].s()[0];  // not followed
     y += std::bit_cast<Overlaid<In>>(in).first[i];  // not followed
+    y += __builtin_bit_cast(Overlaid<In>, in).first[i];  // not followed
+    y += float(std::as_bytes(std::span<const In, 1>(&in, 1)).size());  // not followed
+    alignas(16) std::array<unsigned char, 64> room{};
+    y += (*new (room.data()) In(in))[i].s()[0] + float(room[0]);  // not followed
+    y += any_arguments(1, in);  // not followed
+    asm volatile("" : : "m"(in));  // not followed
+    auto&& named = in[i].V()[3];
+    y += std::move(*(&named + 1));  // not followed
+    y += std::move(*(std::addressof(named) + 1));  // not followed
     union Union { In view; Overlaid<In> overlaid; explicit Union(const In& of) : view(of) {} };
     y += Union(in).overlaid.first[i];  // not followed
     y += float(__PRETTY_FUNCTION__[40] + __func__[0]);  // not followed

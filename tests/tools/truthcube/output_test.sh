@@ -106,7 +106,7 @@ case $rule in
     expect_exit 0 "${flags[@]}" --compress 0.1
     expect_no out 'inverted' ;;
   what_is_not_finite_is_said_with_its_tet)
-    expect_exit 3 "${small[@]}" --young 1e300 --compress 0.1 --out o
+    expect_exit 3 "${small[@]}" --young 1e300 --precision double --compress 0.1 --out o
     expect err 'not finite'
     expect err 'tet [0-9]+ .*F = \['
     [[ $(wc -l <o/beads.csv) == 1 ]] || fail 'beads of no step' ;;
@@ -147,7 +147,7 @@ case $rule in
     for file in beads.csv checkpoint.h5 cube.vtkhdf run.json; do expect_same o/$file before/$file; done ;;
   a_new_run_drops_the_checkpoint_of_an_old_one)
     expect_exit 0 "${small[@]}" --compress 0.05 --out o
-    expect_exit 3 "${small[@]}" --young 1e300 --compress 0.1 --out o
+    expect_exit 3 "${small[@]}" --young 1e300 --precision double --compress 0.1 --out o
     [[ ! -e o/checkpoint.h5 ]] || fail 'a checkpoint of another run' ;;
   an_interrupt_ends_with_what_is_done)
     # Steps of a tenth of a per cent: far more than are done before the interrupt.

@@ -28,7 +28,7 @@ std::string name_of(VolumeTreatment volume) {
 
 TEST(Sizes, of_cubes_are_those_of_their_meshes) {
   for (const VolumeTreatment volume : {VolumeTreatment::tets, VolumeTreatment::patches, VolumeTreatment::nodes}) {
-    for (const int cells : {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 18}) {
+    for (const int cells : {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 18, 23, 24}) {
       EXPECT_EQ(count_cube(cells, volume), count_levels(levels_of(cells, volume)))
           << cells << " cells, " << name_of(volume);
     }

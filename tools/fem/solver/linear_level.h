@@ -17,7 +17,7 @@
 
 namespace physgen::fem {
 
-/// What a level needs whose stiffness is not assembled.
+/// The settings of a level whose stiffness is not assembled.
 struct MatrixFree {
   bool blocks;   ///< whether the inverses of nodes' blocks precondition
   bool coarser;  ///< whether the next coarser level is solved on, too
