@@ -29,8 +29,9 @@ class OtherMemory {
     for (const auto& base : record.getDefinition()->bases())
       if (std::string found = find(base.getType(), is_shared); !found.empty()) return found;
     for (const auto* member : record.getDefinition()->fields())
-      if (std::string found = is_shared && member->isMutable() ? "holds a pointer or a reference to what may change"
-                                                               : find(member->getType(), is_shared);
+      if (std::string found = is_shared && member->isMutable()
+                                  ? "holds a pointer or a reference to something that may change"
+                                  : find(member->getType(), is_shared);
           !found.empty())
         return found + (names_.is_library(member->getLocation())
                             ? ""

@@ -104,7 +104,8 @@ TEST_F(Command, keeps_steps_apart_that_share_what_no_array_holds_or_whose_words_
   for (const auto& [name, reason] : std::map<std::string, std::string>{
            {"member", "CopyByMember: it uses the variable kept at kernels.h:"},
            {"sharedpointer", "CopyByPointer: it uses the variable shared at kernels.h:"},
-           {"holder", "CopyByHolder: it holds a pointer or a reference to what is no array at kernels.h:"},
+           {"holder",
+            "CopyByHolder: it holds a pointer or a reference to something that is not an array at kernels.h:"},
            {"constant", "CopyByConst: it casts const away at kernels.h:"},
            {"constructor", "CopyByConstructor: it uses the variable last at kernels.h:"},
            {"destructor", "CopyByDestructor: it uses the variable last at kernels.h:"},
