@@ -58,7 +58,7 @@ struct PHYSGEN_SCENE() scene {
   ASSERT_TRUE(declaration.scene) << declaration.diagnostics;
   const scenes::Scene& scene = *declaration.scene;
   EXPECT_EQ(scene.qualified_name(), "a::b::scene");
-  EXPECT_EQ(scene.doc, "What is solved.");
+  EXPECT_EQ(scene.doc, "The problem that is solved.");
   EXPECT_EQ(scene.real, "double");
   EXPECT_EQ(scene.include, "scene.h");
   EXPECT_EQ(scene.parameters, (std::vector<std::string>{"a::b::scene::Other", "double"}));
