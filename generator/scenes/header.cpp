@@ -265,7 +265,7 @@ class Header {
       held.push_back(array.name + ".bytes()");
       counted.push_back("physgen::bytes_of_array<decltype(" + array.name + ")>(" + count(array) + ")");
     }
-    out_.line("/// Of memory held by all arrays, padding included.");
+    out_.line("/// Bytes of memory held by all arrays, padding included.");
     sum("[[nodiscard]] physgen::index_t bytes() const {", held);
     if (group.sets().empty()) return;
     out_.line("/// The same of arrays of so many objects, without making them. @pre no count is negative");

@@ -48,17 +48,18 @@ Losses losses_of_copy(const UntypedArray& to, const UntypedArray& from, Stream s
 
 void throw_if_falsified(const Losses& losses, const UntypedArray& array) {
   if (losses.falsified() == 0) return;
-  std::string field = "byte " + std::to_string(losses.first.offset);
+  std::string field = "byte " + std::to_string(losses.first.offset), unit;
   for (const FieldInfo& candidate : array.fields) {
     const int at = losses.first.offset - candidate.offset, size = element_bytes(candidate.type);
     if (at >= 0 && at < candidate.count * size) {
       field = std::string(candidate.name) + (candidate.count > 1 ? "[" + std::to_string(at / size) + "]" : "");
+      if (!candidate.unit.empty()) unit = " " + std::string(candidate.unit);
     }
   }
   std::ostringstream message;
   message << detail::describe(array) << ": its storage formats cannot hold " << losses.falsified() << " values ("
           << losses.out_of_range << " out of range, " << losses.not_a_number << " NaN or infinite, "
-          << losses.not_a_rotation << " not rotations); the first is " << losses.first.value << " in " << field
+          << losses.not_a_rotation << " not rotations); the first is " << losses.first.value << unit << " in " << field
           << " of object " << losses.first.object
           << "; choose a format with a wider range, or state the range in the schema";
   throw Error(message.str());

@@ -10,8 +10,7 @@ namespace physgen::detail {
 /// @throw Error when `from` lacks a field that `to` stores, or a field is lost that `to` was not told to leave out
 inline void require_fields(const UntypedArray& to, const UntypedArray& from) {
   const auto refuse = [&](int f, const std::string& why) {
-    const std::string field(to.fields[static_cast<std::size_t>(f)].name);
-    throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + field + why);
+    refuse_copy(to, from, std::string(to.fields[static_cast<std::size_t>(f)].name) + why);
   };
   if (const int f = first_not_given(to.fields, from.fields); f >= 0) {
     refuse(f,

@@ -27,15 +27,9 @@ bool has_no_memory(const UntypedArray& array) {
 }
 
 void require_two_arrays_of_one_type(const UntypedArray& to, const UntypedArray& from) {
-  std::string why;
-  if (to.object != from.object) {
-    why = "the object types differ";
-  } else if (has_no_memory(to) || has_no_memory(from)) {
-    why = "one of them has no memory (null)";
-  } else if (overlap(to, from)) {
-    why = "they share memory; copy to an array of its own";
-  }
-  if (!why.empty()) throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + why);
+  if (to.object != from.object) detail::refuse_copy(to, from, "the object types differ");
+  if (has_no_memory(to) || has_no_memory(from)) detail::refuse_copy(to, from, "one of them has no memory (null)");
+  if (overlap(to, from)) detail::refuse_copy(to, from, "they share memory; copy to an array of its own");
   detail::require_fields(to, from);
 }
 
@@ -57,9 +51,10 @@ index_t copy_range(const UntypedArray& to, const UntypedArray& from, index_t beg
   }
   const FieldInfo* own = on_host ? nullptr : detail::changed_by_own_functions(to, from);
   if (own != nullptr && to.space == from.space) {
-    throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + std::string(own->name) +
-                " is stored in a format of the program's own, whose functions are called on the host; copy by way of a "
-                "host array, or take format::Scaled");
+    detail::refuse_copy(to, from,
+                        std::string(own->name) +
+                            " is stored in a format of the program's own, whose functions are called on the host; copy "
+                            "by way of a host array, or take format::Scaled");
   }
   if (checked_build && !detail::same_records(to, from))
     throw_if_falsified(detail::losses_of_range(to, from, begin, end, stream), to);
@@ -83,9 +78,7 @@ void copy_first(const UntypedArray& to, const UntypedArray& from, index_t count,
 
 void copy(const UntypedArray& to, const UntypedArray& from, Stream stream) {
   require_two_arrays_of_one_type(to, from);
-  if (to.size != from.size) {
-    throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": resize the target first");
-  }
+  if (to.size != from.size) detail::refuse_copy(to, from, "resize the target first");
   copy_first(to, from, from.size, stream);
 }
 

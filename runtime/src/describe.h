@@ -1,4 +1,4 @@
-// Words of messages: the name of an array, and that it does not store a field.
+// Words of messages: the name of an array, and refusals of copies and of fields that it does not store.
 #pragma once
 
 #include <physgen/error.h>
@@ -11,6 +11,10 @@ namespace physgen::detail {
 /// "elasticity::Tet[12] in cuda memory"
 [[nodiscard]] inline std::string describe(const UntypedArray& array) {
   return std::string(array.object) + "[" + std::to_string(array.size) + "] in " + name(array.space) + " memory";
+}
+
+[[noreturn]] inline void refuse_copy(const UntypedArray& to, const UntypedArray& from, const std::string& why) {
+  throw Error("cannot copy " + describe(from) + " to " + describe(to) + ": " + why);
 }
 
 /// @param what is asked for in vain

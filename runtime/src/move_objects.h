@@ -25,19 +25,29 @@ struct Elements {
   Elements() = default;
 };
 
-/// Copies one element of object j of `from` to object i of `to`.
-PHYSGEN_FUNCTION inline void move_element(const Addressing& to, index_t i, const Addressing& from, index_t j,
-                                          int offset, int bytes) {
-  move_bits(to.address(i, offset, bytes), from.address(j, offset, bytes), bytes);
-}
-
 /// Copies the elements of object j of `from` to object i of `to`.
 PHYSGEN_FUNCTION inline void move_elements(const Addressing& to, index_t i, const Addressing& from, index_t j,
                                            const Elements& elements) {
   for (int k = 0; k < elements.count; ++k) {
-    move_element(to, i, from, j, elements.offset + k * elements.bytes, elements.bytes);
+    const int offset = elements.offset + k * elements.bytes;
+    move_bits(to.address(i, offset, elements.bytes), from.address(j, offset, elements.bytes), elements.bytes);
   }
 }
+
+/// The indices of a field.
+struct Indices {
+  Addressing addresses;
+  int offset;  ///< of the field [bytes]
+  int count;   ///< of an object
+
+  Indices(const UntypedArray& array, const FieldInfo& field)
+      : addresses(array), offset(field.offset), count(field.count) {}
+  /// Index k of object i.
+  [[nodiscard]] PHYSGEN_FUNCTION std::int32_t& operator()(index_t i, int k) const {
+    constexpr int size = sizeof(std::int32_t);
+    return *reinterpret_cast<std::int32_t*>(addresses.address(i, offset + k * size, size));
+  }
+};
 
 /// The new number of every object, as renumber() is given it.
 struct NewNumbers {
@@ -53,27 +63,19 @@ struct NewNumbers {
 
 /// Renumbers a field of indices, object by object.
 struct Renumbering {
-  Addressing addresses;
-  int offset;  ///< of the field [bytes]
-  int count;   ///< indices of an object
+  Indices index;
   NewNumbers renumbered;
 
-  Renumbering(const UntypedArray& array, const FieldInfo& field, const NewNumbers& numbers)
-      : addresses(array), offset(field.offset), count(field.count), renumbered(numbers) {}
-  [[nodiscard]] PHYSGEN_FUNCTION std::int32_t& index(index_t i, int k) const {
-    constexpr int size = sizeof(std::int32_t);
-    return *reinterpret_cast<std::int32_t*>(addresses.address(i, offset + k * size, size));
-  }
   /// Whether every index of object i can be renumbered.
   [[nodiscard]] PHYSGEN_FUNCTION bool can_renumber(index_t i) const {
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < index.count; ++k) {
       if (!renumbered.has(index(i, k))) return false;
     }
     return true;
   }
   /// @pre can_renumber(i)
   PHYSGEN_FUNCTION void operator()(index_t i) const {
-    for (int k = 0; k < count; ++k) index(i, k) = static_cast<std::int32_t>(renumbered.numbers[index(i, k)]);
+    for (int k = 0; k < index.count; ++k) index(i, k) = static_cast<std::int32_t>(renumbered.numbers[index(i, k)]);
   }
 };
 

@@ -2,10 +2,10 @@
 #include <physgen/error.h>
 #include <physgen/row_arrays.h>
 
-#include <cstring>
 #include <limits>
 
 #include "index_field.h"
+#include "move_objects.h"
 
 namespace physgen::detail {
 
@@ -20,25 +20,6 @@ std::string text(index_t number) { return std::to_string(number); }
 std::string allowed(index_t count, const std::string& what) {
   return count == 0 ? "there are no " + what : "give a number from 0 to " + text(count - 1);
 }
-
-// Numbers that entries hold in a field: host records in Aos.
-class EntryIndices {
- public:
-  EntryIndices(const UntypedArray& entries, std::string_view name)
-      : entries_(entries), field_(find_index_field(entries, name)) {}
-
-  [[nodiscard]] int count() const { return field_.count; }
-  [[nodiscard]] std::int32_t get(index_t entry, int k) const {
-    std::int32_t index = 0;
-    constexpr int size = sizeof index;
-    std::memcpy(&index, entries_.address(entry, field_.offset + k * size, size), size);
-    return index;
-  }
-
- private:
-  const UntypedArray& entries_;
-  const FieldInfo& field_;
-};
 
 }  // namespace
 
@@ -98,7 +79,7 @@ std::vector<index_t> lengths_of_offsets(std::string_view entries, std::span<cons
 
 void check_rows(std::span<const RowRange> rows, const UntypedArray& entries, const RowTargets& targets) {
   if (targets.count < 0) refuse(entries.object, "there cannot be " + text(targets.count) + " objects to name");
-  const EntryIndices indices(entries, targets.field);
+  const Indices indices(entries, find_index_field(entries, targets.field));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto [begin, end] = rows[i];
     const std::string row = "row " + text(static_cast<index_t>(i));
@@ -107,8 +88,8 @@ void check_rows(std::span<const RowRange> rows, const UntypedArray& entries, con
                                  text(entries.size) + " entries; give 0 <= begin <= end <= " + text(entries.size));
     }
     for (index_t k = begin; k < end; ++k) {
-      for (int e = 0; e < indices.count(); ++e) {
-        const std::int32_t index = indices.get(k, e);
+      for (int e = 0; e < indices.count; ++e) {
+        const std::int32_t index = indices(k, e);
         if (index >= 0 && index < targets.count) continue;
         refuse(entries.object, "entry " + text(k - begin) + " of " + row + " has " + targets.field + " = " +
                                    text(index) + ", of " + text(targets.count) + " objects; " +
@@ -134,11 +115,11 @@ void check_new_targets(const UntypedArray& entries, const RowTargets& targets, s
 
 ChosenRows choose_rows(std::span<const RowRange> rows, const UntypedArray& entries, const std::string& field,
                        std::span<const index_t> order, std::optional<std::span<const index_t>> new_number) {
-  std::optional<EntryIndices> indices;
-  if (new_number) indices.emplace(entries, field);
+  std::optional<Indices> indices;
+  if (new_number) indices.emplace(entries, find_index_field(entries, field));
   const auto stays = [&](index_t k) {
-    for (int e = 0; indices && e < indices->count(); ++e) {
-      if ((*new_number)[static_cast<std::size_t>(indices->get(k, e))] < 0) return false;
+    for (int e = 0; indices && e < indices->count; ++e) {
+      if ((*new_number)[static_cast<std::size_t>((*indices)(k, e))] < 0) return false;
     }
     return true;
   };

@@ -45,7 +45,8 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
       for (int k = 0; k < elements.count; ++k) {
         const int offset = elements.offset + k * elements.bytes;
         for (index_t i = first; i < last; ++i) {
-          detail::move_element(to_address, begin + i, from_address, picked[i], offset, elements.bytes);
+          detail::move_bits(to_address.address(begin + i, offset, elements.bytes),
+                            from_address.address(picked[i], offset, elements.bytes), elements.bytes);
         }
       }
     }
@@ -64,16 +65,14 @@ index_t first_not_renumbered_on_host(const detail::Renumbering& renumbering, ind
 // Names the index of object i that has no new number.
 [[noreturn]] void refuse_index(const UntypedArray& array, const FieldInfo& field, index_t i,
                                std::span<const index_t> new_number) {
-  int element = 0;  // the field's first
-  for (const FieldInfo& before : array.fields) {
-    if (&before == &field) break;
-    element += before.visible_count();
-  }
   const detail::NewNumbers numbers{new_number.data(), static_cast<index_t>(new_number.size())};
   int k = 0;
-  const auto index_of = [&] { return static_cast<std::int32_t>(getdata(array, i, element + k)); };
-  while (k + 1 < field.count && numbers.has(index_of())) ++k;
-  const std::int32_t index = index_of();
+  std::int32_t index = 0;
+  constexpr int size = sizeof index;
+  do {
+    copy_memory(reinterpret_cast<std::byte*>(&index), SpaceKind::host, array.address(i, field.offset + k * size, size),
+                array.space, size);
+  } while (numbers.has(index) && ++k < field.count);
   std::string why = "there are new numbers for " + std::to_string(numbers.count) + " objects only";
   if (index >= 0 && index < numbers.count) {
     const index_t number = numbers.numbers[index];
@@ -127,23 +126,16 @@ Numbers::Numbers(std::span<const index_t> numbers, std::span<const UntypedArray>
   backend::copy_bytes(on_device.data(), reinterpret_cast<const std::byte*>(numbers.data()), bytes, nullptr);
 }
 
-void pick(const UntypedArray& to, const UntypedArray& from, const Numbers& order) {
-  if (to.size == 0 || to.record_bytes == 0) return;
-  if (to.space == SpaceKind::cuda) {
-    const auto* numbers = reinterpret_cast<const index_t*>(order.on_device.data());
-    backend::pick(to, 0, from, Picked{numbers}, to.size, nullptr);
-  } else {
-    pick_on_host(to, 0, from, Picked{order.on_host.data()}, to.size);
-  }
+const index_t* Numbers::in(SpaceKind space) const {
+  return space == SpaceKind::cuda ? reinterpret_cast<const index_t*>(on_device.data()) : on_host.data();
 }
 
-void insert(const UntypedArray& to, index_t begin, const UntypedArray& from) {
-  if (from.size == 0 || to.record_bytes == 0) return;
-  if (to.space == SpaceKind::cuda) {
-    backend::pick(to, begin, from, Picked{nullptr}, from.size, nullptr);
-  } else {
-    pick_on_host(to, begin, from, Picked{nullptr}, from.size);
-  }
+void pick(const UntypedArray& to, index_t begin, const UntypedArray& from, const Numbers* order) {
+  const index_t count = order != nullptr ? static_cast<index_t>(order->on_host.size()) : from.size;
+  if (count == 0 || to.record_bytes == 0) return;
+  const Picked picked{order != nullptr ? order->in(to.space) : nullptr};
+  if (to.space == SpaceKind::cuda) return backend::pick(to, begin, from, picked, count, nullptr);
+  pick_on_host(to, begin, from, picked, count);
 }
 
 }  // namespace detail
@@ -154,10 +146,8 @@ void renumber(const UntypedArray& array, std::string_view field_name, std::span<
   detail::wait_for(std::span(&array, 1));
   const bool on_host = host_accessible(array.space);
   const detail::Numbers uploaded(new_number, std::span(&array, 1));
-  const detail::NewNumbers numbers{
-      on_host ? new_number.data() : reinterpret_cast<const index_t*>(uploaded.on_device.data()),
-      static_cast<index_t>(new_number.size())};
-  const detail::Renumbering renumbering(array, field, numbers);
+  const detail::Renumbering renumbering{detail::Indices(array, field),
+                                        {uploaded.in(array.space), static_cast<index_t>(new_number.size())}};
   const index_t first = on_host ? first_not_renumbered_on_host(renumbering, array.size)
                                 : backend::first_not_renumbered(renumbering, array.size);
   if (first < array.size) refuse_index(array, field, first, new_number);

@@ -24,7 +24,7 @@ using OnCuda = Aosoa<32>;
 #endif
 
 template <class Array>
-using LayoutOf = typename Array::View::Layout;
+using LayoutOf = typename Array::Layout;
 
 TEST(OneLayout, is_that_of_the_arrays_of_every_object) {
   static_assert(std::is_same_v<LayoutOf<particles::SpinArray<float>>, OnHost>);

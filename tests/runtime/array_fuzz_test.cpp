@@ -30,8 +30,8 @@ Records converted_one_by_one(const UntypedArray& from, index_t begin, index_t en
 }
 template <class To, class From>
 Records converted_one_by_one(const From& from, index_t begin, index_t end) {
-  const Array<typename From::Object, typename From::View::Precision, Host, Aos, typename From::Formats> one(1);
-  const Array<typename To::Object, typename To::View::Precision, Host, Aos, typename To::Formats> converted(1);
+  const Array<typename From::Object, typename From::Precision, Host, Aos, typename From::Formats> one(1);
+  const Array<typename To::Object, typename To::Precision, Host, Aos, typename To::Formats> converted(1);
   return converted_one_by_one(from.untyped(), begin, end, one.untyped(), converted.untyped());
 }
 

@@ -1,4 +1,4 @@
-// What a checked build refuses to gather into device memory. Compiled with PHYSGEN_CHECKED.
+// Values that a checked build refuses to gather into device memory. Compiled with PHYSGEN_CHECKED.
 #include <physgen/gather.h>
 
 #include "checked_formats.h"
@@ -19,7 +19,7 @@ TEST_F(CheckedGather, refuses_what_formats_cannot_hold_by_its_number_and_keeps_t
   };
   const std::string message = message_of([&] { gather_by(array.size(), array, object_of); });
   EXPECT_NE(message.find("cannot hold 1 values"), std::string::npos) << message;
-  EXPECT_NE(message.find("the first is 1e+06 in x1111 of object 250000"), std::string::npos) << message;
+  EXPECT_NE(message.find("the first is 1e+06 Pa in x1111 of object 250000"), std::string::npos) << message;
   EXPECT_EQ(array.getdata(3, 0), 5);
   EXPECT_EQ(array.getdata(250000, 0), 0);
 }

@@ -1,4 +1,4 @@
-// What a checked build counts and refuses on the device. This program is compiled with PHYSGEN_CHECKED.
+// Counts and refusals of a checked build on the device. This program is compiled with PHYSGEN_CHECKED.
 #include <physgen/cuda/parallel_for.h>
 
 #include <cstdio>
@@ -88,7 +88,7 @@ TEST_F(CheckedOnDevice, copies_refuse_what_formats_cannot_hold_and_change_nothin
   wrong.putdata(250000, 0, 1e6);
   elasticity::StressDerivativeArray<float, Cuda> wrong_there(array.size());
   copy(wrong_there, wrong);
-  const std::string part = "the first is 1e+06 in x1111 of object 250000";
+  const std::string part = "the first is 1e+06 Pa in x1111 of object 250000";
   for (const std::string& message :
        {message_of([&] { copy(array, wrong); }), message_of([&] { copy(array, wrong_there); })}) {
     EXPECT_NE(message.find(part), std::string::npos) << message;

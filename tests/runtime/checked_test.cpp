@@ -1,4 +1,4 @@
-// What a checked build reports. This program is compiled with PHYSGEN_CHECKED.
+// Reports of a checked build. This program is compiled with PHYSGEN_CHECKED.
 #include <physgen/gather.h>
 #include <physgen/parallel_for.h>
 #include <physgen/parallel_reduce.h>
@@ -52,7 +52,7 @@ TEST(CheckedView, reports_a_gathered_index_out_of_range) {
   EXPECT_THROW((void)view[index], Error);
 }
 
-/// What padding holds, such as an initial value of -1, is nothing that a pack follows.
+/// A pack does not follow the values in padding, such as an initial value of -1.
 TEST(CheckedView, sees_no_indices_in_padding) {
   elasticity::TetArray<float> tets(1);
   NodePositionArray<float> array(2);
@@ -129,7 +129,7 @@ TEST(CheckedFormats, count_what_kernels_store_and_cannot_be_held_and_say_where) 
   EXPECT_EQ(losses.worst_relative_error(), 1.0) << "half of the smallest half became 0";
   EXPECT_EQ(losses.first.object, 33);
   const std::string message = message_of([&] { throw_if_falsified(losses, array.untyped()); });
-  EXPECT_NE(message.find("the first is 70000 in x1111 of object 33"), std::string::npos) << message;
+  EXPECT_NE(message.find("the first is 70000 Pa in x1111 of object 33"), std::string::npos) << message;
   EXPECT_EQ(array.take_losses().falsified(), 0U) << "they were taken";
 }
 
@@ -236,7 +236,7 @@ TEST(CheckedFormats, keep_their_counts_when_an_array_changes_its_size) {
   EXPECT_EQ(losses.objects, 91);
 }
 
-/// What a copy, an append, a gather or putdata is refused, and that nothing has changed then.
+/// A copy, an append, a gather and putdata are refused, and nothing has changed then.
 TEST(CheckedFormats, refuse_values_that_they_cannot_hold_and_change_nothing) {
   using Derivatives = Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse>;
   const auto said = [](const std::string& message, const char* part) {
@@ -247,9 +247,9 @@ TEST(CheckedFormats, refuse_values_that_they_cannot_hold_and_change_nothing) {
   array.putdata(3, 0, 5);
   elasticity::StressDerivativeArray<float> wrong(40);
   wrong.putdata(7, 0, 1e6);
-  said(message_of([&] { copy(array, wrong); }), "the first is 1e+06 in x1111 of object 7");
+  said(message_of([&] { copy(array, wrong); }), "the first is 1e+06 Pa in x1111 of object 7");
   said(message_of([&] { append(array, wrong); }), "in x1111 of object 7");
-  said(message_of([&] { array.putdata(9, 1, 3); }), "the first is 3 in x2211 of object 9");
+  said(message_of([&] { array.putdata(9, 1, 3); }), "the first is 3 Pa in x2211 of object 9");
   std::vector<elasticity::StressDerivative<float>> objects(40);
   std::vector<elasticity::StressDerivative<float>*> pointers;
   for (auto& object : objects) pointers.push_back(&(object = wrong.view().get(0)));
@@ -258,7 +258,7 @@ TEST(CheckedFormats, refuse_values_that_they_cannot_hold_and_change_nothing) {
          gather(std::span<elasticity::StressDerivative<float>* const>(pointers), array,
                 [](const auto& object) { return object; });
        }),
-       "the first is nan in x1111 of object 11");
+       "the first is nan Pa in x1111 of object 11");
   EXPECT_EQ(array.size(), 40);
   EXPECT_EQ(array.getdata(3, 0), 5);
   EXPECT_EQ(array.getdata(7, 0), 0);

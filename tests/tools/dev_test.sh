@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER with packages.txt beside
-# it. The system's commands that it would install and build with are replaced by ones that write how they were called to
-# $calls.
+# dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER with the files that it reads,
+# packages.sh and packages.txt. The system's commands that it would install and build with are replaced by ones that write
+# how they were called to $calls.
 # shellcheck disable=SC2016  # the bodies of the commands below are expanded when they run
 set -euo pipefail
 rule=$1 dev=$2 folder=$3
@@ -10,7 +10,7 @@ root="$work/physgen"
 calls=$work/calls
 rm -rf "$work"
 mkdir -p "$root/tools" "$work/bin" "$work/home"
-cp "$dev" "$(dirname "$dev")/packages.txt" "$root/tools"
+cp "$dev" "$(dirname "$dev")/packages.sh" "$(dirname "$dev")/packages.txt" "$root/tools"
 export PATH="$work/bin:$PATH" calls work
 unset CUDACXX CUDA_HOME CUDAARCHS
 touch "$calls"
@@ -192,7 +192,7 @@ case $rule in
     says 'fuzz needs LLVM'
     ;;
   gpu_runs_carried_programs_at_another_path)
-    rm "$root/tools/packages.txt" # as carried: tools/dev and what was built
+    rm "$root/tools"/packages.* # as carried: tools/dev and what was built
     fake nvcc
     fake nvidia-smi 'echo "GPU 0: a device"'
     program build/cuda/bin/physbench
@@ -206,6 +206,11 @@ case $rule in
     printf '#!/bin/sh\nexit 3\n' >"$root/build/cuda/bin/runtime_gpu_test"
     dev 3 gpu
     called 'physbench --benchmark_filter=/cuda/\[0-9\]+\$$'
+    for command in setup run test tidy; do
+      dev 2 $command
+      says "there is no $root/tools/packages.sh"
+      says 'this needs a checkout'
+    done
     ;;
   gpu_without_programs_or_device_exits_with_2)
     dev 2 gpu

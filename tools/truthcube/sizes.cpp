@@ -27,16 +27,30 @@ std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
   return values[0] + values[1] * m + values[2] * (m * (m - 1) / 2) + values[3] * (m * (m - 1) * (m - 2) / 6);
 }
 
-/// Counts of the finest level of cubes with 1 to 4 cells of a side, or with 2, 4, 6 and 8 and a coarser level.
-std::array<LevelCounts, 4> small_cubes(VolumeTreatment volume, bool coarser) {
-  std::array<LevelCounts, 4> counts;
-  for (int m = 1; m <= 4; ++m) {
-    const int cells = coarser ? 2 * m : m, coarsest = coarser ? m : cells + 1;
-    auto levels = fem::make_cube_levels(cells, 1.0, volume == VolumeTreatment::patches, coarsest);
-    for (fem::MeshLevel& level : levels) level.averages_at_nodes = volume == VolumeTreatment::nodes;
-    counts[static_cast<std::size_t>(m - 1)] = count_levels(levels).front();
+std::vector<fem::MeshLevel> make_levels(int cells, VolumeTreatment volume, int coarsest) {
+  auto levels = fem::make_cube_levels(cells, 1.0, volume == VolumeTreatment::patches, coarsest);
+  for (fem::MeshLevel& level : levels) level.averages_at_nodes = volume == VolumeTreatment::nodes;
+  return levels;
+}
+
+/// Cells of a side from which on counts are polynomials. Neighbours in rings are two cells apart, and what is counted
+/// near a face of the cube must not be near where its cells begin to be mirrored.
+int first_cells(VolumeTreatment volume) { return volume == VolumeTreatment::nodes ? 8 : 1; }
+
+/// The counts from which those of all larger cubes follow.
+struct SmallCubes {
+  int first;  ///< cells of a side of the first, or of its coarser level; each has one more than the one before
+  std::array<LevelCounts, 4> alone, above;  ///< of the finest level, without and with a coarser one
+};
+
+SmallCubes count_small_cubes(VolumeTreatment volume) {
+  SmallCubes small{first_cells(volume), {}, {}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const int m = small.first + static_cast<int>(k);
+    small.alone[k] = count_levels(make_levels(m, volume, m + 1)).front();
+    small.above[k] = count_levels(make_levels(2 * m, volume, m)).front();
   }
-  return counts;
+  return small;
 }
 
 std::int64_t entries(const fem::IncidenceList& list) { return static_cast<std::int64_t>(list.entries.size()); }
@@ -47,22 +61,36 @@ std::int64_t pairs_in_patches(const fem::VolumePatches& patches) {
   return pairs;
 }
 
-}  // namespace
+/// Cells of a side up to which cubes are made to be counted.
+int most_made(VolumeTreatment volume) {
+  const int first = first_cells(volume);
+  return first == 1 ? 0 : 2 * (first + 3);
+}
 
-std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume) {
-  const auto alone = small_cubes(volume, false), above = small_cubes(volume, true);
+std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume, const SmallCubes& small) {
   std::vector<LevelCounts> levels;
-  for (int n = cells;; n /= 2) {
+  for (int n = cells; n > most_made(volume); n /= 2) {
     const bool last = n % 2 != 0 || n / 2 < 2;
     LevelCounts counts;
     for (const auto member : members) {
       std::array<std::int64_t, 4> values{};
-      for (std::size_t k = 0; k < 4; ++k) values[k] = last ? alone[k].*member : above[k].*member;
-      counts.*member = extrapolate(values, last ? n : n / 2);
+      for (std::size_t k = 0; k < 4; ++k) values[k] = (last ? small.alone : small.above)[k].*member;
+      counts.*member = extrapolate(values, (last ? n : n / 2) - small.first + 1);
     }
     levels.push_back(counts);
     if (last) return levels;
   }
+  const int left = cells >> levels.size();
+  const std::vector<LevelCounts> made = count_levels(make_levels(left, volume, 2));
+  levels.insert(levels.end(), made.begin(), made.end());
+  return levels;
+}
+
+}  // namespace
+
+std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume) {
+  return cells <= most_made(volume) ? count_levels(make_levels(cells, volume, 2))
+                                    : count_cube(cells, volume, count_small_cubes(volume));
 }
 
 std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels) {
@@ -97,10 +125,12 @@ std::int64_t largest_number(const std::vector<LevelCounts>& levels) {
 
 void require_cube_fits(int cells, VolumeTreatment volume) {
   constexpr std::int64_t most = std::numeric_limits<fem::Index>::max();
-  const std::int64_t largest = largest_number(count_cube(cells, volume));
+  if (cells <= most_made(volume)) return;
+  const SmallCubes small = count_small_cubes(volume);
+  const std::int64_t largest = largest_number(count_cube(cells, volume, small));
   if (largest <= most) return;
   int fitting = cells;
-  while (largest_number(count_cube(fitting, volume)) > most) {
+  while (largest_number(count_cube(fitting, volume, small)) > most) {
     fitting -= fitting > 1000 ? fitting / 2 : (fitting % 2 == 0 ? 2 : 1);  // even numbers, which have coarser meshes
   }
   throw Error("--cells " + std::to_string(cells) + ": the solver's lists would need numbers up to " +

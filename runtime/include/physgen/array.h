@@ -26,14 +26,17 @@ using FormatsOf = typename Object::template Formats<PerSpace<Space, Host, Cuda>>
 
 /// @tparam Object_ a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double: the precision of the scene
-/// @tparam Space Host, PinnedHost or Cuda
-/// @tparam Layout Aos, AosPadded, Soa or Aosoa<W>
+/// @tparam Space_ Host, PinnedHost or Cuda
+/// @tparam Layout_ Aos, AosPadded, Soa or Aosoa<W>
 /// @tparam Formats_ how the fields are stored: what the schema says for the space, or a struct derived from it that
 /// redeclares some: `struct Compact : DeformationSvdFormats<Cuda> { using U = format::Quaternion<>; };`
-template <class Object_, class Real, class Space, class Layout, class Formats_ = FormatsOf<Object_, Space>>
+template <class Object_, class Real, class Space_, class Layout_, class Formats_ = FormatsOf<Object_, Space_>>
 class Array {
  public:
   using Object = Object_;
+  using Precision = Real;
+  using Space = Space_;
+  using Layout = Layout_;
   using Formats = Formats_;
   using View = physgen::View<Object, Real, Layout, Formats, Space>;
   using ConstView = physgen::View<Object, const Real, Layout, Formats, Space>;
@@ -124,7 +127,8 @@ class Array {
     constexpr index_t limit = std::numeric_limits<index_t>::max() / std::max(record_bytes, 1) / 4;  // room for padding
     if (size < 0 || size > limit) {
       throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) + " objects of " +
-                  std::to_string(record_bytes) + " bytes cannot exist; 0 to " + std::to_string(limit) + " can");
+                  std::to_string(record_bytes) + " bytes cannot exist; it has 0 to " + std::to_string(limit) +
+                  " of them");
     }
     return Layout::padded(size) * record_bytes;
   }
@@ -145,7 +149,8 @@ namespace detail {
 /// The size of an array that holds no object of its own. @throw Error when it is negative
 inline index_t checked_size(std::string_view object, index_t size) {
   if (size >= 0) return size;
-  throw Error(std::string(object) + ": an array of " + std::to_string(size) + " objects cannot exist; 0 or more can");
+  throw Error(std::string(object) + ": an array of " + std::to_string(size) +
+              " objects cannot exist; it has 0 or more of them");
 }
 
 }  // namespace detail

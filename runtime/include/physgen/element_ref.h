@@ -5,66 +5,13 @@
 // are read, and only temporaries and constants are assigned: what compiles means the same for every index and format.
 #pragma once
 
-#include <physgen/config.h>
+#include <physgen/detail/reference_rules.h>
 #include <physgen/format/probe.h>
 
 #include <type_traits>
 #include <utility>
 
 namespace physgen {
-
-template <class Format, class T, class Cursor>
-class ElementRef;
-
-namespace detail {
-
-template <class T>
-inline constexpr bool is_element_ref = false;
-template <class Format, class T, class Cursor>
-inline constexpr bool is_element_ref<ElementRef<Format, T, Cursor>> = true;
-
-template <class T>
-concept ElementReference = is_element_ref<std::remove_cvref_t<T>>;
-
-/// The operand that an operator calculates with: the value of a reference, anything else as it is.
-template <class T>
-[[nodiscard]] PHYSGEN_FUNCTION constexpr decltype(auto) operand(T&& value) {
-  if constexpr (ElementReference<T>) {
-    return typename std::remove_cvref_t<T>::Value(std::forward<T>(value));
-  } else {
-    return std::forward<T>(value);
-  }
-}
-template <class T>
-using Operand = decltype(operand(std::declval<T>()));
-
-/// A value that get() returns: const where it is a class, so that `view[i].f().get() += x`, which would change a
-/// temporary, does not compile.
-template <class Value>
-using ReadValue = std::conditional_t<std::is_class_v<Value>, const Value, Value>;
-
-/// Returned by deleted functions: their names are what compilers print.
-struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself;
-struct integers_calculate_with_integers_so_convert_first {};
-struct an_empty_value_so_use_setZero {};
-struct a_named_reference_is_not_assigned_so_write_to_the_view_itself {};
-struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
-
-/// These refuse what a local of a fused kernel (fuse.h) does not have.
-template <class Ref>
-PHYSGEN_FUNCTION constexpr void refuse_masks() {
-  static_assert(!Ref::of_a_local,
-                "store_where() to a local of fuse(): where the condition does not hold, the local would have no value; "
-                "write all of it, local[i].m() = select(condition, value, other), or keep an array in its place");
-}
-template <class Ref>
-PHYSGEN_FUNCTION constexpr void refuse_sums() {
-  static_assert(!Ref::of_a_local,
-                "add() to a local of fuse(): no other thread or lane knows it; write local[i].m() = value, or keep an "
-                "array in its place");
-}
-
-}  // namespace detail
 
 // One compound assignment of a reference `Ref`, such as `+=`, of a `Value` or, for a field that is scaled, a number. A
 // pack of integers would cut a floating number down before it calculates, gathered lanes may name one object, and a

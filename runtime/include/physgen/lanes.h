@@ -3,39 +3,13 @@
 // packs.
 #pragma once
 
+#include <physgen/detail/check_number.h>
 #include <physgen/element_ref.h>
 #include <physgen/pack.h>
 
 #include <concepts>
-#include <limits>
-
-#ifndef __CUDA_ARCH__
-#include <physgen/error.h>
-
-#include <string>
-#else
-#include <cstdio>
-#endif
 
 namespace physgen {
-
-namespace detail {
-
-/// @throw Error when `last`, an object's number, is not a 32-bit number; on the device a message and a trap
-PHYSGEN_FUNCTION inline void check_number(index_t last) {
-  if (last <= std::numeric_limits<std::int32_t>::max()) return;
-#ifdef __CUDA_ARCH__
-  printf("physgen: numbers(i) of object %lld: it gives 32-bit numbers, up to 2147483647\n",
-         static_cast<long long>(last));
-  __trap();
-#else
-  throw Error("numbers(i) of object " + std::to_string(last) +
-              ": it gives 32-bit numbers, up to 2147483647; run the kernel over parts of the array, or on single "
-              "objects, whose index is 64-bit");
-#endif
-}
-
-}  // namespace detail
 
 /// Tells which lanes of T are objects of the kernel's range: `true`, or for packs a mask. `wanted<Scalar>(i)`.
 template <class T, std::integral I>

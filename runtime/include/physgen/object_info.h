@@ -1,20 +1,14 @@
 // The fields of an object type as data, which generated code gives the runtime beside the accessors.
 #pragma once
 
+#include <physgen/detail/own_codec.h>
 #include <physgen/format.h>
 #include <physgen/shape.h>
 
 #include <array>
-#include <cstring>
 #include <string_view>
 
 namespace physgen {
-
-/// The functions of a format of a program's own, for what converts on the host.
-struct OwnCodec {
-  double (*decode)(const std::byte* from);
-  void (*encode)(std::byte* to, double value);
-};
 
 /// One field of an object type: `count` stored elements of one type that follow each other from byte `offset` of the
 /// record on. An element stands for centre + scale * what is stored, or for what the functions of its own format say.
@@ -40,40 +34,6 @@ struct FieldInfo {
 /// Elements of a field of this shape and format that are stored.
 template <class Shape, class Format>
 inline constexpr int stored_count = format::is_quaternion<Format> ? 4 : Shape::count;
-
-namespace detail {
-
-template <class Format, class T>
-struct OwnFunctions {
-  using Stored = typename Format::template Stored<T>;
-  static_assert(std::is_trivially_copyable_v<Stored> &&
-                    int{sizeof(Stored)} == element_bytes(Format::template type<T>) &&
-                    Format::template type<T> != ElementType::int32,
-                "a format's Stored has the bytes of its ElementType, which is one of numbers");
-
-  static double decode(const std::byte* from) {
-    Stored stored;
-    std::memcpy(&stored, from, sizeof stored);
-    return static_cast<double>(Format::template decode<T>(stored));
-  }
-  static void encode(std::byte* to, double value) {
-    const Stored stored = Format::template encode<T>(static_cast<T>(value));
-    std::memcpy(to, &stored, sizeof stored);
-  }
-  static constexpr OwnCodec codec{&decode, &encode};
-};
-
-/// The functions of Format where copies do not know it by its numbers, else null.
-template <class Format, class T>
-[[nodiscard]] constexpr const OwnCodec* own_codec() {
-  if constexpr (format::FromLibrary<Format> || format::StoresNothing<Format> || format::is_probe<Format>) {
-    return nullptr;
-  } else {
-    return &OwnFunctions<Format, T>::codec;
-  }
-}
-
-}  // namespace detail
 
 /// @tparam T the type computed with
 /// @param entries of a fixed array; 1 for others

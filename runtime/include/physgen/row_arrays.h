@@ -146,7 +146,7 @@ class RowArrays {
 
  private:
   template <class Given>
-  using HostForm = Array<typename Given::Object, typename Given::View::Precision, Host, Aos, typename Given::Formats>;
+  using HostForm = Array<typename Given::Object, typename Given::Precision, Host, Aos, typename Given::Formats>;
   using HostRanges = HostForm<Ranges>;
   using HostEntries = HostForm<Entries>;
   static constexpr std::string_view name = Entries::Object::name;
@@ -206,7 +206,8 @@ class RowArrays {
     const detail::ChosenRows chosen =
         detail::choose_rows(rows_on_host(), old.untyped(), targets_.field, order, new_number);
     HostEntries entries(static_cast<index_t>(chosen.entries.size()));
-    detail::pick(entries.untyped(), old.untyped(), detail::Numbers(chosen.entries, {}));
+    const detail::Numbers picked(chosen.entries, {});
+    detail::pick(entries.untyped(), 0, old.untyped(), &picked);
     if (new_number) physgen::renumber(entries.untyped(), targets_.field, *new_number);
     replace(chosen.rows, entries);
     targets_.count = targets;

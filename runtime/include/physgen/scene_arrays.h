@@ -2,6 +2,7 @@
 // one record for all objects, and fields that begin as signalling NaN in checked builds.
 #pragma once
 
+#include <physgen/detail/array_types.h>
 #include <physgen/layout/uniform.h>
 #include <physgen/runtime.h>
 
@@ -13,21 +14,6 @@
 #include <vector>
 
 namespace physgen {
-
-namespace detail {
-template <class Array, class Formats>
-struct WithFormats;
-template <class Object, class Real, class Space, class Layout, class Old, class Formats>
-struct WithFormats<Array<Object, Real, Space, Layout, Old>, Formats> {
-  using type = Array<Object, Real, Space, Layout, Formats>;
-};
-template <class Array, class Layout>
-struct WithLayout;
-template <class Object, class Real, class Space, class Old, class Formats, class Layout>
-struct WithLayout<Array<Object, Real, Space, Old, Formats>, Layout> {
-  using type = Array<Object, Real, Space, Layout, Formats>;
-};
-}  // namespace detail
 
 /// The same array, with its fields stored as Formats says.
 template <class Array, class Formats>
@@ -166,7 +152,7 @@ template <class Array>
     return bytes_of_array<typename Array::Record>(Array::records(objects));
   } else {
     if (objects == 0) return 0;
-    return Array::View::Layout::padded(objects) * Array::record_bytes +
+    return Array::Layout::padded(objects) * Array::record_bytes +
            (checked_build ? index_t{sizeof(Losses)} : index_t{0});
   }
 }

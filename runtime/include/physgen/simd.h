@@ -10,34 +10,12 @@
 #include <physgen/detail/simd_functions.h>
 #include <physgen/detail/simd_masks.h>
 #include <physgen/detail/simd_repairs.h>
+#include <physgen/detail/simd_roots.h>
 #include <physgen/math.h>
 
 #include <Eigen/Core>
 #include <type_traits>
 #include <xsimd/xsimd.hpp>
-
-namespace xsimd {
-
-// xsimd 8.1 has no fused multiply-add for AVX-512 and for SSE: it multiplies, then adds. These overloads are more
-// special than its own, and found wherever that one is. Kernels name each fusion, and contraction by the compiler is
-// off, so that packs of all widths, single numbers and CUDA round alike.
-template <std::floating_point T, class A>
-[[gnu::always_inline]] inline batch<T, A> fma(const batch<T, A>& x, const batch<T, A>& y, const batch<T, A>& z) {
-  [[maybe_unused]] constexpr std::size_t bytes = sizeof(x), of_one = sizeof(T);
-#if defined(__AVX512F__)
-  if constexpr (bytes == 64 && of_one == 4) return _mm512_fmadd_ps(x, y, z);
-  if constexpr (bytes == 64 && of_one == 8) return _mm512_fmadd_pd(x, y, z);
-#endif
-#if defined(__FMA__)
-  if constexpr (bytes == 32 && of_one == 4) return _mm256_fmadd_ps(x, y, z);
-  if constexpr (bytes == 32 && of_one == 8) return _mm256_fmadd_pd(x, y, z);
-  if constexpr (bytes == 16 && of_one == 4) return _mm_fmadd_ps(x, y, z);
-  if constexpr (bytes == 16 && of_one == 8) return _mm_fmadd_pd(x, y, z);
-#endif
-  return kernel::fma<A>(x, y, z, A{});
-}
-
-}  // namespace xsimd
 
 namespace physgen {
 
@@ -51,54 +29,6 @@ template <class Real>
 using Batch = xsimd::batch<Real>;
 
 namespace math {
-
-namespace detail {
-
-/// Bits of the estimates that x86 has for packs of float; 0 where there are none.
-template <class S>
-constexpr int estimate_bits() {
-#if defined(__AVX__)
-  if constexpr (std::is_same_v<typename S::value_type, float>) return sizeof(S) == 64 ? 14 : sizeof(S) == 32 ? 11 : 0;
-#endif
-  return 0;
-}
-
-template <class S>
-S rough_inverse_sqrt(const S& x) {
-#if defined(__AVX512F__)
-  if constexpr (estimate_bits<S>() == 14) return _mm512_rsqrt14_ps(x);
-#endif
-#if defined(__AVX__)
-  if constexpr (estimate_bits<S>() == 11) return _mm256_rsqrt_ps(x);
-#endif
-  return S(typename S::value_type(1)) / xsimd::sqrt(x);
-}
-
-template <class S>
-S rough_inverse(const S& x) {
-#if defined(__AVX512F__)
-  if constexpr (estimate_bits<S>() == 14) return _mm512_rcp14_ps(x);
-#endif
-#if defined(__AVX__)
-  if constexpr (estimate_bits<S>() == 11) return _mm256_rcp_ps(x);
-#endif
-  return S(typename S::value_type(1)) / x;
-}
-
-/// An estimate and Newton's steps, each of which doubles its bits: a third of the time of a root and a quotient.
-template <class S>
-S inverse_sqrt(const S& x) {
-  using T = typename S::value_type;
-  S y = rough_inverse_sqrt(x);
-  constexpr int bits = estimate_bits<S>();
-  for (int have = bits; have != 0 && have < 24; have *= 2) {
-    const S rest = xsimd::fma(-x * y, y, S(T(1)));
-    y = xsimd::fma(y * S(T(0.5)), rest, y);
-  }
-  return y;
-}
-
-}  // namespace detail
 
 template <class T, class A>
 struct ScalarTraits<xsimd::batch<T, A>> {

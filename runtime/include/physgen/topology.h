@@ -56,7 +56,7 @@ class ArraySet {
     const auto added = detail::untyped(same);
     replace(new_size, [&](std::size_t a, const UntypedArray& to, const UntypedArray& from) {
       copy_first(to, from, old_size);
-      detail::insert(to, old_size, added[a]);
+      detail::pick(to, old_size, added[a], nullptr);
     });
   }
 
@@ -86,8 +86,9 @@ class ArraySet {
  private:
   void pick(std::span<const index_t> order) {
     const detail::Numbers numbers(order, detail::untyped(arrays_));
-    replace(static_cast<index_t>(order.size()),
-            [&](std::size_t, const UntypedArray& to, const UntypedArray& from) { detail::pick(to, from, numbers); });
+    replace(static_cast<index_t>(order.size()), [&](std::size_t, const UntypedArray& to, const UntypedArray& from) {
+      detail::pick(to, 0, from, &numbers);
+    });
   }
 
   // Builds an array of `size` objects for each old one with fill(which, new, old), then swaps all of them in.

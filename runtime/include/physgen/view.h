@@ -156,7 +156,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   [[nodiscard]] PHYSGEN_FUNCTION Ref<I> at(const detail::Bare<I>& i) const {
     check(i);
 #if defined(PHYSGEN_CHECKED) && !defined(__CUDACC__)
-    if constexpr (!std::is_integral_v<detail::Bare<I>>) detail::watch_array<View>(losses_, size_);
+    if constexpr (!std::is_integral_v<detail::Bare<I>>) detail::watch_array<View>(losses_);
 #endif
     return Ref<I>(CursorAt<detail::Bare<I>>(base_, *this, i, losses()));
   }

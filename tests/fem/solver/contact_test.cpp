@@ -53,7 +53,7 @@ TEST(Contact, of_the_compressed_truth_cube_keeps_its_sides_between_the_plates_an
       const Body body = make_truth_cube_body(cells, true, frictionless), plates = with_contact(body);
       const auto without = make_solver(body.levels, body.loading, silicone());
       const auto with = make_solver(plates.levels, plates.loading, silicone());
-      for (const double compression : {0.1825, cells == 8 ? 0.4 : 0.3}) {
+      for (const double compression : {0.1825, cells == 8 ? 0.5 : 0.4}) {
         const NewtonResult free = without->solve_to(compression, {}), result = with->solve_to(compression, {});
         ASSERT_EQ(free.status, NewtonStatus::converged);
         ASSERT_EQ(result.status, NewtonStatus::converged);
@@ -80,7 +80,7 @@ TEST(Contact, of_the_compressed_truth_cube_keeps_its_sides_between_the_plates_an
           const auto inside = [&](double x) { return x > 0.0099 && x < side - 0.0099; };  // beads: 1 to 7 cm
           if (inside(X[0]) && inside(X[1]) && inside(X[2])) beads = std::max(beads, moved);
         }
-        EXPECT_LE(beads, compression < 0.2 ? 5e-5 : 0.3 * reach(a, compression));
+        EXPECT_LE(beads, compression < 0.2 ? 5e-5 : 0.4 * reach(a, compression));
         std::printf(
             "%d^3 cells, %s, %g: past the plates by %.4f mm without and %.4f mm with contact of up to %.3g of E mm^2; "
             "nodes move by up to %.4f mm, beads by %.4f mm; %d + %d and %d + %d Newton steps, %d and %d PCG "
@@ -102,7 +102,7 @@ TEST(Contact, in_load_steps_leads_where_nested_iteration_does) {
     settings.nested = nested;
     settings.newton.tolerance = 1e-9;
     const auto solver = make_solver(body.levels, body.loading, settings);
-    for (const double compression : {0.125, 0.3}) {
+    for (const double compression : {0.125, 0.4}) {
       const NewtonResult result = solver->solve_to(compression, {});
       ASSERT_EQ(result.status, NewtonStatus::converged);
       EXPECT_EQ(result.bisections, 0);
@@ -116,63 +116,55 @@ TEST(Contact, in_load_steps_leads_where_nested_iteration_does) {
   EXPECT_LE(largest_distance(found[0], found[1]), 1e-8 * side);
 }
 
-/// The mesh is the same after a reflection in its middle; after one in its mid-plane it is not, but at the beads
-/// almost.
+/// The mesh is its own mirror image along each axis, and so is what moves it, seen from half-way between the plates.
 TEST(Contact, of_bonded_plates_is_symmetric) {
   constexpr Index cells = 16;
-  constexpr double compression = 0.3;
-  const Body body = make_truth_cube_body(cells, true), plates = with_contact(body);
+  constexpr double compression = 0.4;
+  const Body body = with_contact(make_truth_cube_body(cells, true));
   SolverSettings settings = silicone();
   settings.newton.tolerance = 1e-9;
-  const auto solver = make_solver(plates.levels, plates.loading, settings);
-  const auto without = make_solver(body.levels, body.loading, settings);
+  const auto solver = make_solver(body.levels, body.loading, settings);
   ASSERT_EQ(solver->solve_to(compression, {}).status, NewtonStatus::converged);
-  ASSERT_EQ(without->solve_to(compression, {}).status, NewtonStatus::converged);
   const auto contacts = solver->plane_contacts();
   ASSERT_GT(contacts[0].force, 0);
   EXPECT_NEAR(contacts[1].force / contacts[0].force, 1, 1e-6);
   EXPECT_NEAR(contacts[1].depth / contacts[0].depth, 1, 1e-6);
   const Point ends{side, side, side * (1 - compression)};
   const auto x = solver->positions();
-  double in_middle = 0;
-  for (std::size_t n = 0; n < x.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      in_middle = std::max(in_middle, std::abs(x[n][k] + x[x.size() - 1 - n][k] - ends[k]));
-    }
-  }
-  const auto at_beads = [&](const std::vector<Point>& positions) {
-    double largest = 0;
-    const auto node = [](int i, int j, int k) {
-      return std::size_t(2 * i + (cells + 1) * (2 * j + (cells + 1) * 2 * k));
-    };
-    for (int i = 1; i < 8; ++i) {
-      for (int j = 1; j < 8; ++j) {
-        for (int k = 1; k < 8; ++k) {
-          const Point &a = positions[node(i, j, k)], &b = positions[node(i, j, 8 - k)];
-          largest = std::max(largest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] + b[2] - ends[2]));
+  const auto node = [](const std::array<Index, 3>& at) {
+    return static_cast<std::size_t>(at[0] + (cells + 1) * (at[1] + (cells + 1) * at[2]));
+  };
+  std::array<double, 3> asymmetry{};
+  for (Index k = 0; k <= cells; ++k) {
+    for (Index j = 0; j <= cells; ++j) {
+      for (Index i = 0; i <= cells; ++i) {
+        const std::array<Index, 3> at{i, j, k};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          std::array<Index, 3> opposite = at;
+          opposite[axis] = cells - at[axis];
+          Point image = x[node(opposite)];
+          image[axis] = ends[axis] - image[axis];
+          for (std::size_t c = 0; c < 3; ++c) {
+            asymmetry[axis] = std::max(asymmetry[axis], std::abs(x[node(at)][c] - image[c]));
+          }
         }
       }
     }
-    return largest;
-  };
-  const double with = at_beads(x), none = at_beads(without->positions());
-  std::printf(
-      "asymmetric by %.2e mm in the middle; in the mid-plane, at beads, by %.3f mm, without contact by %.3f mm\n",
-      1e3 * in_middle, 1e3 * with, 1e3 * none);
-  EXPECT_LE(in_middle, 1e-7 * side);
-  EXPECT_LE(with, 1.1 * none);
+  }
+  std::printf("asymmetric by %.2e, %.2e and %.2e mm\n", 1e3 * asymmetry[0], 1e3 * asymmetry[1], 1e3 * asymmetry[2]);
+  for (const double largest : asymmetry) EXPECT_LE(largest, 1e-7 * side);
 }
 
 TEST(Contact, is_restarted_bit_for_bit) {
   const Body body = with_contact(make_truth_cube_body(8, true));
   const auto whole = make_solver(body.levels, body.loading, silicone());
-  ASSERT_EQ(whole->solve_to(0.4, {}).status, NewtonStatus::converged);
+  ASSERT_EQ(whole->solve_to(0.45, {}).status, NewtonStatus::converged);
   ASSERT_GT(whole->plane_contacts().at(0).force, 0);
   const SolverState kept = whole->state();
-  ASSERT_EQ(whole->solve_to(0.45, {}).status, NewtonStatus::converged);
+  ASSERT_EQ(whole->solve_to(0.5, {}).status, NewtonStatus::converged);
   const auto later = make_solver(body.levels, body.loading, silicone());
   later->restore(kept);
-  ASSERT_EQ(later->solve_to(0.45, {}).status, NewtonStatus::converged);
+  ASSERT_EQ(later->solve_to(0.5, {}).status, NewtonStatus::converged);
   EXPECT_EQ(later->positions(), whole->positions());
   EXPECT_EQ(later->forces(), whole->forces());
   EXPECT_EQ(later->plane_contacts().at(1).force, whole->plane_contacts().at(1).force);

@@ -40,6 +40,7 @@ struct Found {
   double reaction;      // over E [m^2]
   double extrapolated;  // from half as many cells, with first order
   double estimate;      // of the RMS, from half as many cells [mm]
+  double drift;         // to a side, the mean of all beads [mm]
 };
 
 /// Beads lie at nodes, where cells are a multiple of 8.
@@ -57,11 +58,13 @@ std::vector<Found> compress(Index cells, Volume volume, bool frictionless, doubl
     const auto& rest = body.levels[0].rest;
     Found f{};
     double sum = 0;
+    std::array<double, 2> moved{};
     const auto beads =
         read_oracle(std::string("0.49_") + (frictionless ? "frictionless" : "bonded") + "_" + compression + ".csv");
     for (const Bead& bead : beads) {
       const auto at = [&](int k) { return std::lround(bead.rest[std::size_t(k)] / 0.08 * cells); };
       const auto node = static_cast<std::size_t>(at(0) + (cells + 1) * (at(1) + (cells + 1) * at(2)));
+      for (std::size_t k = 0; k < 2; ++k) moved[k] += 1e3 * (positions[node][k] - rest[node][k]);
       double square = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_NEAR(rest[node][k], bead.rest[k], 1e-12);
@@ -72,6 +75,7 @@ std::vector<Found> compress(Index cells, Volume volume, bool frictionless, doubl
       f.max = std::max(f.max, std::sqrt(square));
     }
     f.rms = std::sqrt(sum / double(beads.size()));
+    f.drift = std::hypot(moved[0], moved[1]) / double(beads.size());
     for (std::size_t n = 0; n < forces.size(); ++n) {
       if (rest[n][2] == 0.08) f.reaction -= forces[n][2];
     }
@@ -127,21 +131,22 @@ TEST(Oracle, beads_of_16_cells_with_patches_lie_where_the_oracle_has_them_under_
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(found[k].reaction / reactions[k], 1, 0.05) << k;
     EXPECT_NEAR(found[k].extrapolated / reactions[k], 1, 0.015) << k;
+    EXPECT_LE(found[k].drift, 1e-3) << "nothing but the mesh could move the beads to a side";
   }
 }
 
-TEST(Oracle, tets_without_patches_lock_and_patches_halve_their_error_three_times_over) {
+TEST(Oracle, tets_without_patches_lock_and_patches_halve_their_error) {
   const auto tets = compress(16, Volume::tets, false, 0.49), patches = compress(16, Volume::patches, false, 0.49);
-  EXPECT_GE(tets[2].rms, 3 * patches[2].rms);
+  EXPECT_GE(tets[2].rms, 2 * patches[2].rms);
   EXPECT_LE(tets[2].rms, 0.5);
   EXPECT_LT(tets[2].reaction, 1.02 * patches[2].reaction);  // stiffer: a larger force, which is negative
 }
 
-TEST(Oracle, beads_of_16_cells_with_volumes_averaged_at_nodes_lie_between_those_of_patches_and_of_tets) {
+TEST(Oracle, beads_of_16_cells_with_volumes_averaged_at_nodes_lie_where_the_oracle_has_them) {
   const auto found = compress(16, Volume::nodes, false, 0.49);
-  EXPECT_LE(found[0].rms, 0.18 * 0.05 / 0.1825);
-  EXPECT_LE(found[1].rms, 0.18 * 0.125 / 0.1825);
-  EXPECT_LE(found[2].rms, 0.18);
+  EXPECT_LE(found[0].rms, 0.13 * 0.05 / 0.1825);
+  EXPECT_LE(found[1].rms, 0.13 * 0.125 / 0.1825);
+  EXPECT_LE(found[2].rms, 0.13);
   const double reactions[] = {-4.1053e-4, -11.087e-4, -17.108e-4};
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k].reaction / reactions[k], 1, 0.08) << k;
 }
@@ -188,7 +193,8 @@ TEST(NearAHalf, tets_lock_where_volumes_averaged_at_nodes_or_over_patches_agree)
   }
   EXPECT_LE(rms[1], 0.3);
   EXPECT_LE(rms[2], 0.4);
-  EXPECT_GE(rms[0], 5 * rms[2]);
+  EXPECT_GE(rms[0], 3 * rms[2]);
+  EXPECT_GE(rms[0], 8 * rms[1]);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The kernels of tools/fem over probes. Compiled into usage_analysis_test, where the compiler registers what it finds,
 // and read by the analysis, for the host and for CUDA.
-#include "probe_kernels.h"
+#include "kernels/probe_kernels.h"
 
 #ifdef __CUDACC__
 #include <fem/solver/product_cuda.h>

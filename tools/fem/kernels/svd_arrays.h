@@ -34,10 +34,8 @@ constexpr bool goes_with() {
   if constexpr (std::is_same_v<Plain, Skip>) {
     return true;
   } else {
-    using PartView = typename Plain::View;
-    using View = typename Gradients::View;
-    return std::is_same_v<typename PartView::Space, typename View::Space> &&
-           std::is_same_v<typename PartView::Precision, typename View::Precision>;
+    return std::is_same_v<typename Plain::Space, typename Gradients::Space> &&
+           std::is_same_v<typename Plain::Precision, typename Gradients::Precision>;
   }
 }
 
@@ -56,7 +54,7 @@ void svd(const Gradients& F, Left&& U, Stretches&& s, Right&& V) {
   static_assert(detail::goes_with<Gradients, Left>() && detail::goes_with<Gradients, Stretches>() &&
                     detail::goes_with<Gradients, Right>(),
                 "svd(F, U, s, V): all arrays have the space and the precision of F");
-  using Space = typename Gradients::View::Space;
+  using Space = typename Gradients::Space;
   using Where = std::conditional_t<Space::kind == SpaceKind::cuda, Cuda, Host>;
   detail::check_size(U, "U", F.size());
   detail::check_size(s, "s", F.size());

@@ -4,8 +4,10 @@
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace physgen::fem {
 
@@ -100,7 +102,7 @@ TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets) {
   return mesh;
 }
 
-TetMesh make_box_mesh(Index nx, Index ny, Index nz) {
+TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored) {
   if (nx < 1 || ny < 1 || nz < 1) {
     throw Error("box mesh: cells " + std::to_string(nx) + " x " + std::to_string(ny) + " x " + std::to_string(nz) +
                 "; each count must be at least 1");
@@ -111,7 +113,7 @@ TetMesh make_box_mesh(Index nx, Index ny, Index nz) {
   }
   // The six paths from corner 0 to corner 7 of a cell along its edges; odd ones have two corners exchanged, which turns
   // their volume positive.
-  constexpr std::array<std::array<int, 4>, 6> paths{
+  constexpr std::array<std::array<unsigned, 4>, 6> paths{
       {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 3, 2, 7}, {0, 5, 1, 7}, {0, 6, 4, 7}}};
   const auto node = [nx, ny](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
   std::vector<std::array<Index, 4>> tets;
@@ -120,11 +122,14 @@ TetMesh make_box_mesh(Index nx, Index ny, Index nz) {
   for (Index z = 0; z < nz; ++z) {
     for (Index y = 0; y < ny; ++y) {
       for (Index x = 0; x < nx; ++x) {
+        const unsigned mirror = (x >= mirrored.x ? 1U : 0U) | (y >= mirrored.y ? 2U : 0U) | (z >= mirrored.z ? 4U : 0U);
         for (const auto& path : paths) {
           std::array<Index, 4> tet{};
           for (std::size_t c = 0; c < 4; ++c) {
-            tet[c] = node(x + (path[c] & 1), y + (path[c] >> 1 & 1), z + (path[c] >> 2));
+            const auto corner = static_cast<Index>(path[c] ^ mirror);
+            tet[c] = node(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
           }
+          if (std::popcount(mirror) % 2 != 0) std::swap(tet[1], tet[2]);  // a mirror turns volumes negative
           tets.push_back(tet);
         }
       }

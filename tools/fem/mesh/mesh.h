@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace physgen::fem {
@@ -44,9 +45,17 @@ struct TetMesh {
 /// @throws Error when a corner is not in [0, nodes), a tet names a node twice, or a list would exceed 2^31 entries
 [[nodiscard]] TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets);
 
+/// The cells of a box that are cut as the mirror images of those before them: from this number on along each axis.
+struct MirroredFrom {
+  static constexpr Index none = std::numeric_limits<Index>::max();
+  Index x = none, y = none, z = none;
+};
+
 /// A box of nx * ny * nz cells, each cut into the 6 tets around its main diagonal (Kuhn, Freudenthal): conforming, all
-/// of one volume. Node (x, y, z) has number x + (nx + 1) (y + (ny + 1) z).
+/// of one volume. Node (x, y, z) has number x + (nx + 1) (y + (ny + 1) z). Diagonals run from the lowest to the highest
+/// corner, so a body that nothing holds sideways drifts to one side, unless the box is its own mirror image: with half
+/// of the cells mirrored along each axis, diagonals run from the corners of the box towards its centre.
 /// @throws Error when a count is below 1 or the mesh exceeds 2^31 incidences
-[[nodiscard]] TetMesh make_box_mesh(Index nx, Index ny, Index nz);
+[[nodiscard]] TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored = {});
 
 }  // namespace physgen::fem

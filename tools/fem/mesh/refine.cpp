@@ -4,6 +4,7 @@
 #include <fem/mesh/refine.h>
 #include <physgen/error.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -119,7 +120,7 @@ Refined refine(const TetMesh& mesh, std::span<const Point> rest) {
   return fine;
 }
 
-std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz) {
+std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz, const MirroredFrom& mirrored) {
   if (nx < 1 || ny < 1 || nz < 1) {
     throw Error("box parents: cells " + std::to_string(nx) + " x " + std::to_string(ny) + " x " + std::to_string(nz) +
                 "; each count must be at least 1");
@@ -133,11 +134,16 @@ std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz) {
   std::vector<std::array<Index, 2>> parents;
   parents.reserve(static_cast<std::size_t>(2 * nx + 1) * static_cast<std::size_t>(2 * ny + 1) *
                   static_cast<std::size_t>(2 * nz + 1));
-  // All differences of 0 or 1 in each coordinate are edges of the Kuhn mesh: rounding down and up gives the ends.
+  // All differences of 0 or 1 in each coordinate are edges of the Kuhn mesh: rounding down and up gives the ends; in
+  // mirrored cells up and down.
   for (Index z = 0; z <= 2 * nz; ++z) {
     for (Index y = 0; y <= 2 * ny; ++y) {
       for (Index x = 0; x <= 2 * nx; ++x) {
-        parents.push_back({node(x / 2, y / 2, z / 2), node((x + 1) / 2, (y + 1) / 2, (z + 1) / 2)});
+        const Index up_x = x / 2 >= mirrored.x ? 1 : 0, up_y = y / 2 >= mirrored.y ? 1 : 0;
+        const Index up_z = z / 2 >= mirrored.z ? 1 : 0;
+        const Index one = node((x + up_x) / 2, (y + up_y) / 2, (z + up_z) / 2);
+        const Index other = node((x + 1 - up_x) / 2, (y + 1 - up_y) / 2, (z + 1 - up_z) / 2);
+        parents.push_back({std::min(one, other), std::max(one, other)});
       }
     }
   }

@@ -27,9 +27,10 @@ struct Refined {
 /// @throws Error when rest has not mesh.nodes points, or the fine mesh exceeds 32-bit numbers
 [[nodiscard]] Refined refine(const TetMesh& mesh, std::span<const Point> rest);
 
-/// Parents of the nodes of make_box_mesh(2 nx, 2 ny, 2 nz) among those of make_box_mesh(nx, ny, nz): {v, v} for nodes
-/// at the same place, else the two ends, ascending, of the coarse edge whose midpoint the node is.
+/// Parents of the nodes of make_box_mesh(2 nx, 2 ny, 2 nz) among those of make_box_mesh(nx, ny, nz, mirrored): {v, v}
+/// for nodes at the same place, else the two ends, ascending, of the coarse edge whose midpoint the node is.
 /// @throws Error as make_box_mesh(2 nx, 2 ny, 2 nz) does
-[[nodiscard]] std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz);
+[[nodiscard]] std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz,
+                                                            const MirroredFrom& mirrored = {});
 
 }  // namespace physgen::fem

@@ -11,11 +11,10 @@
 
 namespace physgen::fem::reference {
 
-/// Percentiles of a distribution, in the unit of its errors. A NaN error counts as infinite: it is a failure.
+/// Percentiles of a distribution, in the unit of its errors. A NaN error counts as infinite.
 struct ErrorSummary {
   double p50 = 0, p99 = 0, p9999 = 0, max = 0;
   std::int64_t count = 0;
-  std::int64_t failures = 0;      ///< errors that are not finite
   std::int64_t worst_index = -1;  ///< of the input with the largest error; -1 of nothing
 };
 
@@ -27,7 +26,6 @@ class ErrorDistribution {
   void add(double error, std::int64_t index = -1) {
     const double value = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
     if (index < 0) index = static_cast<std::int64_t>(errors_.size());
-    if (!std::isfinite(value)) ++failures_;
     if (worst_index_ < 0 || value > worst_) worst_ = value, worst_index_ = index;
     errors_.push_back(value);
   }
@@ -45,13 +43,13 @@ class ErrorDistribution {
   [[nodiscard]] std::int64_t worst_index() const { return worst_index_; }
   [[nodiscard]] ErrorSummary summary() const {
     return {percentile(0.5), percentile(0.99), percentile(0.9999), worst_, static_cast<std::int64_t>(errors_.size()),
-            failures_,       worst_index_};
+            worst_index_};
   }
 
  private:
   std::vector<double> errors_;
   double worst_ = 0;
-  std::int64_t worst_index_ = -1, failures_ = 0;
+  std::int64_t worst_index_ = -1;
 };
 
 }  // namespace physgen::fem::reference

@@ -216,9 +216,15 @@ IncidenceList make_node_patches(const MeshLevel& level) {
 
 std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest) {
   std::vector<MeshLevel> levels;
+  Index last_cells = cells;
+  while (last_cells % 2 == 0 && last_cells / 2 >= coarsest) last_cells /= 2;
+  const auto mirrored = [=](Index n) {  // the same places on all levels
+    const Index from = last_cells < 1 ? 0 : n / last_cells * (last_cells / 2);
+    return MirroredFrom{from, from, from};
+  };
   for (Index n = cells;; n /= 2) {
     MeshLevel level;
-    level.mesh = make_box_mesh(n, n, n);
+    level.mesh = make_box_mesh(n, n, n, mirrored(n));
     level.rest.reserve(static_cast<std::size_t>(level.mesh.nodes));
     const auto at = [&](Index k) { return side * (double(k) / double(n)); };
     for (Index z = 0; z <= n; ++z) {
@@ -228,9 +234,9 @@ std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, 
     }
     level.fixed.assign(level.rest.size(), 0);
     if (patches) level.patches = cell_patches(level.mesh);
-    const bool last = n % 2 != 0 || n / 2 < coarsest;
+    const bool last = n == last_cells;
     if (!last) {
-      level.parents = box_parents(n / 2, n / 2, n / 2);
+      level.parents = box_parents(n / 2, n / 2, n / 2, mirrored(n / 2));
       const Index half = n / 2;
       for (Index c = 0; patches && c < n * n * n; ++c) {
         level.patch_parents.push_back(c % n / 2 + half * (c / n % n / 2 + half * (c / n / n / 2)));

@@ -46,7 +46,7 @@ template <class Arrays, class Level>
 
 template <class Array>
 void read_step(const Array& array, std::vector<Point>& step) {
-  const auto found = moved_to<elasticity::NodeDisplacementArray<typename Array::View::Precision>>(array);
+  const auto found = moved_to<elasticity::NodeDisplacementArray<typename Array::Precision>>(array);
   step.resize(static_cast<std::size_t>(found.size()));
   for (index_t n = 0; n < found.size(); ++n) {
     for (int k = 0; k < 3; ++k) step[std::size_t(n)][std::size_t(k)] = found.const_view()[n].dx().get()[k];

@@ -30,15 +30,14 @@ struct Numbers {
   Buffer on_device;
 
   Numbers(std::span<const index_t> numbers, std::span<const UntypedArray> arrays);
+  /// Those that work on an array of this space reads.
+  [[nodiscard]] const index_t* in(SpaceKind space) const;
 };
 
-/// Object i of `to` becomes object order[i] of `from`, as plain bytes. On CUDA ordered in the default stream.
-/// @pre both store the same records in the same space; to.size is the length of `order`, whose numbers are in range
-void pick(const UntypedArray& to, const UntypedArray& from, const Numbers& order);
-
-/// Object begin + i of `to` becomes object i of `from`, as plain bytes. On CUDA ordered in the default stream.
-/// @pre both store the same records in the same space; begin + from.size <= to.size
-void insert(const UntypedArray& to, index_t begin, const UntypedArray& from);
+/// Object begin + i of `to` becomes object order[i] of `from`, or without an order (null) object i, as plain bytes. On
+/// CUDA ordered in the default stream.
+/// @pre both store the same records in the same space, and have these objects
+void pick(const UntypedArray& to, index_t begin, const UntypedArray& from, const Numbers* order);
 
 /// Whether both are arrays of one object type.
 template <class A, class B>

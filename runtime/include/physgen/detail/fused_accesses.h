@@ -54,9 +54,10 @@ template <class Step>
   return number;
 }
 
-/// What one launch did to one array.
+/// The accesses of one launch to one array.
 class ArrayAccesses {
  public:
+  /// @param size objects of the array, of which a view may have fewer
   ArrayAccesses(std::string_view object, std::span<const FieldInfo> fields, index_t size, int record_bytes)
       : object_(object), fields_(fields) {
     for (const FieldInfo& field : fields)
@@ -72,9 +73,9 @@ class ArrayAccesses {
   /// @throw Error when it and another one, for another object of the kernel, are a race
   void note(FusedAccess access, index_t object, int offset, index_t of, int step) {
     Entry& entry = entries_.get()[object * units_ + offset / unit_];
-    const Place at{object, offset};
+    const Element at{object, offset};
     const std::uint64_t mine = static_cast<std::uint64_t>(step) << index_bits | static_cast<std::uint64_t>(of + 1);
-    // What is done is stored before others' is looked at: of two threads one at least sees the other.
+    // An access is stored before others' are looked at: of two threads one at least sees the other.
     if (access == FusedAccess::write) {
       look(at, access, mine, FusedAccess::write, std::atomic_ref(entry.writer).exchange(mine));
     } else {
@@ -94,7 +95,7 @@ class ArrayAccesses {
     std::uint64_t writer;
     std::array<std::uint64_t, 2> readers, adders;
   };
-  struct Place {
+  struct Element {
     index_t object;
     int offset;
   };
@@ -112,7 +113,7 @@ class ArrayAccesses {
       std::atomic_ref(who[1]).store(mine);
   }
 
-  void look(const Place& at, FusedAccess access, std::uint64_t mine, FusedAccess other_access,
+  void look(const Element& at, FusedAccess access, std::uint64_t mine, FusedAccess other_access,
             std::uint64_t other) const {
     if (other == 0 || index(other) == index(mine)) return;
     const auto says = [](FusedAccess what, std::uint64_t who) {
@@ -136,10 +137,10 @@ class ArrayAccesses {
   std::unique_ptr<Entry, Free> entries_;
 };
 
-/// What the steps of a fused kernel did in one launch.
+/// The accesses of a fused kernel's steps in one launch.
 class FusedAccesses {
  public:
-  /// What is known of an array; null where nothing is. @param losses of the array, which tell arrays apart
+  /// The accesses to an array; null where none are known. @param losses of the array, which tell arrays apart
   [[nodiscard]] ArrayAccesses* find(const Losses* losses) {
     static thread_local std::array<Known, 16> lately;
     Known& known = lately[reinterpret_cast<std::uintptr_t>(losses) / 64 % lately.size()];
@@ -150,11 +151,10 @@ class FusedAccesses {
     known = {number_, losses, entry->second.get()};
     return known.accesses;
   }
-  void add(const Losses* losses, std::string_view object, std::span<const FieldInfo> fields, index_t size,
-           int record_bytes) {
+  void add(const Losses* losses, std::string_view object, std::span<const FieldInfo> fields, int record_bytes) {
     const std::lock_guard lock(mutex_);
     std::unique_ptr<ArrayAccesses>& accesses = arrays_[losses];
-    if (!accesses) accesses = std::make_unique<ArrayAccesses>(object, fields, size, record_bytes);
+    if (!accesses) accesses = std::make_unique<ArrayAccesses>(object, fields, losses->objects, record_bytes);
   }
 
  private:
@@ -175,7 +175,8 @@ struct RunningStep {
   index_t begin = 0;  ///< of lane 0
   LaneRange range{0, 0};
   int width = 0;
-  int step = -1;  ///< none: no fused kernel runs
+  std::uint64_t used = ~std::uint64_t{0};  ///< bits of the lanes for which it runs; what others find is not used
+  int step = -1;                           ///< none: no fused kernel runs
 
   [[nodiscard]] bool watched() const { return launch != nullptr && step >= 0; }
 };
@@ -199,14 +200,20 @@ template <class Step>
   here.step = number_of_step<Step>();
   return here;
 }
+/// The same step, for those of its lanes whose bits are set.
+[[nodiscard]] inline RunningStep of_lanes(std::uint64_t lanes) {
+  RunningStep here = running_step;
+  here.used &= lanes;
+  return here;
+}
 
 /// Makes an array known to the launch whose fused kernel looks at objects of it. @param losses null: of no array
 template <class View>
-void watch_array(const Losses* losses, index_t size) {
+void watch_array(const Losses* losses) {
   if (losses == nullptr || !running_step.watched() || running_step.launch->find(losses) != nullptr) return;
   using Object = typename View::Object;
   running_step.launch->add(losses, Object::name,
-                           Object::template fields<typename View::Precision, typename View::Formats>, size,
+                           Object::template fields<typename View::Precision, typename View::Formats>,
                            View::Record::bytes);
 }
 

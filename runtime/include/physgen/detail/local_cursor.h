@@ -76,7 +76,7 @@ struct NotInLocal {
   using Lanes = lanes_t<T, I>;
 };
 
-/// What is said of a field of theirs, once: what stands for its value is defined nowhere.
+/// Refuses a field of theirs, in one message: the type that stands for its value is defined nowhere.
 template <class Value>
 struct NoField {
   PHYSGEN_FUNCTION Value get() const;

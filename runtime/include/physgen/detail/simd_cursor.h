@@ -3,6 +3,7 @@
 #pragma once
 
 #include <physgen/detail/cursor.h>
+#include <physgen/detail/simd_formats.h>
 #include <physgen/simd.h>
 
 #include <array>
@@ -61,48 +62,6 @@ struct LaneOf<xsimd::batch_bool<T, A>> {
 };
 
 namespace detail {
-
-/// Whether the processor's own conversion of halves is that of the format: of a power of two, or another factor.
-template <class Format, class T>
-inline constexpr bool is_half_of_floats =
-    format::FromLibrary<Format> && Format::template type<T> == ElementType::half && Format::centre == 0 &&
-    std::is_same_v<T, float>;
-
-/// W numbers as they lie in memory, to W numbers to compute with, and back. Loops that compilers turn into packs; where
-/// an instruction converts a whole pack, it is named (with a mask of all lanes: of the others' operand g++ warns).
-template <class Format, class T, int W>
-void decode_lanes(const typename Format::template Stored<T>* stored, T* values) {
-#if defined(__F16C__) && defined(__AVX512F__)
-  if constexpr (is_half_of_floats<Format, T> && W == 16) {
-    const __m512 wide = _mm512_maskz_cvtph_ps(0xffff, _mm256_load_si256(reinterpret_cast<const __m256i*>(stored)));
-    return _mm512_store_ps(values, _mm512_mul_ps(wide, _mm512_set1_ps(float(Format::scale))));
-  }
-#endif
-#if defined(__F16C__)
-  if constexpr (is_half_of_floats<Format, T> && W == 8) {
-    const __m256 wide = _mm256_cvtph_ps(_mm_load_si128(reinterpret_cast<const __m128i*>(stored)));
-    return _mm256_store_ps(values, _mm256_mul_ps(wide, _mm256_set1_ps(float(Format::scale))));
-  }
-#endif
-  for (int l = 0; l < W; ++l) values[l] = Format::template decode<T>(stored[l]);
-}
-template <class Format, class T, int W>
-void encode_lanes(const T* values, typename Format::template Stored<T>* stored) {
-#if defined(__F16C__) && defined(__AVX512F__)
-  if constexpr (is_half_of_floats<Format, T> && W == 16) {
-    const __m512 scaled = _mm512_mul_ps(_mm512_load_ps(values), _mm512_set1_ps(float(1 / Format::scale)));
-    return _mm256_store_si256(reinterpret_cast<__m256i*>(stored),
-                              _mm512_maskz_cvtps_ph(0xffff, scaled, _MM_FROUND_TO_NEAREST_INT));
-  }
-#endif
-#if defined(__F16C__)
-  if constexpr (is_half_of_floats<Format, T> && W == 8) {
-    const __m256 scaled = _mm256_mul_ps(_mm256_load_ps(values), _mm256_set1_ps(float(1 / Format::scale)));
-    return _mm_store_si128(reinterpret_cast<__m128i*>(stored), _mm256_cvtps_ph(scaled, _MM_FROUND_TO_NEAREST_INT));
-  }
-#endif
-  for (int l = 0; l < W; ++l) stored[l] = Format::template encode<T>(values[l]);
-}
 
 /// The lanes, of an index as wide as W, that the kernel which runs on this thread was called for: gathered indices do
 /// not know them, and stores through these leave the others alone. All, outside of kernels and in whole packs of builds
@@ -201,9 +160,9 @@ class SimdCursor : protected LossSink {
     static_assert(format::is_plain<Format, T> || format::StoresNothing<Format>,
                   "add() needs a field that is stored as it is computed: give it the format Native");
     for (int e = 0; e < kCount; ++e) {
-      note_sum(range, offset + (k + e) * int{sizeof(T)});
       alignas(64) std::array<T, W> lanes;
       values[e].store_aligned(lanes.data());
+      note_sum(range, offset + (k + e) * int{sizeof(T)}, lanes);
       for (int l = range.first; l < range.last; ++l) {
         auto* to = self().template address<T>(offset + (k + e) * int{sizeof(T)}, l);
         static_assert(!std::is_const_v<std::remove_pointer_t<decltype(to)>>, "this array is read-only here");
@@ -248,20 +207,27 @@ class SimdCursor : protected LossSink {
     note_lanes<W>(access, this->losses(), this->offset() + offset, lanes,
                   [&](int l) { return this->object() + self().further(l); });
   }
-  void note_read(int offset) const { note(FusedAccess::read, offset, all_lanes); }
+  void note_read(int offset) const { note(FusedAccess::read, offset, running_step.used); }
   template <class Format, class T>
   void note_write(int offset, int k, std::uint64_t lanes) const {
     if constexpr (!format::StoresNothing<Format>)
       note(FusedAccess::write, offset + k * int{sizeof(typename Format::template Stored<T>)}, lanes);
   }
-  void note_sum(LaneRange range, int offset) const {
-    note(FusedAccess::add, offset, all_lanes >> (W - (range.last - range.first)) << range.first);
+  // A lane that is not used adds zeros, which change nothing.
+  template <class T>
+  void note_sum(LaneRange range, int offset, const std::array<T, W>& values) const {
+    std::uint64_t lanes = 0;
+    for (int l = range.first; l < range.last; ++l)
+      if ((running_step.used >> l & 1) != 0 || values[static_cast<std::size_t>(l)] != T(0))
+        lanes |= std::uint64_t{1} << l;
+    note(FusedAccess::add, offset, lanes);
   }
 #else
   void note_read(int /*offset*/) const {}
   template <class Format, class T>
   void note_write(int /*offset*/, int /*k*/, std::uint64_t /*lanes*/) const {}
-  void note_sum(LaneRange /*range*/, int /*offset*/) const {}
+  template <class T>
+  void note_sum(LaneRange /*range*/, int /*offset*/, const std::array<T, W>& /*values*/) const {}
 #endif
 
   template <class Format, class T>

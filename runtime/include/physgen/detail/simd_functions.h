@@ -1,6 +1,6 @@
 // Functions of packs that xsimd 8.1 has wrong in places: a result off by more than 4 units in the last place, or not
 // the C library's for zeros, infinities, and numbers near the ends of the range. Those lanes are computed anew by the C
-// library's function. As with fma() in simd.h, these overloads are more special than xsimd's own.
+// library's function. As with fma() in simd_repairs.h, these overloads are more special than xsimd's own.
 #pragma once
 
 #include <physgen/detail/simd_masks.h>

@@ -2,10 +2,30 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <xsimd/xsimd.hpp>
 
 namespace xsimd {
+
+// xsimd 8.1 has no fused multiply-add for AVX-512 and for SSE: it multiplies, then adds. These overloads are more
+// special than its own, and found wherever that one is. Kernels name each fusion, and contraction by the compiler is
+// off, so that packs of all widths, single numbers and CUDA round alike.
+template <std::floating_point T, class A>
+[[gnu::always_inline]] inline batch<T, A> fma(const batch<T, A>& x, const batch<T, A>& y, const batch<T, A>& z) {
+  [[maybe_unused]] constexpr std::size_t bytes = sizeof(x), of_one = sizeof(T);
+#if defined(__AVX512F__)
+  if constexpr (bytes == 64 && of_one == 4) return _mm512_fmadd_ps(x, y, z);
+  if constexpr (bytes == 64 && of_one == 8) return _mm512_fmadd_pd(x, y, z);
+#endif
+#if defined(__FMA__)
+  if constexpr (bytes == 32 && of_one == 4) return _mm256_fmadd_ps(x, y, z);
+  if constexpr (bytes == 32 && of_one == 8) return _mm256_fmadd_pd(x, y, z);
+  if constexpr (bytes == 16 && of_one == 4) return _mm_fmadd_ps(x, y, z);
+  if constexpr (bytes == 16 && of_one == 8) return _mm_fmadd_pd(x, y, z);
+#endif
+  return kernel::fma<A>(x, y, z, A{});
+}
 
 // With AVX, xsimd's `!=` of floating numbers is false where one is NaN; everywhere else it is true. These are
 // specialisations of its member functions. PHYSGEN_UNEQUAL is undefined below.

@@ -34,11 +34,16 @@ struct RowVisit<I> {
     for (std::int32_t k = 0; k < steps; ++k) {
       alignas(64) std::array<std::int32_t, W> entry;
       alignas(64) std::array<T, W> active;
+      [[maybe_unused]] std::uint64_t used = 0;
       for (int l = 0; l < W; ++l) {
         const bool has_one = k < at(lengths, l);
+        if constexpr (checked_build) used |= std::uint64_t{has_one} << l;
         at(entry, l) = (has_one ? at(begins, l) : spare) + k;
         at(active, l) = static_cast<T>(has_one);
       }
+#ifdef PHYSGEN_CHECKED
+      const RunStep runs(of_lanes(used));  // a lane without an entry races with none
+#endif
       body(entries[Integers::load_aligned(entry.data())], Numbers::load_aligned(active.data()) > Numbers(T(0)));
     }
   }

@@ -22,20 +22,6 @@ struct AtOwnIndex {
   static constexpr const char* name = ArrayTag::name;
 };
 
-/// Stands in the place of an array's tag: an array that stores nothing, and may be read all the same. Code that differs
-/// over it from code over the array with all fields depends on which fields are stored.
-template <class ArrayTag>
-struct StoringNothing {
-  static constexpr const char* name = ArrayTag::name;
-};
-
-template <class ArrayTag>
-inline constexpr bool stores_nothing = false;
-template <class ArrayTag>
-inline constexpr bool stores_nothing<StoringNothing<ArrayTag>> = true;
-template <class ArrayTag>
-inline constexpr bool stores_nothing<AtOwnIndex<ArrayTag>> = stores_nothing<ArrayTag>;
-
 }  // namespace probe
 
 namespace format {

@@ -48,8 +48,8 @@ class ProbeArray {
 /// The probe that stands for an Array: of the same object type, precision, layout, space and formats.
 template <class Array, class ArrayTag>
 using ProbeOf =
-    ProbeArray<typename Array::Object, typename Array::View::Precision, typename Array::View::Layout,
-               typename Array::Object::template Probe<ArrayTag, typename Array::Formats>, typename Array::View::Space>;
+    ProbeArray<typename Array::Object, typename Array::Precision, typename Array::Layout,
+               typename Array::Object::template Probe<ArrayTag, typename Array::Formats>, typename Array::Space>;
 
 /// Has the members of RowArrays that programs give to kernels.
 /// @tparam Ranges a ProbeArray of objects with `Index begin, end`

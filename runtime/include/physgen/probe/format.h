@@ -53,22 +53,6 @@ struct Probe {
   }
 };
 
-/// The probe of an array that stores nothing. It tells nothing of reads and writes.
-template <class ArrayTag, class Object, int field, class Base>
-  requires(probe::stores_nothing<ArrayTag> && !format::is_quaternion<Base>)
-struct Probe<ArrayTag, Object, field, Base> : format::Nothing {
-  static constexpr double scale = 2, centre = 1;  // of no format
-
-  template <class Real>
-  [[nodiscard]] PHYSGEN_FUNCTION static Real decode(format::detail::NoElement /*stored*/) {
-    return Real();
-  }
-  template <class Real, class Stored>
-  [[nodiscard]] PHYSGEN_FUNCTION static Real* address(Stored* /*stored*/) {
-    return nullptr;
-  }
-};
-
 /// The probe of a rotation: components of its quaternion are told apart from other fields, not from each other.
 template <class ArrayTag, class Object, int field, class Component_>
 struct Probe<ArrayTag, Object, field, format::Quaternion<Component_>> {
