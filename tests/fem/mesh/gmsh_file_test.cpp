@@ -45,7 +45,7 @@ class GmshFile : public testing::Test {
     return folder_ / name;
   }
 
-  // What read_gmsh() says of a file, after its name; "accepted" if it reads it.
+  // The message of read_gmsh() on a file, after its name; "accepted" if it reads it.
   [[nodiscard]] static std::string refusal(const std::filesystem::path& path) {
     try {
       static_cast<void>(read_gmsh(path));

@@ -76,7 +76,7 @@ case $rule in
   a_file_that_may_not_grow_keeps_the_steps_before)
     flags=(--cells 8 --threads 1 --compress 0.01 0.02 0.03 0.04 0.05 0.06)
     expect_exit 0 "${flags[@]}" --out whole
-    # What is asked for ahead of a step; then a limit that the file meets after some steps.
+    # Bytes that are asked for ahead of a step; then a limit that the file meets after some steps.
     (ulimit -f 1000; expect_exit 1 "${flags[@]}" --out o; expect err 'o/cube.vtkhdf: needs [0-9]+ bytes more')
     ahead=$(sed -nE 's/.*needs ([0-9]+) bytes more.*/\1/p' err)
     (ulimit -f $(((ahead + $(stat -c %s whole/cube.vtkhdf) - 200000) / 1024)); expect_exit 1 "${flags[@]}" --out o)

@@ -64,21 +64,14 @@ struct Pruned : Nothing {
 template <class Format>
 concept StoresNothing = std::derived_from<Format, Nothing>;
 
-namespace detail {
-
-template <class Format>
-inline constexpr bool is_pruned = false;
-template <class Scene, class Array, class Field>
-inline constexpr bool is_pruned<Pruned<Scene, Array, Field>> = true;
-
-}  // namespace detail
-
 template <class Format>
   requires StoresNothing<Format>
 inline constexpr bool holds_indices<Format> = true;
 
 /// Formats of no bytes that copies leave out.
 template <class Format>
-inline constexpr bool is_pruned = detail::is_pruned<Format>;
+inline constexpr bool is_pruned = false;
+template <class Scene, class Array, class Field>
+inline constexpr bool is_pruned<Pruned<Scene, Array, Field>> = true;
 
 }  // namespace physgen::format
