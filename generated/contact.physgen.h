@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_1808DE509C753577
-#define PHYSGEN_CONTACT_H_1808DE509C753577
+#ifndef PHYSGEN_CONTACT_H_B526950FFDE04FA6
+#define PHYSGEN_CONTACT_H_B526950FFDE04FA6
 
 #include <physgen/runtime.h>
 
@@ -229,4 +229,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_1808DE509C753577
+#endif  // PHYSGEN_CONTACT_H_B526950FFDE04FA6

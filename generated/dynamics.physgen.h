@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_DYNAMICS_H_46928D9189B1593C
-#define PHYSGEN_DYNAMICS_H_46928D9189B1593C
+#ifndef PHYSGEN_DYNAMICS_H_389A0F3CB440825B
+#define PHYSGEN_DYNAMICS_H_389A0F3CB440825B
 
 #include <physgen/runtime.h>
 
@@ -227,4 +227,4 @@ static_assert(physgen::are_sound_records<MotionObject, physgen::Host>(
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_46928D9189B1593C
+#endif  // PHYSGEN_DYNAMICS_H_389A0F3CB440825B

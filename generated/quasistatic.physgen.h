@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
-#define PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
+#ifndef PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D
+#define PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D
 
 #include <physgen/runtime.h>
 
@@ -2111,4 +2111,4 @@ static_assert(physgen::are_sound_records<EquilibriumObject, physgen::Host>(
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
+#endif  // PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D

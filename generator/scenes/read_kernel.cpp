@@ -140,7 +140,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
   void say(clang::SourceLocation place, const std::string& what) {
     if (found_.empty() && !in_library_) found_ = what + " at " + usage::text_of(names_.place(place));
   }
-  /// Of the program, whoever calls it.
+  /// Says that the program's function is not known, whoever calls it.
   void unknown(const clang::FunctionDecl& function) {
     in_library_ = false;
     say(function.getLocation(), "calls " + function.getNameAsString() + "(), which is not known,");
@@ -161,7 +161,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     for (const auto& base : record->getDefinition()->bases()) destroys(base.getType());
     for (const auto* member : record->getDefinition()->fields()) destroys(member->getType());
   }
-  /// What stands behind an #if is seen as it is compiled for the CPU alone.
+  /// Code behind an #if is seen as it is compiled for the CPU alone.
   void directives(const clang::FunctionDecl& function) {
     const auto& context = function.getASTContext();
     const llvm::StringRef text =

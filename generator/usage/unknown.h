@@ -33,7 +33,7 @@ class UnknownUses {
 
   static constexpr const char* address = "the address of an element, behind which lie others,";
 
-  /// Of all arrays in a type.
+  /// Adds a find for each array in a type.
   void add(clang::QualType type, const char* what, clang::SourceLocation location);
   void look_for_memory(const clang::Decl& code);
 

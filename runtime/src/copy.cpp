@@ -72,14 +72,10 @@ index_t copy_range(const UntypedArray& to, const UntypedArray& from, index_t beg
   return backend::convert(to, from, begin, end, stream);
 }
 
-void copy_first(const UntypedArray& to, const UntypedArray& from, index_t count, Stream stream) {
-  copy_range(to, from, 0, count, stream);
-}
-
 void copy(const UntypedArray& to, const UntypedArray& from, Stream stream) {
   require_two_arrays_of_one_type(to, from);
   if (to.size != from.size) detail::refuse_copy(to, from, "resize the target first");
-  copy_first(to, from, from.size, stream);
+  copy_range(to, from, 0, from.size, stream);
 }
 
 }  // namespace physgen

@@ -1,4 +1,4 @@
-// What a checked build says of fused kernels. This program is compiled with PHYSGEN_CHECKED.
+// Reports of a checked build on fused kernels. This program is compiled with PHYSGEN_CHECKED.
 #include <elasticity.physgen.h>
 #include <everything.physgen.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace physgen::test {
 namespace {
 
-/// What a local holds before anything is written to it, lane by lane.
+/// The numbers of a local before anything is written to it, lane by lane.
 template <class Object, class Real, class Formats, class Read>
 std::vector<double> numbers_at_first(const Read& read) {
   std::vector<double> found;

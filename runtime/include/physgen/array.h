@@ -52,16 +52,9 @@ class Array {
   explicit Array(index_t size) { resize(size); }
   /// On CUDA and in pinned memory this works in the default stream. @pre work on `other` in other streams is done (see
   /// synchronize())
-  Array(const Array& other) : Array(other.size_) { copy_first(untyped(), other.untyped(), size_); }
-  Array& operator=(const Array& other) {
-    if (this != &other) {
-      Array duplicate(other);
-      swap(duplicate);
-    }
-    return *this;
-  }
+  Array(const Array& other) : Array(other.size_) { copy_range(untyped(), other.untyped(), 0, size_); }
   Array(Array&& other) noexcept { swap(other); }
-  Array& operator=(Array&& other) noexcept {
+  Array& operator=(Array other) noexcept {
     swap(other);
     return *this;
   }
@@ -100,7 +93,7 @@ class Array {
                              std::string(Object::name) + "[" + std::to_string(size) + "]");
     resized.size_ = size;
     const index_t kept = std::min(size, size_);
-    copy_first(resized.untyped(), untyped(), kept);
+    copy_range(resized.untyped(), untyped(), 0, kept);
     initialize(resized.untyped(), kept, Layout::padded(size));  // packs run over padding, too
     resized.inherit_losses(*this);
     swap(resized);

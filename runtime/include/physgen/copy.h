@@ -20,7 +20,4 @@ void copy(const UntypedArray& to, const UntypedArray& from, Stream stream = null
 index_t copy_range(const UntypedArray& to, const UntypedArray& from, index_t begin, index_t end,
                    Stream stream = nullptr);
 
-/// Copies the first `count` objects only. @pre count <= both sizes
-void copy_first(const UntypedArray& to, const UntypedArray& from, index_t count, Stream stream = nullptr);
-
 }  // namespace physgen

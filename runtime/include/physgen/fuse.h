@@ -18,9 +18,13 @@ struct FormatsOfSpace;
 
 /// Takes the place of a view in fused kernels; local() makes it. It is empty: each call of a fused kernel has objects
 /// of its own. A step writes local[i] before a later step reads it.
-template <class Object, class Real, class Formats, class Tag>
+template <class Object_, class Real, class Formats, class Tag>
 struct Local {
+  using Object = Object_;
   using Precision = Real;
+  /// How its fields are stored where the kernel runs in Space.
+  template <class Space>
+  using FormatsIn = std::conditional_t<std::is_same_v<Formats, FormatsOfSpace>, FormatsOf<Object, Space>, Formats>;
   template <class I>
   using Value = typename Object::template Value<lanes_t<Real, I>>;
 
@@ -39,10 +43,7 @@ struct Local {
     requires(!detail::is_own<I>)
   [[nodiscard]] PHYSGEN_FUNCTION auto operator[](const I& /*i*/) const {
     using Cursor = detail::NotInLocal<Local, std::remove_cvref_t<detail::Operand<I>>>;
-    using FormatsHere =
-        typename std::conditional_t<std::is_same_v<Formats, FormatsOfSpace>,
-                                    std::type_identity<FormatsOf<Object, Host>>, std::type_identity<Formats>>::type;
-    return typename Object::template Ref<Real, FormatsHere, Cursor>(Cursor());
+    return typename Object::template Ref<Real, FormatsIn<Host>, Cursor>(Cursor());
   }
   /// All fields of object(s) i, by value.
   template <class I>

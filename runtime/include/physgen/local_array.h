@@ -10,15 +10,13 @@ namespace physgen {
 /// rounded as in Array.
 /// @tparam Tag tells the locals of one kernel apart
 template <class Array, class Tag>
-class LocalArray;
-template <class Object_, class Real, class Space, class Layout, class Formats_, class Tag>
-class LocalArray<Array<Object_, Real, Space, Layout, Formats_>, Tag> {
+class LocalArray {
  public:
-  using Object = Object_;
-  using Formats = Formats_;
-  using View = Local<Object, Real, Formats, Tag>;
+  using Object = typename Array::Object;
+  using Formats = typename Array::Formats;
+  using View = Local<Object, typename Array::Precision, Formats, Tag>;
   using ConstView = View;
-  using Record = Array<Object, Real, Space, Layout, Formats>;
+  using Record = Array;
 
   LocalArray() = default;
   /// @throw Error when size is negative

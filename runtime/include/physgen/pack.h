@@ -61,21 +61,23 @@ using Bare = std::remove_cvref_t<decltype(bare(std::declval<const I&>()))>;
 template <class I>
 concept AnyPack = std::same_as<I, Pack<I::width>> || std::same_as<I, PartialPack<I::width>>;
 
+/// Indices that stand for one object or for a pack, whether an Own holds them or not.
+template <class I>
+concept OfOneObject = std::integral<Bare<I>>;
+template <class I>
+concept OfPack = AnyPack<Bare<I>>;
+
 struct a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one {};
 
 }  // namespace detail
 
 // The pack at i + 1 would not begin at a multiple of its width: `view[numbers(i) + 1]` gathers the neighbours.
-template <detail::AnyPack I, std::integral Number>
+template <class I, std::integral Number>
+  requires(detail::AnyPack<I> || detail::is_own<I>)
 detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator+(const I&, Number) = delete;
-template <detail::AnyPack I, std::integral Number>
+template <class I, std::integral Number>
+  requires(detail::AnyPack<I> || detail::is_own<I>)
 detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator-(const I&, Number) = delete;
-template <class I, class Frame, std::integral Number>
-detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator+(const Own<I, Frame>&,
-                                                                                  Number) = delete;
-template <class I, class Frame, std::integral Number>
-detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator-(const Own<I, Frame>&,
-                                                                                  Number) = delete;
 
 /// Lanes first .. last-1 of a pack.
 struct LaneRange {
@@ -94,22 +96,14 @@ template <class I>
 
 /// The lanes of an index that are objects of the kernel's range.
 template <class I>
-[[nodiscard]] PHYSGEN_FUNCTION constexpr LaneRange lane_range(const I& /*i*/) {
-  static_assert(std::is_integral_v<I>, "a gathered index does not know its range: give the kernel's own index");
-  return {0, 1};
-}
-template <int W>
-[[nodiscard]] constexpr LaneRange lane_range(const Pack<W>& /*i*/) {
-  return {0, W};
-}
-template <int W>
-[[nodiscard]] constexpr LaneRange lane_range(const PartialPack<W>& i) {
-  return {i.first, i.last};
-}
-
-template <class I, class Frame>
-[[nodiscard]] PHYSGEN_FUNCTION constexpr LaneRange lane_range(const Own<I, Frame>& i) {
-  return lane_range(i.index);
+[[nodiscard]] PHYSGEN_FUNCTION constexpr LaneRange lane_range(const I& i) {
+  static_assert(detail::OfOneObject<I> || detail::OfPack<I>,
+                "a gathered index does not know its range: give the kernel's own index");
+  if constexpr (requires { detail::bare(i).first; }) {
+    return {detail::bare(i).first, detail::bare(i).last};
+  } else {
+    return {0, index_width(i)};
+  }
 }
 
 /// The pack that begins at `at`, as far as it lies in begin .. end-1.

@@ -88,14 +88,7 @@ struct Argmax {
 };
 
 /// The number of objects for which a condition holds.
-struct Count {
-  template <class Number>
-  using Value = index_t;
-  template <class Number>
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr index_t identity() {
-    return 0;
-  }
-  [[nodiscard]] PHYSGEN_FUNCTION static constexpr index_t join(index_t a, index_t b) { return a + b; }
+struct Count : Sum {
   template <std::same_as<bool> Condition>
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr index_t value(Condition condition, index_t /*i*/) {
     return condition ? 1 : 0;

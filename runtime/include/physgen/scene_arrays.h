@@ -2,7 +2,6 @@
 // one record for all objects, and fields that begin as signalling NaN in checked builds.
 #pragma once
 
-#include <physgen/detail/array_types.h>
 #include <physgen/layout/uniform.h>
 #include <physgen/runtime.h>
 
@@ -16,12 +15,13 @@
 namespace physgen {
 
 /// The same array, with its fields stored as Formats says.
-template <class Array, class Formats>
-using WithFormats = typename detail::WithFormats<Array, Formats>::type;
+template <class Of, class Formats>
+using WithFormats =
+    Array<typename Of::Object, typename Of::Precision, typename Of::Space, typename Of::Layout, Formats>;
 
 /// The same array, with its objects lying as Layout says.
-template <class Array, class Layout>
-using WithLayout = typename detail::WithLayout<Array, Layout>::type;
+template <class Of, class Layout>
+using WithLayout = Array<typename Of::Object, typename Of::Precision, typename Of::Space, Layout, typename Of::Formats>;
 
 /// Stores the arrays of a scene's group as the schemas of their objects say. A struct of one's own in its place has
 /// another array of the same objects for some:
@@ -65,15 +65,13 @@ class ReadOnlyArray : public Array {
 
 /// `size` objects that are all the same, in one record. Programs read them.
 template <class Array>
-class UniformArray;
-template <class Object_, class Real, class Space, class Layout, class Formats_>
-class UniformArray<Array<Object_, Real, Space, Layout, Formats_>> {
+class UniformArray {
  public:
-  using Object = Object_;
-  using Formats = Formats_;
-  using View = physgen::View<Object, const Real, Uniform, Formats, Space>;
+  using Object = typename Array::Object;
+  using Formats = typename Array::Formats;
+  using View = physgen::View<Object, const typename Array::Precision, Uniform, Formats, typename Array::Space>;
   using ConstView = View;
-  using Record = Array<Object, Real, Space, Aos, Formats>;
+  using Record = WithLayout<Array, Aos>;
 
   UniformArray() = default;
   /// @throw Error when size is negative or the memory of the record cannot be had

@@ -7,39 +7,45 @@
 
 namespace physgen {
 
-template <class T, int W>
-[[nodiscard]] auto wanted(const Pack<W>& /*i*/) {
-  return typename batch_t<T, W>::batch_bool_type(true);
-}
-template <class T, int W>
-[[nodiscard]] auto wanted(const PartialPack<W>& i) {
-  // By memory: without optimization, xsimd 8.1 has no comparison of integers for AVX-512.
-  alignas(64) std::array<bool, W> lanes;
-  for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = l >= i.first && l < i.last;
-  return batch_t<T, W>::batch_bool_type::load_unaligned(lanes.data());
-}
-
-template <int W>
-[[nodiscard]] batch_t<std::int32_t, W> numbers(const Pack<W>& i) {
-  detail::check_number(i.begin + W - 1);
-  return detail::counting<std::int32_t, W>() + batch_t<std::int32_t, W>(static_cast<std::int32_t>(i.begin));
-}
-template <int W>
-[[nodiscard]] batch_t<std::int32_t, W> numbers(const PartialPack<W>& i) {
-  detail::check_number(i.begin + i.last - 1);
-  alignas(64) std::array<std::int32_t, W> lanes;
-  for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = static_cast<std::int32_t>(i.begin + i.lane(l));
-  return batch_t<std::int32_t, W>::load_aligned(lanes.data());
+template <class T, detail::OfPack I>
+[[nodiscard]] auto wanted(const I& i) {
+  constexpr int W = detail::Bare<I>::width;
+  using Mask = typename batch_t<T, W>::batch_bool_type;
+  if constexpr (std::is_same_v<detail::Bare<I>, Pack<W>>) {
+    return Mask(true);
+  } else {  // By memory: without optimization, xsimd 8.1 has no comparison of integers for AVX-512.
+    const LaneRange range = lane_range(i);
+    alignas(64) std::array<bool, W> lanes;
+    for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = l >= range.first && l < range.last;
+    return Mask::load_unaligned(lanes.data());
+  }
 }
 
-template <detail::AnyPack I, class T, class A>
+template <detail::OfPack I>
+[[nodiscard]] auto numbers(const I& i) {
+  constexpr int W = detail::Bare<I>::width;
+  using Numbers = batch_t<std::int32_t, W>;
+  const auto& pack = detail::bare(i);
+  detail::check_number(pack.begin + lane_range(i).last - 1);
+  if constexpr (std::is_same_v<detail::Bare<I>, Pack<W>>) {
+    return detail::counting<std::int32_t, W>() + Numbers(static_cast<std::int32_t>(pack.begin));
+  } else {
+    alignas(64) std::array<std::int32_t, W> lanes;
+    for (int l = 0; l < W; ++l) {
+      lanes[static_cast<std::size_t>(l)] = static_cast<std::int32_t>(pack.begin + pack.lane(l));
+    }
+    return Numbers::load_aligned(lanes.data());
+  }
+}
+
+template <detail::OfPack I, class T, class A>
 [[nodiscard]] bool any(const I& i, const xsimd::batch_bool<T, A>& condition) {
-  static_assert(xsimd::batch_bool<T, A>::size == std::size_t{I::width},
+  static_assert(xsimd::batch_bool<T, A>::size == std::size_t{detail::Bare<I>::width},
                 "any() and all(): the condition has as many lanes as the index");
   const LaneRange range = lane_range(i);
   return (detail::bits_of(condition) >> range.first & (~std::uint64_t{0} >> (64 - (range.last - range.first)))) != 0;
 }
-template <detail::AnyPack I, class T, class A>
+template <detail::OfPack I, class T, class A>
 [[nodiscard]] bool all(const I& i, const xsimd::batch_bool<T, A>& condition) {
   return !any(i, !condition);
 }
@@ -49,7 +55,8 @@ namespace detail {
 template <class I, class T, class A, class Better>
 [[nodiscard]] T best(const I& i, const xsimd::batch<T, A>& value, const Better& better) {
   constexpr std::size_t width = xsimd::batch<T, A>::size;
-  static_assert(width == std::size_t{I::width}, "largest() and smallest(): the value has as many lanes as the index");
+  static_assert(width == std::size_t{Bare<I>::width},
+                "largest() and smallest(): the value has as many lanes as the index");
   alignas(64) std::array<T, width> lanes;
   value.store_aligned(lanes.data());
   const LaneRange range = lane_range(i);
@@ -63,11 +70,11 @@ template <class I, class T, class A, class Better>
 
 }  // namespace detail
 
-template <detail::AnyPack I, class T, class A>
+template <detail::OfPack I, class T, class A>
 [[nodiscard]] T largest(const I& i, const xsimd::batch<T, A>& value) {
   return detail::best(i, value, [](T a, T b) { return a > b; });
 }
-template <detail::AnyPack I, class T, class A>
+template <detail::OfPack I, class T, class A>
 [[nodiscard]] T smallest(const I& i, const xsimd::batch<T, A>& value) {
   return detail::best(i, value, [](T a, T b) { return a < b; });
 }

@@ -39,7 +39,7 @@ class ArraySet {
   void append(index_t count) {
     (void)size();
     replace(detail::grown_size(detail::untyped(arrays_), count),
-            [](std::size_t, const UntypedArray& to, const UntypedArray& from) { copy_first(to, from, from.size); });
+            [](std::size_t, const UntypedArray& to, const UntypedArray& from) { copy_range(to, from, 0, from.size); });
   }
 
   /// Adds the objects of one other array for each array at the end, converted to its layout, formats, precision and
@@ -55,7 +55,7 @@ class ArraySet {
     const std::tuple<decltype(detail::in_form_of<Arrays>(others))...> same(detail::in_form_of<Arrays>(others)...);
     const auto added = detail::untyped(same);
     replace(new_size, [&](std::size_t a, const UntypedArray& to, const UntypedArray& from) {
-      copy_first(to, from, old_size);
+      copy_range(to, from, 0, old_size);
       detail::pick(to, old_size, added[a], nullptr);
     });
   }

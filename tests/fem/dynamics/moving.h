@@ -89,12 +89,12 @@ struct WaveBar {
                 [](const Point&) { return Point{}; }),
             count)) {}
 
-  /// Of pressure waves [m/s].
+  /// The speed of pressure waves [m/s].
   [[nodiscard]] static double speed() {
     const double mu = young / (2 * (1 + nu)), lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
     return std::sqrt((lambda + 2 * mu) / density);
   }
-  /// Of the first mode: of the bar, and of the chain [rad/s].
+  /// The frequency of the first mode: of the bar, and of the chain [rad/s].
   [[nodiscard]] static double exact_frequency() { return std::numbers::pi * speed() / side; }
   [[nodiscard]] double frequency() const {
     return 2 * speed() * cells / side * std::sin(std::numbers::pi / (2 * cells));

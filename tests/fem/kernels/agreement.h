@@ -113,7 +113,7 @@ class Run {
   }
   template <class Object>
   Array<Object> filled(const std::string& name) {
-    // What was given comes first, also where this run has made its own since.
+    // Given results come first, also where this run has made its own since.
     const auto at = given_.find(name);
     const std::vector<Real>& numbers = at != given_.end() ? at->second : results_.at(name);
     constexpr int elements = Array<Object>::elements;

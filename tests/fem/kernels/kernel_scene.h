@@ -22,7 +22,7 @@
 
 namespace physgen::fem {
 
-/// What a kernel test is instantiated for.
+/// The parameters of a kernel test.
 template <class Real_, class Space_, class Layout_, template <class> class Model_>
 struct KernelCase {
   using Real = Real_;

@@ -203,7 +203,7 @@ void run_all_kernels(On& on) {
 
 /// "ComputeSvd.gradient.F R", ...
 inline std::set<std::string> what_kernels_do() {
-  // Of each array: its fields, by reads and writes. * stands for all scalars of a stress derivative.
+  // Each array has its fields, by reads and writes. * stands for all scalars of a stress derivative.
   struct Row {
     const char *array, *fields;
   };

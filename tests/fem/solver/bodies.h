@@ -16,7 +16,7 @@ struct Body {
   Loading loading;
 };
 
-/// Of what the change of volume is that of.
+/// The parts of a body over which the change of volume is averaged.
 enum class Volume { tets, patches, nodes };
 inline constexpr std::array volumes{Volume::tets, Volume::patches, Volume::nodes};
 inline const char* name_of(Volume volume) {

@@ -48,7 +48,7 @@ inline std::string scene_of(const std::vector<Block>& blocks, const std::string&
          program + "  }\n};\n";
 }
 
-/// What the report says of the steps that stay apart, by the name of their block.
+/// The report's words on the steps that stay apart, by the name of their block.
 struct Apart {
   std::map<std::string, std::string> why, between;
 };

@@ -39,7 +39,7 @@ const std::vector<Block> blocks = {
      "\"a\", \"x\""},
 };
 
-/// What a compiler says of a program over the generated arrays.
+/// The messages of a compiler on a program over the generated arrays.
 std::string compile(const Folder& folder, const std::string& compiler, const std::string& program) {
   folder.write("unit.cpp",
                "#include <physgen/executor.h>\n#include \"out/groups.program.h\"\n"

@@ -27,7 +27,7 @@ struct Interrupted : HostExecutor {
   }
 };
 
-/// What a need report says of every field of numbers: whether something reads it.
+/// The need report's word on every field of numbers: whether something reads it.
 /// @param report the file, X.need.json
 inline std::map<std::pair<std::string, std::string>, bool> reads_of(const std::string& report) {
   std::ifstream in(report);

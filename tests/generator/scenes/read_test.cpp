@@ -42,7 +42,7 @@ std::string scene_of(const std::string& arrays,
 
 TEST(SceneDeclaration, is_read_with_its_groups_arrays_options_and_comments) {
   const auto declaration = read(R"(namespace a::b {
-/// What is solved.
+/// The problem that is solved.
 struct PHYSGEN_SCENE() scene {
   using Real = double;
   /// The body.

@@ -35,7 +35,7 @@ Analysis analysed(const std::string& name, const std::string& text, Side side = 
   return analysis;
 }
 
-/// What is found in a file of tests/generator/usage. Each is analysed once for each side.
+/// The usage that is found in a file of tests/generator/usage. Each is analysed once for each side.
 const Usage& usage_of(const std::string& file, Side side) {
   static std::map<std::pair<std::string, Side>, Usage> known;
   const auto [entry, is_new] = known.try_emplace({file, side});

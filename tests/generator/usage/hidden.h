@@ -99,7 +99,7 @@ struct Kernel {
     y += in.losses() != nullptr ? 1.0F : 0.0F;
     y += again(in, i, 2);
     y += float(in.size()) + float(sizeof(lanes_t<float, index_t>)) + float(In::Layout::contiguous(4));
-    // What is known of the scene's own arrays alone.
+    // Facts of the scene's own arrays alone.
     if constexpr (TwelveBytes<Same>) y *= 2;  // depends
     const std::conditional_t<Same::record_bytes == 12, float, double> of_twelve = x;  // depends
     y += float(of_twelve);
@@ -113,7 +113,7 @@ struct Kernel {
     y += float(counter(in[i].V()[1]));
     const auto box = boxed(in[i].V()[1]);
     y += dynamic_cast<const BoxOf<float>*>(static_cast<const Box*>(&box)) != nullptr ? 1.0F : 0.0F;
-    // What lies in memory.
+    // The contents of memory.
     const float* const first = &in[i].V()[0];  // not followed
     y += first[1];
     const float& second = *&in[i].V()[1];  // not followed
@@ -147,7 +147,7 @@ struct Kernel {
     const std::any any(in[i].V()[1]);  // not followed
     y += std::any_cast<float>(&any) != nullptr ? 1.0F : 0.0F;
     if (y < -1e30F) throw in[i].V()[1];  // not followed
-    // What may be done.
+    // Code that is allowed.
     const std::optional<In> maybe(in);
     y += (*maybe)[i].s()[0];
     const std::variant<int, In> either(in);

@@ -46,7 +46,7 @@ struct Arrays {
   PHYSGEN_TEST_ARRAY(placed);
 };
 
-/// Of functions, one of which AddsToo calls, too.
+/// A table of functions, one of which AddsToo calls, too.
 template <class View>
 struct Functions {
   static constexpr std::array<void (*)(const View&, index_t), 1> adding = {&add_to<View>};

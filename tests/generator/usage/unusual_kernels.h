@@ -78,7 +78,7 @@ struct StaticLambda {
 };
 PHYSGEN_TEST_KERNEL(StaticLambda);
 
-/// Of which structured bindings are the members that get() gives.
+/// An object whose structured bindings are the members that get() gives.
 template <class View>
 struct TupleLike {
   View view;

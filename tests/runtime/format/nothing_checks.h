@@ -167,8 +167,8 @@ void check_only_pruned_fields() {
   EXPECT_EQ(empty.bytes(), 0);
 }
 
-/// What is written on one side of a mirror arrives on the other as far as that stores it; what it does not store never
-/// comes back.
+/// A field written on one side of a mirror arrives on the other as far as that stores it; one that it does not store
+/// never comes back.
 template <class DeviceSpace, class Layout>
 void check_mirror() {
   using Object = elasticity::DeformationSvdObject;
@@ -228,7 +228,7 @@ void check_refusals() {
     refuses([&] { copy(whole, part.untyped()); }, from_part);
     refuses([&] { copy_range(whole, part.untyped(), 3, 4); }, from_part);
     refuses([&] { copy_range(whole, part.untyped(), 3, 3); }, from_part);
-    refuses([&] { copy_first(whole, part.untyped(), 3); }, from_part);
+    refuses([&] { copy_range(whole, part.untyped(), 0, 3); }, from_part);
     refuses([&] { (void)losses_of_copy(whole, part.untyped()); }, from_part);
     const std::string would_be_lost = "s would be lost: the array that is copied to stores nothing of it";
     refuses([&] { copy(lost.untyped(), whole); }, would_be_lost);

@@ -44,7 +44,7 @@ struct Tet : elasticity::TetFormats<Host> {
   using nodes = format::Pruned<explicit_dynamics, arrays::svds, Case>;
 };
 
-/// What kernels are given.
+/// The arrays that kernels are given.
 template <class Case>
 struct Views {
   using Scalar = float;

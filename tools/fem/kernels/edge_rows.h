@@ -11,7 +11,7 @@ namespace physgen::fem {
 
 class EdgeRows {
  public:
-  /// Of so few nodes a product waits longer for what it reads than the reading itself takes.
+  /// With so few nodes a product waits longer for its reads than the reading itself takes.
   static constexpr Index most_nodes = 1000;
 
   /// The view that kernels are given. Places of rows are numbered as the entries of TetMesh::node_edges are.

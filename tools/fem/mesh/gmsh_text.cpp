@@ -92,7 +92,7 @@ class Reader {
     return "does not end with the end of a section" + std::string(again);
   }
 
-  // Of a section's lines behind its first: how many there have to be. Negative where the first says no numbers.
+  // The number of lines that a section must have behind its first. Negative where the first says no numbers.
   [[nodiscard]] std::int64_t lines_of(const std::string& name) const {
     std::vector<std::int64_t> counts;
     each_word(text_, [&](std::string_view word) {
@@ -150,6 +150,10 @@ class Reader {
 
 }  // namespace
 
-std::string fault_in_gmsh_text(std::istream& file) { return Reader(file).fault(); }
+std::string fault_in_gmsh_text(std::istream& file) {
+  std::string fault = Reader(file).fault();
+  std::ranges::replace_if(fault, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');  // as a terminal can show it
+  return fault;
+}
 
 }  // namespace physgen::fem

@@ -1,4 +1,4 @@
-// What is wrong with a text in Gmsh's format that the Gmsh library passes over in silence, such as lines beyond those
+// Finds faults of a text in Gmsh's format that the Gmsh library passes over in silence, such as lines beyond those
 // that a section counts, or a file that is cut off in its last number.
 #pragma once
 

@@ -78,7 +78,7 @@ class ClusterExecutor {
 
  private:
   __device__ static index_t first(index_t n, unsigned block) { return n * block / gridDim.x; }
-  /// What threads have written before, all see behind.
+  /// Values that threads have written before it are seen by all behind it.
   __device__ static void meet() {
 #if __CUDA_ARCH__ >= 900
     asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");

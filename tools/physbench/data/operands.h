@@ -132,7 +132,7 @@ Tuple make_arrays(const Size& size) {
 template <class To, class From>
 void copy_arrays(To& to, const From& from) {
   [&]<std::size_t... k>(std::index_sequence<k...> /*which*/) {
-    (copy_first(std::get<k>(to).untyped(), std::get<k>(from).untyped(), std::get<k>(to).size()), ...);
+    (copy_range(std::get<k>(to).untyped(), std::get<k>(from).untyped(), 0, std::get<k>(to).size()), ...);
   }(std::make_index_sequence<std::tuple_size_v<To>>());
   synchronize();
 }

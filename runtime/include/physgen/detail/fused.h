@@ -8,10 +8,6 @@
 #include <concepts>
 #include <type_traits>
 
-namespace physgen {
-struct FormatsOfSpace;  // fuse.h
-}  // namespace physgen
-
 namespace physgen::detail {
 
 /// The layouts of locals. They are types of their own, so that cursors know locals.
@@ -28,27 +24,19 @@ struct OneTile : Aosoa<W> {
 
 /// The record of a local, or its tile, for a plain index or a pack of type I.
 template <class Local, class I, class Space>
-struct LocalMemory;
-template <class Object, class Real, class Formats_, class Tag, class I, class Space>
-struct LocalMemory<Local<Object, Real, Formats_, Tag>, I, Space> {
-  static constexpr int width = [] {
-    if constexpr (std::is_integral_v<I>) {
-      return 1;
-    } else {
-      return I::width;
-    }
-  }();
+struct LocalMemory {
+  using Object = typename Local::Object;
+  using Real = typename Local::Precision;
+  using Formats = typename Local::template FormatsIn<Space>;
+  static constexpr int width = index_width(I());
   using Layout = typename std::conditional_t<width == 1, std::type_identity<OneRecord>,
                                              std::type_identity<OneTile<width == 1 ? 2 : width>>>::type;
-  using Formats =
-      typename std::conditional_t<std::is_same_v<Formats_, FormatsOfSpace>,
-                                  std::type_identity<FormatsOf<Object, Space>>, std::type_identity<Formats_>>::type;
   using View = physgen::View<Object, Real, Layout, Formats, Space>;
   static constexpr int bytes = View::record_bytes * width;
 
   alignas(width == 1 ? 8 : 64) std::byte memory[bytes > 0 ? bytes : 1];  // NOLINT: not initialised
 
-  using Cursor = LocalObject<typename View::template CursorAt<I>, Local<Object, Real, Formats_, Tag>>;
+  using Cursor = LocalObject<typename View::template CursorAt<I>, Local>;
   using Ref = typename Object::template Ref<Real, Formats, Cursor>;
   [[nodiscard]] PHYSGEN_FUNCTION Ref object(const I& i) {
     using At = typename View::template CursorAt<I>;

@@ -13,13 +13,6 @@ struct Local;  // fuse.h
 
 namespace physgen::detail {
 
-template <class Local>
-struct ObjectOfLocal;
-template <class Object, class Real, class Formats, class Tag>
-struct ObjectOfLocal<Local<Object, Real, Formats, Tag>> {
-  using type = Object;
-};
-
 // Fields of a record are counted as Object::fields has them: those of nested objects one by one.
 template <class... Field>
 [[nodiscard]] constexpr int count_fields(RecordFields<Field...> fields);
@@ -64,19 +57,23 @@ struct LocalField : Cursor {
 };
 
 /// On the object(s) of a local, or on one that is nested in them. @tparam kFirst number of its first field
-template <class Cursor, class Local, int kFirst = 0>
+template <class Cursor, class Local_, int kFirst = 0>
 struct LocalObject : Cursor {
+  using Local = Local_;
+  static constexpr int first_field = kFirst;
+
   PHYSGEN_FUNCTION explicit LocalObject(const Cursor& cursor) : Cursor(cursor) {}
+  template <FieldName kField, class Shape, class Format, class T>
+  [[nodiscard]] PHYSGEN_FUNCTION auto local_field(int offset) const {
+    return LocalField<Cursor, Local, kField>(*this).template field<Shape, Format, T>(offset);
+  }
+  template <int kNumber>
+  [[nodiscard]] PHYSGEN_FUNCTION LocalObject<Cursor, Local, kNumber> local_object(int offset) const {
+    return LocalObject<Cursor, Local, kNumber>(this->nested(offset));
+  }
 };
 
-/// In the place of a cursor: on other objects than those of the index that a fused kernel gives its steps.
-template <class Local, class I, int kFirst = 0>
-struct NotInLocal {
-  template <class T>
-  using Lanes = lanes_t<T, I>;
-};
-
-/// Refuses a field of theirs, in one message: the type that stands for its value is defined nowhere.
+/// In the place of a field that a local does not have: the type that stands for its value is defined nowhere.
 template <class Value>
 struct NoField {
   PHYSGEN_FUNCTION Value get() const;
@@ -90,15 +87,39 @@ PHYSGEN_FUNCTION constexpr void refuse_other_objects() {
                 "other kernels read needs an array");
 }
 
+/// In the place of a cursor: on other objects than those of the index that a fused kernel gives its steps. None of
+/// their fields compiles.
+template <class Local_, class I, int kFirst = 0>
+struct NotInLocal {
+  using Local = Local_;
+  static constexpr int first_field = kFirst;
+  template <class T>
+  using Lanes = lanes_t<T, I>;
+
+  template <FieldName kField, class Shape, class Format, class T>
+  PHYSGEN_FUNCTION auto local_field(int /*offset*/) const {
+    refuse_other_objects<Local, kField, I>();
+    return NoField<typename Shape::template Value<lanes_t<T, I>>>();
+  }
+  template <int kNumber>
+  [[nodiscard]] PHYSGEN_FUNCTION NotInLocal<Local, I, kNumber> local_object(int /*offset*/) const {
+    return {};
+  }
+};
+
+/// The two.
+template <class Cursor>
+concept OnLocal = requires { Cursor::first_field; };
+
 }  // namespace physgen::detail
 
 namespace physgen {
 
-/// Fields of a local.
-template <class Cursor_, class Local, int kFirst>
-class OnCursor<detail::LocalObject<Cursor_, Local, kFirst>> {
+/// Fields of a local, by their names.
+template <detail::OnLocal Cursor_>
+class OnCursor<Cursor_> {
  public:
-  using Cursor = detail::LocalObject<Cursor_, Local, kFirst>;
+  using Cursor = Cursor_;
 
  protected:
   PHYSGEN_FUNCTION explicit OnCursor(const Cursor& cursor) : at_(cursor) {}
@@ -106,46 +127,24 @@ class OnCursor<detail::LocalObject<Cursor_, Local, kFirst>> {
   template <class Record, int kNumber, class Shape, class Format, class T, int kEntries>
   [[nodiscard]] PHYSGEN_FUNCTION auto field_(StoredField<Record, kNumber, Shape, Format, T, kEntries> /*as*/,
                                              int offset) const {
-    constexpr int number = kFirst + detail::count_fields_before(typename Record::fields_(), kNumber);
-    using Object = typename detail::ObjectOfLocal<Local>::type;
-    using Field = detail::LocalField<Cursor_, Local, detail::field_name<Object, number>()>;
-    return Field(at_).template field<Shape, Format, T>(offset);
+    using Object = typename Cursor::Local::Object;
+    return at_.template local_field<detail::field_name<Object, number<Record>(kNumber)>(), Shape, Format, T>(offset);
   }
   template <class Record, int kNumber, class Object, class Formats, class Real, int kEntries>
   [[nodiscard]] PHYSGEN_FUNCTION auto field_(NestedField<Record, kNumber, Object, Formats, Real, kEntries> /*as*/,
                                              int offset) const {
-    using Inner =
-        detail::LocalObject<Cursor_, Local, kFirst + detail::count_fields_before(typename Record::fields_(), kNumber)>;
-    return typename Object::template Ref<Real, Formats, Inner>(Inner(at_.nested(offset)));
+    const auto inner = at_.template local_object<number<Record>(kNumber)>(offset);
+    return typename Object::template Ref<Real, Formats, std::remove_const_t<decltype(inner)>>(inner);
   }
 
  private:
+  /// The number of a record's field among all fields of the local.
+  template <class Record>
+  [[nodiscard]] static constexpr int number(int field) {
+    return Cursor::first_field + detail::count_fields_before(typename Record::fields_(), field);
+  }
+
   Cursor at_;
-};
-
-/// Fields of objects that a local does not have: none of them compiles.
-template <class Local, class I, int kFirst>
-class OnCursor<detail::NotInLocal<Local, I, kFirst>> {
- public:
-  using Cursor = detail::NotInLocal<Local, I, kFirst>;
-
- protected:
-  PHYSGEN_FUNCTION explicit OnCursor(const Cursor& /*cursor*/) {}
-
-  template <class Record, int kNumber, class Shape, class Format, class T, int kEntries>
-  PHYSGEN_FUNCTION auto field_(StoredField<Record, kNumber, Shape, Format, T, kEntries> /*as*/, int /*offset*/) const {
-    constexpr int number = kFirst + detail::count_fields_before(typename Record::fields_(), kNumber);
-    using Object = typename detail::ObjectOfLocal<Local>::type;
-    detail::refuse_other_objects<Local, detail::field_name<Object, number>(), I>();
-    return detail::NoField<typename Shape::template Value<lanes_t<T, I>>>();
-  }
-  template <class Record, int kNumber, class Object, class Formats, class Real, int kEntries>
-  PHYSGEN_FUNCTION auto field_(NestedField<Record, kNumber, Object, Formats, Real, kEntries> /*as*/,
-                               int /*offset*/) const {
-    using Inner =
-        detail::NotInLocal<Local, I, kFirst + detail::count_fields_before(typename Record::fields_(), kNumber)>;
-    return typename Object::template Ref<Real, Formats, Inner>(Inner());
-  }
 };
 
 }  // namespace physgen

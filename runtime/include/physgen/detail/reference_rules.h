@@ -59,6 +59,13 @@ PHYSGEN_FUNCTION constexpr void refuse_sums() {
                 "add() to a local of fuse(): no other thread or lane knows it; write local[i].m() = value, or keep an "
                 "array in its place");
 }
+/// Refuses add() where the kernel's index is a pack and the object's index names one object.
+template <class I, class To, bool kAsMany>
+PHYSGEN_FUNCTION constexpr void refuse_one_sum_for_a_pack() {
+  static_assert(kAsMany,
+                "add(): the kernel's index is a pack and the object's index is not, so there is one sum for W values; "
+                "name the object by a batch, view[lanes_t<std::int32_t, I>(0)], or return the term to sum()");
+}
 
 }  // namespace detail
 

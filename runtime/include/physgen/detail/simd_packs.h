@@ -1,4 +1,4 @@
-// The cursors of packs: of a whole one, and of the first or last of a range. Included by host translation units only.
+// The cursor of packs: of whole ones, and of the first or last of a range. Included by host translation units only.
 #pragma once
 
 #include <physgen/detail/simd_cursor.h>
@@ -8,32 +8,40 @@
 
 namespace physgen {
 
-namespace detail {
-
-/// The common base of the cursors of whole and of partial packs, which stand on W consecutive objects.
-template <class Derived, class Byte, class Layout, RecordSize kRecord, int W>
-class ConsecutiveCursor : public SimdCursor<Derived, W> {
- protected:
-  using Base = SimdCursor<Derived, W>;
+/// On the W consecutive objects of a pack.
+template <class Byte, class Layout, RecordSize kRecord, detail::AnyPack I>
+class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, Layout, kRecord, I>, I::width> {
+  static constexpr int W = I::width;
+  using Base = detail::SimdCursor<Cursor, W>;
   using Pitch = typename Layout::Pitch;
 
-  ConsecutiveCursor(Byte* base, Pitch pitch, index_t begin, Losses* losses)
-      : Base(losses, begin),
-        tile_(base + law::tile_begin(pitch.tile(begin), law::tile_bytes(pitch.value(), kRecord.stored))),
-        lane_(pitch.lane(begin)),
-        pitch_(pitch) {}
-
  public:
-  [[nodiscard]] Derived nested(int offset) const {
-    Derived inner = static_cast<const Derived&>(*this);
+  static constexpr bool gathered = false;
+  static constexpr bool of_a_local = requires { Layout::of_locals; };
+  /// Whether stores write all lanes.
+  static constexpr bool whole = std::is_same_v<I, Pack<W>>;
+
+  Cursor(Byte* base, Pitch pitch, const I& pack, Losses* losses)
+      : Base(losses, pack.begin),
+        tile_(base + law::tile_begin(pitch.tile(pack.begin), law::tile_bytes(pitch.value(), kRecord.stored))),
+        lane_(pitch.lane(pack.begin)),
+        pitch_(pitch),
+        pack_(pack) {}
+
+  [[nodiscard]] Cursor nested(int offset) const {
+    Cursor inner = *this;
     inner.tile_ += law::channel_begin(offset, pitch_.value());
     inner.advance(offset);
     return inner;
   }
 
- protected:
+ private:
   friend Base;
   [[nodiscard]] static index_t further(int l) { return l; }
+  [[nodiscard]] std::uint64_t written() const {
+    const LaneRange range = lane_range(pack_);
+    return Base::all_lanes >> (W - (range.last - range.first)) << range.first;
+  }
 
   // A pack never crosses the end of a tile that holds it whole; in narrower tiles lane l lies some tiles further on.
   template <class T>
@@ -47,6 +55,43 @@ class ConsecutiveCursor : public SimdCursor<Derived, W> {
     }
   }
 
+  // As a register where the pack is whole, else by way of memory.
+  template <class T>
+  [[nodiscard]] batch_t<T, W> read(int offset) const {
+    if constexpr (whole && Layout::contiguous(W)) {
+      prefetch<T>(offset);
+      return batch_t<T, W>::load_unaligned(address<T>(offset, 0));
+    } else {
+      return Base::template read<T>(offset);
+    }
+  }
+  template <class T>
+  void write(int offset, const batch_t<T, W>& value) const {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+    if constexpr (!whole) {
+      Base::template write<T>(offset, value);
+    } else if constexpr (Layout::contiguous(W)) {
+      value.store_unaligned(address<T>(offset, 0));
+    } else {
+      alignas(64) std::array<T, W> lanes;
+      value.store_aligned(lanes.data());
+      write_lanes(offset, lanes);
+    }
+  }
+
+  // As memory.
+  template <class T>
+  void read_lanes(int offset, std::array<T, W>& lanes) const {
+    if constexpr (!whole) {
+      read_some_lanes(offset, lanes);
+    } else if constexpr (Layout::contiguous(W)) {
+      prefetch<T>(offset);
+      std::memcpy(lanes.data(), address<T>(offset, 0), sizeof lanes);
+    } else {
+      PHYSGEN_UNROLL
+      for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = *address<T>(offset, l);
+    }
+  }
   template <class T>
   void write_lanes(int offset, const std::array<T, W>& lanes) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
@@ -57,75 +102,17 @@ class ConsecutiveCursor : public SimdCursor<Derived, W> {
       for (int l = 0; l < W; ++l) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
     }
   }
-  // A loop that stays one, and is not inlined: its code would stand at every store of a kernel, and runs seldom.
+  // Loops that stay loops, and are not inlined: their code would stand at every access of a kernel, and runs at most
+  // twice per range, or where a condition holds.
+  template <class T>
+  [[gnu::noinline]] void read_some_lanes(int offset, std::array<T, W>& lanes) const {
+    for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = *address<T>(offset, pack_.lane(l));
+  }
   template <class T>
   [[gnu::noinline]] void write_some_lanes(int offset, const std::array<T, W>& lanes, std::uint64_t which) const {
     static_assert(!std::is_const_v<Byte>, "this array is read-only here");
     for (int l = 0; l < W; ++l) {
       if (which >> l & 1) *address<T>(offset, l) = lanes[static_cast<std::size_t>(l)];
-    }
-  }
-
- private:
-  Byte* tile_;
-  index_t lane_;
-  Pitch pitch_;
-};
-
-}  // namespace detail
-
-/// On the W objects of a pack.
-template <class Byte, class Layout, RecordSize kRecord, int W>
-class Cursor<Byte, Layout, kRecord, Pack<W>>
-    : public detail::ConsecutiveCursor<Cursor<Byte, Layout, kRecord, Pack<W>>, Byte, Layout, kRecord, W> {
-  using Consecutive = detail::ConsecutiveCursor<Cursor, Byte, Layout, kRecord, W>;
-
- public:
-  static constexpr bool gathered = false;
-  static constexpr bool of_a_local = requires { Layout::of_locals; };
-  /// Whether stores write all lanes.
-  static constexpr bool whole = true;
-
-  Cursor(Byte* base, typename Layout::Pitch pitch, Pack<W> pack, Losses* losses)
-      : Consecutive(base, pitch, pack.begin, losses) {}
-
- private:
-  friend Consecutive;
-  friend typename Consecutive::Base;
-  using Consecutive::address;
-  [[nodiscard]] static constexpr std::uint64_t written() { return Consecutive::all_lanes; }
-
-  // As a register.
-  template <class T>
-  [[nodiscard]] batch_t<T, W> read(int offset) const {
-    if constexpr (Layout::contiguous(W)) {
-      prefetch<T>(offset);
-      return batch_t<T, W>::load_unaligned(this->template address<T>(offset, 0));
-    } else {
-      return Consecutive::Base::template read<T>(offset);
-    }
-  }
-  template <class T>
-  void write(int offset, const batch_t<T, W>& value) const {
-    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
-    if constexpr (Layout::contiguous(W)) {
-      value.store_unaligned(this->template address<T>(offset, 0));
-    } else {
-      alignas(64) std::array<T, W> lanes;
-      value.store_aligned(lanes.data());
-      this->write_lanes(offset, lanes);
-    }
-  }
-
-  // As memory.
-  template <class T>
-  void read_lanes(int offset, std::array<T, W>& lanes) const {
-    if constexpr (Layout::contiguous(W)) {
-      prefetch<T>(offset);
-      std::memcpy(lanes.data(), this->template address<T>(offset, 0), sizeof lanes);
-    } else {
-      PHYSGEN_UNROLL
-      for (int l = 0; l < W; ++l) lanes[static_cast<std::size_t>(l)] = *this->template address<T>(offset, l);
     }
   }
 
@@ -138,41 +125,13 @@ class Cursor<Byte, Layout, kRecord, Pack<W>>
     if constexpr (of_a_local) return;
     constexpr index_t packs_ahead = 2;
     constexpr index_t pack_bytes = index_t{W} * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
-    __builtin_prefetch(reinterpret_cast<const std::byte*>(this->template address<T>(offset, 0)) +
-                       packs_ahead * pack_bytes);
-  }
-};
-
-/// On the first or the last pack of a range.
-template <class Byte, class Layout, RecordSize kRecord, int W>
-class Cursor<Byte, Layout, kRecord, PartialPack<W>>
-    : public detail::ConsecutiveCursor<Cursor<Byte, Layout, kRecord, PartialPack<W>>, Byte, Layout, kRecord, W> {
-  using Consecutive = detail::ConsecutiveCursor<Cursor, Byte, Layout, kRecord, W>;
-
- public:
-  static constexpr bool gathered = false;
-  static constexpr bool of_a_local = requires { Layout::of_locals; };
-  static constexpr bool whole = false;
-
-  Cursor(Byte* base, typename Layout::Pitch pitch, const PartialPack<W>& pack, Losses* losses)
-      : Consecutive(base, pitch, pack.begin, losses), pack_(pack) {}
-
- private:
-  friend Consecutive;
-  friend typename Consecutive::Base;
-  [[nodiscard]] std::uint64_t written() const {
-    return Consecutive::all_lanes >> (W - (pack_.last - pack_.first)) << pack_.first;
+    __builtin_prefetch(reinterpret_cast<const std::byte*>(address<T>(offset, 0)) + packs_ahead * pack_bytes);
   }
 
-  // A loop that stays one: this runs at most twice per range, and its code stands in every kernel.
-  template <class T>
-  [[gnu::noinline]] void read_lanes(int offset, std::array<T, W>& lanes) const {
-    for (int l = 0; l < W; ++l) {
-      lanes[static_cast<std::size_t>(l)] = *this->template address<T>(offset, pack_.lane(l));
-    }
-  }
-
-  PartialPack<W> pack_;
+  Byte* tile_;
+  index_t lane_;
+  Pitch pitch_;
+  I pack_;
 };
 
 }  // namespace physgen

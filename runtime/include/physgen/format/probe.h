@@ -26,8 +26,7 @@ struct AtOwnIndex {
 
 namespace format {
 
-namespace detail {
-
+/// Whether the format tells reads and writes of its field apart.
 template <class Format>
 inline constexpr bool is_probe = false;
 template <class ArrayTag, class Object, int field, class Base>
@@ -35,6 +34,8 @@ inline constexpr bool is_probe<Probe<ArrayTag, Object, field, Base>> = true;
 
 template <class ArrayTag, class Object, int field, class Base>
 inline constexpr bool is_quaternion<Probe<ArrayTag, Object, field, Base>> = is_quaternion<Base>;
+
+namespace detail {
 
 /// A probe of a rotation's quaternion is one of its components, too.
 template <class ArrayTag, class Object, int field, class Component>
@@ -54,10 +55,6 @@ struct FormatsAt {
 };
 
 }  // namespace detail
-
-/// Whether the format tells reads and writes of its field apart.
-template <class Format>
-inline constexpr bool is_probe = detail::is_probe<Format>;
 
 /// Whether these are the formats of an array whose reads and writes are told apart, which generated code calls
 /// XProbe.

@@ -23,12 +23,12 @@ struct Quaternion {
 /// Components in 16-bit steps.
 using Quaternion16 = Quaternion<Snorm16<Interval{-1.0, 1.0}>>;
 
-namespace detail {
-
 template <class Format>
 inline constexpr bool is_quaternion = false;
 template <class Component>
 inline constexpr bool is_quaternion<Quaternion<Component>> = true;
+
+namespace detail {
 
 /// The format of the elements of a field of this format.
 template <class Format>
@@ -41,9 +41,6 @@ struct ElementFormat<Quaternion<Component>> {
 };
 
 }  // namespace detail
-
-template <class Format>
-inline constexpr bool is_quaternion = detail::is_quaternion<Format>;
 
 /// The format of single elements: of the components, where a field is a quaternion.
 template <class Format>
