@@ -194,10 +194,27 @@ class Attribution {
       if (same == parts.end()) same = parts.insert(same, {part.kernel, part.behind, {}, {}});
       same->call_operators.push_back(part.call_operator);
     }
-    for (PartUse& part : parts) part.fields = accesses(part.call_operators, own);
+    for (PartUse& part : parts) {
+      part.fields = accesses(part.call_operators, own);
+      if (makes_index(part.call_operators))
+        for (FieldUse& use : part.fields) use.own = false;
+    }
     for (const PartUse& one : parts)
       for (const PartUse& other : parts)
         if (&one != &other) races(one, other, result);
+  }
+
+  /// Whether types do not tell a kernel's own objects from others, since it, or what it calls, makes an index.
+  [[nodiscard]] bool makes_index(std::vector<int> next) const {
+    std::set<int> seen;
+    while (!next.empty()) {
+      const int f = next.back();
+      next.pop_back();
+      if (!seen.insert(f).second) continue;
+      if (at(f).makes_index) return true;
+      for (const Call& call : at(f).calls) next.push_back(call.to);
+    }
+    return false;
   }
 
   static void races(const PartUse& one, const PartUse& other, Usage& result) {

@@ -32,6 +32,7 @@ struct Function {
   bool adds = false;           ///< add() of a reference to a field
   bool fused = false;          ///< the call operator of a fused kernel
   bool single_object = false;  ///< calls a kernel for one object, whose index types do not tell from others
+  bool makes_index = false;    ///< of the program, makes or changes an index of packs or of a fused kernel
   Access access = Access::none;
   int field = -1;  ///< that it accesses: index into Graph::fields
   std::vector<Call> calls;

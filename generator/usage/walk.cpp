@@ -159,14 +159,20 @@ class Walk::Body : public RunningCode<Walk::Body> {
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {
     variable(*member->getMemberDecl(), member->getMemberLoc());
+    if (llvm::isa<clang::FieldDecl>(member->getMemberDecl())) index_of(member->getBase()->getType());
     return function(member->getMemberDecl(), member, member->getMemberLoc());
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construction) {
     const auto location = construction->getLocation();
     const auto* record = construction->getConstructor()->getParent();
+    if (!construction->getConstructor()->isCopyOrMoveConstructor()) index_of(construction->getType());
     leads_to(construction->getConstructor(), location);
     destroys(construction->getType(), location);
     if (record->isPolymorphic()) overriders(*record, location);
+    return true;
+  }
+  bool VisitInitListExpr(clang::InitListExpr* list) {
+    index_of(list->getType());
     return true;
   }
   bool VisitCXXInheritedCtorInitExpr(clang::CXXInheritedCtorInitExpr* construction) {
@@ -209,6 +215,14 @@ class Walk::Body : public RunningCode<Walk::Body> {
     const int to = walk_.number(declaration);
     Place place = is_users_ ? walk_.names_.place(location) : Place{};  // places are wanted of the program's files
     walk_.graph_.functions[index()].calls.push_back({to, std::move(place)});
+  }
+  /// Whoever looks into one may change it: its type then says no more that it is the kernel's own.
+  void index_of(clang::QualType type) {
+    if (type.isNull() || !is_users_) return;
+    const auto* record = type->getAsCXXRecordDecl();
+    if (Names::is_physgen(record, "Pack") || Names::is_physgen(record, "PartialPack") ||
+        Names::is_physgen(record, "Own"))
+      walk_.graph_.functions[index()].makes_index = true;
   }
   /// One that lives as long as the program is made by whoever names it.
   void variable(const clang::ValueDecl& named, clang::SourceLocation location) {

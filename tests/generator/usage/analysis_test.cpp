@@ -194,6 +194,8 @@ TEST(UsageOfNeighbours, in_a_group_that_writes_them_is_a_race_in_either_order_an
   EXPECT_EQ(races(copy + ", " + shift, Side::host), expected);
   EXPECT_EQ(races(sum + ", " + of_sums, Side::host),
             Fields{"neighbours::AddToNext 68, neighbours::Copy 40: sums.volume"});
+  EXPECT_EQ(races(copy + ", NextPack{a.between.view(), a.to.view()}", Side::host),
+            Fields{"neighbours::Copy 40, neighbours::NextPack 88: between.volume"});
   if (!has_device_side()) GTEST_SKIP() << "there is no CUDA toolkit";
   EXPECT_EQ(races(shift + ", " + copy, Side::device), expected);
 }

@@ -71,6 +71,26 @@ struct AddToNext {
 template <class From, class To>
 AddToNext(From, To) -> AddToNext<From, To>;
 
+/// The index of the pack behind this one, in a fused kernel.
+template <class I>
+PHYSGEN_FUNCTION I next_pack(I i) {
+  if constexpr (requires { i.index.begin; }) i.index.begin += i.index.width;
+  return i;
+}
+/// to[i] = from[an object of the next pack]
+template <class From, class To>
+struct NextPack {
+  using Scalar = float;
+  From from;
+  To to;
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    to[i].volume() = from[next_pack(i)].volume().get();
+  }
+};
+template <class From, class To>
+NextPack(From, To) -> NextPack<From, To>;
+
 template <class From, class To>
 struct OneByOne {
   using Scalar = float;
