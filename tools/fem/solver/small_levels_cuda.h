@@ -193,7 +193,12 @@ bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSe
   using Small = detail::SmallLevels<LevelViews<Level>>;
   const Small small{detail::level_views(levels, l, std::make_index_sequence<detail::most_small_levels>()), count,
                     settings};
-  static const unsigned blocks = detail::blocks_of_cluster(detail::run_small_levels<LevelViews<Level>>);
+  static thread_local int asked_device = -1;
+  static thread_local unsigned blocks = 1;
+  int device = 0;
+  cuda::check(cudaGetDevice(&device), "asking for the current device");
+  if (device != asked_device) blocks = detail::blocks_of_cluster(detail::run_small_levels<LevelViews<Level>>);
+  asked_device = device;
   on.perform([&](Stream stream) {
     if (blocks == 1) {
       detail::run_small_levels<LevelViews<Level>><<<1, detail::small_level_threads, 0, stream>>>(small);
