@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdint>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace physgen::fem {
@@ -34,7 +35,8 @@ template <class Number>
 bool is_number(std::string_view word, Number& number) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error != std::errc::invalid_argument && end == word.data() + word.size();  // or beyond what doubles hold
+  const bool is_beyond = error == std::errc::result_out_of_range;  // of what the type holds: no fault of a coordinate
+  return (error == std::errc() || (is_beyond && std::is_floating_point_v<Number>)) && end == word.data() + word.size();
 }
 
 class Reader {
