@@ -45,6 +45,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     if (callee != nullptr && callee->getIdentifier() != nullptr && callee->getName() == "store_where" &&
         names_.is_library(callee->getLocation()))
       say(call->getBeginLoc(), "stores under a mask");
+    if (call->isPRValue() && is_pack(call->getType())) say(call->getBeginLoc(), "makes an index");
     if (callee == nullptr && !call->getCallee()->isInstantiationDependent() &&  // as in a generic lambda's pattern
         !llvm::isa<clang::CXXPseudoDestructorExpr>(call->getCallee()->IgnoreParens()))
       say(call->getBeginLoc(), "calls what is not known");
@@ -96,10 +97,17 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     return found_.empty();
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {
-    if (is_pack(member->getBase()->getType())) say(member->getMemberLoc(), "looks into its index");
+    const auto type = member->getBase()->getType();
+    if (is_pack(type->isPointerType() ? type->getPointeeType() : type))
+      say(member->getMemberLoc(), "looks into its index");
     follow(llvm::dyn_cast<clang::FunctionDecl>(member->getMemberDecl()));
     if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(member->getMemberDecl()))
       shared(*variable, member->getMemberLoc());
+    return found_.empty();
+  }
+  bool VisitUnaryOperator(clang::UnaryOperator* taken) {
+    if (taken->getOpcode() == clang::UO_AddrOf && is_pack(taken->getSubExpr()->getType()))
+      say(taken->getBeginLoc(), "looks into its index");
     return found_.empty();
   }
   bool VisitRequiresExpr(clang::RequiresExpr* asked) {

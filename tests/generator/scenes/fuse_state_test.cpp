@@ -21,8 +21,12 @@ const std::string store = "    to[i].a() = a;\n";
 
 std::string kernels() {
   return particles_kernels + R"(#include <physgen/fuse.h>
+#include <array>
+#include <bit>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
+#include <memory>
 #include <tuple>
 #include <utility>
 inline float memory = 0;
@@ -39,6 +43,8 @@ struct Adds { float operator()(float x) const { return x + 1; } };
 inline void count(int n) { last += float(n); }
 constexpr float twice(float x) { float y = x; y += x; return y; }
 constexpr float counted(float x) { if (x < 0) return x; return ++last; }
+template <class I> void begin_again(I* /*i*/) {}
+template <int W> void begin_again(physgen::Pack<W>* i) { i->begin = 0; }
 template <class V> constexpr float cleared(const V& view) { view[0].a() = 0.0F; return 1; }
 )" +
          kernel("CopyHarmless", "    to[i].a() = a + S(std::invoke(Adds(), twice(*scale)));\n",
@@ -54,6 +60,12 @@ template <class V> constexpr float cleared(const V& view) { view[0].a() = 0.0F; 
          kernel("CopyApplying", store + "    std::apply(count, std::tuple(1));\n") +
          kernel("CopyRandom", "    to[i].a() = a + S(Scalar(std::rand()));\n") +
          kernel("CopyElsewhere", store + "#ifdef __CUDA_ARCH__\n    ++last;\n#endif\n") +
+         kernel("CopyAddressed",
+                "    auto own = i;\n    begin_again(std::addressof(own));\n    to[i].a() = a + from[own].a();\n") +
+         kernel("CopyZeroed", "    auto own = i;\n    std::memset(&own, 0, 8);\n    to[i].a() = a + from[own].a();\n") +
+         kernel("CopyCast",
+                "    const auto first = std::bit_cast<I>(std::array<char, sizeof(I)>{});\n"
+                "    to[i].a() = a + from[first].a();\n") +
          kernel("CopyUnevaluated", "    (void)__builtin_constant_p((to[i].a() = a, 1));\n");
 }
 
@@ -77,6 +89,9 @@ const std::vector<Block> blocks = {
     block("random", "CopyRandom"),
     block("elsewhere", "CopyElsewhere"),
     block("unevaluated", "CopyUnevaluated"),
+    block("addressed", "CopyAddressed"),
+    block("zeroed", "CopyZeroed"),
+    block("cast", "CopyCast"),
     {"byhand", "on.run(n, physgen::fuse(physgen::locals(), CopyCounting{in, M}));\n    on.run(n, Shift{1, M, OUT});",
      "\"a\""},
     {"counted", "on.run(n, Copy{in, M});\n    on.run(n, Shift{counted(2), M, OUT});", "\"a\""},
@@ -118,6 +133,9 @@ TEST_F(Command, keeps_steps_apart_that_share_what_no_array_holds_or_whose_words_
            {"random", "CopyRandom: it calls rand(), which is not known, at kernels.h:"},
            {"elsewhere", "CopyElsewhere: it holds a directive of the preprocessor at kernels.h:"},
            {"unevaluated", "no earlier step of the group is sure to store all of body.m_unevaluated.a"},
+           {"addressed", "CopyAddressed: it looks into its index at kernels.h:"},
+           {"zeroed", "CopyZeroed: it looks into its index at kernels.h:"},
+           {"cast", "CopyCast: it makes an index at kernels.h:"},
            {"byhand", "it uses the variable last at kernels.h:"},
            {"counted", "Shift: it calls counted() at scenes/groups.h:"},
            {"cleared", "the declaration of s at scenes/groups.h:"},
