@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_1808DE509C753577
-#define PHYSGEN_CONTACT_H_1808DE509C753577
+#ifndef PHYSGEN_CONTACT_H_B526950FFDE04FA6
+#define PHYSGEN_CONTACT_H_B526950FFDE04FA6
 
 #include <physgen/runtime.h>
 
@@ -28,7 +28,7 @@ namespace contact {
 
 // ---- NodeArea -------------------------------------------------------------------------------------------------------
 
-/// What a node carries of the surface of the body: a third of each boundary face that it is a corner of.
+/// The part of the body's surface that a node carries: a third of each boundary face that it is a corner of.
 template <class Real>
 struct NodeArea {
   /// at rest; 0 inside the body [m^2]
@@ -229,4 +229,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_1808DE509C753577
+#endif  // PHYSGEN_CONTACT_H_B526950FFDE04FA6

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_DYNAMICS_H_46928D9189B1593C
-#define PHYSGEN_DYNAMICS_H_46928D9189B1593C
+#ifndef PHYSGEN_DYNAMICS_H_389A0F3CB440825B
+#define PHYSGEN_DYNAMICS_H_389A0F3CB440825B
 
 #include <physgen/runtime.h>
 
@@ -138,7 +138,7 @@ static_assert(physgen::are_sound_records<NodeVelocityObject, physgen::Host>({12,
 
 // ---- Motion ---------------------------------------------------------------------------------------------------------
 
-/// What the nodes' velocities amount to; one object, which kernels leave for the host.
+/// The sums of the nodes' velocities; one object, which kernels leave for the host.
 template <class Real>
 struct Motion {
   /// kinetic energy [J]
@@ -227,4 +227,4 @@ static_assert(physgen::are_sound_records<MotionObject, physgen::Host>(
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_46928D9189B1593C
+#endif  // PHYSGEN_DYNAMICS_H_389A0F3CB440825B

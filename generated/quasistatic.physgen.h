@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
-#define PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
+#ifndef PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D
+#define PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D
 
 #include <physgen/runtime.h>
 
@@ -1020,7 +1020,7 @@ static_assert(physgen::are_sound_records<RingNodeObject, physgen::Host>({16, 4, 
 
 // ---- NodeVolumeTangent ----------------------------------------------------------------------------------------------
 
-/// What resists the change of a node's mean volume: k of its k g g^T in the tangent.
+/// The resistance to a change of a node's mean volume: k of its k g g^T in the tangent.
 template <class Real>
 struct NodeVolumeTangent {
   /// U''(T) / volume, or its linearised form [N/m^5]
@@ -1199,7 +1199,7 @@ static_assert(physgen::are_sound_records<PatchTangentObject, physgen::Host>({100
 
 // ---- PatchChange ----------------------------------------------------------------------------------------------------
 
-/// What a patch's forces change by along a displacement, on the CPU in a product without blocks of edges.
+/// The change of a patch's forces along a displacement, on the CPU in a product without blocks of edges.
 template <class Real>
 struct PatchChange {
   /// k g . dx [N/m^2]
@@ -1543,7 +1543,7 @@ static_assert(physgen::are_sound_records<SupernodeObject, physgen::Host>({36, 4,
 
 // ---- SchwarzTerm ----------------------------------------------------------------------------------------------------
 
-/// What a supernode, or a pair of them, is summed from.
+/// One term of the sum for a supernode, or for a pair of them.
 template <class Real>
 struct SchwarzTerm {
   /// a node or an edge of the level before
@@ -2111,4 +2111,4 @@ static_assert(physgen::are_sound_records<EquilibriumObject, physgen::Host>(
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_02DE0A0BE7B86F2C
+#endif  // PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D

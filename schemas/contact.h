@@ -6,7 +6,7 @@
 namespace contact {
 using namespace physgen::schema;
 
-/// What a node carries of the surface of the body: a third of each boundary face that it is a corner of.
+/// The part of the body's surface that a node carries: a third of each boundary face that it is a corner of.
 struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) NodeArea {
   PHYSGEN(unit("m^2")) Scalar area;  ///< at rest; 0 inside the body
 };

@@ -17,7 +17,7 @@ struct PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos_padded)) NodeVe
   PHYSGEN(unit("m/s")) Vector<3> v;  ///< velocity
 };
 
-/// What the nodes' velocities amount to; one object, which kernels leave for the host.
+/// The sums of the nodes' velocities; one object, which kernels leave for the host.
 struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Motion {
   PHYSGEN(unit("J")) Scalar kinetic;           ///< kinetic energy
   PHYSGEN(unit("kg m/s")) Vector<3> momentum;  ///< linear momentum

@@ -88,7 +88,7 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) RingNode {
   PHYSGEN(unit("m^2")) Vector<3> g;  ///< change of its mean volume with the node whose ring it is in
 };
 
-/// What resists the change of a node's mean volume: k of its k g g^T in the tangent.
+/// The resistance to a change of a node's mean volume: k of its k g g^T in the tangent.
 struct PHYSGEN_OBJECT() NodeVolumeTangent {
   PHYSGEN(unit("N/m^5")) Scalar k;  ///< U''(T) / volume, or its linearised form
 };
@@ -104,7 +104,7 @@ struct PHYSGEN_OBJECT() PatchTangent {
   PHYSGEN(unit("N/m^5")) Scalar k;      ///< U''(T) / volume, or its linearised form
 };
 
-/// What a patch's forces change by along a displacement, on the CPU in a product without blocks of edges.
+/// The change of a patch's forces along a displacement, on the CPU in a product without blocks of edges.
 struct PHYSGEN_OBJECT() PatchChange {
   PHYSGEN(unit("N/m^2")) Scalar change;  ///< k g . dx
 };
@@ -136,7 +136,7 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) Supernode {
   PHYSGEN(unit("N/m")) Vector<3> magnitude;  ///< sum of its nodes' |K_kk|: what rounding is measured against
 };
 
-/// What a supernode, or a pair of them, is summed from.
+/// One term of the sum for a supernode, or for a pair of them.
 struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) SchwarzTerm {
   Index source;  ///< a node or an edge of the level before
   Index kind;    ///< of a supernode: 0 a node, 1 an edge inside; of a pair: 0 an edge, 1 an edge the other way round

@@ -69,13 +69,13 @@ struct Body {
   /// quasistatic::PackedIncidence, per tet_edge: code
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::edge_tet_entries,
       ::quasistatic::PackedIncidenceArray<float, Space>>> edge_tet_entries;
-  /// Of each patch or node where volumes are averaged.
+  /// The volumes of each patch or node where volumes are averaged.
   /// quasistatic::MeanVolume, per volume: volume, ratio, pressure, linearised, tangent_pressure, before, full
   physgen::StoredArray<Stored, tags::body::volumes, ::quasistatic::MeanVolumeArray<double, Space>> volumes;
   /// elasticity::NodePosition, per node: x
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::rest, ::elasticity::NodePositionArray<double,
       Space>>> rest;
-  /// Of the last equilibrium, or of the step under way.
+  /// Positions of the last equilibrium, or of the step under way.
   /// elasticity::NodePosition, per node: x
   physgen::StoredArray<Stored, tags::body::positions, ::elasticity::NodePositionArray<double, Space>> positions;
   /// Where a step leads.
@@ -88,7 +88,7 @@ struct Body {
   /// elasticity::NodeForce, per node: f
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::loads, ::elasticity::NodeForceArray<double,
       Space>>> loads;
-  /// Of prescribed components, at a load of 1.
+  /// The motion of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::motion, ::elasticity::NodeDisplacementArray<double,
       Space>>> motion;
@@ -97,7 +97,7 @@ struct Body {
   physgen::StoredArray<Stored, tags::body::forces, ::elasticity::NodeForceArray<double, Space>> forces;
   /// elasticity::NodeForce, per node: f
   physgen::StoredArray<Stored, tags::body::trial_forces, ::elasticity::NodeForceArray<double, Space>> trial_forces;
-  /// Of prescribed components.
+  /// The increment of prescribed components.
   /// elasticity::NodeDisplacement, per node: dx
   physgen::StoredArray<Stored, tags::body::increment, ::elasticity::NodeDisplacementArray<double, Space>> increment;
   /// Its volumetric energy is 0 where no volumes are averaged.
@@ -127,7 +127,7 @@ struct Body {
     physgen::allocate(state, 1, {"elastic", "loads", "free_square", "fixed_square", "work", "smallest_ratio"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return tets.bytes() + node_tet_ranges.bytes() + node_tet_entries.bytes() + edge_tet_ranges.bytes() +
            edge_tet_entries.bytes() + volumes.bytes() + rest.bytes() + positions.bytes() + trial.bytes() +
@@ -218,7 +218,7 @@ struct Patches {
       ::quasistatic::PackedIncidenceArray<float, Space>>> node_patch_entries;
   /// quasistatic::PatchTangent, per patch: g, k
   physgen::StoredArray<Stored, tags::patches::tangent, ::quasistatic::PatchTangentArray<Real, Space>> tangent;
-  /// Of products without blocks of edges, on the CPU.
+  /// The changes in products without blocks of edges, on the CPU.
   /// quasistatic::PatchChange, per change: change
   physgen::StoredArray<Stored, tags::patches::changes, ::quasistatic::PatchChangeArray<Real, Space>> changes;
 
@@ -239,7 +239,7 @@ struct Patches {
     physgen::allocate(changes, counts.change, {"change"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return tet_patches.bytes() + nodes.bytes() + parents.bytes() + patch_tet_ranges.bytes() +
            patch_tet_entries.bytes() + edge_patch_ranges.bytes() + edge_patch_entries.bytes() +
@@ -297,7 +297,7 @@ struct Rings {
     physgen::allocate(tangent, counts.node, {"k"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return node_ranges.bytes() + node_entries.bytes() + tangent.bytes();
   }
@@ -328,7 +328,7 @@ struct Chunk {
 
   /// elasticity::CornerForces, per chunk_tet: G
   physgen::StoredArray<Stored, tags::chunk::corners, ::elasticity::CornerForcesArray<double, Space>> corners;
-  /// Of a chunk, or of all tets.
+  /// The tangent of a chunk, or of all tets.
   /// quasistatic::TetTangent, per kept_tet: U, g, x1111, x2211, x3311, x2222, x3322, x3333, x2121, x2112, x3131, x3113,
   /// x3232, x3223
   physgen::StoredArray<Stored, tags::chunk::tangent, ::quasistatic::TetTangentArray<Real, Space>> tangent;
@@ -342,7 +342,7 @@ struct Chunk {
         "x2121", "x2112", "x3131", "x3113", "x3232", "x3223"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return corners.bytes() + tangent.bytes();
   }
@@ -450,25 +450,25 @@ struct Level {
   /// quasistatic::GridParents, per grid_child: nodes, weights
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::grid_parents, ::quasistatic::GridParentsArray<Real,
       Space>>> grid_parents;
-  /// Of each node of the coarser level: rows of ChildEntry.
+  /// The children of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: begin, end
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_ranges,
       ::elasticity::IncidenceRangeArray<float, Space>>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: code
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_entries,
       ::quasistatic::PackedIncidenceArray<float, Space>>> child_entries;
-  /// Of each edge of the coarser level: rows of EdgeTermEntry.
+  /// The terms of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: begin, end
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_ranges,
       ::elasticity::IncidenceRangeArray<float, Space>>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: code
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_entries,
       ::quasistatic::PackedIncidenceArray<float, Space>>> edge_term_entries;
-  /// Of levels of a background grid, and of the mesh on it.
+  /// The levels of a background grid, and the mesh on it, have these.
   /// quasistatic::TranslationStiffness, per grid_node: T
   physgen::StoredArray<Stored, tags::level::translations, ::quasistatic::TranslationStiffnessArray<Real,
       Space>> translations;
-  /// Of the coarsest level alone.
+  /// The coarsest level alone has it.
   /// quasistatic::CoarseInverse, per coarse_pair: G
   physgen::StoredArray<Stored, tags::level::coarse_inverse, ::quasistatic::CoarseInverseArray<Real,
       Space>> coarse_inverse;
@@ -502,7 +502,7 @@ struct Level {
     physgen::allocate(coarse_inverse, counts.coarse_pair, {"G"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return constraints.bytes() + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() +
            node_stiffness.bytes() + edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() +
@@ -635,7 +635,7 @@ struct Schwarz {
     physgen::allocate(factors, counts.factor, {"W"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return nodes.bytes() + slots.bytes() + blocks.bytes() + supernode_term_ranges.bytes() +
            supernode_term_entries.bytes() + pair_term_ranges.bytes() + pair_term_entries.bytes() +
@@ -706,7 +706,7 @@ struct Planes {
     physgen::allocate(contact, counts.contact, {"force", "depth"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return planes.bytes() + areas.bytes() + stiffness.bytes() + contact.bytes();
   }
@@ -761,7 +761,7 @@ struct Inertia {
     physgen::allocate(measured, counts.measure, {"kinetic", "momentum", "farthest"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return masses.bytes() + centres.bytes() + velocities.bytes() + measured.bytes();
   }
@@ -819,7 +819,7 @@ struct Krylov {
     physgen::allocate(state, 1, {"rz", "rz_first", "tolerance", "alpha", "beta", "iterations", "status"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return step.bytes() + residual.bytes() + direction.bytes() + product.bytes() + state.bytes();
   }
@@ -857,7 +857,7 @@ struct Stresses {
     physgen::allocate(of_tets, counts.tet, {"P"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return of_tets.bytes();
   }

@@ -122,7 +122,7 @@ struct Body {
     physgen::allocate(measured, 1, {"kinetic", "momentum", "elastic"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return tets.bytes() + rest.bytes() + corners.bytes() + places.bytes() + placed.bytes() + node_tet_ranges.bytes() +
            node_tets.bytes() + constraints.bytes() + masses.bytes() + loads.bytes() + motion.bytes() +

@@ -40,7 +40,7 @@ struct Body {
     physgen::index_t corner = 0;
   };
 
-  /// What moves, and where it was at rest.
+  /// The nodes that move, and where they were at rest.
   /// elasticity::NodePosition, per node: x
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::body::positions, ::elasticity::NodePositionArray<Real,
       Space>>> positions;
@@ -86,7 +86,7 @@ struct Body {
     physgen::allocate(forces, counts.node, {"f"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return positions.bytes() + tets.bytes() + rest.bytes() + node_ranges.bytes() + node_tets.bytes() +
            gradients.bytes() + svds.bytes() + stresses.bytes() + corner_forces.bytes() + forces.bytes();

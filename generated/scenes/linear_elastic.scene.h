@@ -91,7 +91,7 @@ struct Linear {
   /// elasticity::NodeDisplacement, per node: dx
   physgen::StoredArray<Stored, tags::linear::displacements, ::elasticity::NodeDisplacementArray<double,
       Space>> displacements;
-  /// Of prescribed components, at a load of 1.
+  /// The motion of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::motion, ::elasticity::NodeDisplacementArray<double,
       Space>>> motion;
@@ -123,7 +123,7 @@ struct Linear {
     physgen::allocate(state, 1, {"elastic", "loads", "free_square", "fixed_square", "smallest_ratio"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return tets.bytes() + rest.bytes() + node_tet_ranges.bytes() + node_tets.bytes() + edge_tet_ranges.bytes() +
            edge_tets.bytes() + displacements.bytes() + motion.bytes() + loads.bytes() + forces.bytes() + state.bytes();
@@ -444,25 +444,25 @@ struct Level {
   /// quasistatic::GridParents, per grid_child: left out, takes stores
   physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::grid_parents,
       ::quasistatic::GridParentsArray<Real, Space>>, LevelGrid_parentsFormats>> grid_parents;
-  /// Of each node of the coarser level: rows of ChildEntry.
+  /// The children of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: left out, takes stores
   physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::child_ranges,
       ::elasticity::IncidenceRangeArray<float, Space>>, LevelChild_rangesFormats>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: left out, takes stores
   physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::child_entries,
       ::quasistatic::PackedIncidenceArray<float, Space>>, LevelChild_entriesFormats>> child_entries;
-  /// Of each edge of the coarser level: rows of EdgeTermEntry.
+  /// The terms of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: left out, takes stores
   physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::edge_term_ranges,
       ::elasticity::IncidenceRangeArray<float, Space>>, LevelEdge_term_rangesFormats>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: left out, takes stores
   physgen::ReadOnlyArray<physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::edge_term_entries,
       ::quasistatic::PackedIncidenceArray<float, Space>>, LevelEdge_term_entriesFormats>> edge_term_entries;
-  /// Of levels of a background grid, and of the mesh on it.
+  /// The levels of a background grid, and the mesh on it, have these.
   /// quasistatic::TranslationStiffness, per grid_node: left out, takes stores
   physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::translations,
       ::quasistatic::TranslationStiffnessArray<Real, Space>>, LevelTranslationsFormats> translations;
-  /// Of the coarsest level alone.
+  /// The coarsest level alone has it.
   /// quasistatic::CoarseInverse, per coarse_pair: left out, takes stores
   physgen::PrunedArray<physgen::StoredArray<Stored, tags::level::coarse_inverse, ::quasistatic::CoarseInverseArray<Real,
       Space>>, LevelCoarse_inverseFormats> coarse_inverse;
@@ -496,7 +496,7 @@ struct Level {
     physgen::allocate(coarse_inverse, counts.coarse_pair);
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return constraints.bytes() + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() +
            node_stiffness.bytes() + edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() +
@@ -578,7 +578,7 @@ struct Krylov {
     physgen::allocate(state, 1, {"rz", "rz_first", "tolerance", "alpha", "beta", "iterations", "status"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return step.bytes() + residual.bytes() + direction.bytes() + product.bytes() + state.bytes();
   }
@@ -616,7 +616,7 @@ struct Stresses {
     physgen::allocate(of_tets, counts.tet, {"P"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return of_tets.bytes();
   }

@@ -67,7 +67,7 @@ struct Linear {
   /// elasticity::NodeDisplacement, per node: dx
   physgen::StoredArray<Stored, tags::linear::displacements, ::elasticity::NodeDisplacementArray<double,
       Space>> displacements;
-  /// Of prescribed components, at a load of 1.
+  /// The motion of prescribed components, at a load of 1.
   /// elasticity::NodeDisplacement, per node: dx
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::linear::motion, ::elasticity::NodeDisplacementArray<double,
       Space>>> motion;
@@ -99,7 +99,7 @@ struct Linear {
     physgen::allocate(state, 1, {"elastic", "loads", "free_square", "fixed_square", "smallest_ratio"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return tets.bytes() + rest.bytes() + node_tet_ranges.bytes() + node_tets.bytes() + edge_tet_ranges.bytes() +
            edge_tets.bytes() + displacements.bytes() + motion.bytes() + loads.bytes() + forces.bytes() + state.bytes();
@@ -215,25 +215,25 @@ struct Level {
   /// quasistatic::GridParents, per grid_child: nodes, weights
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::grid_parents, ::quasistatic::GridParentsArray<Real,
       Space>>> grid_parents;
-  /// Of each node of the coarser level: rows of ChildEntry.
+  /// The children of each node of the coarser level: rows of ChildEntry.
   /// elasticity::IncidenceRange, per parent: begin, end
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_ranges,
       ::elasticity::IncidenceRangeArray<float, Space>>> child_ranges;
   /// quasistatic::PackedIncidence, per child_entry: code
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::child_entries,
       ::quasistatic::PackedIncidenceArray<float, Space>>> child_entries;
-  /// Of each edge of the coarser level: rows of EdgeTermEntry.
+  /// The terms of each edge of the coarser level: rows of EdgeTermEntry.
   /// elasticity::IncidenceRange, per coarse_edge: begin, end
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_ranges,
       ::elasticity::IncidenceRangeArray<float, Space>>> edge_term_ranges;
   /// quasistatic::PackedIncidence, per edge_term: code
   physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::level::edge_term_entries,
       ::quasistatic::PackedIncidenceArray<float, Space>>> edge_term_entries;
-  /// Of levels of a background grid, and of the mesh on it.
+  /// The levels of a background grid, and the mesh on it, have these.
   /// quasistatic::TranslationStiffness, per grid_node: T
   physgen::StoredArray<Stored, tags::level::translations, ::quasistatic::TranslationStiffnessArray<Real,
       Space>> translations;
-  /// Of the coarsest level alone.
+  /// The coarsest level alone has it.
   /// quasistatic::CoarseInverse, per coarse_pair: G
   physgen::StoredArray<Stored, tags::level::coarse_inverse, ::quasistatic::CoarseInverseArray<Real,
       Space>> coarse_inverse;
@@ -267,7 +267,7 @@ struct Level {
     physgen::allocate(coarse_inverse, counts.coarse_pair, {"G"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return constraints.bytes() + edges.bytes() + node_edge_ranges.bytes() + node_edge_entries.bytes() +
            node_stiffness.bytes() + edge_stiffness.bytes() + scales.bytes() + scaled_nodes.bytes() +
@@ -400,7 +400,7 @@ struct Schwarz {
     physgen::allocate(factors, counts.factor, {"W"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return nodes.bytes() + slots.bytes() + blocks.bytes() + supernode_term_ranges.bytes() +
            supernode_term_entries.bytes() + pair_term_ranges.bytes() + pair_term_entries.bytes() +
@@ -471,7 +471,7 @@ struct Krylov {
     physgen::allocate(state, 1, {"rz", "rz_first", "tolerance", "alpha", "beta", "iterations", "status"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return step.bytes() + residual.bytes() + direction.bytes() + product.bytes() + state.bytes();
   }
@@ -509,7 +509,7 @@ struct Stresses {
     physgen::allocate(of_tets, counts.tet, {"P"});
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return of_tets.bytes();
   }

@@ -53,29 +53,12 @@ void Printer::function(std::string_view signature, const std::vector<std::string
   close("}");
 }
 
-void Printer::function_of_sum(std::string_view signature, const std::vector<std::string>& terms) {
-  open(std::string(signature) + " {");
-  const std::string begin = "return ";
-  std::string current = begin;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    const std::string term = terms[i] + (i + 1 == terms.size() ? ";" : " +");
-    if (i > 0 && !fits(current.size() + 1 + term.size())) {
-      line(current);
-      current.assign(begin.size(), ' ');
-    } else if (i > 0) {
-      current += ' ';
-    }
-    current += term;
-  }
-  line(current);
-  close("}");
-}
-
-void Printer::list(std::string_view head, const std::vector<std::string>& items, std::string_view tail) {
+void Printer::list(std::string_view head, const std::vector<std::string>& items, std::string_view tail,
+                   std::string_view between) {
   std::string current(head);
   for (std::size_t i = 0; i < items.size(); ++i) {
     const bool first = i == 0, last = i + 1 == items.size();
-    const std::string item = items[i] + (last ? std::string(tail) : ",");
+    const std::string item = items[i] + std::string(last ? tail : between);
     if (!first && !fits(current.size() + 1 + item.size())) {
       wrapped(current);
       current = std::string(head.size(), ' ') + item;
@@ -115,18 +98,7 @@ void Printer::filled(std::string_view head, const std::vector<std::string>& item
   whole += tail;
   if (fits(whole.size())) return line(whole);
   wrapped(std::string(head));
-  std::string rest = "    ";
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const std::string item = items[i] + (i + 1 == items.size() ? std::string(tail) : ",");
-    if (rest != "    " && !fits(rest.size() + item.size())) {
-      rest.pop_back();  // the space that was to separate
-      wrapped(rest);
-      rest = "    ";
-    }
-    rest += item + " ";
-  }
-  rest.pop_back();
-  wrapped(rest);
+  list("    ", items, tail);
 }
 
 void Printer::comment(std::string_view marker, std::string_view text) {

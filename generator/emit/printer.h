@@ -24,10 +24,9 @@ class Printer {
   void wrapped(const std::string& text);
   /// A function, on one line if it is one statement that fits: "signature { statement }".
   void function(std::string_view signature, const std::vector<std::string>& statements);
-  /// A function that returns the sum of some terms, as many of which stand on a line as fit.
-  void function_of_sum(std::string_view signature, const std::vector<std::string>& terms);
   /// "head(first, second);" on one line if it fits, else broken before items, which are then aligned behind `head`.
-  void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
+  void list(std::string_view head, const std::vector<std::string>& items, std::string_view tail,
+            std::string_view between = ",");
   /// The same, broken behind `head`, with as many items on each further line as fit.
   void filled(std::string_view head, const std::vector<std::string>& items, std::string_view tail);
   /// A comment, each line after `marker` ("//" or "///"), its lines kept where they fit. One that does not is

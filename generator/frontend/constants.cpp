@@ -18,27 +18,28 @@ std::optional<std::string> literal(const clang::APValue& pointer) {
   return string->getString().str();
 }
 
-std::optional<std::string> enumerator(const clang::APValue& value, clang::QualType type) {
-  const auto* enumeration = llvm::dyn_cast_or_null<clang::EnumDecl>(type->getAsTagDecl());
-  if (enumeration == nullptr || !value.isInt()) return std::nullopt;
-  for (const auto* candidate : enumeration->enumerators())
-    if (llvm::APSInt::isSameValue(candidate->getInitVal(), value.getInt())) return candidate->getName().str();
-  return std::nullopt;
+Constant Constant::member(llvm::StringRef name) const {
+  for (const auto* field : type->getAsCXXRecordDecl()->fields())
+    if (field->getName() == name) return member(field->getFieldIndex());
+  throw std::logic_error("a value has no member " + name.str());
 }
 
-Constant Constant::member(llvm::StringRef name) const {
-  unsigned number = 0;
-  for (const auto* field : type->getAsCXXRecordDecl()->fields()) {
-    if (field->getName() == name) return {value.getStructField(number), field->getType()};
-    ++number;
-  }
-  throw std::logic_error("a value has no member " + name.str());
+Constant Constant::member(unsigned number) const {
+  return {value.getStructField(number), std::next(type->getAsCXXRecordDecl()->field_begin(), number)->getType()};
 }
 
 Constant Constant::element(unsigned number) const {
   const auto* array = type->getAsArrayTypeUnsafe();
   return {number < value.getArrayInitializedElts() ? value.getArrayInitializedElt(number) : value.getArrayFiller(),
           array->getElementType()};
+}
+
+std::optional<std::string> Constant::enumerator() const {
+  const auto* enumeration = llvm::dyn_cast_or_null<clang::EnumDecl>(type->getAsTagDecl());
+  if (enumeration == nullptr || !value.isInt()) return std::nullopt;
+  for (const auto* candidate : enumeration->enumerators())
+    if (llvm::APSInt::isSameValue(candidate->getInitVal(), value.getInt())) return candidate->getName().str();
+  return std::nullopt;
 }
 
 }  // namespace physgen::frontend

@@ -14,7 +14,7 @@ bool is_plain_record(const clang::CXXRecordDecl& record, Report& report) {
     report.error(base.getSourceRange(), what + " has a base class; write a field of the base's type instead");
   const auto* aligned = record.getAttr<clang::AlignedAttr>();
   if (aligned != nullptr)
-    report.error(aligned->getRange(), "alignas says nothing about generated records; write PHYSGEN_OBJECT(align(...))");
+    report.error(aligned->getRange(), "alignas has no effect on generated records; write PHYSGEN_OBJECT(align(...))");
   const auto* packed = record.getAttr<clang::PackedAttr>();
   if (packed != nullptr)
     report.error(packed->getRange(), "generated records have no gaps to pack; remove the attribute");

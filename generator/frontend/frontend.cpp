@@ -1,23 +1,18 @@
 // See frontend.h. Sets up a Clang that parses C++20 from the schema's folder, the given folders and the built-in
-// vocabulary, and nothing else. The differences between versions of Clang's set-up are here only.
+// vocabulary, and nothing else.
 #include "frontend/frontend.h"
 
 #include <clang/AST/ASTConsumer.h>
 #include <clang/AST/DeclCXX.h>
 #include <clang/Basic/LangStandard.h>
-#include <clang/Basic/Version.h>
 #include <clang/Frontend/CompilerInstance.h>
 #include <clang/Frontend/FrontendAction.h>
-#include <clang/Frontend/TextDiagnosticPrinter.h>
-#include <clang/Frontend/Utils.h>
 #include <clang/Lex/Preprocessor.h>
-#include <llvm/Support/CrashRecoveryContext.h>
-#include <llvm/Support/VirtualFileSystem.h>
-#include <llvm/Support/raw_ostream.h>
 #include <llvm/TargetParser/Triple.h>
 
 #include <map>
 
+#include "frontend/compiler.h"
 #include "frontend/objects.h"
 #include "frontend/vocabulary.h"
 
@@ -25,7 +20,6 @@ namespace physgen::frontend {
 namespace {
 
 constexpr const char* vocabulary_dir = "/physgen.builtin";
-constexpr unsigned stack_bytes = 256U << 20;
 // Any target with a 32-bit int will do, the same on every machine; this one has few builtins to register.
 constexpr const char* target = "riscv64-unknown-linux-gnu";
 
@@ -99,15 +93,6 @@ std::shared_ptr<clang::CompilerInvocation> invocation(const std::string& path, c
   return result;
 }
 
-llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> file_system() {
-  auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
-  memory->addFile(std::string(vocabulary_dir) + "/physgen/schema.h", 0,
-                  llvm::MemoryBuffer::getMemBuffer(llvm::StringRef(vocabulary.data(), vocabulary.size())));
-  auto files = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(llvm::vfs::getRealFileSystem());
-  files->pushOverlay(memory);
-  return files;
-}
-
 /// Notes that say how to mend an error of which Clang can only say that it does not know a name.
 std::string notes(llvm::StringRef diagnostics) {
   std::string text;
@@ -141,40 +126,11 @@ Result parse(const std::string& path, const ParseOptions& options) {
   Result result;
   model::Schema schema;
   llvm::raw_string_ostream diagnostics(result.diagnostics);
-  const auto arguments = invocation(path, options);
-#if CLANG_VERSION_MAJOR >= 21
-  clang::CompilerInstance compiler(arguments);
-  auto* printer =
-      new clang::TextDiagnosticPrinter(diagnostics, arguments->getDiagnosticOpts());  // the compiler owns it
-#else
-  clang::CompilerInstance compiler;
-  compiler.setInvocation(arguments);
-  auto* printer = new clang::TextDiagnosticPrinter(diagnostics, &arguments->getDiagnosticOpts());
-#endif
-#if CLANG_VERSION_MAJOR >= 22
-  compiler.setVirtualFileSystem(file_system());
-  compiler.createDiagnostics(printer);
-  compiler.createFileManager();
-#elif CLANG_VERSION_MAJOR >= 20
-  const auto files = file_system();
-  compiler.createDiagnostics(*files, printer);
-  compiler.createFileManager(files);
-#else
-  compiler.createDiagnostics(printer);
-  compiler.createFileManager(file_system());
-#endif
-  compiler.getDiagnostics().setFatalsAsError(true);  // a missing header must not hide the other errors
-  compiler.setVerboseOutputStream(diagnostics);      // "2 errors generated."
-  const auto dependencies = std::make_shared<clang::DependencyCollector>();
-  compiler.addDependencyCollector(dependencies);
+  const Files files = files_with(std::string(vocabulary_dir) + "/physgen/schema.h", vocabulary);
   Action action(options, schema);
-  // On a thread for its stack: Clang skips brackets that nothing closes by recursion, and a hundred thousand of them
-  // are soon there where a file is damaged.
-  bool completed = false;
-  llvm::CrashRecoveryContext().RunSafelyOnThread([&] { completed = compiler.ExecuteAction(action); }, stack_bytes);
-  result.dependencies = dependencies->getDependencies().vec();
-  if (completed && !compiler.getDiagnostics().hasErrorOccurred()) result.schema = std::move(schema);
-  diagnostics.flush();
+  Compiled compiled = compile(invocation(path, options), files, action, diagnostics, true);
+  result.dependencies = std::move(compiled.dependencies);
+  if (compiled.good) result.schema = std::move(schema);
   diagnostics << notes(result.diagnostics);
   diagnostics.flush();
   return result;

@@ -18,18 +18,6 @@ using model::Aspect;
 constexpr const char* object_options = "layout(...) and align(...)";
 constexpr const char* field_options = "unit(...), range(...), initial(...) and format(...)";
 
-/// A part of an evaluated option, with its type, which has the names of enumerators.
-struct Member {
-  const clang::APValue& value;
-  clang::QualType type;
-
-  [[nodiscard]] Member member(unsigned number) const {
-    return {value.getStructField(number), std::next(type->getAsCXXRecordDecl()->field_begin(), number)->getType()};
-  }
-  /// The name of the enumerator; none: it is another number, by a cast.
-  [[nodiscard]] std::optional<std::string> enumerator() const { return frontend::enumerator(value, type); }
-};
-
 /// One argument of a macro: which option it is, and its evaluated members.
 struct Option {
   const clang::Expr* expression;
@@ -39,7 +27,7 @@ struct Option {
   [[nodiscard]] int integer(unsigned member) const {
     return static_cast<int>(value.getStructField(member).getInt().getExtValue());
   }
-  [[nodiscard]] Member member(unsigned number) const { return Member{value, expression->getType()}.member(number); }
+  [[nodiscard]] Constant member(unsigned number) const { return Constant{value, expression->getType()}.member(number); }
   [[nodiscard]] double real(unsigned member) const { return value.getStructField(member).getFloat().convertToDouble(); }
   [[nodiscard]] clang::SourceRange range() const { return expression->getSourceRange(); }
 };
@@ -106,28 +94,45 @@ void reject(const Option& option, const char* macro, const char* options, Report
                                    "; " + macro + " takes " + options);
 }
 
+/// The two words of layout(space, pattern) or format(space, encoding).
+template <class Facts>
+struct Words {
+  const model::SpaceFacts* space = nullptr;
+  const Facts* row = nullptr;  ///< null, with a report: the catalogue does not have both
+  [[nodiscard]] bool host() const { return space->key == model::Space::host; }
+};
+
+/// @param option "layout"
+/// @param part its second word: "pattern"
+/// @param what that part is called in the catalogue
+/// @param choices what may be written for it
+template <class Facts>
+Words<Facts> words(const Option& option, std::span<const Facts> rows, const std::string& name, const char* part,
+                   const char* what, const std::string& choices, Report& report) {
+  const auto space = option.member(0).enumerator(), row = option.member(1).member(0).enumerator();
+  if (!space || !row) {
+    report.error(option.range(), "this names no space or no " + std::string(part) + " of the vocabulary; write " +
+                                     name + "(host, ...) or " + name + "(cuda, ...) with " + choices);
+    return {};
+  }
+  const auto* known_space = known(model::spaces(), *space, "memory space", option, report);
+  const auto* known_row = known(rows, *row, what, option, report);
+  return {known_space, known_space == nullptr ? nullptr : known_row};
+}
+
 }  // namespace
 
 OptionPlaces read_options(const clang::Decl& declaration, model::Object& object, Report& report) {
   Places places(report);
   for_each_option(declaration, object_annotation, report.context(), [&](const Option& option) {
     if (option.type == "Layout") {
-      const Member pattern = option.member(1);
-      const auto space_name = option.member(0).enumerator(), kind_name = pattern.member(0).enumerator();
-      if (!space_name || !kind_name)
-        return report.error(option.range(),
-                            "this names no space or no pattern of the vocabulary; write layout(host, ...) or "
-                            "layout(cuda, ...) with " +
-                                model::joined(model::layout_words("tile"), " or "));
-      const auto* space = known(model::spaces(), *space_name, "memory space", option, report);
-      const auto* kind = known(model::layouts(), *kind_name, "layout", option, report);
-      if (space == nullptr || kind == nullptr) return;
-      const bool host = space->key == model::Space::host;
-      if (!places.add(host ? Aspect::host_layout : Aspect::cuda_layout, option,
-                      "layout(" + std::string(space->word) + ", ...)"))
+      const auto said = words(option, model::layouts(), "layout", "pattern", "layout",
+                              model::joined(model::layout_words("tile"), " or "), report);
+      if (said.row == nullptr || !places.add(said.host() ? Aspect::host_layout : Aspect::cuda_layout, option,
+                                             "layout(" + std::string(said.space->word) + ", ...)"))
         return;
-      const int tile = static_cast<int>(pattern.member(1).value.getInt().getExtValue());
-      (host ? object.host_layout : object.cuda_layout) = model::Layout{kind->key, tile};
+      const int tile = static_cast<int>(option.member(1).member(1).value.getInt().getExtValue());
+      (said.host() ? object.host_layout : object.cuda_layout) = model::Layout{said.row->key, tile};
     } else if (option.type == "Alignment") {
       if (!places.add(Aspect::alignment, option, "align(...)")) return;
       object.alignment = option.integer(0);
@@ -157,26 +162,18 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, R
     } else if (option.type == "Initial") {
       if (places.add(Aspect::initial, option, "initial(...)")) field.initial = option.real(0);
     } else if (option.type == "Format") {
-      const Member stored = option.member(1);
-      const auto space_name = option.member(0).enumerator(), encoding_name = stored.member(0).enumerator();
-      const auto quaternions = stored.member(1).value.getInt().getExtValue();
-      if (!space_name || !encoding_name)
-        return report.error(option.range(),
-                            "this names no space or no encoding of the vocabulary; write format(host, ...) or "
-                            "format(cuda, ...) with " +
-                                model::joined(model::encoding_words()) + " or quaternion(...)");
-      const auto* space = known(model::spaces(), *space_name, "memory space", option, report);
-      const auto* encoding = known(model::encodings(), *encoding_name, "encoding", option, report);
-      if (space == nullptr || encoding == nullptr) return;
+      const auto said = words(option, model::encodings(), "format", "encoding", "encoding",
+                              model::joined(model::encoding_words()) + " or quaternion(...)", report);
+      if (said.row == nullptr) return;
+      const auto quaternions = option.member(1).member(1).value.getInt().getExtValue();
       if (quaternions != 0 && quaternions != 1)
         return report.error(option.range(),
                             "the components of a quaternion are numbers, not quaternions; write quaternion(), or one "
                             "with their encoding, such as quaternion(half)");
-      const bool host = space->key == model::Space::host;
-      if (!places.add(host ? Aspect::host_format : Aspect::cuda_format, option,
-                      "format(" + std::string(space->word) + ", ...)"))
+      if (!places.add(said.host() ? Aspect::host_format : Aspect::cuda_format, option,
+                      "format(" + std::string(said.space->word) + ", ...)"))
         return;
-      (host ? field.host_format : field.cuda_format) = model::Format{encoding->key, quaternions == 1};
+      (said.host() ? field.host_format : field.cuda_format) = model::Format{said.row->key, quaternions == 1};
     } else {
       reject(option, "PHYSGEN", field_options, report);
     }

@@ -6,11 +6,10 @@
 #include <clang/Frontend/FrontendAction.h>
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <clang/Frontend/Utils.h>
-#include <llvm/Support/CrashRecoveryContext.h>
-#include <llvm/Support/VirtualFileSystem.h>
-#include <llvm/Support/raw_ostream.h>
 
 #include <filesystem>
+
+#include "frontend/compiler.h"
 
 #if CLANG_VERSION_MAJOR >= 22
 #include <clang/Driver/CreateInvocationFromArgs.h>
@@ -18,16 +17,6 @@
 
 namespace physgen::frontend {
 namespace {
-
-constexpr unsigned stack_bytes = 256U << 20;
-
-llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> with_file(const std::string& path, const std::string& text) {
-  auto memory = llvm::makeIntrusiveRefCnt<llvm::vfs::InMemoryFileSystem>();
-  memory->addFile(path, 0, llvm::MemoryBuffer::getMemBufferCopy(text));
-  auto files = llvm::makeIntrusiveRefCnt<llvm::vfs::OverlayFileSystem>(llvm::vfs::getRealFileSystem());
-  files->pushOverlay(memory);
-  return files;
-}
 
 /// The headers that physgen is installed with; in its own tree, those beside its sources.
 std::string runtime_folder() {
@@ -57,7 +46,7 @@ ProgramOutcome run(const Program& program, clang::FrontendAction& action) {
   ProgramOutcome outcome;
   llvm::raw_string_ostream diagnostics(outcome.diagnostics);
   const std::string path = "/physgen.program/" + program.name;
-  const auto files = with_file(path, program.text);
+  const Files files = files_with(path, program.text);
   clang::CreateInvocationOptions how;
 #if CLANG_VERSION_MAJOR >= 21
   clang::DiagnosticOptions driver_options;
@@ -78,34 +67,10 @@ ProgramOutcome run(const Program& program, clang::FrontendAction& action) {
   if (invocation == nullptr) return outcome;
   invocation->getFrontendOpts().DisableFree = false;
   invocation->getFrontendOpts().SkipFunctionBodies = program.skip_bodies;
-#if CLANG_VERSION_MAJOR >= 21
-  clang::CompilerInstance compiler(invocation);
-  auto* printer = new clang::TextDiagnosticPrinter(diagnostics, invocation->getDiagnosticOpts());
-#else
-  clang::CompilerInstance compiler;
-  compiler.setInvocation(invocation);
-  auto* printer = new clang::TextDiagnosticPrinter(diagnostics, &invocation->getDiagnosticOpts());
-#endif
-#if CLANG_VERSION_MAJOR >= 22
-  compiler.setVirtualFileSystem(files);
-  compiler.createDiagnostics(printer);
-  compiler.createFileManager();
-#elif CLANG_VERSION_MAJOR >= 20
-  compiler.createDiagnostics(*files, printer);
-  compiler.createFileManager(files);
-#else
-  compiler.createDiagnostics(printer);
-  compiler.createFileManager(files);
-#endif
-  compiler.setVerboseOutputStream(diagnostics);
-  const auto dependencies = std::make_shared<clang::DependencyCollector>();
-  compiler.addDependencyCollector(dependencies);
-  bool completed = false;
-  llvm::CrashRecoveryContext().RunSafelyOnThread([&] { completed = compiler.ExecuteAction(action); }, stack_bytes);
-  outcome.parsed = completed && !compiler.getDiagnostics().hasErrorOccurred();
-  for (const std::string& file : dependencies->getDependencies())
-    if (file != path) outcome.dependencies.push_back(file);
-  diagnostics.flush();
+  Compiled compiled = compile(invocation, files, action, diagnostics, false);
+  outcome.parsed = compiled.good;
+  for (std::string& file : compiled.dependencies)
+    if (file != path) outcome.dependencies.push_back(std::move(file));
   return outcome;
 }
 

@@ -84,25 +84,23 @@ class FieldChecker {
     const int bits = 8 * facts(field.element).bytes_with_double;
     const double end = std::ldexp(1, bits - 1);                                  // of integers
     const bool is_float = !whole && facts(field.element).bytes_with_float == 4;  // or can be
+    const auto wrong = [&](const std::string& why) {
+      report_(Aspect::initial, "initial(" + number(value) + ") is " + why);
+    };
+    const std::string elements = ", as the elements of " + quoted(field.name) + " are";
     if (!std::isfinite(value))
       report_(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
     else if (field.shape == Shape::rotation)
       report_(Aspect::initial, "a matrix of equal elements is not a rotation; leave initial() out");
     else if (whole && (value != std::floor(value) || value < -end || value >= end))
-      report_(Aspect::initial, "initial(" + number(value) + ") is not a " + std::to_string(bits) +
-                                   "-bit integer, as the elements of " + quoted(field.name) + " are; write one");
+      wrong("not a " + std::to_string(bits) + "-bit integer" + elements + "; write one");
     else if (is_float && std::abs(value) > FLT_MAX)
-      report_(Aspect::initial, "initial(" + number(value) + ") is not a float, as the elements of " + quoted(field.name) +
-                                   " are or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
-                                   ", or declare it double");
+      wrong("not a float" + elements + " or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
+            ", or declare it double");
     else if (is_float && value != 0 && static_cast<float>(value) == 0)
-      report_(Aspect::initial, "initial(" + number(value) + ") is 0 as a float, as the elements of " +
-                                   quoted(field.name) +
-                                   " are or can be; write 0 or a size from 1.5e-45 on, or declare it "
-                                   "double");
+      wrong("0 as a float" + elements + " or can be; write 0 or a size from 1.5e-45 on, or declare it double");
     else if (field.range && (value < field.range->low || value > field.range->high))
-      report_(Aspect::initial, "initial(" + number(value) + ") is outside range(" + number(field.range->low) + ", " +
-                                   number(field.range->high) + "); change one of them");
+      wrong("outside range(" + number(field.range->low) + ", " + number(field.range->high) + "); change one of them");
   }
 
  private:

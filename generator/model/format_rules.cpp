@@ -3,26 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "model/formats.h"
 #include "model/text.h"
 
 namespace physgen::model {
 namespace {
 
-// At most the number, or at least it, with three digits.
-std::string rounded(double value, double (*to)(double)) {
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", to(value / digit) * digit);
-  return text;
-}
-
 // Stated values that the format would lose, be it scaled.
 void check_magnitudes(Aspect aspect, const Field& field, const EncodingFacts& encoding, const FieldReport& report) {
   if (field.shape == Shape::rotation) return;
   if (encoding.scaling == Scaling::interval && facts(field.element).bytes_with_float == 8) return;  // in double
-  const double end = field.range ? std::max(std::abs(field.range->low), std::abs(field.range->high)) : 0;
+  const double end = field.range ? magnitude(*field.range) : 0;
   const double largest = std::max(end, std::abs(field.initial.value_or(0)));
   const bool scales = encoding.scaling == Scaling::exponent;
   const int top = scales ? std::ilogb(encoding.largest) : 0;  // of the largest power of two
@@ -32,8 +24,8 @@ void check_magnitudes(Aspect aspect, const Field& field, const EncodingFacts& en
   if (largest <= limit && !too_small) return;
   report(aspect, std::string(end > limit || too_small ? "the range" : "the initial value") + " of " +
                      quoted(field.name) + " is beyond what this format holds, " +
-                     (too_small ? "ranges that end above " + rounded(least, std::ceil)
-                                : "sizes up to " + rounded(limit, std::floor)) +
+                     (too_small ? "ranges that end above " + rounded(least, 3, std::ceil)
+                                : "sizes up to " + rounded(limit, 3, std::floor)) +
                      "; choose float64");
 }
 

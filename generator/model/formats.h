@@ -8,6 +8,12 @@
 
 namespace physgen::model {
 
+/// That of the larger end of a range.
+[[nodiscard]] double magnitude(const Range& range);
+
+/// A value with so many digits, for people; `to`, std::ceil or std::floor, makes it a bound of positive values.
+[[nodiscard]] std::string rounded(double value, int digits, double (*to)(double) = nullptr);
+
 /// k of the power of two 2^k by which a format of Scaling::exponent scales: it brings the larger end of the field's
 /// range just below the largest number of the encoding (of halves, into (16384, 32768]). 0 without a range, and for
 /// rotations, whose entries end at 1.

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "model/model.h"
+
 namespace physgen::model {
 
 /// The part of a declaration that breaks a rule; the frontend points its caret there.
@@ -28,6 +30,15 @@ struct Place {
   int field = -1;         ///< -1: the object itself
   bool operator==(const Place&) const = default;
 };
+
+/// Calls check(object, place) for every object in order of declaration, imported ones first.
+template <class Check>
+void for_each_object(const Schema& schema, const Check& check) {
+  for (const bool imported : {true, false}) {
+    const auto& objects = imported ? schema.imported : schema.objects;
+    for (std::size_t i = 0; i < objects.size(); ++i) check(objects[i], Place{imported, static_cast<int>(i), -1});
+  }
+}
 
 struct Issue {
   Place place;

@@ -18,13 +18,10 @@ class Checker {
   explicit Checker(const Schema& schema) : schema_(schema) {}
 
   std::vector<Issue> run() {
-    for (const bool imported : {true, false}) {
-      const auto& objects = imported ? schema_.imported : schema_.objects;
-      for (std::size_t i = 0; i < objects.size(); ++i) {
-        place_ = {imported, static_cast<int>(i), -1};
-        object(objects[i]);
-      }
-    }
+    for_each_object(schema_, [this](const Object& declared, Place place) {
+      place_ = place;
+      object(declared);
+    });
     if (schema_.objects.empty()) {
       place_ = {};
       report(Aspect::fields, "a schema declares at least one object; write 'struct PHYSGEN_OBJECT() Name { ... };'");

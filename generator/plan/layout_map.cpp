@@ -9,22 +9,11 @@
 namespace physgen::plan {
 namespace {
 
-/// The name of a run with all entries of arrays instead of one: "points[0..9].x".
-std::string accessor_name(const Run& run) {
-  std::string name;
-  for (const Step& step : run.path) {
-    if (!name.empty()) name += '.';
-    name += step.declaration().name;
-    if (step.entry >= 0) name += "[0.." + std::to_string(step.declaration().array_extent - 1) + "]";
-  }
-  return name;
-}
-
 std::vector<Accessor> accessors_of(const Record& record, Precision precision) {
   std::vector<Accessor> accessors;
   std::map<std::string, std::size_t> known;
   for (const Run& run : runs(record)) {
-    const std::string name = accessor_name(run);
+    const std::string name = run.name_of_all_entries();
     const auto [found, is_new] = known.emplace(name, accessors.size());
     if (is_new) {
       const int bytes = element_bytes(run.field(), record.space).of(precision);

@@ -32,6 +32,17 @@ void append_runs(const Record& record, Bytes base, std::vector<Step>& path, std:
   }
 }
 
+/// @param entries what stands in the brackets of a fixed array of objects
+std::string name_of(const std::vector<Step>& path, std::string (*entries)(const Step&)) {
+  std::string text;
+  for (const Step& step : path) {
+    if (!text.empty()) text += '.';
+    text += step.declaration().name;
+    if (step.entry >= 0) text += "[" + entries(step) + "]";
+  }
+  return text;
+}
+
 // Gives every field its offset, and the record its bytes, in one precision.
 void place(Record& record, const std::vector<Bytes>& alignments, Precision real) {
   for (int alignment = 8; alignment > 0; alignment /= 2) {
@@ -99,13 +110,11 @@ const Record& Records::of(const std::string& qualified_name) const {
 }
 
 std::string Run::name() const {
-  std::string text;
-  for (const Step& step : path) {
-    if (!text.empty()) text += '.';
-    text += step.declaration().name;
-    if (step.entry >= 0) text += "[" + std::to_string(step.entry) + "]";
-  }
-  return text;
+  return name_of(path, [](const Step& step) { return std::to_string(step.entry); });
+}
+
+std::string Run::name_of_all_entries() const {
+  return name_of(path, [](const Step& step) { return "0.." + std::to_string(step.declaration().array_extent - 1); });
 }
 
 std::vector<Run> runs(const Record& record) {

@@ -96,6 +96,8 @@ struct Run {
   [[nodiscard]] const model::Field& field() const { return path.back().declaration(); }
   /// "x", "svd.U", "points[2].x"
   [[nodiscard]] std::string name() const;
+  /// The same with all entries of arrays instead of one: "points[0..9].x".
+  [[nodiscard]] std::string name_of_all_entries() const;
 };
 
 /// All elements of a record as runs, in order of declaration: nested objects give one run for each of their fields,

@@ -1,4 +1,5 @@
-// What a scene's program reads and writes, on one side or on both: the units that probe_unit.h writes, analysed.
+// Finds the fields that a scene's program reads and writes, on one side or on both: analyses the units that
+// probe_unit.h writes.
 #pragma once
 
 #include <optional>

@@ -36,7 +36,7 @@ class Joiner {
       const std::size_t begin = first;
       first = pieces(number, first, k);
       if (k + 1 < list.steps.size() && first > begin) {
-        // What hindered the whole may not hinder its end.
+        // A reason against the whole may not hold for its end.
         if (why = apart(list, first, k + 1); why.empty()) continue;
       }
       group(number, first, k);
@@ -119,7 +119,7 @@ class Joiner {
       why.push_back(name + " is not told apart from another step by its name and arrays");
   }
 
-  /// What one of them stores and the other does not use at its own index alone.
+  /// Fields that one of them stores and that the other uses not only at its own index.
   void hazards(const ProgramStep& first, const ProgramStep& second, Reasons& why) const {
     const auto *a = uses_.of(first.step), *b = uses_.of(second.step);
     if (a == nullptr || b == nullptr) return;

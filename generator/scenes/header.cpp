@@ -265,11 +265,17 @@ class Header {
       held.push_back(array.name + ".bytes()");
       counted.push_back("physgen::bytes_of_array<decltype(" + array.name + ")>(" + count(array) + ")");
     }
-    out_.line("/// Of memory held by all arrays, padding included.");
-    out_.function_of_sum("[[nodiscard]] physgen::index_t bytes() const", held);
+    out_.line("/// Bytes of memory held by all arrays, padding included.");
+    sum("[[nodiscard]] physgen::index_t bytes() const {", held);
     if (group.sets().empty()) return;
     out_.line("/// The same of arrays of so many objects, without making them. @pre no count is negative");
-    out_.function_of_sum("[[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts)", counted);
+    sum("[[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {", counted);
+  }
+
+  void sum(const char* signature, const std::vector<std::string>& terms) {
+    out_.open(signature);
+    out_.list("return ", terms, ";", " +");
+    out_.close("}");
   }
 
   const Scene& scene_;

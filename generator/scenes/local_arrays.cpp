@@ -126,7 +126,7 @@ std::string LocalArrays::why_not_used_here(const Range& range, const std::string
   return {};
 }
 
-/// What is read must have been stored: a local has no values of its own.
+/// A field that is read must have been stored before: a local has no values of its own.
 std::string LocalArrays::why_not_stored(const Range& range, const std::string& name) const {
   std::set<FieldName> stored;
   for (const ProgramStep& step : range) {

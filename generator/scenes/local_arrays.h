@@ -14,7 +14,7 @@ namespace physgen::scenes {
 /// "ComputeSvd" of "physgen::fem::ComputeSvd(body.gradients, body.svds)".
 [[nodiscard]] std::string short_name(const std::string& step);
 
-/// What steps use, by their names.
+/// The uses of steps, by the steps' names.
 class StepUses {
  public:
   StepUses(const Scene& scene, const usage::Usage& usage);

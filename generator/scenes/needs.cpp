@@ -10,7 +10,7 @@
 namespace physgen::scenes {
 namespace {
 
-/// What becomes of each field, and what is to be said about it.
+/// Decides the fate of each field, and collects what is to be said about it.
 class NeedsFinder {
  public:
   NeedsFinder(const Scene& scene, const usage::Usage& usage)

@@ -1,5 +1,5 @@
-// What a scene needs: which fields of its arrays some step reads or the caller wants, and which fields nothing misses.
-// The rules do not look at the order of steps, since loops carry values round, and hold at a fixpoint:
+// The needs of a scene: which fields of its arrays some step reads or the caller wants, and which fields nothing
+// misses. The rules do not look at the order of steps, since loops carry values round, and hold at a fixpoint:
 //
 //   - outputs are wanted, and what a predicate of a loop, the host, or code outside of all steps reads
 //   - a step that writes a wanted field is live; what it reads is wanted
@@ -67,7 +67,7 @@ struct StepsApart {
 struct Needs {
   std::vector<ArrayNeed> arrays;  ///< in order of declaration, as are the fields of each
   std::vector<Issue> issues;      ///< errors first
-  // What join_steps() finds.
+  // Found by join_steps().
   std::vector<StepGroup> groups;
   std::vector<StepsApart> apart;
   std::vector<std::string> not_joined;  ///< why other steps are not looked at: "step() runs them, not the program"

@@ -27,7 +27,8 @@ std::string arrays(const Scene& scene, const Needs& needs, const std::string& su
   return text.erase(text.find(once), once.size());
 }
 
-/// What is kept, whatever else is wrong with the scene, so that its code can be compared in any case.
+/// The fields that are kept, even if something else is wrong with the scene, so that its code can be compared in any
+/// case.
 Needs kept(const Scene& scene, const usage::Usage& usage) {
   std::set<FieldName> read, written;
   const auto add = [&](const std::vector<usage::FieldUse>& uses) {

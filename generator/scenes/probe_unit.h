@@ -14,9 +14,9 @@ namespace physgen::scenes {
 /// @param declaration how the unit includes the scene's file: its path
 [[nodiscard]] std::string probe_unit(const Scene& scene, const std::string& space, const std::string& declaration);
 
-/// What follows probe_unit(): the program over arrays with all fields, and over arrays with those that it needs; both
-/// have read-only views and single records where generated ones have them. Code that is not the same over all three
-/// depends on how fields are stored.
+/// The text behind probe_unit()'s: the program over arrays with all fields, and over arrays with those that it needs;
+/// both have read-only views and single records where generated ones have them. Code that is not the same over all
+/// three depends on how fields are stored.
 /// @param usage of the program, over probes
 [[nodiscard]] std::string rest_of_unit(const Scene& scene, const usage::Usage& usage);
 

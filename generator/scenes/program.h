@@ -1,4 +1,4 @@
-// What the text of a scene's program says of its steps: which stand one behind the other, what their kernels do with
+// The steps of a scene's program as its text has them: which stand one behind the other, what their kernels do with
 // each object, and where in the text they stand. read_program.h fills it; the groups and the fused program are made of
 // it. Nothing of Clang appears here.
 #pragma once
@@ -35,7 +35,7 @@ struct ProgramStep {
 /// Steps of one compound statement, in order.
 struct ProgramSteps {
   std::vector<ProgramStep> steps;
-  /// What stands before steps[k+1] and cannot stand before steps[k]: "on.reduce() at x.h:3:5"; empty: nothing.
+  /// The statement before steps[k+1] that cannot stand before steps[k]: "on.reduce() at x.h:3:5"; empty: none.
   std::vector<std::string> between;
   bool operator==(const ProgramSteps&) const = default;
 };

@@ -155,7 +155,7 @@ class SceneReader {
     return group;
   }
 
-  /// What the program calls the groups, and what it takes behind them.
+  /// The program's names of the groups, and the parameters that it takes behind them.
   void program(const clang::CXXRecordDecl& record, Scene& scene) {
     const std::string form =
         "write 'template <class On" + templates(scene) + "> static void program(On& on" + references(scene) + ")'";
@@ -185,7 +185,7 @@ class SceneReader {
       const auto* parameter = function.getParamDecl(i);
       if (parameter->getType()->isDependentType())
         report_.error(parameter->getLocation(),
-                      "what program takes behind its groups has a type of its own, not one "
+                      "a parameter of program behind its groups has a type of its own, not one "
                       "of a template's parameter; write the type");
       else
         scene.parameters.push_back(clang::TypeName::getFullyQualifiedName(

@@ -5,6 +5,7 @@
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprConcepts.h>
 #include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Lex/Lexer.h>
 
 #include <set>
 
@@ -15,49 +16,55 @@ namespace {
 
 using usage::Names;
 
-/// Memory beside the scene's arrays that a kernel holds and may write: nobody sees what it does there for which object,
-/// and so not whether another kernel, which runs after it for all objects, may run after it for each.
+/// Memory beside the scene's arrays that may be written through what a kernel holds or names: nobody sees what it does
+/// there for which object, and so not whether another kernel, which runs after it for all objects, may run after it for
+/// each.
 class OtherMemory {
  public:
   explicit OtherMemory(Names& names) : names_(names) {}
 
   /// @return what it holds; empty: nothing
-  std::string find(const clang::CXXRecordDecl& record) {
+  std::string find(const clang::CXXRecordDecl& record, bool is_shared = false) {
     if (!record.hasDefinition() || !seen_.insert(record.getCanonicalDecl()).second) return {};
     for (const auto& base : record.getDefinition()->bases())
-      if (std::string found = find(base.getType()); !found.empty()) return found;
+      if (std::string found = find(base.getType(), is_shared); !found.empty()) return found;
     for (const auto* member : record.getDefinition()->fields())
-      if (std::string found = find(member->getType()); !found.empty())
+      if (std::string found = is_shared && member->isMutable() ? "holds a pointer or a reference to what may change"
+                                                               : find(member->getType(), is_shared);
+          !found.empty())
         return found + (names_.is_library(member->getLocation())
                             ? ""
                             : " at " + usage::text_of(names_.place(member->getLocation())));
     return {};
   }
 
- private:
-  std::string find(clang::QualType type) {
+  /// @param is_shared by all objects: behind a pointer or a reference, or a variable of the program
+  std::string find(clang::QualType type, bool is_shared) {
     type = type.getCanonicalType();
     while (type->isArrayType()) type = type->castAsArrayTypeUnsafe()->getElementType();
     if (type->isMemberPointerType()) return "holds a pointer to a member";
     if (type->isPointerType() || type->isReferenceType())
-      return type->getPointeeType().isConstQualified() ? "" : "holds a pointer or a reference to what is no array";
+      return type->getPointeeType().isConstQualified()
+                 ? find(type->getPointeeType(), true)
+                 : "holds a pointer or a reference to something that is not an array";
     const auto* record = type->getAsCXXRecordDecl();
     if (record == nullptr) return {};
     const auto* view = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
-    if (view == nullptr || !Names::is_physgen(record, "View")) return find(*record);
+    if (view == nullptr || !Names::is_physgen(record, "View")) return find(*record, is_shared);
     const bool is_read_only = view->getTemplateArgs()[1].getAsType().isConstQualified();
     return is_read_only || !names_.arrays(type).empty() ? "" : "holds a view of an array that the scene has not";
   }
 
+ private:
   Names& names_;
   std::set<const clang::Decl*> seen_;
 };
 
-/// What a kernel must not do to be a step of a fused kernel: ask what its index is, make one, do what locals, which
-/// are not arrays, do not allow, or use what cannot be seen.
+/// Finds what keeps a kernel from being a step of a fused kernel: it asks for its index, makes one, does what locals do
+/// not allow, or uses what cannot be seen; also in functions of its own that libraries call, such as std::invoke().
 class Unfit : public clang::RecursiveASTVisitor<Unfit> {
  public:
-  explicit Unfit(const Names& names) : names_(names) {}
+  explicit Unfit(Names& names) : names_(names) {}
   [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
 
   /// @return where it does so, and what; empty: nowhere
@@ -66,6 +73,10 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();
       queue_.pop_back();
+      in_library_ = next->getCanonicalDecl() != function.getCanonicalDecl() && names_.is_library(next->getLocation());
+      if (!names_.is_library(next->getLocation())) directives(*next);
+      if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(next))
+        for (const auto* member : constructor->inits()) TraverseStmt(member->getInit());
       TraverseStmt(next->getBody());
     }
     return found_;
@@ -79,12 +90,31 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     if (callee == nullptr && !call->getCallee()->isInstantiationDependent() &&  // as in a generic lambda's pattern
         !llvm::isa<clang::CXXPseudoDestructorExpr>(call->getCallee()->IgnoreParens()))
       say(call->getBeginLoc(), "calls what is not known");
+    if (!in_library_ && callee != nullptr && callee->isExternC() && callee->getBuiltinID() == 0 &&
+        !callee->isDefined() && !callee->isNoReturn())
+      say(call->getBeginLoc(), "calls " + callee->getNameAsString() + "(), which is not known,");
     follow(callee);
+    return found_.empty();
+  }
+  bool VisitVarDecl(clang::VarDecl* variable) {
+    destroys(variable->getType());
+    return found_.empty();
+  }
+  bool VisitCXXBindTemporaryExpr(clang::CXXBindTemporaryExpr* temporary) {
+    destroys(temporary->getType());
+    return found_.empty();
+  }
+  bool VisitExplicitCastExpr(clang::ExplicitCastExpr* cast) {
+    const auto of = [](clang::QualType type) { return type->isPointerType() ? type->getPointeeType() : type; };
+    const clang::QualType to = cast->getTypeAsWritten(), from = cast->getSubExprAsWritten()->getType();
+    if ((to->isPointerType() || to->isReferenceType()) && of(from).isConstQualified() &&
+        !to->getPointeeType().isConstQualified())
+      say(cast->getBeginLoc(), "casts const away");
     return found_.empty();
   }
   bool VisitAsmStmt(clang::AsmStmt* statement) {
     say(statement->getBeginLoc(), "holds instructions of a processor");
-    return false;
+    return found_.empty();
   }
   bool VisitCastExpr(clang::CastExpr* cast) {
     if (cast->getCastKind() == clang::CK_IntegralToPointer) say(cast->getBeginLoc(), "makes a pointer");
@@ -109,22 +139,24 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {
     if (is_pack(member->getBase()->getType())) say(member->getMemberLoc(), "looks into its index");
+    follow(llvm::dyn_cast<clang::FunctionDecl>(member->getMemberDecl()));
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(member->getMemberDecl()))
+      shared(*variable, member->getMemberLoc());
     return found_.empty();
   }
   bool VisitRequiresExpr(clang::RequiresExpr* asked) {
     say(asked->getBeginLoc(), "asks what compiles for its index");
-    return false;
+    return found_.empty();
   }
   bool VisitConceptSpecializationExpr(clang::ConceptSpecializationExpr* asked) {
     for (const auto& argument : asked->getTemplateArguments()) about(argument, asked->getBeginLoc());
     return found_.empty();
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
+    follow(llvm::dyn_cast<clang::FunctionDecl>(named->getDecl()));
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
-    if (variable == nullptr) return true;
-    if (variable->hasGlobalStorage() && !variable->getType().isConstQualified() &&
-        !names_.is_library(variable->getLocation()))
-      say(named->getBeginLoc(), "uses the variable " + variable->getNameAsString());
+    if (variable == nullptr || in_library_) return found_.empty();
+    shared(*variable, named->getBeginLoc());
     const auto* scope = llvm::dyn_cast<clang::CXXRecordDecl>(variable->getDeclContext());
     if (scope != nullptr && (Names::is_physgen(scope, "Pack") || Names::is_physgen(scope, "PartialPack")))
       say(named->getBeginLoc(), "asks what its index is");
@@ -148,24 +180,55 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
       say(place, "asks what its index is");
   }
   void say(clang::SourceLocation place, const std::string& what) {
-    if (found_.empty()) found_ = what + " at " + usage::text_of(names_.place(place));
+    if (found_.empty() && !in_library_) found_ = what + " at " + usage::text_of(names_.place(place));
   }
-  /// Functions of the program, and the kernel's, which may be one of the runtime's that holds a lambda.
+  /// Says that the program's function is not known, whoever calls it.
+  void unknown(const clang::FunctionDecl& function) {
+    in_library_ = false;
+    say(function.getLocation(), "calls " + function.getNameAsString() + "(), which is not known,");
+  }
+  /// A variable that lives as long as the program.
+  void shared(const clang::VarDecl& variable, clang::SourceLocation place) {
+    if (!variable.hasGlobalStorage() || names_.is_library(variable.getLocation())) return;
+    const auto type = variable.getType();
+    if (!type.isConstQualified() || !OtherMemory(names_).find(type, true).empty())
+      say(place, "uses the variable " + variable.getNameAsString());
+  }
+  void destroys(clang::QualType type) {
+    if (type->isDependentType()) return;
+    const auto* record = type->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+    if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return;
+    if (!destroyed_.insert(record->getCanonicalDecl()).second) return;
+    follow(record->getDestructor());
+    for (const auto& base : record->getDefinition()->bases()) destroys(base.getType());
+    for (const auto* member : record->getDefinition()->fields()) destroys(member->getType());
+  }
+  /// Code behind an #if is seen as it is compiled for the CPU alone.
+  void directives(const clang::FunctionDecl& function) {
+    const auto& context = function.getASTContext();
+    const llvm::StringRef text =
+        clang::Lexer::getSourceText(clang::CharSourceRange::getTokenRange(function.getSourceRange()),
+                                    context.getSourceManager(), context.getLangOpts());
+    for (std::size_t at = 0; (at = text.find('\n', at)) != llvm::StringRef::npos; ++at)
+      if (const llvm::StringRef line = text.substr(at + 1).ltrim(" \t"); line.starts_with("#if"))
+        say(function.getLocation(), "holds a directive of the preprocessor");
+  }
+  /// The kernel may be one of the runtime's that holds a lambda.
   void follow(const clang::FunctionDecl* function, bool is_kernels = false) {
     const clang::FunctionDecl* definition = nullptr;
     if (function == nullptr) return;
     const bool is_known = function->isDefined(definition) && definition->getBody() != nullptr;
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(function);
-    if (!names_.is_library(function->getLocation()) &&
+    const bool is_library = names_.is_library(function->getLocation());
+    if (!is_library &&
         ((method != nullptr && method->isVirtual()) ||
          (!is_known && !function->isImplicit() && !function->isDefaulted() && function->getBuiltinID() == 0)))
-      say(function->getLocation(), "calls " + function->getNameAsString() + "(), which is not known,");
+      unknown(*function);
     if (!is_known) return;
-    if (!is_kernels && names_.is_library(definition->getLocation())) return;
     if (!seen_.insert(definition->getCanonicalDecl()).second) return;
     const auto* pattern = definition->getTemplateInstantiationPattern();
     for (unsigned i = 0; i < definition->getNumParams(); ++i) {
-      if (!is_pack(definition->getParamDecl(i)->getType())) continue;
+      if ((is_library && !is_kernels) || !is_pack(definition->getParamDecl(i)->getType())) continue;
       const auto type = (pattern == nullptr ? definition : pattern)->getParamDecl(i)->getType();
       if (!llvm::isa<clang::TemplateTypeParmType>(type.getNonReferenceType().getTypePtr()))
         say(definition->getLocation(), "takes only packs");
@@ -173,9 +236,10 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     queue_.push_back(definition);
   }
 
-  const Names& names_;
+  Names& names_;
   std::vector<const clang::FunctionDecl*> queue_;
-  std::set<const clang::Decl*> seen_;
+  std::set<const clang::Decl*> seen_, destroyed_;
+  bool in_library_ = false;  // where the function at hand stands
   std::string found_;
 };
 

@@ -1,4 +1,4 @@
-// What the body of a kernel says beyond the fields that it uses: which of them it stores on all paths, and whether it
+// Reads from the body of a kernel, beyond the fields that it uses, which of them it stores on all paths, and whether it
 // can be a step of a fused kernel. Knows Clang, as read.h does.
 #pragma once
 

@@ -20,7 +20,7 @@ using frontend::quoted;
 
 constexpr const char* array_options = "per(...), input(...), output(...) and uniform()";
 
-/// "physgen::scene::detail::Per" gives "Per"; empty: it is no option.
+/// "physgen::scene::detail::Per" gives "Per"; empty: it is not an option.
 std::string option_name(clang::QualType type) {
   const auto* record = type->getAsCXXRecordDecl();
   if (record == nullptr) return {};
@@ -63,7 +63,7 @@ std::optional<Field> field_of(const Constant& info) {
   Field field;
   const auto name = text_of(info.member("name"));
   const Constant type = info.member("type");
-  const auto type_name = frontend::enumerator(type.value, type.type);
+  const auto type_name = type.enumerator();
   if (!name || !type_name) return std::nullopt;
   field.name = without_entries(*name);
   field.type = *type_name;
@@ -105,7 +105,7 @@ class OptionReader {
           if (!argument->containsErrors()) option(*argument->IgnoreImplicit());
     if (!seen_.contains("Per"))
       error(declaration_.getLocation(),
-            "says not how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or per(1) for one object");
+            "does not say how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or per(1) for one object");
     if (array_.uniform && array_.output)
       error(declaration_.getLocation(), "is uniform(), which programs only read, and an output; remove one of them");
   }

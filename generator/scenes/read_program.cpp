@@ -22,7 +22,7 @@ namespace {
 
 using usage::Names;
 
-/// What executors are asked for: run, reduce, repeat, ...; empty: it is no call of an executor.
+/// The function of an executor that is called: run, reduce, repeat, ...; empty: it is not a call of an executor.
 std::string asked(const clang::CallExpr& call) {
   const auto* method = llvm::dyn_cast_or_null<clang::CXXMethodDecl>(call.getDirectCallee());
   return method != nullptr && Names::is_physgen(method->getParent(), "ProbeExecutor") ? method->getNameAsString() : "";
@@ -210,12 +210,13 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
              at(statement->getBeginLoc());
     }
     for (const clang::Decl* one : group->decls()) {
-      if (const auto* named = llvm::dyn_cast<clang::NamedDecl>(one))
-        declared.push_back({named->getNameAsString(), at(named->getLocation()), steps});
+      const auto names = names_of(*one);
+      if (!names) return "a declaration whose names are not known" + at(one->getLocation());
+      for (const std::string& name : *names) declared.push_back({name, at(one->getLocation()), steps});
       const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
       if (variable == nullptr || variable->getInit() == nullptr) continue;
-      if (const std::string effects = effects_of(variable->getInit(), names_); !effects.empty())
-        return "the declaration of " + variable->getNameAsString() + at(variable->getLocation()) + ", since " + effects;
+      if (const std::string effects = effects_of(*variable, names_); !effects.empty())
+        return "the declaration of " + names->front() + at(variable->getLocation()) + ", since " + effects;
     }
     return {};
   }
@@ -262,8 +263,10 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     step.scalar_bytes = facts.scalar_bytes;
     step.stores = std::move(facts.stores);
     step.obstacle = std::move(facts.obstacle);
-    for (const clang::Expr* argument : call.arguments())
+    for (const clang::Expr* argument : call.arguments()) {
       if (step.obstacle.empty()) step.obstacle = effects_of(argument, names_);
+      if (step.obstacle.empty() && is_of_macro(argument)) step.obstacle = "a macro writes a part of it";
+    }
     for (const auto* lambda : lambdas_)
       if (lambda->getCaptureDefault() != clang::LCD_ByRef && step.obstacle.empty())
         step.obstacle = "it stands in a lambda that has not [&]";

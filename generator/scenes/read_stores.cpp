@@ -107,6 +107,11 @@ void Stores::expression(const clang::Stmt* expression, Fields& stored) {
     return this->expression(choice->getCond(), stored);
   if (const auto* both = llvm::dyn_cast<clang::BinaryOperator>(expression); both != nullptr && both->isLogicalOp())
     return this->expression(both->getLHS(), stored);
+  if (const auto* one = llvm::dyn_cast<clang::GenericSelectionExpr>(expression))
+    return this->expression(one->isResultDependent() ? nullptr : one->getResultExpr(), stored);
+  if (const auto* called = llvm::dyn_cast<clang::CallExpr>(expression);
+      called && called->isUnevaluatedBuiltinCall(context_))
+    return;
   for (const clang::Stmt* child : expression->children()) this->expression(child, stored);
   if (const auto* called = llvm::dyn_cast<clang::CallExpr>(expression)) call(called->getDirectCallee(), stored);
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expression)) call(made->getConstructor(), stored);

@@ -1,4 +1,4 @@
-// What the text of a program does with the arrays of its groups by itself. Knows Clang, as read.h does.
+// Reads how a program itself, outside of kernels, uses the arrays of its groups. Knows Clang, as read.h does.
 #pragma once
 
 #include <clang/AST/Decl.h>
@@ -17,7 +17,7 @@ namespace physgen::scenes {
 /// @return nulls: it names none
 [[nodiscard]] std::pair<const Group*, const Array*> array_of(const clang::Expr* expression, const Scene& scene);
 
-/// What a count counts, in the words of ProgramStep::runs.
+/// The objects that a count counts, in the words of ProgramStep::runs.
 [[nodiscard]] std::string counted(const clang::Expr* count, const Scene& scene);
 
 /// Arrays, by full name, of which the program does not only ask the size and hand views to kernels that are built where

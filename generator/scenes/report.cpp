@@ -19,7 +19,7 @@ struct Sum {
   int kept_elements = 0, all_elements = 0;
 };
 
-/// What becomes of a field, in a word.
+/// The fate of a field, in a word.
 std::string fate(const Array& array, const ArrayNeed& need, const FieldNeed& field) {
   if (need.left_out()) return "left out";
   if (!field.kept) return "pruned";
@@ -122,7 +122,7 @@ std::string fate_and_why(const Needs& needs, const ArrayNeed& need, const FieldN
   return "is local: " + model::joined(group.steps, " and ") + " are one step, and nothing else uses it; " + field.why;
 }
 
-/// What a field or an array may be called.
+/// The names that a question may give a field or an array.
 std::vector<std::string> names_of(const Group& group, const Array& array) {
   const std::size_t scope = array.object.rfind("::");
   std::vector<std::string> names = {group.full_name(array), array.name, array.object};

@@ -19,7 +19,7 @@ struct UnknownName : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What becomes of a field, or of all fields of an array, and because of which lines of which kernels.
+/// Explains the fate of a field, or of all fields of an array, and which lines of which kernels decide it.
 /// @param name "body.svds.U", "svds.U", "DeformationSvd.U", "elasticity::DeformationSvd.U", "body.svds", "svds"
 /// @throws UnknownName
 [[nodiscard]] std::string report_why(const Scene& scene, const Needs& needs, const std::string& name);

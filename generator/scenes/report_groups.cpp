@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of one object, of the fields that are kept.
+/// Bytes of one object, with the fields that are kept.
 int bytes_of(const ArrayNeed& array) {
   int bytes = 0;
   for (const FieldNeed& field : array.fields)

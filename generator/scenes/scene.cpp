@@ -33,7 +33,6 @@ Json write(const Array& array) {
   return json;
 }
 
-
 }  // namespace
 
 bool Selection::has(const std::string& field) const {

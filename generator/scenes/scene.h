@@ -62,7 +62,7 @@ struct Group {
   Location location;
   bool operator==(const Group&) const = default;
 
-  /// What the analysis and messages call one of its arrays: "body.tets".
+  /// The name of one of its arrays in the analysis and in messages: "body.tets".
   [[nodiscard]] std::string full_name(const Array& array) const { return variable + "." + array.name; }
   /// The sets that its arrays are per, in order of declaration, each once.
   [[nodiscard]] std::vector<std::string> sets() const;
@@ -88,7 +88,7 @@ struct Scene {
 /// "per tet", "1 object", "3 objects".
 [[nodiscard]] std::string set_of(const Array& array);
 
-/// What tells scenes' arrays apart for analysis and emission. @return null: there is none of this full name
+/// The array of a full name, which is unique in a scene. @return null: there is none of this name
 [[nodiscard]] const Array* find(const Scene& scene, const std::string& full_name);
 
 /// "elasticity::Tet", "Array" gives "elasticity::TetArray"; the name of what is generated for an object.

@@ -59,7 +59,7 @@ class Consumer : public clang::ASTConsumer {
   void HandleInlineFunctionDefinition(clang::FunctionDecl* function) override { collect(function); }
 
   void HandleTranslationUnit(clang::ASTContext& context) override {
-    // What compiles over probes and not over other arrays is another program there.
+    // A program that compiles over probes and not over other arrays is another program there.
     if (context.getDiagnostics().hasErrorOccurred() && !graph_) return;
     if (graph_)
       reading_.usage.dependences = dependences(graph_->read_variants());
@@ -158,7 +158,7 @@ std::string without_toolkit_warning(std::string text) {
   return text;
 }
 
-/// What to do, where Clang can only say that types do not fit.
+/// Says what to do where Clang can only say that types do not fit.
 std::string notes(const std::string& diagnostics) {
   const bool of_probes = diagnostics.find("Probe<") != std::string::npos;
   bool does_not_fit = false;

@@ -162,7 +162,7 @@ class Attribution {
     return result;
   }
 
-  /// What functions of the program do that no step leads to, and what nothing that is known leads to.
+  /// The uses in functions of the program that no step leads to, and in those that nothing known leads to.
   void unattributed(const std::set<int>& steps_lead_to, Usage& result) {
     std::vector<int> entries;
     for (const int f : graph_.entries)

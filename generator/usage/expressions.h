@@ -7,7 +7,7 @@
 
 namespace physgen::usage {
 
-/// What implicit nodes wrap.
+/// The expression that implicit nodes wrap.
 [[nodiscard]] inline const clang::Expr* written(const clang::Expr* expression) {
   const clang::Expr* before = nullptr;
   while (expression != before) {
@@ -17,7 +17,7 @@ namespace physgen::usage {
   return expression;
 }
 
-/// What a member function or an operator is called of; null of other calls.
+/// The object that a member function or an operator is called on; null for other calls.
 [[nodiscard]] inline const clang::Expr* object_of(const clang::CallExpr& call) {
   if (const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(&call)) return member->getImplicitObjectArgument();
   if (llvm::isa<clang::CXXOperatorCallExpr>(call) && call.getNumArgs() > 0) return call.getArg(0);

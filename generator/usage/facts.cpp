@@ -37,7 +37,7 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
     for (clang::Expr* captured : lambda->capture_inits()) TraverseStmt(captured);
     return true;
   }
-  // What does not run is its value alone.
+  // An operand that does not run counts by its value alone.
   bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr* expression) { return value(expression); }
   bool TraverseRequiresExpr(clang::RequiresExpr* expression) { return value(expression); }
   bool TraverseConceptSpecializationExpr(clang::ConceptSpecializationExpr* expression) { return value(expression); }
@@ -113,7 +113,7 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
     add(location, std::move(text));
   }
 
-  /// Of a variable that lives as long as the program: there is one for each instance of what it stands in.
+  /// A variable that lives as long as the program exists once for each instance of the function or class around it.
   void one_for_each_type(const clang::VarDecl& variable, clang::SourceLocation location) {
     if (variable.getType().isConstQualified()) return;
     numbers_among_arguments(variable, location);

@@ -1,5 +1,5 @@
-// What instantiated code consists of, so that instantiations of one source over different arrays can be compared: where
-// they differ, the code depends on the types of its arrays.
+// Lists the parts of instantiated code, so that instantiations of one source over different arrays can be compared:
+// where they differ, the code depends on the types of its arrays.
 #pragma once
 
 #include <clang/AST/ASTContext.h>

@@ -1,4 +1,4 @@
-// What programs read and write as JSON: what is checked in as usage.json, and read back to be compared.
+// The usage of programs as JSON, which is checked in as usage.json and read back to be compared.
 #pragma once
 
 #include <stdexcept>

@@ -89,8 +89,7 @@ std::vector<const clang::ClassTemplateSpecializationDecl*> Names::probes() const
   if (physgen == nullptr) return result;
   for (clang::NamedDecl* found : physgen->lookup(&context_.Idents.get("Probe")))
     if (const auto* pattern = llvm::dyn_cast<clang::ClassTemplateDecl>(found))
-      for (const auto* probe : pattern->specializations())
-        if (!is_physgen(tag_of(*probe).first, "StoringNothing", {"probe"})) result.push_back(probe);
+      for (const auto* probe : pattern->specializations()) result.push_back(probe);
   return result;
 }
 

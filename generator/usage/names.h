@@ -1,4 +1,4 @@
-// What declarations of Clang's syntax tree are called in a report: files, places, kernels, arrays and fields.
+// The names of Clang's declarations in a report: files, places, kernels, arrays and fields.
 #pragma once
 
 #include <clang/AST/ASTContext.h>
@@ -30,7 +30,7 @@ class Names {
   [[nodiscard]] FieldUse field(const clang::ClassTemplateSpecializationDecl& probe);
   /// Specialisations of the function templates that executors of probes instantiate.
   [[nodiscard]] std::vector<const clang::FunctionDecl*> steps() const;
-  /// Of a unit of a scene: what runs its program over probes, and then what runs it over other arrays.
+  /// The functions of a scene's unit that run its program: over probes, and then over other arrays.
   [[nodiscard]] std::vector<const clang::FunctionDecl*> variants() const;
   /// Name, place, arrays and own files of a step.
   [[nodiscard]] Step step(const clang::FunctionDecl& function);

@@ -1,4 +1,4 @@
-// What programs read and write as text for readers.
+// The usage of programs as a text for readers.
 #pragma once
 
 #include <string>

@@ -2,16 +2,15 @@
 #include "usage/unknown.h"
 
 #include <clang/AST/DeclCXX.h>
-#include <clang/AST/RecursiveASTVisitor.h>
 
 #include <set>
 
 #include "usage/expressions.h"
+#include "usage/running_code.h"
 
 namespace physgen::usage {
 namespace {
 
-constexpr const char* address = "the address of an element, behind which lie others,";
 constexpr const char* name_of_type = "the name of a type";
 
 const clang::Expr* object_of_address(const clang::Expr* expression) {
@@ -26,27 +25,12 @@ const clang::Expr* object_of_address(const clang::Expr* expression) {
 
 }  // namespace
 
-class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
+class UnknownUses::Finder : public RunningCode<Finder> {
  public:
   Finder(UnknownUses& to, const clang::FunctionDecl* function)
       : to_(to), names_(to.names_), context_(to.context_), function_(function) {}
 
-  // Types and operands that are not evaluated use nothing.
-  static bool TraverseTypeLoc(clang::TypeLoc /*type*/, bool /*qualifier*/ = true) { return true; }
-  static bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr* /*expression*/) { return true; }
-  static bool TraverseRequiresExpr(clang::RequiresExpr* /*expression*/) { return true; }
-  static bool TraverseConceptSpecializationExpr(clang::ConceptSpecializationExpr* /*expression*/) { return true; }
-  bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* expression) {
-    if (expression->getKind() == clang::UETT_SizeOf)
-      unknown(expression->getTypeOfArgument(), "sizeof", expression->getBeginLoc());
-    return true;
-  }
-  // Bodies of lambdas and of local classes are functions of their own.
-  static bool TraverseCXXRecordDecl(clang::CXXRecordDecl* /*record*/) { return true; }
-  bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
-    for (clang::Expr* captured : lambda->capture_inits()) TraverseStmt(captured);
-    return true;
-  }
+  static bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* /*expression*/) { return true; }
   bool VisitCXXDefaultInitExpr(clang::CXXDefaultInitExpr* expression) { return TraverseStmt(expression->getExpr()); }
   bool VisitCXXDefaultArgExpr(clang::CXXDefaultArgExpr* expression) {
     const auto outer = used_;
@@ -64,7 +48,6 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
       unknown(object->getType(), address, call->getBeginLoc());
     if (harmless_.count(call) == 0) may_return_an_element(callee, place_of(*call));
     any(*callee, call->getBeginLoc());
-    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(callee);
     if (const auto* conversion = llvm::dyn_cast<clang::CXXConversionDecl>(callee);
         conversion != nullptr && conversion->getParent()->isLambda())
       may_return_an_element(conversion->getParent()->getLambdaCallOperator(), call->getBeginLoc());
@@ -73,13 +56,9 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
     if ((begins_with("atomic") || begins_with("__ld") || begins_with("__st")) &&  // CUDA's, of one element
         names_.is_library(callee->getLocation()))
       for (const clang::Expr* argument : call->arguments()) harmless_.insert(written(argument));
-    if (callee->getName() == "bit_cast" && call->getNumArgs() > 0)
-      unknown(call->getArg(0)->getType(), "bit_cast", call->getBeginLoc());
-    if (method != nullptr && callee->getName() == "data" && Names::is_physgen(method->getParent(), "View"))
-      unknown(object_of(*call)->getType(), "data()", place_of(*call));
     return true;
   }
-  /// Of a function that is not called here, but by whoever gets its address.
+  /// Looks at a function that is not called here, but by whoever gets its address.
   bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(named->getDecl());
         function != nullptr && called_.count(named) == 0)
@@ -100,9 +79,6 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
   bool VisitCastExpr(clang::CastExpr* cast) {
     const auto kind = cast->getCastKind();
     if (kind == clang::CK_LValueToRValue || kind == clang::CK_ToVoid) only_the_element(cast->getSubExpr());
-    if (kind == clang::CK_BitCast || kind == clang::CK_LValueBitCast || kind == clang::CK_PointerToIntegral)
-      unknown(cast->getSubExpr()->getType(), "a cast to other types, as of memcpy or reinterpret_cast",
-              cast->getBeginLoc());
     return true;
   }
   bool VisitStmtExpr(clang::StmtExpr* expression) {
@@ -142,23 +118,6 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
     return true;
   }
 
-  bool VisitCXXTypeidExpr(clang::CXXTypeidExpr* expression) {
-    unknown(
-        expression->isTypeOperand() ? expression->getTypeOperand(context_) : expression->getExprOperand()->getType(),
-        "typeid", expression->getBeginLoc());
-    return true;
-  }
-  bool VisitCXXThrowExpr(clang::CXXThrowExpr* thrown) {
-    if (thrown->getSubExpr() != nullptr)
-      unknown(thrown->getSubExpr()->getType(), "an exception, which is caught by its type,", thrown->getThrowLoc());
-    return true;
-  }
-  bool VisitMemberExpr(clang::MemberExpr* member) {
-    if (const auto* record = llvm::dyn_cast<clang::RecordDecl>(member->getMemberDecl()->getDeclContext());
-        record != nullptr && record->isUnion())
-      unknown(context_.getCanonicalTagType(record), "a union", member->getMemberLoc());
-    return true;
-  }
   bool VisitPredefinedExpr(clang::PredefinedExpr* text) {
     const llvm::StringRef kind = text->getIdentKindName();
     if (kind != "__func__" && kind != "__FUNCTION__") name(text->getBeginLoc());
@@ -173,7 +132,7 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
 
  private:
   void unknown(clang::QualType type, const char* what, clang::SourceLocation location) {
-    for (const std::string& array : names_.arrays(type)) to_.uses_.push_back({array, what, names_.place(location)});
+    to_.add(type, what, location);
   }
   void unknown(const clang::TemplateArgument& argument, const char* what, clang::SourceLocation location) {
     if (argument.getKind() == clang::TemplateArgument::Type) unknown(argument.getAsType(), what, location);
@@ -194,7 +153,7 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
           unknown(argument, name_of_type, location);
     }
   }
-  /// What a std::any holds is known by its type alone.
+  /// The content of a std::any is known by its type alone.
   void any(const clang::FunctionDecl& callee, clang::SourceLocation location) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&callee);
     const clang::NamedDecl& named =
@@ -250,12 +209,12 @@ class UnknownUses::Finder : public clang::RecursiveASTVisitor<Finder> {
 
 void UnknownUses::look_through(const clang::Decl& code) {
   const auto* function = llvm::dyn_cast<clang::FunctionDecl>(&code);
-  Finder finder(*this, function);
-  if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(&code))
-    finder.TraverseStmt(const_cast<clang::Expr*>(variable->getAnyInitializer()));
-  if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(&code))
-    for (const auto* member : constructor->inits()) finder.TraverseStmt(member->getInit());
-  if (function != nullptr && function->doesThisDeclarationHaveABody()) finder.TraverseStmt(function->getBody());
+  Finder(*this, function).look_through(code);
+  look_for_memory(code);
+}
+
+void UnknownUses::add(clang::QualType type, const char* what, clang::SourceLocation location) {
+  for (const std::string& array : names_.arrays(type)) uses_.push_back({array, what, names_.place(location)});
 }
 
 std::vector<UnknownUse> UnknownUses::found(

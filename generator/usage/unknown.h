@@ -22,13 +22,20 @@ class UnknownUses {
   /// @param code a function of the program, whose body and initializers are looked through, or a variable
   void look_through(const clang::Decl& code);
 
-  /// What has been found in all of them.
+  /// The finds in all of them.
   /// @param is_called_by_libraries of a function
   [[nodiscard]] std::vector<UnknownUse> found(
       const std::function<bool(const clang::FunctionDecl&)>& is_called_by_libraries);
 
  private:
   class Finder;
+  class Memory;
+
+  static constexpr const char* address = "the address of an element, behind which lie others,";
+
+  /// Adds a find for each array in a type.
+  void add(clang::QualType type, const char* what, clang::SourceLocation location);
+  void look_for_memory(const clang::Decl& code);
 
   /// A call of a function of the program that may return `*&view[i].m()` as a reference: where that is returned, too,
   /// or where more may be done with it than to use the one element.

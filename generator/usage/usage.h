@@ -1,4 +1,4 @@
-// What a program's steps read and write, field by field, as plain comparable structs. analyse.h fills them; the table,
+// The fields that a program's steps read and write, as plain comparable structs. analyse.h fills them; the table,
 // the JSON and whoever prunes arrays read them. Nothing of Clang appears here.
 #pragma once
 
@@ -14,13 +14,13 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
-/// What is done to one field of one array.
+/// The use of one field of one array.
 struct FieldUse {
   std::string array;  ///< as the program names it: "svds"
   std::string field;  ///< "svd.U" of a nested object, "points.x" of a fixed array of them
   bool read = false, written = false;
   bool address_taken = false;  ///< by `&` of an element or an atomic operation
-  // Of which objects. None of the three: of a kernel that takes single objects alone, types do not tell.
+  // The objects that are meant. None of the three: the kernel takes single objects alone, and types do not tell.
   bool own = false;                 ///< of those that the step is called for
   bool gathered = false;            ///< of others, which it finds by indices of its own making
   bool added = false;               ///< of others, by add()
@@ -30,7 +30,7 @@ struct FieldUse {
   bool operator==(const FieldUse&) const = default;
 };
 
-/// What one step of a program does.
+/// The uses that one step of a program makes of fields.
 struct StepUse {
   std::string kernel;               ///< "physgen::fem::ComputeSvd", or "lambda in physgen::fem::multiply"
   Place place;                      ///< where the kernel is defined
@@ -80,7 +80,7 @@ struct Program {
   bool operator==(const Program&) const = default;
 };
 
-/// What the analyses of the same program for two sides find together. A kernel on the same arrays is one step.
+/// The union of the analyses of one program for two sides. A kernel on the same arrays is one step.
 [[nodiscard]] Usage unite(const Usage& a, const Usage& b);
 
 /// Every field that is used, over all steps: by array and field, in ascending order.
@@ -103,7 +103,7 @@ void add(std::vector<FieldUse>& uses, const FieldUse& use);
 [[nodiscard]] std::string short_text(const Place& place);
 [[nodiscard]] std::string text_of(const Place& place);
 
-/// What is wrong and what to write instead, without the first place and without a full stop.
+/// The message: what is wrong and what to write instead, without the first place and without a full stop.
 [[nodiscard]] std::string text_of(const Race& race);
 [[nodiscard]] std::string text_of(const Dependence& dependence);
 

@@ -3,7 +3,6 @@
 
 #include <clang/AST/DeclCXX.h>
 #include <clang/AST/ExprCXX.h>
-#include <clang/AST/RecursiveASTVisitor.h>
 
 #include <algorithm>
 #include <map>
@@ -12,6 +11,7 @@
 #include "usage/expressions.h"
 #include "usage/facts.h"
 #include "usage/names.h"
+#include "usage/running_code.h"
 #include "usage/unknown.h"
 
 namespace physgen::usage {
@@ -141,37 +141,24 @@ class Walk {
 };
 
 /// Finds what one body calls, constructs, destroys or takes the address of.
-class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
+class Walk::Body : public RunningCode<Walk::Body> {
  public:
   Body(Walk& walk, int function)
       : walk_(walk), function_(function), is_users_(!walk.graph_.functions[index()].of_library) {}
 
   [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
-  // Operands that are not evaluated, and types.
-  static bool TraverseTypeLoc(clang::TypeLoc /*type*/, bool /*qualifier*/ = true) { return true; }
-  static bool TraverseCXXNoexceptExpr(clang::CXXNoexceptExpr* /*expression*/) { return true; }
-  static bool TraverseRequiresExpr(clang::RequiresExpr* /*expression*/) { return true; }
-  static bool TraverseConceptSpecializationExpr(clang::ConceptSpecializationExpr* /*expression*/) { return true; }
   static bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* /*expression*/) { return true; }
-
-  // Bodies of lambdas and of local classes belong to whoever calls them.
-  static bool TraverseCXXRecordDecl(clang::CXXRecordDecl* /*record*/) { return true; }
-  bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
-    for (clang::Expr* captured : lambda->capture_inits()) TraverseStmt(captured);
-    return true;
-  }
 
   bool VisitCallExpr(clang::CallExpr* call) {
     places_[call->getCallee()->IgnoreParenImpCasts()] = place_of(*call);
     return true;
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
-    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(reference->getDecl());
-        variable != nullptr && variable->hasGlobalStorage() && variable->getAnyInitializer() != nullptr)
-      leads_to(variable, reference->getLocation());
+    variable(*reference->getDecl(), reference->getLocation());
     return function(reference->getDecl(), reference, reference->getLocation());
   }
   bool VisitMemberExpr(clang::MemberExpr* member) {
+    variable(*member->getMemberDecl(), member->getMemberLoc());
     return function(member->getMemberDecl(), member, member->getMemberLoc());
   }
   bool VisitCXXConstructExpr(clang::CXXConstructExpr* construction) {
@@ -194,12 +181,17 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
     leads_to(temporary->getTemporary()->getDestructor(), temporary->getBeginLoc());
     return true;
   }
+  bool VisitCXXNewExpr(clang::CXXNewExpr* expression) {
+    leads_to(expression->getOperatorNew(), expression->getBeginLoc());
+    return true;
+  }
   bool VisitCXXDeleteExpr(clang::CXXDeleteExpr* expression) {
+    leads_to(expression->getOperatorDelete(), expression->getBeginLoc());
     destroys(expression->getDestroyedType(), expression->getBeginLoc());
     return true;
   }
 
-  /// What the end of an object's life does behind the body of its destructor.
+  /// Follows the end of an object's life behind the body of its destructor.
   void members_of(const clang::CXXDestructorDecl& destructor) {
     for (const auto& base : destructor.getParent()->bases()) destroys(base.getType(), destructor.getLocation());
     for (const auto* member : destructor.getParent()->fields()) destroys(member->getType(), destructor.getLocation());
@@ -217,6 +209,12 @@ class Walk::Body : public clang::RecursiveASTVisitor<Walk::Body> {
     const int to = walk_.number(declaration);
     Place place = is_users_ ? walk_.names_.place(location) : Place{};  // places are wanted of the program's files
     walk_.graph_.functions[index()].calls.push_back({to, std::move(place)});
+  }
+  /// One that lives as long as the program is made by whoever names it.
+  void variable(const clang::ValueDecl& named, clang::SourceLocation location) {
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(&named);
+        variable != nullptr && variable->hasGlobalStorage() && variable->getAnyInitializer() != nullptr)
+      leads_to(variable, location);
   }
   bool function(const clang::Decl* declaration, const clang::Expr* expression, clang::SourceLocation location) {
     if (!llvm::isa<FunctionDecl>(declaration)) return true;
@@ -250,20 +248,12 @@ void Walk::follow() {
     const int function = number(declaration);
     const Access access = graph_.functions[static_cast<std::size_t>(function)].access;
     if (access == Access::read || access == Access::write) continue;
-    Body body(*this, function);
-    const bool of_library = graph_.functions[static_cast<std::size_t>(function)].of_library;
-    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declaration)) {
-      if (!of_library) unknown_.look_through(*variable);
-      body.TraverseStmt(const_cast<clang::Expr*>(variable->getAnyInitializer()));
+    if (const auto* code = llvm::dyn_cast<FunctionDecl>(declaration); code != nullptr && code->isDependentContext())
       continue;
-    }
-    const auto* definition = llvm::cast<FunctionDecl>(declaration);
-    if (definition->isDependentContext()) continue;
-    if (!of_library) unknown_.look_through(*definition);
-    if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(definition))
-      for (const auto* member : constructor->inits()) body.TraverseStmt(member->getInit());
-    if (const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(definition)) body.members_of(*destructor);
-    if (definition->doesThisDeclarationHaveABody()) body.TraverseStmt(definition->getBody());
+    if (!graph_.functions[static_cast<std::size_t>(function)].of_library) unknown_.look_through(*declaration);
+    Body body(*this, function);
+    if (const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(declaration)) body.members_of(*destructor);
+    body.look_through(*declaration);
   }
 }
 

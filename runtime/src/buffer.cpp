@@ -32,14 +32,14 @@ index_t memory_limit() {
 // Linux grants more than it has and kills the process that then touches it, so more than there can be is refused.
 std::byte* allocate_host(index_t bytes, std::string& why) {
   if (const index_t limit = memory_limit(); bytes > limit) {
-    why = "there are " + std::to_string(limit) + " bytes of memory in all";
+    why = "this machine has only " + std::to_string(limit) + " bytes";
     return nullptr;
   }
   const bool large = bytes >= 4 * huge_page;
   const auto size = static_cast<std::size_t>(large ? align_up(bytes, huge_page) : bytes);
   void* data = std::aligned_alloc(static_cast<std::size_t>(large ? huge_page : buffer_alignment), size);
   if (data == nullptr) {
-    why = "the system has not as much memory free";
+    why = "the system does not have so much free memory";
     return nullptr;
   }
   if (large) madvise(data, size, MADV_HUGEPAGE);  // a wish: nothing is lost where the system does not grant it

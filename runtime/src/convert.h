@@ -47,7 +47,7 @@ struct RotationMove {
 struct Conversion {
   std::vector<ElementMove> elements;
   std::vector<RotationMove> rotations;
-  std::vector<RotationMove> kept_quaternions;  ///< on both sides; their elements are among the others
+  std::vector<RotationMove> kept_quaternions;  ///< quaternions on both sides; `elements` has their components
 
   Conversion(const UntypedArray& to, const UntypedArray& from) {
     for (std::size_t f = 0; f < to.fields.size(); ++f) {

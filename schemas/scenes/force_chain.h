@@ -17,7 +17,7 @@ struct PHYSGEN_SCENE() force_chain {
   using Real = float;
 
   struct Body {
-    /// What moves, and where it was at rest.
+    /// The nodes that move, and where they were at rest.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodePositionObject, Real> positions;
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::RestShapeObject, Real> rest;

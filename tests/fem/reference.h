@@ -1,5 +1,5 @@
-// What the tests of tools/fem share: the run's seed, streams of random input from it, and the references they compare
-// with, which share nothing with the code under test.
+// The common part of the tests of tools/fem: the run's seed, streams of random input from it, and the references they
+// compare with, which share nothing with the code under test.
 #pragma once
 
 #include <fem/reference/jet.h>

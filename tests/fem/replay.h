@@ -1,6 +1,9 @@
 // Numbers of a failed test as text and back: printed with every digit, and read from the environment to be run alone.
 #pragma once
 
+#include <fem/numerics/scalar.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -20,6 +23,15 @@ std::string hexadecimal(const std::array<double, count>& numbers) {
     result += text.data();
   }
   return result;
+}
+
+/// "physbench replay svd float 0x1p+0 ...": shows what every way to decompose A makes of it.
+template <class Real>
+std::string replay_command(const Matrix3<Real>& A) {
+  std::array<double, 9> numbers{};
+  std::copy_n(A.data(), 9, numbers.begin());
+  return std::string("physbench replay svd ") + (sizeof(Real) == sizeof(float) ? "float " : "double ") +
+         hexadecimal(numbers);
 }
 
 /// The numbers in an environment variable, as hexadecimal() prints them; nothing when it is not set.

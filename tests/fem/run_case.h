@@ -1,4 +1,4 @@
-// What a type-parameterised test of kernels is instantiated with: precision, space, layout and, on the CPU, lanes.
+// The parameters of a type-parameterised test of kernels: precision, space, layout and, on the CPU, lanes.
 #pragma once
 
 namespace physgen::fem {

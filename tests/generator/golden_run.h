@@ -1,5 +1,5 @@
 // Numbers every stored element of an object differently, writes and reads them through generated accessors and values.
-// What an element should be is computed here, from the schema's rules alone, not with the runtime's shapes.
+// The expected elements are computed here, from the schema's rules alone, not with the runtime's shapes.
 #pragma once
 
 #include <gtest/gtest.h>

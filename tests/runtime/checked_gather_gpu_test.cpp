@@ -1,4 +1,4 @@
-// What a checked build refuses to gather into device memory. Compiled with PHYSGEN_CHECKED.
+// Values that a checked build refuses to gather into device memory. Compiled with PHYSGEN_CHECKED.
 #include <physgen/gather.h>
 
 #include "checked_formats.h"

@@ -1,4 +1,4 @@
-// What a checked build counts and refuses on the device. This program is compiled with PHYSGEN_CHECKED.
+// Counts and refusals of a checked build on the device. This program is compiled with PHYSGEN_CHECKED.
 #include <physgen/cuda/parallel_for.h>
 
 #include <cstdio>

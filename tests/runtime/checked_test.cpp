@@ -1,4 +1,4 @@
-// What a checked build reports. This program is compiled with PHYSGEN_CHECKED.
+// Reports of a checked build. This program is compiled with PHYSGEN_CHECKED.
 #include <physgen/gather.h>
 #include <physgen/parallel_for.h>
 #include <physgen/parallel_reduce.h>
@@ -52,7 +52,7 @@ TEST(CheckedView, reports_a_gathered_index_out_of_range) {
   EXPECT_THROW((void)view[index], Error);
 }
 
-/// What padding holds, such as an initial value of -1, is nothing that a pack follows.
+/// A pack does not follow the values in padding, such as an initial value of -1.
 TEST(CheckedView, sees_no_indices_in_padding) {
   elasticity::TetArray<float> tets(1);
   NodePositionArray<float> array(2);
@@ -236,7 +236,7 @@ TEST(CheckedFormats, keep_their_counts_when_an_array_changes_its_size) {
   EXPECT_EQ(losses.objects, 91);
 }
 
-/// What a copy, an append, a gather or putdata is refused, and that nothing has changed then.
+/// A copy, an append, a gather and putdata are refused, and nothing has changed then.
 TEST(CheckedFormats, refuse_values_that_they_cannot_hold_and_change_nothing) {
   using Derivatives = Array<elasticity::StressDerivativeObject, float, Host, Aosoa<16>, Coarse>;
   const auto said = [](const std::string& message, const char* part) {

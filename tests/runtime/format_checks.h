@@ -110,7 +110,7 @@ void check_rotations(index_t n, double entry_error) {
   }
 }
 
-/// What a copy loses is counted on the side where the values lie.
+/// The losses of a copy are counted on the side where the values lie.
 template <class Space>
 void check_losses() {
   elasticity::StressDerivativeArray<float, Host, Aos> values(100);

@@ -218,7 +218,7 @@ struct KeepSum {
   PHYSGEN_FUNCTION void operator()(double sum) const { to[index_t{0}].f()[0] = sum; }
 };
 
-/// What the last step returns is folded, by executors too.
+/// The result of the last step is folded, by executors too.
 template <class Space, class On>
 void check_fused_on(On& on) {
   std::mt19937 random(seed());

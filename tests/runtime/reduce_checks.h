@@ -179,7 +179,7 @@ struct Scattered {
   }
 };
 
-/// Of more blocks than there are strands.
+/// Reductions of more blocks than there are strands.
 template <class Space>
 void check_a_sum_of_many_blocks() {
   const index_t n = 2048 * 2100 + 5;

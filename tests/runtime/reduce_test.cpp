@@ -29,7 +29,7 @@ TEST(Reduce, gives_nan_where_a_term_is_one) {
   check_nan<Host, double>();
 }
 
-// Of all widths that this CPU has, on 1, 2 and 3 threads.
+// Packs of all widths that this CPU has, on 1, 2 and 3 threads.
 template <class Real, int... kWidths>
 void check_widths() {
   std::mt19937 random(seed());

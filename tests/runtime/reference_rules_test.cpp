@@ -58,7 +58,7 @@ static_assert(!std::is_move_assignable_v<FieldX<OnePosition>> && !std::is_move_a
                   !std::is_move_assignable_v<Element<PackDerivative>>,
               "std::swap, std::sort and std::rotate need it");
 
-// What get() returns is const where it is a class.
+// The result of get() is const where it is a class.
 template <class Ref>
 concept WritesToATemporary = requires(Ref (*make)(), typename Ref::Value value) { make().get() += value; };
 static_assert(!WritesToATemporary<FieldX<OnePosition>> && !WritesToATemporary<FieldX<PackPosition>> &&

@@ -22,7 +22,7 @@ struct Halves : elasticity::StressDerivativeFormats<Host> {
 };
 using HalfView = View<elasticity::StressDerivativeObject, float, Soa, Halves, Host>;
 
-/// What the cases are given.
+/// The arrays that the cases are given.
 struct Given {
   Derivatives::View view;
   HalfView halves;

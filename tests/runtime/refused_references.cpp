@@ -26,7 +26,7 @@ struct Halves : elasticity::StressDerivativeFormats<Host> {
 using HalfView = View<elasticity::StressDerivativeObject, float, Soa, Halves, Host>;
 using ConstHalfView = View<elasticity::StressDerivativeObject, const float, Soa, Halves, Host>;
 
-/// What the cases are given.
+/// The arrays that the cases are given.
 struct Given {
   Derivatives::View view;
   Derivatives::ConstView read_only;

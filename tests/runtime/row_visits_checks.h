@@ -1,4 +1,4 @@
-// What kernels make of rows, held against vectors of vectors: one source for host and CUDA; parallel_for is included by
+// Kernels over rows, held against vectors of vectors: one source for host and CUDA; parallel_for is included by
 // the files that instantiate it.
 #pragma once
 

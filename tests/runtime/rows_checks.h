@@ -1,4 +1,4 @@
-// What changes of topology make of rows, held against vectors of vectors: one source for host and CUDA.
+// Rows after changes of topology, held against vectors of vectors: one source for host and CUDA.
 #pragma once
 
 #include "row_visits_checks.h"

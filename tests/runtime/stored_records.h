@@ -19,7 +19,7 @@ struct HalvesObject : WithoutAccessors {
       {field_info<shape::Vector<kElements>, format::Half<>, Real>("h", "", 0, 1, kElements == 1 ? 0 : 0.5)}};
 };
 
-// What can do without the arrays' types does: it is compiled once, not for each of the many pairs.
+// Code that can do without the arrays' types does: it is compiled once, not for each of the many pairs.
 
 /// The stored bytes of one object, element by element, without padding.
 using Record = std::vector<std::byte>;

@@ -1,4 +1,4 @@
-// What the runtime's tests share: the object types they run over, random values, and every layout.
+// The common part of the runtime's tests: the object types they run over, random values, and every layout.
 #pragma once
 
 #include <elasticity.physgen.h>
@@ -38,7 +38,7 @@ inline index_t address_by_law(index_t base_offset, index_t i, index_t pitch, ind
   return (i / pitch) * pitch * record_bytes + base_offset * pitch + (i % pitch) * size;
 }
 
-// What follows works on arrays without their types: compiled once, not for each of the many types of arrays.
+// These functions work on arrays without their types: compiled once, not for each of the many types of arrays.
 
 /// Random, nowhere zero bytes that are finite as float, double and int, for the elements of AoS records on the host.
 inline void randomise(const UntypedArray& untyped, std::mt19937& random) {

@@ -10,7 +10,7 @@
 
 namespace physgen::test {
 
-/// What generated object types have and no check of these here uses.
+/// Parts of generated object types that no check here uses.
 struct WithoutAccessors {
   template <class Real>
   using Value = Real;
@@ -103,7 +103,7 @@ void check_changes_of_all_object_types() {
   }
 }
 
-/// What is appended in another precision is converted.
+/// Objects that are appended in another precision are converted.
 template <class Space, class Layout>
 void check_append_of_another_precision() {
   std::mt19937 random(seed());
@@ -215,7 +215,7 @@ void check_memory_that_runs_out_half_way() {
   expect_sound(enormous.array, enormous.model);
 }
 
-/// What a list of numbers may not be, and what the message says.
+/// Faults of a list of numbers, and the messages on them.
 template <class Space, class Layout>
 void check_refused_lists() {
   std::mt19937 random(seed());

@@ -1,10 +1,19 @@
-"""Tests of the pages of documentation: where their links lead, and what README.md says of the tree: pages_test.py"""
+"""Tests of the pages of documentation: their links, the files that they name, README.md's table of the tree and its list of
+words: pages_test.py"""
 import pathlib
 import re
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILT = {"build", ".git"}
+CODE = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", ".txt")  # endings of the files that pages name
+NAME = re.compile(r"(?<![\w<*./-])(?:\.\./)*((?:[\w.-]+/)*[A-Za-z][\w.-]*\.(?:h|cpp|cu|py|sh|cmake|in|txt))\b(?![\w*/(])")
+# Files of examples: a user's program and its schema, a scene, and those that one adds.
+EXAMPLES = re.compile(r"pressure\.cpp|(.*/)?derivatives\..*|(schemas|(physgen/)?(layout|format))/x\.h|groups/GROUP\.cpp")
+LOOKED_FOR = (
+    *("schema", "layout", "format", "shape", "element type", "diagnostic", "emitter"),
+    *("material", "kernel", "benchmark row", "test"),
+)
 
 
 def pages():
@@ -21,6 +30,32 @@ def anchors(page):
     text = re.sub(r"(?ms)^ *```.*?^ *```", "", page.read_text(encoding="utf-8"))
     heads = [re.sub(r"`|\[([^]]*)\]\([^)]*\)", r"\1", head) for head in re.findall(r"(?m)^#+ (.*)$", text)]
     return {re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", "-") for head in heads}
+
+
+def code(root):
+    """The paths of files that pages may name."""
+    files = [path for path in root.rglob("*") if path.suffix in CODE and not BUILT & set(path.relative_to(root).parts)]
+    return [path.relative_to(root).as_posix() for path in files]
+
+
+def unknown_files(text, known):
+    """Names of files on a page that are the end of no path, and paths without an ending in its pictures."""
+    names = [name for name in NAME.findall(text) if not EXAMPLES.fullmatch(name)]
+    unknown = [name for name in names if not any(("/" + path).endswith("/" + name) for path in known)]
+    for picture in re.findall(r"(?ms)^```\n(.*?)^```", text):
+        if re.search(r"(?m)^ +(v|\|)$", picture):
+            for name in re.findall(r"(?<![\w<*./-])[a-z_]+/[a-z_]+\b(?![\w*/.-])", picture):
+                ends = tuple(f"/{name}{end}" for end in CODE)
+                if not any(f"/{path}".endswith(ends) or f"/{name}/" in f"/{path}" for path in known):
+                    unknown.append(name)
+    return unknown
+
+
+def table(heading):
+    """The rows of README.md's first table below a heading, as lists of cells."""
+    section = (ROOT / "README.md").read_text(encoding="utf-8").split(f"## {heading}\n")[1].split("\n## ")[0]
+    rows = [line.strip("|").split(" | ") for line in section.splitlines() if line.startswith("| ")]
+    return [[cell.strip() for cell in row] for row in rows[1:]]
 
 
 def dead_links(page):
@@ -54,12 +89,41 @@ class PagesTest(unittest.TestCase):
                 open_pages += [target] if target.suffix == ".md" and target.exists() else []
         self.assertEqual(sorted(str(page) for page in set(pages()) - reached), [])
 
-    def test_what_the_table_of_the_tree_names_exists(self):
-        table = (ROOT / "README.md").read_text(encoding="utf-8").split("## Where things live")[1].split("\n## ")[0]
-        names = [name for name in re.findall(r"`([\w./]+)`", table) if "/" in name]
-        self.assertGreater(len(names), 20)
-        missing = [name for name in names if not any((ROOT / base / name).exists() for base in ("", "runtime/include/physgen"))]
-        self.assertEqual(missing, [])
+    def test_files_that_pages_name_exist(self):
+        known = code(ROOT)
+        named = {page: unknown_files(page.read_text(encoding="utf-8"), known) for page in pages()}
+        self.assertEqual({str(page): names for page, names in named.items() if names}, {})
+
+    def test_a_file_that_is_gone_is_found_in_prose_and_in_pictures(self):
+        text = "`kernels/absent.h` and `stress.h`\n```\nkernels/stress.h\n  |\n  v\nreport/absent_session\n```\n"
+        self.assertEqual(unknown_files(text, code(ROOT)), ["kernels/absent.h", "report/absent_session"])
+
+    def test_the_walks_of_a_field_and_of_a_row_are_drawn(self):
+        walks = {"generator": ("schemas/x.h", "object.cpp"), "tools/physbench": ("kernels/stress.h", "tools/report")}
+        for page, ends in walks.items():
+            text = (ROOT / page / "README.md").read_text(encoding="utf-8")
+            pictures = re.findall(r"(?ms)^```\n(.*?)^```", text)
+            self.assertTrue(any(all(end in picture for end in ends) for picture in pictures), page)
+
+    def test_the_table_of_the_tree_has_a_place_for_every_word_that_is_looked_for(self):
+        rows, places = table("Where things live"), 0
+        for word in LOOKED_FOR:
+            of_word = [row[1] for row in rows if re.search(rf"\*\*{word}s?\*\*", row[0])]
+            self.assertEqual(len(of_word), 1, word)
+            paths = re.findall(r"`([\w./]+)`", of_word[0])
+            self.assertTrue(paths, word)
+        for row in rows:
+            for path in [name for name in re.findall(r"`([\w./]+)`", row[1] + row[2]) if "/" in name]:
+                self.assertTrue(any((ROOT / base / path).exists() for base in ("", "runtime/include/physgen")), path)
+                places += 1
+        self.assertGreater(places, 20)
+
+    def test_a_word_is_explained_once_in_one_list(self):
+        words = [word for row in table("Words") for word in row[0].split(", ")]
+        self.assertGreater(len(words), 30)
+        self.assertEqual(sorted({word for word in words if words.count(word) > 1}), [])
+        lists = [page for page in pages() if re.search(r"(?mi)^#+ (words|glossary|terms)$", page.read_text(encoding="utf-8"))]
+        self.assertEqual(lists, [ROOT / "README.md"])
 
     def test_a_dead_link_is_found(self):
         page = ROOT / "tests" / "tools" / "pages_test.md"

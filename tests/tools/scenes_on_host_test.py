@@ -14,7 +14,7 @@ def lists_of(field):
 
 
 def missing_of_fields(found, checked_in):
-    """What fields of a step say of the CPU that the checked-in ones do not."""
+    """The uses on the CPU that fields of a step state and the checked-in ones do not."""
     known = {(field["array"], field["field"]): field for field in checked_in}
     for field in found:
         name = f"{field['array']}.{field['field']}"

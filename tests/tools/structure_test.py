@@ -57,7 +57,7 @@ def unit(path):
 
 
 def graph(root):
-    """Of every unit, the units that it includes."""
+    """The units that every unit includes."""
     known = set(sources(root))
     edges = collections.defaultdict(set)
     for path in known:
@@ -148,7 +148,7 @@ class StructureTest(unittest.TestCase):
 
 
 class FaultsTest(unittest.TestCase):
-    """What is wrong in a small tree is found."""
+    """Faults in a small tree are found."""
 
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()

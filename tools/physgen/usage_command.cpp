@@ -22,7 +22,7 @@ using ::physgen::usage::Side;
 
 constexpr int done = 0, errors = 1;
 
-/// What is analysed for a file.
+/// One program that is analysed: that of a file, or that of a scene.
 struct Unit {
   std::string name;  // of the program
   std::string file;  // for messages

@@ -1,4 +1,4 @@
-"""What a section of the page is made of: paragraphs, tables and figures."""
+"""The parts of a section of the page: paragraphs, tables and figures."""
 from dataclasses import dataclass, field
 
 

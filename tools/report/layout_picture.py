@@ -170,7 +170,7 @@ def _in_request(first, box, cell):
 
 
 def _names(array, name, box, cell):
-    """What stands above a cell, and what stands in it: texts from the longest to the shortest."""
+    """The texts above a cell and in it, from the longest to the shortest."""
     of_records = array["pitch"] == 1
     if "field" not in box:
         return (["object " + name, name] if of_records else ["padding", ""]), [""]

@@ -104,7 +104,7 @@ def _contents(sections):
 
 
 def _older(section):
-    """What stands above figures that the present code may not give."""
+    """The text above figures that the present code may not give."""
     reasons = {}
     for why, file in sorted({row.older for row in section.used if row.older}):
         reasons.setdefault(why, []).append(file)

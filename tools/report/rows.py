@@ -144,7 +144,7 @@ def _check_version(path, context):
 
 
 def _sources(path, context, here):
-    """What the file says of its sources, in short; and in words where they are not those of `here`."""
+    """The file's words on its sources, in short; and in words where they are not those of `here`."""
     if "sources" not in context:
         return "not stated", "files that do not say which sources they measured"
     stated = sources.parse(context["sources"])
@@ -171,7 +171,7 @@ def _row(path, entry, context, older):
 
 
 def _machine(space, context):
-    """What ran a row: the GPU, or the CPU and how many of its threads."""
+    """The device that ran a row: the GPU, or the CPU and how many of its threads."""
     if space == "cuda":
         return str(context.get("gpu", "GPU")).split(",")[0]
     cpu = re.sub(r"\((R|TM|tm)\)", "", str(context.get("cpu", "CPU")))
@@ -211,7 +211,7 @@ def by_machine(rows):
 
 
 def usual_size(rows):
-    """Of rows of one kernel, those of the object count that was measured most widely; of equal ones, of the largest."""
+    """The rows of one kernel that have the object count that was measured most widely; of equal ones, of the largest."""
     sizes = grouped(rows, "objects")
     return max(sizes, key=lambda item: (item[1][0].peers, item[0]))[1] if sizes else []
 

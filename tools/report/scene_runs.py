@@ -22,7 +22,7 @@ from truthcube import records, scenes  # noqa: E402
 FLOAT = ["--precision", "float"]
 STABLE = ["--material", "stable-neo-hookean"]
 BY_TETS = ["--product", "matrix-free", "--preconditioner", "block-jacobi"]
-# Of each: its name, its other flags, and those of everything for the same, or none.
+# Each has its name, its other flags, and those of everything for the same, or none.
 SCENES = (
     ("quasistatic", [], [*STABLE, *FLOAT]),
     ("matrix-free", [], [*STABLE, *FLOAT, *BY_TETS]),
@@ -84,7 +84,7 @@ def shortest(turns):
 
 
 def best(options, name, flags_of_each):
-    """Of each choice of flags the run, taking turns."""
+    """The runs of all choices of flags, which take turns."""
     runs = [[measure(options, name, flags) for flags in flags_of_each] for _ in range(options.repeats)]
     return [shortest(turns) for turns in zip(*runs)]
 

@@ -95,7 +95,7 @@ def offered(program):
 
 
 def fastest(options, arguments, reference):
-    """Of options.repeats equal runs the one that solved fastest; one that failed, if any did."""
+    """The fastest of options.repeats equal runs; one that failed, if any did."""
     runs = [run(options.program, arguments, reference) for _ in range(options.repeats)]
     return min(runs, key=lambda run: sum(step["seconds"] for step in run.get("steps", [])))
 
@@ -126,7 +126,7 @@ def errors(table, compression, name, there):
 
 
 def machine(options):
-    """What a time on the CPU is of; a GPU is named in each run."""
+    """The processor that times on the CPU are of; a GPU is named in each run."""
     if options.device == "cuda":
         return ""
     name = re.search(r"model name\s*: (.*)", pathlib.Path("/proc/cpuinfo").read_text())

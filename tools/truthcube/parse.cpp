@@ -168,7 +168,8 @@ Options parse(const std::vector<std::string>& arguments) {
       ->type_name("N");
   add_choice(
       app, "--scene", options.scene, scene_kinds, "scene",
-      "what is solved: equilibria by Newton's method with any of the choices below (everything); the same over arrays "
+      "the problem that is solved: equilibria by Newton's method with any of the choices below (everything); the same "
+      "over arrays "
       "of the one scene alone, in float, of stable Neo-Hookean bodies (quasistatic), also without blocks of edges "
       "(matrix-free), or of fixed corotated ones (fixed-corotated); motion in time by backward Euler "
       "(implicit-dynamics; of stable Neo-Hookean bodies in float where --material and --precision say nothing else) or "

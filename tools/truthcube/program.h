@@ -1,7 +1,9 @@
 // The frame of truthcube's programs: they read the command line, and turn errors into text and an exit status.
 #pragma once
 
+#include <fcntl.h>
 #include <omp.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <exception>
@@ -17,11 +19,37 @@ namespace physgen::truthcube {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
+/// Takes the descriptors of standard streams that are closed: else the next file to be opened would have one of them,
+/// and what is printed would be written into that file.
+inline void open_standard_streams() {
+  int file = 0;
+  while (file >= 0 && file <= STDERR_FILENO) file = ::open("/dev/null", O_RDWR);
+  if (file >= 0) ::close(file);
+}
+
+/// The word as a shell takes it.
+[[nodiscard]] inline std::string quoted(const std::string& word) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// @return the status, or 1 where what was printed cannot be written, which it then says
+[[nodiscard]] inline int status_of_output(const std::string& name, int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  std::fprintf(stderr, "%s: cannot write all of the standard output; is there room where it goes?\n", name.c_str());
+  return status == 0 ? 1 : status;
+}
+
 /// @param parse makes options, with `help` and `threads`, of the words behind the program's name
 /// @param run takes the options and the command as it was typed, and gives the exit status
-/// @return the exit status: 2 for a command line that is not understood, 1 where run() throws
+/// @return the exit status: 2 for a command line that is not understood, 1 where run() throws or output cannot be
+/// written
 template <class Parse, class Run>
 [[nodiscard]] int run_program(const std::string& name, int count, char** words, const Parse& parse, const Run& run) {
+  open_standard_streams();
   const std::vector<std::string> arguments(words + 1, words + count);
   decltype(parse(arguments)) options;
   try {
@@ -33,13 +61,13 @@ template <class Parse, class Run>
   }
   if (!options.help.empty()) {
     std::printf("%s", options.help.c_str());
-    return 0;
+    return status_of_output(name, 0);
   }
   if (options.threads > 0) omp_set_num_threads(options.threads);
   std::string command = name;
-  for (const std::string& word : arguments) command += " " + word;
+  for (const std::string& word : arguments) command += " " + quoted(word);
   try {
-    return run(std::move(options), command);
+    return status_of_output(name, run(std::move(options), command));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), text_of(error).c_str());
     return 1;

@@ -30,13 +30,27 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
   for (const Index n : top) level.fixed[static_cast<std::size_t>(n)] = plate == TopPlate::bonded ? 7 : 4;
 }
 
-/// Sizes after cutting each tet into 8; the edges of refined tets are at most as many as here.
-[[maybe_unused]] LevelCounts refined(const fem::TetMesh& mesh) {
-  LevelCounts fine;
-  fine.nodes = mesh.nodes + static_cast<std::int64_t>(mesh.edges.size());
-  fine.tets = 8 * static_cast<std::int64_t>(mesh.tets.size());
-  fine.tet_edges = 2 * static_cast<std::int64_t>(mesh.edges.size()) + 13 * static_cast<std::int64_t>(mesh.tets.size());
-  return fine;
+/// @throw Error when a mesh whose tets are cut into 8 so often is too large for the memory or for 32-bit numbers,
+/// before any of it is made
+[[maybe_unused]] void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
+  LevelCounts counts;
+  counts.nodes = mesh.nodes;
+  counts.tets = static_cast<std::int64_t>(mesh.tets.size());
+  counts.tet_edges = static_cast<std::int64_t>(mesh.edges.size());
+  std::int64_t faces = (4 * counts.tets + static_cast<std::int64_t>(fem::boundary_faces(mesh).size())) / 2;
+  for (int k = 1; k <= refinements; ++k) {
+    counts.nodes += counts.tet_edges;
+    counts.tet_edges = 2 * counts.tet_edges + 3 * faces + counts.tets;
+    faces = 4 * faces + 8 * counts.tets;
+    counts.tets *= 8;
+    const std::string who = "the mesh refined " + std::to_string(k) + " times",
+                      remedy = "--refine " + std::to_string(k - 1) + " takes an eighth of it";
+    if (!fem::fits_32_bits(static_cast<std::size_t>(counts.nodes), static_cast<std::size_t>(counts.tets))) {
+      throw Error(who + " has " + std::to_string(counts.nodes) + " nodes and " + std::to_string(counts.tets) +
+                  " tets, more than 32-bit incidences hold; " + remedy);
+    }
+    require_memory(who, bytes_of_mesh(counts), "this machine", host_memory(), remedy);
+  }
 }
 
 }  // namespace
@@ -60,9 +74,8 @@ std::vector<MeshLevel> read_levels([[maybe_unused]] const Options& options,
   std::vector<MeshLevel> levels(1);
   levels[0].mesh = fem::make_tet_mesh(static_cast<Index>(read.rest.size()), std::move(read.tets));
   levels[0].rest = std::move(read.rest);
+  require_refined_fits(levels.front().mesh, options.refinements);
   for (int k = 0; k < options.refinements; ++k) {
-    require_memory("the mesh refined " + std::to_string(k + 1) + " times", bytes_of_mesh(refined(levels.front().mesh)),
-                   "this machine", host_memory(), "--refine " + std::to_string(k) + " takes an eighth of it");
     fem::Refined refinement = fem::refine(levels.front().mesh, levels.front().rest);
     MeshLevel finer;
     finer.mesh = std::move(refinement.mesh);

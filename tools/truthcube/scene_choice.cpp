@@ -41,7 +41,7 @@ void choose(const Options& options, const Given& given, const char* flag, const 
   value = chosen;
 }
 
-/// Of scenes that average no volumes.
+/// The choices of scenes that average no volumes.
 void choose_tets(Options& options, const Given& given, const std::string& who) {
   const bool is_given = given("--volume");
   choose(options, given, "--volume", "tets", options.volume, VolumeTreatment::tets);
@@ -51,7 +51,7 @@ void choose_tets(Options& options, const Given& given, const std::string& who) {
                           "Poisson's ratio of 0.5");
 }
 
-/// Of scenes whose solver is compiled for them alone.
+/// The choices of scenes whose solver is compiled for them alone.
 void choose_declared(Options& options, const Given& given, const std::string& material, bool assembled) {
   refuse(options, given, {"--historical"}, "that is a choice of --scene everything");
   choose(options, given, "--material", material, options.solver.material, material);

@@ -37,7 +37,7 @@ std::vector<fem::MeshLevel> make_levels(int cells, VolumeTreatment volume, int c
 /// near a face of the cube must not be near where its cells begin to be mirrored.
 int first_cells(VolumeTreatment volume) { return volume == VolumeTreatment::nodes ? 8 : 1; }
 
-/// What the counts of all larger cubes follow from.
+/// The counts from which those of all larger cubes follow.
 struct SmallCubes {
   int first;  ///< cells of a side of the first, or of its coarser level; each has one more than the one before
   std::array<LevelCounts, 4> alone, above;  ///< of the finest level, without and with a coarser one

@@ -25,12 +25,12 @@ struct LevelCounts {
   bool operator==(const LevelCounts&) const = default;
 };
 
-/// Of the levels that make_cube_levels(cells, ...) would make, without making them: each count is a polynomial of
-/// degree 3 in the cells of a side, whose coefficients come from four small cubes, unless the cube itself is small.
+/// Counts of the levels that make_cube_levels(cells, ...) would make, without making them: each count is a polynomial
+/// of degree 3 in the cells of a side, whose coefficients come from four small cubes, unless the cube itself is small.
 /// @pre cells >= 1
 [[nodiscard]] std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume);
 
-/// Of given levels. Takes about a third of the solver's set-up.
+/// Counts of given levels. Takes about a third of the solver's set-up.
 [[nodiscard]] std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels);
 
 /// The largest number of the solver's lists: of entries, or of an element with its place (fem::PackedEntry). Numbers of

@@ -29,13 +29,14 @@ template <class Types>
 std::int64_t level_bytes(const LevelCounts& c, const LevelCounts* coarser) {
   using Level = typename Types::Level;
   const std::int64_t n = c.nodes;
-  // EdgeSums, which on CUDA holds nothing, and EdgeSlices.
+  // EdgeSums, which on CUDA holds nothing, and EdgeRows, with each block of an edge twice.
   std::int64_t sums = 0;
   if (Types::Space::kind == SpaceKind::host) {
     sums = (2 * (n + 1) + c.edges) * std::int64_t{sizeof(fem::Index)} +
            c.edges * std::int64_t{sizeof(fem::Contribution<typename Types::Real>)};
-  } else if (n <= fem::EdgeSlices::most_nodes) {
-    sums = fem::EdgeSlices::bytes_for(n, c.edges);
+  } else if (n <= fem::EdgeRows::most_nodes) {
+    using Blocks = decltype(Level::scaled_edges);
+    sums = fem::EdgeRows::bytes_for(n, c.edges) + bytes_of_array<Blocks>(2 * c.edges) - bytes_of_array<Blocks>(c.edges);
   }
   const bool last = coarser == nullptr;
   return sums + Level::Own::bytes({.node = n,

@@ -17,7 +17,7 @@ struct RunBytes {
   std::int64_t stresses = 0;         ///< in the same memory while a step is written
   std::int64_t lists = 0;            ///< meshes and graphs in the host's memory while the solver is set up
 };
-/// What decides of a run's arrays beside its settings.
+/// The choices that decide a run's arrays, beside its settings.
 struct RunArrays {
   SceneKind scene = SceneKind::everything;
   std::string names = "everything";  ///< arrays_of()

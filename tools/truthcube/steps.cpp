@@ -170,9 +170,11 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
         "ever finer mesh %.6g N",
         1e3 * estimates.error_rms, 1e3 * estimates.error_max, estimates.reaction);
   }
-  if (!contacts.empty() && contacts.back().force > 0) {
-    terminal_.line("  free sides reach %.4f mm past the plates; the upper one pushes them back with %.4g N",
-                   1e3 * reach, contacts.back().force);
+  if (!contacts.empty() && contacts.front().force + contacts.back().force > 0) {
+    terminal_.line(
+        "  free sides reach %.4f mm past the plates; the lower one pushes them back with %.4g N, the upper one with "
+        "%.4g N",
+        1e3 * reach, contacts.front().force, contacts.back().force);
   } else if (reach > 1e-6 * scene_.height) {
     terminal_.line("  free sides reach %.3f mm past the plates: --plates contact pushes them back", 1e3 * reach);
   }

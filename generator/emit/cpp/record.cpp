@@ -11,16 +11,13 @@ void record_struct(Printer& out, const model::Object& object) {
   out.open("struct " + name + " {");
   std::vector<std::string> names;
   for (const model::Field& field : object.fields) {
-    std::vector<std::string> arguments{name, std::to_string(names.size())};
-    if (field.shape == model::Shape::object)
-      arguments.insert(arguments.end(),
-                       {nested_type_name(field, "Object", object), "typename Formats::" + field.name, "Real"});
-    else
-      arguments.insert(arguments.end(),
-                       {shape_type(field), "typename Formats::" + field.name, stored_type(field.element)});
+    const bool nested = field.shape == model::Shape::object;
+    std::vector<std::string> arguments{
+        name, std::to_string(names.size()),
+        nested ? nested_type_name(field, "Object", object) : "physgen::shape::" + schema_type(field),
+        "typename Formats::" + field.name, nested ? "Real" : stored_type(field.element)};
     if (field.array_extent != 0) arguments.push_back(std::to_string(field.array_extent));
-    const char* kind = field.shape == model::Shape::object ? "physgen::NestedField<" : "physgen::StoredField<";
-    out.filled("using " + field.name + " = " + kind, arguments, ">;");
+    out.filled("using " + field.name + " = physgen::" + (nested ? "NestedField<" : "StoredField<"), arguments, ">;");
     names.push_back(field.name);
   }
   if (object.alignment != 0) names.insert(names.begin(), std::to_string(object.alignment));

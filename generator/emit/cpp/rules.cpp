@@ -11,8 +11,8 @@
 #include "emit/cpp/header_size.h"
 #include "emit/cpp/names.h"
 #include "emit/cpp/taken_names.h"
-#include "model/text.h"
 #include "model/limits.h"
+#include "model/text.h"
 
 namespace physgen::emit::cpp {
 namespace {
@@ -30,13 +30,10 @@ class Checker {
   explicit Checker(const model::Schema& schema) : schema_(schema) {}
 
   std::vector<Issue> run() {
-    for (const bool imported : {true, false}) {
-      const auto& objects = imported ? schema_.imported : schema_.objects;
-      for (std::size_t i = 0; i < objects.size(); ++i) {
-        place_ = {imported, static_cast<int>(i), -1};
-        object(objects[i]);
-      }
-    }
+    for_each_object(schema_, [this](const Object& declared, Place place) {
+      place_ = place;
+      object(declared);
+    });
     return std::move(issues_);
   }
 

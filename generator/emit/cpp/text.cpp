@@ -78,14 +78,6 @@ std::string value_type(model::Element element) {
   return element == model::Element::real ? stored : "physgen::same_lanes_t<Real, " + stored + ">";
 }
 
-std::string shape_type(const model::Field& field) {
-  const model::ShapeFacts& shape = model::facts(field.shape);
-  std::string type = "physgen::shape::" + std::string(shape.type);
-  if (shape.sides == model::Sides::fixed) return type;
-  const std::string columns = shape.sides == model::Sides::any ? ", " + std::to_string(field.cols) : "";
-  return type + "<" + std::to_string(field.rows) + columns + ">";
-}
-
 std::string format_type(const model::Field& field, model::Space space) {
   const auto& [kind, quaternion] = field.format(space);
   const model::EncodingFacts& encoding = model::facts(kind);

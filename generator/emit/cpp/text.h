@@ -17,9 +17,6 @@ namespace physgen::emit::cpp {
 /// Type of an element of a value struct, whose Real may be a SIMD batch: "Real", "physgen::same_lanes_t<Real, float>".
 [[nodiscard]] std::string value_type(model::Element element);
 
-/// "physgen::shape::Symmetric<3>". @pre not an object
-[[nodiscard]] std::string shape_type(const model::Field& field);
-
 /// "physgen::format::Half<4>": how elements of the field are stored in a space. @pre not an object
 [[nodiscard]] std::string format_type(const model::Field& field, model::Space space);
 

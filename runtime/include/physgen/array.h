@@ -120,7 +120,8 @@ class Array {
     constexpr index_t limit = std::numeric_limits<index_t>::max() / std::max(record_bytes, 1) / 4;  // room for padding
     if (size < 0 || size > limit) {
       throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) + " objects of " +
-                  std::to_string(record_bytes) + " bytes cannot exist; 0 to " + std::to_string(limit) + " can");
+                  std::to_string(record_bytes) + " bytes cannot exist; it has 0 to " + std::to_string(limit) +
+                  " of them");
     }
     return Layout::padded(size) * record_bytes;
   }
@@ -141,7 +142,8 @@ namespace detail {
 /// The size of an array that holds no object of its own. @throw Error when it is negative
 inline index_t checked_size(std::string_view object, index_t size) {
   if (size >= 0) return size;
-  throw Error(std::string(object) + ": an array of " + std::to_string(size) + " objects cannot exist; 0 or more can");
+  throw Error(std::string(object) + ": an array of " + std::to_string(size) +
+              " objects cannot exist; it has 0 or more of them");
 }
 
 }  // namespace detail

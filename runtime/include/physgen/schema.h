@@ -92,13 +92,13 @@ struct Initial {
   double value;
 };
 enum class Encoding { native, float32, float64, half, bfloat16, snorm16 };
-struct Storage {
+struct StorageFormat {
   Encoding encoding;
   int quaternions;  // 1: the encoding is that of a quaternion's components
 };
 struct Format {
   Space space;
-  Storage storage;
+  StorageFormat stored;
 };
 }  // namespace detail
 
@@ -135,23 +135,26 @@ inline constexpr detail::Pattern soa{detail::Arrangement::soa, 0};
 
 // Ways to store elements, apart from the precision that they are computed with:
 /// In single or double precision, whatever the scene chooses.
-inline constexpr detail::Storage float32{detail::Encoding::float32, 0};
-inline constexpr detail::Storage float64{detail::Encoding::float64, 0};
+inline constexpr detail::StorageFormat float32{detail::Encoding::float32, 0};
+inline constexpr detail::StorageFormat float64{detail::Encoding::float64, 0};
 /// IEEE half: 11 significant bits up to 65504, relative error 4.9e-4. With a range(...), elements are scaled by the
 /// power of two that brings its larger end to 32768.
-inline constexpr detail::Storage half{detail::Encoding::half, 0};
+inline constexpr detail::StorageFormat half{detail::Encoding::half, 0};
 /// 8 significant bits with the range of float: relative error 3.9e-3.
-inline constexpr detail::Storage bfloat16{detail::Encoding::bfloat16, 0};
+inline constexpr detail::StorageFormat bfloat16{detail::Encoding::bfloat16, 0};
 /// 16 bits, equal steps over the field's range(...): absolute error its width / 131068.
-inline constexpr detail::Storage snorm16{detail::Encoding::snorm16, 0};
+inline constexpr detail::StorageFormat snorm16{detail::Encoding::snorm16, 0};
 /// A Rotation as a unit quaternion: 4 components, as precise as computed, or in one of the above: quaternion(half).
-[[nodiscard]] constexpr detail::Storage quaternion(detail::Storage component = {detail::Encoding::native, 0}) {
+[[nodiscard]] constexpr detail::StorageFormat quaternion(detail::StorageFormat component = {detail::Encoding::native,
+                                                                                            0}) {
   return {component.encoding, component.quaternions + 1};
 }
 
 /// Chooses how the field is stored in a space, where the program does not choose otherwise: format(cuda, half). Kernels
 /// read and write the same values; those that a format cannot hold are rounded, or, beyond its range, lost.
-[[nodiscard]] constexpr detail::Format format(detail::Space space, detail::Storage storage) { return {space, storage}; }
+[[nodiscard]] constexpr detail::Format format(detail::Space space, detail::StorageFormat stored) {
+  return {space, stored};
+}
 
 /// The value of every element of the field in a new object; 0 without this option.
 [[nodiscard]] constexpr detail::Initial initial(double value) { return {value}; }

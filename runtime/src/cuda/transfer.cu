@@ -1,6 +1,6 @@
 // Copies between host and device that convert. These rules say what travels, and who converts:
 //   - Pinned memory travels as it is and is converted on the device, which takes a hundredth of the transfer's time.
-//   - Pageable memory must pass through pinned memory anyway, by the hands of the processor. It converts on the way
+//   - Pageable memory is copied to pinned memory by the processor in any case. The processor converts on the way
 //     where that makes doubles floats: then fewer bytes travel. Else the host's form travels and the device converts:
 //     to change the layout or to make 16-bit formats takes a processor longer than the bytes take to travel.
 //   - The functions of formats of a program's own are called by the processor, also for pinned memory.

@@ -72,8 +72,9 @@ inline Momenta momenta(const DynamicSolver& solver, const std::vector<double>& m
   return sums;
 }
 
-/// A bar that moves along z alone, held at both ends. Its tets between two layers of nodes have one strain, so it is a
-/// chain of masses, whose modes are sines.
+/// A bar that moves along z alone, held at both ends. Its tets between two layers of nodes have one strain, and with
+/// all cells cut along one diagonal the nodes of a layer have masses in proportion to what holds them: a chain of
+/// masses, whose modes are sines.
 struct WaveBar {
   static constexpr double side = 0.08, young = 2e4, nu = 0.3, amplitude = 1e-7 * side;
 
@@ -81,17 +82,19 @@ struct WaveBar {
   Body body;
   explicit WaveBar(Index count)
       : cells(count),
-        body(make_cube(
-            count, side, false, 0,
-            [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] > side * (1 - 1e-9) ? 7 : 3; },
-            [](const Point&) { return Point{}; })) {}
+        body(cut_along_one_diagonal(
+            make_cube(
+                count, side, false, 0,
+                [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] > side * (1 - 1e-9) ? 7 : 3; },
+                [](const Point&) { return Point{}; }),
+            count)) {}
 
-  /// Of pressure waves [m/s].
+  /// The speed of pressure waves [m/s].
   [[nodiscard]] static double speed() {
     const double mu = young / (2 * (1 + nu)), lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
     return std::sqrt((lambda + 2 * mu) / density);
   }
-  /// Of the first mode: of the bar, and of the chain [rad/s].
+  /// The frequency of the first mode: of the bar, and of the chain [rad/s].
   [[nodiscard]] static double exact_frequency() { return std::numbers::pi * speed() / side; }
   [[nodiscard]] double frequency() const {
     return 2 * speed() * cells / side * std::sin(std::numbers::pi / (2 * cells));

@@ -5,9 +5,9 @@
 
 #include <elasticity.physgen.h>
 #include <fem/kernels/compute_svd.h>
-#include <fem/kernels/dp_from_df.h>
 #include <fem/kernels/stress.h>
 #include <fem/kernels/stress_derivative.h>
+#include <fem/kernels/stress_differential.h>
 #include <fem/materials/materials.h>
 #ifdef __CUDACC__
 #include <physgen/cuda/parallel_for.h>
@@ -77,7 +77,8 @@ class Run {
     const auto x = filled<elasticity::StressDerivativeObject>("x Neo-Hookean");
     const auto differentials = filled<elasticity::DeformationGradientDifferentialObject>("dF");
     Array<elasticity::StressDifferentialObject> dP(x.size());
-    run(DpFromDf{decomposition.const_view(), x.const_view(), differentials.const_view(), dP.view()}, dP, "dP");
+    run(ComputeStressDifferential{decomposition.const_view(), x.const_view(), differentials.const_view(), dP.view()},
+        dP, "dP");
     return results_;
   }
 
@@ -112,7 +113,7 @@ class Run {
   }
   template <class Object>
   Array<Object> filled(const std::string& name) {
-    // What was given comes first, also where this run has made its own since.
+    // Given results come first, also where this run has made its own since.
     const auto at = given_.find(name);
     const std::vector<Real>& numbers = at != given_.end() ? at->second : results_.at(name);
     constexpr int elements = Array<Object>::elements;

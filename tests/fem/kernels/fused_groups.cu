@@ -14,7 +14,7 @@ using ViewOf = View<Object, Real, Aosoa<32>, FormatsOf<Object, Cuda>, Cuda>;
 template <class Object, class Real>
 using Padded = View<Object, Real, AosPadded, FormatsOf<Object, Cuda>, Cuda>;
 
-/// What the groups read and write.
+/// The arrays that the groups read and write.
 template <class Real>
 struct Mesh {
   ViewOf<elasticity::TetObject, const Real> tets;

@@ -1,4 +1,4 @@
-// What the kernels must fulfil, written once for host and CUDA: type-parameterised tests, instantiated by
+// Requirements on the kernels, written once for host and CUDA: type-parameterised tests, instantiated by
 // kernels_test.cpp and kernels_gpu_test.cu with the precisions, layouts and spaces there are. parallel_for is included
 // by those files.
 #pragma once

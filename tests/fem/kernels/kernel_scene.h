@@ -22,7 +22,7 @@
 
 namespace physgen::fem {
 
-/// What a kernel test is instantiated for.
+/// The parameters of a kernel test.
 template <class Real_, class Space_, class Layout_, template <class> class Model_>
 struct KernelCase {
   using Real = Real_;
@@ -159,15 +159,15 @@ class KernelScene {
     run(n, ComputeStressDerivative{model, svd.const_view(), derivative.view()});
     run(n, ComputeDeformationGradientDifferential{tets.const_view(), displacements.const_view(), rest.const_view(),
                                                   gradient_differential.view()});
-    run(n, DpFromDf{svd.const_view(), derivative.const_view(), gradient_differential.const_view(),
-                    stress_differential.view()});
+    run(n, ComputeStressDifferential{svd.const_view(), derivative.const_view(), gradient_differential.const_view(),
+                                     stress_differential.view()});
     run(n, ComputeCornerForces{rest.const_view(), stress.const_view(), corner_forces.view()});
     run(nodes(), GatherForces{node_tets.const_view(), corner_forces.const_view(), forces.view()});
     run(n, ComputeTetStiffness{rest.const_view(), svd.const_view(), derivative.const_view(), tet_stiffness.view()});
     run(nodes(), GatherNodeStiffness{node_tets.const_view(), tet_stiffness.const_view(), node_stiffness.view()});
     run(edges.size(), GatherEdgeStiffness{edge_tets.const_view(), tet_stiffness.const_view(), edge_stiffness.view()});
-    run(nodes(), ForceDifferential{node_stiffness.const_view(), edge_stiffness.const_view(), edges.const_view(),
-                                   node_edges.const_view(), displacements.const_view(), assembled.view()});
+    run(nodes(), ComputeForceDifferentials{node_stiffness.const_view(), edge_stiffness.const_view(), edges.const_view(),
+                                           node_edges.const_view(), displacements.const_view(), assembled.view()});
     run(n, ComputeCornerForceDifferentials{tets.const_view(), displacements.const_view(), rest.const_view(),
                                            svd.const_view(), derivative.const_view(), corner_differentials.view()});
     run(nodes(),

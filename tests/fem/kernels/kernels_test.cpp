@@ -22,8 +22,8 @@ TEST(KernelsOverPacks, compute_what_they_compute_over_single_objects) {
   auto differential = scene.stress_differential;
   parallel_for<1>(Host{}, scene.elements(), ComputeStressDerivative{model, scene.svd.const_view(), derivative.view()});
   parallel_for<1>(Host{}, scene.elements(),
-                  DpFromDf{scene.svd.const_view(), derivative.const_view(), scene.gradient_differential.const_view(),
-                           differential.view()});
+                  ComputeStressDifferential{scene.svd.const_view(), derivative.const_view(),
+                                            scene.gradient_differential.const_view(), differential.view()});
   for (index_t i = 0; i < scene.elements(); ++i) {
     const Eigen::Matrix3f a = differential.view()[i].dP(), b = scene.stress_differential.view()[i].dP();
     ASSERT_LE((a - b).norm(), 1e-5f * b.norm() + 1e-6f) << "tet " << i;
@@ -52,10 +52,11 @@ TEST(KernelsOverRows, refuse_lists_of_other_sets) {
                  "GatherEdgeStiffness: edge_tets");
   expect_refused(
       [&] {
-        ForceDifferential(scene.node_stiffness.const_view(), scene.edge_stiffness.const_view(),
-                          scene.edges.const_view(), tets, scene.displacements.const_view(), scene.assembled.view());
+        ComputeForceDifferentials(scene.node_stiffness.const_view(), scene.edge_stiffness.const_view(),
+                                  scene.edges.const_view(), tets, scene.displacements.const_view(),
+                                  scene.assembled.view());
       },
-      "ForceDifferential: node_edges");
+      "ComputeForceDifferentials: node_edges");
 }
 
 }  // namespace

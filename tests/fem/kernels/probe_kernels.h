@@ -5,12 +5,12 @@
 #include <elasticity.physgen.h>
 #include <fem/kernels/compute_svd.h>
 #include <fem/kernels/deformation_gradient.h>
-#include <fem/kernels/dp_from_df.h>
 #include <fem/kernels/elastic_force.h>
 #include <fem/kernels/force_differential.h>
 #include <fem/kernels/stiffness.h>
 #include <fem/kernels/stress.h>
 #include <fem/kernels/stress_derivative.h>
+#include <fem/kernels/stress_differential.h>
 #include <fem/materials/materials.h>
 #include <gtest/gtest.h>
 #include <physgen/probe.h>
@@ -34,10 +34,10 @@ PHYSGEN_TEST_TAG(ComputeStress, decomposition)
 PHYSGEN_TEST_TAG(ComputeStress, stress)
 PHYSGEN_TEST_TAG(ComputeStressDerivative, decomposition)
 PHYSGEN_TEST_TAG(ComputeStressDerivative, derivative)
-PHYSGEN_TEST_TAG(DpFromDf, decomposition)
-PHYSGEN_TEST_TAG(DpFromDf, derivative)
-PHYSGEN_TEST_TAG(DpFromDf, differential)
-PHYSGEN_TEST_TAG(DpFromDf, stress)
+PHYSGEN_TEST_TAG(ComputeStressDifferential, decomposition)
+PHYSGEN_TEST_TAG(ComputeStressDifferential, derivative)
+PHYSGEN_TEST_TAG(ComputeStressDifferential, differential)
+PHYSGEN_TEST_TAG(ComputeStressDifferential, stress)
 PHYSGEN_TEST_TAG(ComputeRestShape, tets)
 PHYSGEN_TEST_TAG(ComputeRestShape, positions)
 PHYSGEN_TEST_TAG(ComputeRestShape, rest)
@@ -56,13 +56,13 @@ PHYSGEN_TEST_TAG(GatherForceDifferentials, node_tets_ranges)
 PHYSGEN_TEST_TAG(GatherForceDifferentials, node_tets_entries)
 PHYSGEN_TEST_TAG(GatherForceDifferentials, differentials)
 PHYSGEN_TEST_TAG(GatherForceDifferentials, nodes)
-PHYSGEN_TEST_TAG(ForceDifferential, node_stiffness)
-PHYSGEN_TEST_TAG(ForceDifferential, edge_stiffness)
-PHYSGEN_TEST_TAG(ForceDifferential, edges)
-PHYSGEN_TEST_TAG(ForceDifferential, node_edges_ranges)
-PHYSGEN_TEST_TAG(ForceDifferential, node_edges_entries)
-PHYSGEN_TEST_TAG(ForceDifferential, displacements)
-PHYSGEN_TEST_TAG(ForceDifferential, differentials)
+PHYSGEN_TEST_TAG(ComputeForceDifferentials, node_stiffness)
+PHYSGEN_TEST_TAG(ComputeForceDifferentials, edge_stiffness)
+PHYSGEN_TEST_TAG(ComputeForceDifferentials, edges)
+PHYSGEN_TEST_TAG(ComputeForceDifferentials, node_edges_ranges)
+PHYSGEN_TEST_TAG(ComputeForceDifferentials, node_edges_entries)
+PHYSGEN_TEST_TAG(ComputeForceDifferentials, displacements)
+PHYSGEN_TEST_TAG(ComputeForceDifferentials, differentials)
 PHYSGEN_TEST_TAG(ComputeCornerForceDifferentials, tets)
 PHYSGEN_TEST_TAG(ComputeCornerForceDifferentials, displacements)
 PHYSGEN_TEST_TAG(ComputeCornerForceDifferentials, rest)
@@ -117,11 +117,12 @@ void run_all_kernels(On& on) {
     on.run(1, ComputeStressDerivative{neo_hookean, decomposition.const_view(), derivative.view(), ClampEigenvalues{}});
   }
   {
-    PHYSGEN_TEST_PROBE(DpFromDf, decomposition, DeformationSvd)
-    PHYSGEN_TEST_PROBE(DpFromDf, derivative, StressDerivative)
-    PHYSGEN_TEST_PROBE(DpFromDf, differential, DeformationGradientDifferential)
-    PHYSGEN_TEST_PROBE(DpFromDf, stress, StressDifferential)
-    on.run(1, DpFromDf{decomposition.const_view(), derivative.const_view(), differential.const_view(), stress.view()});
+    PHYSGEN_TEST_PROBE(ComputeStressDifferential, decomposition, DeformationSvd)
+    PHYSGEN_TEST_PROBE(ComputeStressDifferential, derivative, StressDerivative)
+    PHYSGEN_TEST_PROBE(ComputeStressDifferential, differential, DeformationGradientDifferential)
+    PHYSGEN_TEST_PROBE(ComputeStressDifferential, stress, StressDifferential)
+    on.run(1, ComputeStressDifferential{decomposition.const_view(), derivative.const_view(), differential.const_view(),
+                                        stress.view()});
   }
   {
     PHYSGEN_TEST_PROBE(ComputeRestShape, tets, Tet)
@@ -156,14 +157,14 @@ void run_all_kernels(On& on) {
     on.run(1, GatherForceDifferentials{node_tets.const_view(), differentials.const_view(), nodes.view()});
   }
   {
-    PHYSGEN_TEST_PROBE(ForceDifferential, node_stiffness, NodeStiffness)
-    PHYSGEN_TEST_PROBE(ForceDifferential, edge_stiffness, EdgeStiffness)
-    PHYSGEN_TEST_PROBE(ForceDifferential, edges, Edge)
-    PHYSGEN_TEST_ROWS(ForceDifferential, node_edges)
-    PHYSGEN_TEST_PROBE(ForceDifferential, displacements, NodeDisplacement)
-    PHYSGEN_TEST_PROBE(ForceDifferential, differentials, NodeForceDifferential)
-    on.run(1, ForceDifferential{node_stiffness.const_view(), edge_stiffness.const_view(), edges.const_view(),
-                                node_edges.const_view(), displacements.const_view(), differentials.view()});
+    PHYSGEN_TEST_PROBE(ComputeForceDifferentials, node_stiffness, NodeStiffness)
+    PHYSGEN_TEST_PROBE(ComputeForceDifferentials, edge_stiffness, EdgeStiffness)
+    PHYSGEN_TEST_PROBE(ComputeForceDifferentials, edges, Edge)
+    PHYSGEN_TEST_ROWS(ComputeForceDifferentials, node_edges)
+    PHYSGEN_TEST_PROBE(ComputeForceDifferentials, displacements, NodeDisplacement)
+    PHYSGEN_TEST_PROBE(ComputeForceDifferentials, differentials, NodeForceDifferential)
+    on.run(1, ComputeForceDifferentials{node_stiffness.const_view(), edge_stiffness.const_view(), edges.const_view(),
+                                        node_edges.const_view(), displacements.const_view(), differentials.view()});
   }
   {
     PHYSGEN_TEST_PROBE(ComputeCornerForceDifferentials, tets, Tet)
@@ -202,7 +203,7 @@ void run_all_kernels(On& on) {
 
 /// "ComputeSvd.gradient.F R", ...
 inline std::set<std::string> what_kernels_do() {
-  // Of each array: its fields, by reads and writes. * stands for all scalars of a stress derivative.
+  // Each array has its fields, by reads and writes. * stands for all scalars of a stress derivative.
   struct Row {
     const char *array, *fields;
   };
@@ -216,10 +217,10 @@ inline std::set<std::string> what_kernels_do() {
       {"ComputeStress.stress", "P W,"},
       {"ComputeStressDerivative.decomposition", "s R,"},
       {"ComputeStressDerivative.derivative", "* W,"},
-      {"DpFromDf.decomposition", "U R,V R,"},
-      {"DpFromDf.derivative", "* R,"},
-      {"DpFromDf.differential", "dF R,"},
-      {"DpFromDf.stress", "dP W,"},
+      {"ComputeStressDifferential.decomposition", "U R,V R,"},
+      {"ComputeStressDifferential.derivative", "* R,"},
+      {"ComputeStressDifferential.differential", "dF R,"},
+      {"ComputeStressDifferential.stress", "dP W,"},
       {"ComputeRestShape.tets", "nodes R,"},
       {"ComputeRestShape.positions", "x R,"},
       {"ComputeRestShape.rest", "dm_inverse W,volume W,"},
@@ -238,13 +239,13 @@ inline std::set<std::string> what_kernels_do() {
       {"GatherForceDifferentials.node_tets_entries", "element R,local R,"},
       {"GatherForceDifferentials.differentials", "G R,"},
       {"GatherForceDifferentials.nodes", "df W,"},
-      {"ForceDifferential.node_stiffness", "K R,"},
-      {"ForceDifferential.edge_stiffness", "E R,"},
-      {"ForceDifferential.edges", "nodes R,"},
-      {"ForceDifferential.node_edges_ranges", "begin R,end R,"},
-      {"ForceDifferential.node_edges_entries", "element R,local R,"},
-      {"ForceDifferential.displacements", "dx R,"},
-      {"ForceDifferential.differentials", "df W,"},
+      {"ComputeForceDifferentials.node_stiffness", "K R,"},
+      {"ComputeForceDifferentials.edge_stiffness", "E R,"},
+      {"ComputeForceDifferentials.edges", "nodes R,"},
+      {"ComputeForceDifferentials.node_edges_ranges", "begin R,end R,"},
+      {"ComputeForceDifferentials.node_edges_entries", "element R,local R,"},
+      {"ComputeForceDifferentials.displacements", "dx R,"},
+      {"ComputeForceDifferentials.differentials", "df W,"},
       {"ComputeCornerForceDifferentials.tets", "nodes R,"},
       {"ComputeCornerForceDifferentials.displacements", "dx R,"},
       {"ComputeCornerForceDifferentials.rest", "dm_inverse R,volume R,"},

@@ -1,4 +1,4 @@
-// What g++ finds of the kernels, as programs on the CPU have them: one object at a time and in packs.
+// The uses that g++ finds in the kernels, as programs on the CPU have them: one object at a time and in packs.
 #include "probe_kernels.h"
 
 namespace physgen::fem::test {

@@ -1,4 +1,5 @@
-// What nvcc's compiler of the host finds of the same kernels, as programs on CUDA have them. No device is needed.
+// The uses that nvcc's compiler of the host finds in the same kernels, as programs on CUDA have them. No device is
+// needed.
 #include "probe_kernels.h"
 
 namespace physgen::fem::test {
@@ -21,7 +22,7 @@ struct DeviceFunction {
   __device__ void operator()(index_t i) const { view[i].volume() = __shfl_sync(0xffffffffU, 1.0F, 0); }
 };
 
-// Of the arrays above the host's compiler finds uses: their kernels are functions of host and device.
+// The host's compiler finds uses of the arrays above: their kernels are functions of host and device.
 TEST(ProbesOfKernels, say_of_which_arrays_the_host_sees_nothing) {
   ProbeOf<elasticity::RestShapeArray<float, Cuda>, only_on_the_device> shapes;
   ProbeExecutor<Cuda> on;

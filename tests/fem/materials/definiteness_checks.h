@@ -1,4 +1,5 @@
-// What the tests of the eigenvalue filters share: the 3x3 block as a matrix, its exact filters, and a filter's errors.
+// The common part of the tests of the eigenvalue filters: the 3x3 block as a matrix, its exact filters, and a filter's
+// errors.
 #pragma once
 
 #include <fem/materials/definiteness.h>

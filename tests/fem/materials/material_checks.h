@@ -1,5 +1,5 @@
-// What the tests of the material models share: the suite over all models, their random input, how errors are reported,
-// and the replay of one input.
+// The common part of the tests of the material models: the suite over all models, their random input, how errors are
+// reported, and the replay of one input.
 #pragma once
 
 #include <fem/materials/materials.h>

@@ -1,4 +1,4 @@
-// What holds for every material model whatever its energy: rest state, symmetries, isotropy, finite values for
+// Properties of every material model, whatever its energy: rest state, symmetries, isotropy, finite values for
 // flattened and inverted elements, packs like numbers, NaN in and NaN out.
 #include <fem/numerics/svd.h>
 

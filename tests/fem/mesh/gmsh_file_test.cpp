@@ -45,7 +45,7 @@ class GmshFile : public testing::Test {
     return folder_ / name;
   }
 
-  // What read_gmsh() says of a file, after its name; "accepted" if it reads it.
+  // The message of read_gmsh() on a file, after its name; "accepted" if it reads it.
   [[nodiscard]] static std::string refusal(const std::filesystem::path& path) {
     try {
       static_cast<void>(read_gmsh(path));
@@ -168,11 +168,51 @@ TEST_F(GmshFile, refuses_a_file_wherever_it_is_cut_off) {
   const File file = file_of(reference::box(2, 2, 2), 63);
   for (const std::string& text :
        {in_version_1(file), in_version_2(file), in_binary_version_2(file), in_version_4(file)}) {
-    for (std::size_t length = 40; length + 20 < text.size(); length += 37) {
+    const std::size_t end = text.find("$E", text.size() - 20);  // of the last section
+    const auto expect_refused = [&](std::size_t length) {
       EXPECT_NE(refusal(write(text.substr(0, length))), "accepted")
           << text.substr(0, 20) << " cut off at " << length << " of " << text.size();
-    }
+    };
+    for (std::size_t length = 40; length < end; length += 37) expect_refused(length);
+    for (std::size_t length = end - 4; length <= end; ++length) expect_refused(length);  // in the last number
   }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST_F(GmshFile, refuses_counts_that_are_not_those_of_the_lines_and_names_both) {
+  const File file = file_of(reference::box(2, 1, 1), 64);  // 12 nodes, 12 tets
+  const std::string again = "; the file may be cut off or damaged: write it again";
+  const auto counted = [&](const std::string& section, int start, int said, int lines, int end) {
+    return "$" + section + " in line " + std::to_string(start) + " is to have " + std::to_string(said) +
+           " lines by its counts, and has " + std::to_string(lines) + " before $End" + section + " in line " +
+           std::to_string(end) + again;
+  };
+  const std::string second = in_version_2(file), fourth = in_version_4(file);
+  EXPECT_EQ(refusal(write(replaced(second, "$Elements\n12\n", "$Elements\n9\n"))), counted("Elements", 19, 9, 12, 33));
+  EXPECT_EQ(refusal(write(replaced(second, "$Elements\n12\n", "$Elements\n13\n"))),
+            counted("Elements", 19, 13, 12, 33));
+  EXPECT_EQ(refusal(write(replaced(second, "$Nodes\n12\n", "$Nodes\n11\n"))), counted("Nodes", 4, 11, 12, 18));
+  EXPECT_EQ(refusal(write(replaced(fourth, "$Elements\n1 12 ", "$Elements\n1 11 "))),
+            counted("Elements", 38, 12, 13, 53));
+  EXPECT_EQ(refusal(write(replaced(fourth, "$Nodes\n1 12 ", "$Nodes\n1 13 "))), counted("Nodes", 10, 27, 25, 37));
+  const std::string first = in_version_1(file);
+  EXPECT_NE(refusal(write(replaced(first, "$ELM\n12\n", "$ELM\n9\n"))).find("$ELM in line 16 is to have 9 lines"),
+            std::string::npos);
+  EXPECT_EQ(refusal(write(replaced(second, "$Nodes\n12\n", "$Nodes\n-12\n"))),
+            "line 5: $Nodes begins with the counts of what follows, and not with '-12'" + again);
+}
+
+TEST_F(GmshFile, reads_texts_with_tabs_carriage_returns_and_sections_of_others) {
+  const std::string text = in_version_2(one_tet());
+  std::string other = replaced(text, "$Elements\n1\n", "$Comments\nof others\n$EndComments\n$Elements\n 1 \n");
+  EXPECT_EQ(refusal(write(other)), "accepted");
+  for (std::size_t at = 0; (at = other.find('\n', at)) != std::string::npos; at += 2) other.replace(at, 1, "\r\n");
+  EXPECT_EQ(refusal(write(other)), "accepted");
+  EXPECT_EQ(refusal(write(replaced(text, "10 0 0 0", "10\t0\t+0\t0 "))), "accepted");
+  EXPECT_EQ(refusal(write(text.substr(0, text.size() - 1))), "accepted");
 }
 
 TEST_F(GmshFile, says_what_gmsh_said) {
@@ -180,9 +220,13 @@ TEST_F(GmshFile, says_what_gmsh_said) {
   file.elements[0].nodes[3] = 999;
   EXPECT_EQ(refusal(write(in_version_2(file))),
             "Gmsh cannot read it (Wrong node index 999); the file may be cut off or damaged: write it again");
-  const std::filesystem::path path = write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 x 0\n");
-  EXPECT_EQ(refusal(path), "Gmsh cannot read it (Error loading '" + path.string() +
-                               "'); the file may be cut off or damaged: write it again");
+  EXPECT_EQ(refusal(write("$MeshFormat\n9.9 0 8\n$EndMeshFormat\n")),
+            "Gmsh cannot read it (Unknown MSH file version 9.9); the file may be cut off or damaged: write it again");
+}
+
+TEST_F(GmshFile, names_the_line_of_what_is_not_a_number) {
+  EXPECT_EQ(refusal(write(replaced(in_version_2(one_tet()), "20 1 0 0", "20 1 0,5 0"))),
+            "line 7: '0,5' is not a number; the file may be cut off or damaged: write it again");
 }
 
 TEST_F(GmshFile, refuses_what_is_missing_or_no_mesh_and_runs_no_script) {

@@ -120,7 +120,7 @@ inline MeshCase random_tet(std::uint64_t stream) {
   return result;
 }
 
-/// Of all kinds, each a conforming mesh of tets of positive volume.
+/// Meshes of all kinds, each a conforming mesh of tets of positive volume.
 inline std::vector<MeshCase> mesh_cases() {
   const MeshCase irregular = cut_at_random(jittered(box(4, 3, 5), 0.1, 2), 150, 3);
   return {box(3, 4, 2, {0.5, 2, 1}, {-1, 0, 7}),

@@ -32,7 +32,7 @@ TEST(BoxMesh, fills_the_box_with_tets_of_equal_positive_volume) {
   for (const auto& tet : cube.mesh.tets) EXPECT_NEAR(edges_of(tet, cube.rest).determinant(), cell, 1e-12 * cell);
 }
 
-// Of a mesh no face of which belongs to more than two tets.
+// Counts the boundary faces of a mesh none of whose faces belongs to more than two tets.
 int boundary_faces(const TetMesh& mesh) {
   std::map<std::array<Index, 3>, int> faces;
   for (const auto& tet : mesh.tets) {

@@ -31,7 +31,7 @@ std::set<Index> nodes_of(const TetMesh& mesh, const std::vector<Index>& tets) {
 
 bool share_a_face(const TetMesh& mesh, Index one, Index other) { return nodes_of(mesh, {one, other}).size() == 5; }
 
-// What every VolumePatches is.
+// Checks the properties of every VolumePatches.
 void expect_partition(const TetMesh& mesh, const VolumePatches& patches) {
   const std::size_t count = patches.nodes.size();
   ASSERT_EQ(patches.node_counts.size(), count);

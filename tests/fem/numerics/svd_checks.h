@@ -1,4 +1,4 @@
-// What the 3x3 SVD must fulfil on ordinary and hard matrices, written once for SIMD packs, single numbers and CUDA:
+// Requirements on the 3x3 SVD of ordinary and hard matrices, written once for SIMD packs, single numbers and CUDA:
 // type-parameterised tests, instantiated by svd_test.cpp and svd_gpu_test.cu. parallel_for is included by those files.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "reference.h"
+#include "replay.h"
 #include "run_case.h"
 
 namespace physgen::fem {
@@ -102,7 +103,7 @@ TYPED_TEST_P(SvdOf, accepts_every_hard_family) {
   }
   std::cout << "hard families: residual " << residual << " eps, orthogonality " << orthogonality << " eps, values "
             << values << " eps\n"
-            << reference::replay_command(worst) << "\n";
+            << replay_command(worst) << "\n";
 }
 
 TYPED_TEST_P(SvdOf, stays_finite_where_singular_values_overflow) {
@@ -142,7 +143,7 @@ TYPED_TEST_P(SvdOf, reproduces_two_million_gaussian_matrices_to_nine_eps) {
     std::cout << name << " [eps]: p50 " << e.p50 << ", p99 " << e.p99 << ", p99.99 " << e.p9999 << ", max " << e.max
               << "\n";
   }
-  std::cout << reference::replay_command(worst) << "\n";
+  std::cout << replay_command(worst) << "\n";
   EXPECT_LE(residual.max(), 9);
   EXPECT_LE(orthogonality.max(), 16);
 }

@@ -84,7 +84,7 @@ __device__ Matrix3<double> random_matrix(DeviceRandom& r, Kind kind) {
   return m;
 }
 
-/// What one matrix comes to; worse ones are larger. A failure (not finite, or not ordered) is infinitely bad.
+/// The errors of one matrix; worse ones are larger. A failure (not finite, or not ordered) is infinitely bad.
 struct Errors {
   double residual, orthogonality;  // relative, absolute
 };

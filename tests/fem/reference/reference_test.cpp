@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "replay.h"
+
 namespace physgen::fem {
 namespace {
 
@@ -75,7 +77,7 @@ TEST(SvdErrors, of_what_is_not_finite_are_infinite) {
 TEST(SvdErrors, name_the_command_that_shows_the_matrix_again) {
   Matrix3<float> A = Matrix3<float>::Identity();
   A(1, 0) = -1.5F;
-  EXPECT_EQ(reference::replay_command(A),
+  EXPECT_EQ(replay_command(A),
             "physbench replay svd float 0x1p+0 -0x1.8p+0 0x0p+0 0x0p+0 0x1p+0 0x0p+0 0x0p+0 0x0p+0 0x1p+0");
 }
 

@@ -16,7 +16,7 @@ struct Body {
   Loading loading;
 };
 
-/// Of what the change of volume is that of.
+/// The parts of a body over which the change of volume is averaged.
 enum class Volume { tets, patches, nodes };
 inline constexpr std::array volumes{Volume::tets, Volume::patches, Volume::nodes};
 inline const char* name_of(Volume volume) {
@@ -57,6 +57,17 @@ inline Body make_cube(Index cells, double side, bool patches, double jitter,
     for (std::size_t n = 0; n < level.rest.size(); ++n) level.fixed[n] = fixed(level.rest[n]);
   }
   for (const Point& x : body.levels[0].rest) body.loading.motion.push_back(motion(x));
+  return body;
+}
+
+/// The same cube with all cells cut along one diagonal, so that the tets around a node inside are symmetric in it.
+inline Body cut_along_one_diagonal(Body body, Index cells) {
+  for (MeshLevel& level : body.levels) {
+    level.mesh = make_box_mesh(cells, cells, cells);
+    if (!level.patches.nodes.empty()) level.patches = cell_patches(level.mesh);
+    cells /= 2;
+    if (!level.parents.empty()) level.parents = box_parents(cells, cells, cells);
+  }
   return body;
 }
 

@@ -53,7 +53,7 @@ TEST(Contact, of_the_compressed_truth_cube_keeps_its_sides_between_the_plates_an
       const Body body = make_truth_cube_body(cells, true, frictionless), plates = with_contact(body);
       const auto without = make_solver(body.levels, body.loading, silicone());
       const auto with = make_solver(plates.levels, plates.loading, silicone());
-      for (const double compression : {0.1825, cells == 8 ? 0.45 : 0.4}) {
+      for (const double compression : {0.1825, cells == 8 ? 0.5 : 0.4}) {
         const NewtonResult free = without->solve_to(compression, {}), result = with->solve_to(compression, {});
         ASSERT_EQ(free.status, NewtonStatus::converged);
         ASSERT_EQ(result.status, NewtonStatus::converged);
@@ -80,7 +80,7 @@ TEST(Contact, of_the_compressed_truth_cube_keeps_its_sides_between_the_plates_an
           const auto inside = [&](double x) { return x > 0.0099 && x < side - 0.0099; };  // beads: 1 to 7 cm
           if (inside(X[0]) && inside(X[1]) && inside(X[2])) beads = std::max(beads, moved);
         }
-        EXPECT_LE(beads, compression < 0.2 ? 5e-5 : 0.3 * reach(a, compression));
+        EXPECT_LE(beads, compression < 0.2 ? 5e-5 : 0.4 * reach(a, compression));
         std::printf(
             "%d^3 cells, %s, %g: past the plates by %.4f mm without and %.4f mm with contact of up to %.3g of E mm^2; "
             "nodes move by up to %.4f mm, beads by %.4f mm; %d + %d and %d + %d Newton steps, %d and %d PCG "

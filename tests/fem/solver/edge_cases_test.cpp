@@ -2,6 +2,10 @@
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 
+#include <cmath>
+#include <string>
+#include <utility>
+
 #include "bodies.h"
 
 namespace physgen::fem {
@@ -176,6 +180,57 @@ TEST(SmallBodies, of_micrometres_meet_planes_as_large_ones_do) {
   const auto solver = make_solver(body.levels, body.loading, settings);
   EXPECT_EQ(solver->solve_to(1, {}).status, NewtonStatus::converged);
   EXPECT_GT(solver->plane_contacts().at(0).force, 0);
+}
+
+std::string refusal(const Body& body, const SolverSettings& settings) {
+  try {
+    (void)make_solver(body.levels, body.loading, settings);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(BadInput, rest_positions_that_are_not_finite_and_tets_without_volume_are_named) {
+  const Body good = make_truth_cube_body(4, false);
+  Body nan = good, inverted = good, flat = good;
+  nan.levels[1].rest[13][1] = NAN;
+  EXPECT_NE(refusal(nan, {}).find("level 1: the rest position of node 13 is not finite"), std::string::npos);
+  auto tets = good.levels[0].mesh.tets;
+  std::swap(tets[5][0], tets[5][1]);
+  inverted.levels[0].mesh = make_tet_mesh(good.levels[0].mesh.nodes, tets);
+  EXPECT_NE(refusal(inverted, {}).find("level 0: tet 5 has the volume -1.33333e-06 m^3 at rest"), std::string::npos)
+      << refusal(inverted, {});
+  for (Point& x : flat.levels[0].rest) x[2] = 0;
+  EXPECT_NE(refusal(flat, {}).find("level 0: tet 0 has the volume 0 m^3 at rest"), std::string::npos);
+}
+
+TEST(BadInput, moduli_and_lengths_beyond_single_precision_are_refused_and_double_takes_them) {
+  constexpr struct {
+    double modulus, scale;
+  } cases[] = {{1e36, 1}, {1e-36, 1}, {1, 1e-12}, {1e30, 1e-9}, {1e20, 1e9}};
+  for (const auto& [modulus, scale] : cases) {
+    Body body = make_truth_cube_body(2, true);
+    for (MeshLevel& level : body.levels) {
+      for (Point& x : level.rest) {
+        for (double& component : x) component *= scale;
+      }
+    }
+    for (Point& motion : body.loading.motion) motion[2] *= scale;
+    SolverSettings settings;
+    settings.youngs_modulus = modulus;
+    for (const TangentPrecision precision : {TangentPrecision::half, TangentPrecision::float32}) {
+      settings.precision = precision;
+      EXPECT_NE(refusal(body, settings).find("leaves what single precision holds: take double precision"),
+                std::string::npos)
+          << modulus << " " << scale;
+    }
+    settings.precision = TangentPrecision::float64;
+    const auto solver = make_solver(body.levels, body.loading, settings);
+    const NewtonResult result = solver->solve_to(0.1, {});
+    EXPECT_EQ(result.status, NewtonStatus::converged) << modulus << " " << scale;
+    EXPECT_LE(result.steps, 4) << modulus << " " << scale;
+  }
 }
 
 TEST(BadInput, nodes_in_no_tet_are_named_where_volumes_are_averaged_at_nodes) {

@@ -29,7 +29,7 @@ std::vector<Face> faces_where(const MeshLevel& level, const std::function<bool(c
   return faces;
 }
 
-/// What prescribed components are held with: the sum of minus the forces there [N].
+/// The force that holds prescribed components: the sum of minus the forces there [N].
 Point reaction(const MeshLevel& level, const std::vector<Point>& forces) {
   Point sum{};
   for (std::size_t n = 0; n < forces.size(); ++n) {

@@ -182,7 +182,7 @@ void expect_slopes(Volume volume, double poissons_ratio) {
     if (before.l2 > 0) {
       const double l2 = std::log2(before.l2 / errors.l2), h1 = std::log2(before.h1 / errors.h1);
       std::printf(", slopes %.2f and %.2f", l2, h1);
-      EXPECT_GE(l2, 1.8) << cells;
+      EXPECT_GE(l2, cells == 8 ? 1.7 : 1.85) << cells;  // it rises to 2
       EXPECT_GE(h1, 0.9) << cells;
     }
     std::printf("\n");

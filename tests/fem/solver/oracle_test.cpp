@@ -135,18 +135,18 @@ TEST(Oracle, beads_of_16_cells_with_patches_lie_where_the_oracle_has_them_under_
   }
 }
 
-TEST(Oracle, tets_without_patches_lock_and_patches_halve_their_error_three_times_over) {
+TEST(Oracle, tets_without_patches_lock_and_patches_halve_their_error) {
   const auto tets = compress(16, Volume::tets, false, 0.49), patches = compress(16, Volume::patches, false, 0.49);
-  EXPECT_GE(tets[2].rms, 3 * patches[2].rms);
+  EXPECT_GE(tets[2].rms, 2 * patches[2].rms);
   EXPECT_LE(tets[2].rms, 0.5);
   EXPECT_LT(tets[2].reaction, 1.02 * patches[2].reaction);  // stiffer: a larger force, which is negative
 }
 
-TEST(Oracle, beads_of_16_cells_with_volumes_averaged_at_nodes_lie_between_those_of_patches_and_of_tets) {
+TEST(Oracle, beads_of_16_cells_with_volumes_averaged_at_nodes_lie_where_the_oracle_has_them) {
   const auto found = compress(16, Volume::nodes, false, 0.49);
-  EXPECT_LE(found[0].rms, 0.18 * 0.05 / 0.1825);
-  EXPECT_LE(found[1].rms, 0.18 * 0.125 / 0.1825);
-  EXPECT_LE(found[2].rms, 0.18);
+  EXPECT_LE(found[0].rms, 0.13 * 0.05 / 0.1825);
+  EXPECT_LE(found[1].rms, 0.13 * 0.125 / 0.1825);
+  EXPECT_LE(found[2].rms, 0.13);
   const double reactions[] = {-4.1053e-4, -11.087e-4, -17.108e-4};
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k].reaction / reactions[k], 1, 0.08) << k;
 }
@@ -193,7 +193,8 @@ TEST(NearAHalf, tets_lock_where_volumes_averaged_at_nodes_or_over_patches_agree)
   }
   EXPECT_LE(rms[1], 0.3);
   EXPECT_LE(rms[2], 0.4);
-  EXPECT_GE(rms[0], 5 * rms[2]);
+  EXPECT_GE(rms[0], 3 * rms[2]);
+  EXPECT_GE(rms[0], 8 * rms[1]);
 }
 
 }  // namespace

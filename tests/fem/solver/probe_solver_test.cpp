@@ -1,4 +1,4 @@
-// What the solver on the CPU reads and writes.
+// The fields that the solver on the CPU reads and writes.
 #include "probe_solver.h"
 
 #include <fem/solver/performed_steps.h>

@@ -1,4 +1,5 @@
-// What nvcc's compiler of the host finds of the solver on CUDA, and what it does not see. No device is needed.
+// The uses that nvcc's compiler of the host finds in the solver on CUDA, and those that it does not see. No device is
+// needed.
 #include <fem/solver/performed_steps.h>
 
 #include "probe_solver.h"
@@ -20,7 +21,7 @@ TEST(ProbesOfTheSolver, say_which_steps_on_cuda_only_clang_reads) {
     };
     EXPECT_TRUE(std::ranges::any_of(probe::unseen(), names_it)) << function;
   }
-  // What steps of run() and reduce() read is found, too; what those alone read is named.
+  // Reads of steps of run() and reduce() are found, too; fields that those alone read are named.
   EXPECT_TRUE(fields_read_only().contains("body.tets.nodes"));
   EXPECT_FALSE(is_unseen("body.tets"));
   EXPECT_TRUE(is_unseen("schwarz.factors"));

@@ -34,7 +34,7 @@ Body cut_cube(bool patches) {
   return body;
 }
 
-/// What the solver says of positions.
+/// The solver's message on positions.
 struct State {
   double energy = 0;
   std::vector<Point> forces;

@@ -181,7 +181,7 @@ void expect_symmetric_and_positive(double poissons_ratio, double tolerance) {
     const Eigen::VectorXd Ma = prepared.apply(a), Mb = prepared.apply(b);
     EXPECT_NEAR(b.dot(Ma), a.dot(Mb), tolerance * std::sqrt(a.dot(Ma) * b.dot(Mb)));
     EXPECT_GT(a.dot(Ma), 0);
-    // Of the forces that a displacement causes, too, which the softest parts have the least of.
+    // The same for the forces that a displacement causes, of which the softest parts have the least.
     const Eigen::VectorXd f = prepared.matrix(blocks) * a;
     EXPECT_GT(f.dot(prepared.apply(f)), 0);
     for (Eigen::Index i = 0; i < a.size(); ++i) {

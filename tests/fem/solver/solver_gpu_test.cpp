@@ -134,7 +134,7 @@ TEST_F(SolverOnCuda, schwarz_takes_the_steps_that_it_takes_on_the_cpu_again_and_
   }
 }
 
-/// While it lives, levels of more nodes are not run by one thread block.
+/// While it lives, levels of more nodes are not run by a cluster of thread blocks.
 class SmallLevels {
  public:
   explicit SmallLevels(int most_nodes) { setenv("PHYSGEN_SMALL_LEVELS", std::to_string(most_nodes).c_str(), 1); }
@@ -143,7 +143,7 @@ class SmallLevels {
   ~SmallLevels() { unsetenv("PHYSGEN_SMALL_LEVELS"); }
 };
 
-TEST_F(SolverOnCuda, small_levels_in_one_thread_block_correct_as_those_in_launches_do) {
+TEST_F(SolverOnCuda, small_levels_in_one_kernel_correct_as_those_in_launches_do) {
   for (const TangentPrecision precision :
        {TangentPrecision::half, TangentPrecision::float32, TangentPrecision::float64}) {
     for (const Index cells : {8, 16}) {

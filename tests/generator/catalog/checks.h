@@ -1,4 +1,4 @@
-// What the program of everything.cpp checks of each row of the catalogue. Numbers of what is expected come from the
+// The checks of the program everything.cpp on each row of the catalogue. Numbers of what is expected come from the
 // catalogue, as arguments; values come back through generated accessors and through the runtime's copies.
 #pragma once
 
@@ -19,7 +19,7 @@ inline void expect(bool good, const char* what, const char* rule) {
   if (++failures <= 20) std::printf("%s: %s\n", what, rule);
 }
 
-/// What main() returns.
+/// The exit status of main().
 inline int report() {
   std::printf("%d checks, %d failures\n", checks, failures);
   return failures == 0 && checks > 1000 ? 0 : 1;

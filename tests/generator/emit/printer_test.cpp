@@ -37,5 +37,12 @@ TEST(Printer, fills_with_an_item_that_is_too_long_for_any_line) {
   EXPECT_EQ(std::move(out).text(), "call(\n    " + std::string(130, 'x') + ",\n    y);\n");
 }
 
+TEST(Printer, aligns_the_terms_of_a_sum_behind_its_head) {
+  const std::string term(40, 'x');
+  Printer out;
+  out.list("return ", {term, term, term, term}, ";", " +");
+  EXPECT_EQ(std::move(out).text(), "return " + term + " + " + term + " +\n       " + term + " + " + term + ";\n");
+}
+
 }  // namespace
 }  // namespace physgen::emit

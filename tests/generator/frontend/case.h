@@ -22,7 +22,7 @@ struct DiagnosticCase {
   std::vector<std::string> expected;  ///< beginnings of the diagnostics, "line:column: error: ..."
 };
 
-/// What GoogleTest prints of a case.
+/// The words that GoogleTest prints for a case.
 inline void PrintTo(const DiagnosticCase& diagnostic, std::ostream* out) { *out << diagnostic.name; }
 
 /// A schema with these declarations in a namespace m; they begin on line 3.

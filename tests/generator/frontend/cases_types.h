@@ -151,7 +151,7 @@ inline const std::vector<DiagnosticCase> types_cases = {
       "PHYSGEN_OBJECT(align(...)) for the whole record"}},
     {"alignas_on_an_object",
      "struct alignas(16) PHYSGEN_OBJECT() A {\n  Scalar x;\n};\n",
-     {"3:8: error: alignas says nothing about generated records; write PHYSGEN_OBJECT(align(...))"}},
+     {"3:8: error: alignas has no effect on generated records; write PHYSGEN_OBJECT(align(...))"}},
     {"a_packed_object",
      "struct __attribute__((packed)) PHYSGEN_OBJECT() A {\n  Scalar x;\n};\n",
      {"3:23: error: generated records have no gaps to pack; remove the attribute"}},

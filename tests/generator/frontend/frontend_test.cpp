@@ -1,4 +1,4 @@
-// What the frontend reads from sound schemas, and the look of its diagnostics.
+// Models that the frontend reads from sound schemas, and the look of its diagnostics.
 #include <gtest/gtest.h>
 
 #include <iterator>

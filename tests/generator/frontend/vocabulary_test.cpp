@@ -53,7 +53,7 @@ TEST(Frontend, reports_enumerators_and_types_that_only_another_version_has) {
                        {"// ---- Options of objects ----",
                         "inline constexpr detail::Space disk = detail::Space::disk;\n"
                         "inline constexpr detail::Pattern curve{detail::Arrangement::curve, 0};\n"
-                        "inline constexpr detail::Storage posit16{detail::Encoding::posit16, 0};\n"
+                        "inline constexpr detail::StorageFormat posit16{detail::Encoding::posit16, 0};\n"
                         "template <int Size, class Element = Scalar> struct Hankel {};\n"}});
   const auto result = parse_with(vocabulary, schema_of("struct PHYSGEN_OBJECT(layout(host, curve)) A {\n"
                                                        "  PHYSGEN(format(cuda, posit16)) Scalar x;\n"

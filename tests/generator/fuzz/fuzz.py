@@ -30,7 +30,7 @@ PLACE = re.compile(r"^.+:\d+:\d+: (fatal )?error: ", re.MULTILINE)
 
 
 class Defect(Exception):
-    """What physgen did wrong with one schema."""
+    """A fault of physgen with one schema."""
 
 
 class Fuzzer:

@@ -75,7 +75,7 @@ struct Body {
     physgen::allocate(extra, counts.tet);
   }
 
-  /// Of memory held by all arrays, padding included.
+  /// Bytes of memory held by all arrays, padding included.
   [[nodiscard]] physgen::index_t bytes() const {
     return x.bytes() + svd.bytes() + f.bytes() + extra.bytes();
   }

@@ -1,4 +1,4 @@
-// What everything.h includes.
+// The schema that everything.h includes.
 #pragma once
 
 #include <physgen/schema.h>

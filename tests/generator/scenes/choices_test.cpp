@@ -1,4 +1,4 @@
-// What a program chooses of the generated arrays of a scene: their precision, layouts and formats; and their bytes,
+// Choices of a program for the generated arrays of a scene: their precision, layouts and formats; and their bytes,
 // which are known before.
 #include <derivative_chain.scene.h>
 #include <gtest/gtest.h>

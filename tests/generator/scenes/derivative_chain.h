@@ -15,7 +15,7 @@ using namespace physgen::scene;
 struct PHYSGEN_SCENE() derivative_chain {
   using Real = float;
 
-  /// What the body is made of.
+  /// The arrays of the body.
   struct Body {
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodePositionObject, Real> positions;
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;

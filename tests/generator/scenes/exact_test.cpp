@@ -50,7 +50,7 @@ std::string program_unit(const scenes::Scene& scene) {
          arguments + ");\n}\n";
 }
 
-/// What the compiler prints of it.
+/// The messages of the compiler on it.
 std::string compile(const std::string& path) {
   std::string command = "LC_ALL=C " + std::string(PHYSGEN_COMPILER) +
                         " -std=c++20 -fsyntax-only -w -fopenmp -ftemplate-backtrace-limit=1 -fmax-errors=0";
@@ -103,8 +103,8 @@ TEST_P(EveryScene, keeps_no_field_that_compiles_without) {
   const std::string sound = compile(unit);
   EXPECT_EQ(sound, "") << "what is not kept is not read";
 
-  // What is read is pruned all at once. An error may keep the compiler from looking at what follows it in the same
-  // function: what it has not named then is pruned alone, until all is named or nothing new is.
+  // The fields that are read are pruned all at once. An error may keep the compiler from looking at what follows it in
+  // the same function: what it has not named then is pruned alone, until all is named or nothing new is.
   std::set<std::string> read, named;
   for (const auto& array : needs.arrays)
     for (const auto& field : array.fields)

@@ -2,19 +2,12 @@
 // and that what is written compiles, while the scene's own program over arrays that hold no memory does not.
 #include <gtest/gtest.h>
 
-#include <map>
-#include <nlohmann/json.hpp>
-
-#include "command_case.h"
+#include "fuse_case.h"
 #include "fuse_kernels.h"
 
 namespace physgen::test {
 namespace {
 
-/// A block of the program, with M and OUT for arrays of its own between and behind, and the fields wanted of OUT.
-struct Block {
-  std::string name, text, output;
-};
 const std::vector<Block> blocks = {
     {"one", "on.run(n, Copy{in, M});\n    // A comment stays.\n    on.run(n, CopyBack{M, OUT});", "\"a\", \"x\""},
     {"three",
@@ -46,39 +39,7 @@ const std::vector<Block> blocks = {
      "\"a\", \"x\""},
 };
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
-}
-
-std::string scene() {
-  std::string arrays, program;
-  for (const Block& block : blocks) {
-    arrays += "    PHYSGEN_ARRAY(per(\"particle\")) Array<m::ParticleObject, Real> m_" + block.name + ";\n";
-    arrays += "    PHYSGEN_ARRAY(per(\"particle\"), output(" + block.output + ")) Array<m::ParticleObject, Real> out_" +
-              block.name + ";\n";
-    program += "    {\n    " +
-               replaced(replaced(block.text, "OUT", "body.out_" + block.name + ".view()"), "M,",
-                        "body.m_" + block.name + ".view(),") +
-               "\n    }\n";
-    program = replaced(program, "M}", "body.m_" + block.name + ".view()}");
-  }
-  return "#pragma once\n#include <physgen/scene.h>\n#include <physgen/reduce.h>\n#include \"kernels.h\"\n"
-         "using namespace physgen::scene;\nstruct PHYSGEN_SCENE() groups {\n  using Real = float;\n  struct Body {\n"
-         "    PHYSGEN_ARRAY(per(\"particle\"), input()) Array<m::ParticleObject, Real> in;\n"
-         "    PHYSGEN_ARRAY(per(\"particle\"), input()) Array<m::LinkObject, Real> links;\n"
-         "    PHYSGEN_ARRAY(per(\"particle\")) Array<m::ParticleObject, Real> further;\n"
-         "    PHYSGEN_ARRAY(per(\"few\")) Array<m::ParticleObject, Real> few;\n"
-         "    PHYSGEN_ARRAY(per(1), output()) Array<m::TotalObject, Real> sum;\n" +
-         arrays +
-         "  };\n  template <class On, class Body>\n  static void program(On& on, Body& body) {\n"
-         "    const auto in = body.in.const_view();\n    const auto links = body.links.const_view();\n"
-         "    const auto n = body.in.size();\n" +
-         program + "  }\n};\n";
-}
-
-/// What a compiler says of a program over the generated arrays.
+/// The messages of a compiler on a program over the generated arrays.
 std::string compile(const Folder& folder, const std::string& compiler, const std::string& program) {
   folder.write("unit.cpp",
                "#include <physgen/executor.h>\n#include \"out/groups.program.h\"\n"
@@ -95,7 +56,7 @@ class FusedScene : public Command {
   void SetUp() override {
     folder.write("particles.h", particles_schema);
     folder.write("kernels.h", particles_kernels);
-    folder.write("scenes/groups.h", scene());
+    folder.write("scenes/groups.h", scene_of(blocks));
     ASSERT_EQ(run("generate particles.h -o generated").status, 0);
   }
 };
@@ -109,16 +70,7 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
     for (const auto& local : group.at("locals")) locals.push_back(local.at("array"));
   EXPECT_EQ(locals, (std::vector<std::string>{"body.m_one", "body.further", "body.m_three", "body.few"}))
       << needs.at("groups");
-  std::map<std::string, std::string> why, between;  // by block
-  for (const auto& apart : needs.at("apart")) {
-    const std::string steps = apart.at("first").get<std::string>() + apart.at("second").get<std::string>();
-    for (const Block& block : blocks)
-      if (steps.find("_" + block.name) != std::string::npos) {
-        for (const auto& reason : apart.at("why"))
-          why[block.name] += replaced(reason.get<std::string>(), folder / "", "") + "; ";
-        for (const auto& field : apart.at("between")) between[block.name] += field.get<std::string>() + "; ";
-      }
-  }
+  auto [why, between] = apart_of(needs, blocks, folder / "");
   EXPECT_EQ(why.size(), blocks.size() - 2) << "all but the first two";
   for (const auto& [name, reason] : std::map<std::string, std::string>{
            {"gathered", "Gather reads body.m_gathered.a of other objects than its own, kernels.h:"},
@@ -131,7 +83,8 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
             "no earlier step of the group is sure to store all of body.m_element.x, which CopyVector reads; "},
            {"index", "CopyByIndex: it asks what its index is at kernels.h:"},
            {"leave", "no earlier step of the group is sure to store all of body.m_leave.a, which Shift reads; "},
-           {"pointer", "CopyRemembering: it holds a pointer or a reference to what is no array at kernels.h:"},
+           {"pointer",
+            "CopyRemembering: it holds a pointer or a reference to something that is not an array at kernels.h:"},
            {"variable", "CopyCounting: it uses the variable last at kernels.h:"},
            {"reduced", "on.reduce() at scenes/groups.h:"},
            {"host", "the declaration of s at scenes/groups.h:"},

@@ -1,29 +1,12 @@
 // That a scene's needs are true of what its program computes: NaN in some objects of one field, in arrays that keep all
 // fields, changes no output where the field is said to be unread, and of the others those of the same objects alone.
-#include <fstream>
 #include <iostream>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <set>
 
+#include "planted_nan.h"
 #include "run_case.h"
 
 namespace physgen::test {
 namespace {
-
-using Objects = std::set<index_t>;
-
-/// What the need report says of every field of an array of numbers: whether something reads it.
-std::map<std::pair<std::string, std::string>, bool> reads() {
-  std::ifstream in(PHYSGEN_NEEDS);
-  const auto json = nlohmann::json::parse(in);
-  std::map<std::pair<std::string, std::string>, bool> reads;
-  for (const auto& array : json.at("arrays"))
-    for (const auto& field : array.at("fields"))
-      if (field.at("type") == "float32")
-        reads[{array.at("array"), field.at("field")}] = !field.at("read_by").empty() || field.at("output");
-  return reads;
-}
 
 /// A body and its state with every field.
 struct Arrays {
@@ -53,27 +36,6 @@ struct Arrays {
   }
 };
 
-void plant_nan(const UntypedArray& array, const std::string& name, const Objects& objects) {
-  for (const FieldInfo& field : array.fields) {
-    if (field.name != name) continue;
-    const std::uint64_t bits = bits_of_no_value(field.type);
-    const int size = element_bytes(field.type);
-    for (const index_t i : objects)
-      for (int k = 0; k < field.count; ++k)
-        std::memcpy(array.address(i, field.offset + k * size, size), &bits, static_cast<std::size_t>(size));
-  }
-}
-
-/// Some of `size` objects, one at least: a half of them, some, or few.
-Objects some_of(index_t size, unsigned seed) {
-  std::mt19937 random(seed);
-  Objects objects = {static_cast<index_t>(random() % static_cast<unsigned>(size))};
-  const unsigned one_of = 2U << (seed % 4 * 2);
-  for (index_t i = 0; i < size; ++i)
-    if (random() % one_of == 0) objects.insert(i);
-  return objects;
-}
-
 /// The tets whose outputs are other bits.
 Objects changed(const std::vector<std::uint32_t>& found, const std::vector<std::uint32_t>& expected) {
   Objects result;
@@ -83,16 +45,10 @@ Objects changed(const std::vector<std::uint32_t>& found, const std::vector<std::
   return result;
 }
 
-std::string listed(const Objects& objects) {
-  std::string text;
-  for (const index_t i : objects) text += std::to_string(i) + " ";
-  return text;
-}
-
 TEST(NeedReport, is_true_of_each_field_and_object_that_nan_is_planted_in) {
   HostExecutor plain;
   const auto expected = results<everything::Body<>, everything::State<>>(plain);
-  const auto fields = reads();
+  const auto fields = reads_of(PHYSGEN_NEEDS);
   EXPECT_EQ(fields.size(), 21U);
   constexpr unsigned first_seed = 20100607, seeds = 16;
   std::cout << "seeds " << first_seed << " to " << first_seed + seeds - 1 << '\n';

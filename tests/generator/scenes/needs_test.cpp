@@ -16,7 +16,7 @@ using scenes::Needs;
 using scenes::Scene;
 using usage::Usage;
 
-/// What is said of the scene and the program: issues in one line each.
+/// The issues of the scene and of the program, in one line each.
 std::string issues(const Scene& scene, const Usage& usage) {
   std::string text;
   for (const auto& issue : find_needs(scene, usage).issues) text += scenes::text_of(issue);

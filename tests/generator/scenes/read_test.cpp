@@ -42,7 +42,7 @@ std::string scene_of(const std::string& arrays,
 
 TEST(SceneDeclaration, is_read_with_its_groups_arrays_options_and_comments) {
   const auto declaration = read(R"(namespace a::b {
-/// What is solved.
+/// The problem that is solved.
 struct PHYSGEN_SCENE() scene {
   using Real = double;
   /// The body.
@@ -174,11 +174,12 @@ const std::vector<Wrong> cases = {
       "'template <class On, class Body> static void program(On& on, Body& body)'"}},
     {"a_parameter_of_a_templates_type",
      scene_of(svds, "template <class On, class B> static void program(On&, B&, typename B::Real dt);"),
-     {"5:76: error: what program takes behind its groups has a type of its own, not one of a template's parameter; "
+     {"5:76: error: a parameter of program behind its groups has a type of its own, not one of a template's parameter; "
       "write the type"}},
     {"no_set",
      scene_of("PHYSGEN_ARRAY() Array<SvdObject, float> svds;"),
-     {"3:41: error: array 'svds' says not how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or per(1) "
+     {"3:41: error: array 'svds' does not say how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or "
+      "per(1) "
       "for one object"}},
     {"a_set_without_a_name",
      scene_of("PHYSGEN_ARRAY(per(\"a tet\")) Array<SvdObject, float> svds;"),

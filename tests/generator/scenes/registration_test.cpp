@@ -1,5 +1,5 @@
-// What the programs of whole scenes read and write, found by four compilers: by g++ and by nvcc's compiler of the host
-// as what probes register in a program that is made of the scene's, and by Clang for the host and for CUDA.
+// The fields that programs of whole scenes read and write, found by four compilers: by g++ and by nvcc's compiler of
+// the host as what probes register in a program that is made of the scene's, and by Clang for the host and for CUDA.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -37,7 +37,7 @@ std::string unit_of(const std::string& name, const std::string& space) {
   return scenes::probe_unit(scene_of(name), space, PHYSGEN_SCENE_FOLDER "/" + name + ".h");
 }
 
-/// What Clang finds, over all steps and outside of them.
+/// The uses that Clang finds, over all steps and outside of them.
 Texts analysed(const std::string& name, usage::Side side) {
   usage::Diagnostics diagnostics;
   const auto usage = usage::analyse("unit.cpp", unit_of(name, side == usage::Side::host ? "Host" : "Cuda"), flags(),
@@ -68,8 +68,8 @@ std::string text_of_first_error(const std::string& said) {
   return lines.empty() ? "" : *lines.begin();
 }
 
-/// What probes register in a program of the scene: compiled, linked and run. Its code is never called, so that nothing
-/// but the names of what it would call is wanted of libraries. Arrays without probes register nothing.
+/// The uses that probes register in a program of the scene: compiled, linked and run. Its code is never called, so that
+/// nothing but the names of what it would call is wanted of libraries. Arrays without probes register nothing.
 /// @param compile a command that takes the source and writes what -o says, without optimisation
 Texts registered(const std::string& name, const std::string& space, const std::string& suffix,
                  const std::string& compile) {

@@ -8,7 +8,6 @@
 #include <physgen/executor.h>
 #include <scenes/derivative_chain.h>
 
-#include <functional>
 #include <random>
 
 namespace physgen::test {
@@ -22,16 +21,6 @@ struct Singles : HostExecutor {
   template <class Kernel>
   void run(index_t n, const Kernel& kernel) {
     parallel_for<1>(Host{}, n, kernel);
-  }
-};
-
-/// Calls a function after every step.
-struct Interrupted : HostExecutor {
-  std::function<void()> after;
-  template <class Kernel>
-  void run(index_t n, const Kernel& kernel) {
-    HostExecutor::run(n, kernel);
-    after();
   }
 };
 

@@ -35,7 +35,7 @@ Analysis analysed(const std::string& name, const std::string& text, Side side = 
   return analysis;
 }
 
-/// What is found in a file of tests/generator/usage. Each is analysed once for each side.
+/// The usage that is found in a file of tests/generator/usage. Each is analysed once for each side.
 const Usage& usage_of(const std::string& file, Side side) {
   static std::map<std::pair<std::string, Side>, Usage> known;
   const auto [entry, is_new] = known.try_emplace({file, side});
@@ -91,7 +91,8 @@ Fields kernels_and_product() {
 }
 
 TEST(UsageOfKernels, is_what_the_compiler_registers) {
-  EXPECT_EQ(texts_of(all_fields(usage_of("kernels.cpp", Side::host))), without(fem::test::what_is_found(), "awkward"));
+  EXPECT_EQ(texts_of(all_fields(usage_of("kernels.cpp", Side::host))),
+            without(without(fem::test::what_is_found(), "awkward"), "unusual"));
 }
 
 TEST(UsageOfKernels, is_what_their_comments_say_on_both_sides) {
@@ -131,7 +132,7 @@ TEST(UsageOfKernels, has_places_in_the_kernels_own_source) {
   EXPECT_EQ(parts->arrays, (std::vector<std::string>{"ComputeSvdParts.gradients", "ComputeSvdParts.left",
                                                      "ComputeSvdParts.stretches"}));
   EXPECT_TRUE(parts->fields[0].whole_object) << "gradients.get(i)";
-  const StepUse* differential = step(usage, "physgen::fem::ForceDifferential");
+  const StepUse* differential = step(usage, "physgen::fem::ComputeForceDifferentials");
   ASSERT_NE(differential, nullptr);
   for (const FieldUse& use : differential->fields) {
     EXPECT_FALSE(use.whole_object) << use.field;
@@ -250,6 +251,46 @@ TEST(UsageOfAwkwardKernels, has_places_where_their_author_wrote_the_access) {
   const StepUse* whole = step(usage, "awkward::WholeObjects");
   ASSERT_NE(whole, nullptr);
   for (const FieldUse& use : whole->fields) EXPECT_EQ(use.whole_places, use.places) << use.array << "." << use.field;
+}
+
+// ---- Kernels that use what C++ seldom has ---------------------------------------------------------------------------
+
+TEST(UsageOfUnusualKernels, is_what_the_compiler_registers) {
+  EXPECT_EQ(texts_of(all_fields(usage_of("unusual.cpp", Side::host))), of_array(fem::test::what_is_found(), "unusual"));
+}
+
+TEST(UsageOfUnusualKernels, is_given_to_the_steps_that_make_it) {
+  const std::map<std::string, Fields> expected = {
+      {"Coroutine", {"coroutine.dm_inverse R", "coroutine.volume W"}},
+      {"LambdaAsPointer", {"lambda_as_pointer.volume R"}},
+      {"StaticLambda", {"static_lambda.volume W"}},
+      {"BindsTuple", {"tuple_like.dm_inverse R", "tuple_like.volume R"}},
+      {"ByFriend", {"by_friend.volume W"}},
+      {"Comma", {"comma.dm_inverse R", "comma.volume W"}},
+      {"Designated", {"designated.dm_inverse R", "designated.volume R"}},
+      {"OverRanges", {"ranges.volume R"}},
+      {"Invoked", {"invoked.volume W"}},
+      {"Applied", {"applied.volume W"}},
+      {"ByTable", {"table.volume RW"}},
+      {"AddsToo", {"table.volume RW"}},
+      {"Inherited", {"inherited.volume W"}},
+      {"Compared", {"compared.dm_inverse R", "compared.volume R"}},
+      {"Caught", {"caught.volume W"}},
+      {"Jumped", {"jumped.dm_inverse W", "jumped.volume W"}},
+      {"Mutual", {"mutual.volume W"}},
+      {"Visited", {"visited.dm_inverse R", "visited.volume W"}},
+      {"Allocated", {"allocated.volume W"}},
+      {"Placed", {"placed.dm_inverse W", "placed.volume R"}},
+  };
+  const Usage& usage = usage_of("unusual.cpp", Side::host);
+  EXPECT_EQ(usage.steps.size(), expected.size());
+  for (const auto& [kernel, fields] : expected) {
+    Fields named;
+    for (const std::string& field : fields) named.insert("unusual." + field);
+    EXPECT_EQ(fields_of(usage, "unusual::" + kernel), named) << kernel;
+  }
+  EXPECT_EQ(texts_of(usage.unattributed), Fields());
+  EXPECT_TRUE(usage.unknown.empty());
 }
 
 }  // namespace

@@ -11,11 +11,15 @@
 #include <bit>
 #include <concepts>
 #include <cstring>
+#include <memory>
+#include <new>
 #include <optional>
 #include <source_location>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <typeinfo>
+#include <utility>
 #include <variant>
 
 namespace hidden {
@@ -49,6 +53,7 @@ template <class T> struct BoxOf : Box {};
 template <class T> BoxOf<T> boxed(const T&) { return {}; }  // depends
 template <class V> decltype(auto) element(const V& view, index_t i) { return *&view[i].V()[2]; }
 template <class V> decltype(auto) same_element(const V& view, index_t i) { return element(view, i); }
+inline float any_arguments(int n, ...) { return float(n); }
 template <class V> struct Overlaid { const float* first; index_t size; };
 
 template <class In, class Out, class Same>
@@ -94,7 +99,7 @@ struct Kernel {
     y += in.losses() != nullptr ? 1.0F : 0.0F;
     y += again(in, i, 2);
     y += float(in.size()) + float(sizeof(lanes_t<float, index_t>)) + float(In::Layout::contiguous(4));
-    // What is known of the scene's own arrays alone.
+    // Facts of the scene's own arrays alone.
     if constexpr (TwelveBytes<Same>) y *= 2;  // depends
     const std::conditional_t<Same::record_bytes == 12, float, double> of_twelve = x;  // depends
     y += float(of_twelve);
@@ -108,7 +113,7 @@ struct Kernel {
     y += float(counter(in[i].V()[1]));
     const auto box = boxed(in[i].V()[1]);
     y += dynamic_cast<const BoxOf<float>*>(static_cast<const Box*>(&box)) != nullptr ? 1.0F : 0.0F;
-    // What lies in memory.
+    // The contents of memory.
     const float* const first = &in[i].V()[0];  // not followed
     y += first[1];
     const float& second = *&in[i].V()[1];  // not followed
@@ -124,8 +129,17 @@ struct Kernel {
     In copy(in);
     std::memcpy(&copy, &in, sizeof copy);  // not followed
     const void* const bytes = &in;  // not followed
-    y += (*static_cast<const In*>(bytes))[i].s()[0];
+    y += (*static_cast<const In*>(bytes))[i].s()[0];  // not followed
     y += std::bit_cast<Overlaid<In>>(in).first[i];  // not followed
+    y += __builtin_bit_cast(Overlaid<In>, in).first[i];  // not followed
+    y += float(std::as_bytes(std::span<const In, 1>(&in, 1)).size());  // not followed
+    alignas(16) std::array<unsigned char, 64> room{};
+    y += (*new (room.data()) In(in))[i].s()[0] + float(room[0]);  // not followed
+    y += any_arguments(1, in);  // not followed
+    asm volatile("" : : "m"(in));  // not followed
+    auto&& named = in[i].V()[3];
+    y += std::move(*(&named + 1));  // not followed
+    y += std::move(*(std::addressof(named) + 1));  // not followed
     union Union { In view; Overlaid<In> overlaid; explicit Union(const In& of) : view(of) {} };
     y += Union(in).overlaid.first[i];  // not followed
     y += float(__PRETTY_FUNCTION__[40] + __func__[0]);  // not followed
@@ -133,7 +147,7 @@ struct Kernel {
     const std::any any(in[i].V()[1]);  // not followed
     y += std::any_cast<float>(&any) != nullptr ? 1.0F : 0.0F;
     if (y < -1e30F) throw in[i].V()[1];  // not followed
-    // What may be done.
+    // Code that is allowed.
     const std::optional<In> maybe(in);
     y += (*maybe)[i].s()[0];
     const std::variant<int, In> either(in);

@@ -1,5 +1,5 @@
-// What kernels may hide from probes: the places at which a program depends on how fields are stored, and those that
-// nobody can follow, are the lines of usage/hidden.h that say so.
+// Facts that kernels may hide from probes: the places at which a program depends on how fields are stored, and those
+// that nobody can follow, are the lines of usage/hidden.h that say so.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// What is done with what an analysis finds: attribution to steps, JSON, tables, comparison. Nothing here needs Clang.
+// The results of an analysis: attribution to steps, JSON, tables, comparison. Nothing here needs Clang.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a stream that is captured in a graph refuses, and what it captures (device.h).
+// A stream that is captured in a graph: the work that it captures, and the work that it refuses (device.h).
 #include <cuda_runtime_api.h>
 #include <physgen/gather.h>
 #include <physgen/mirror.h>

@@ -179,7 +179,7 @@ TEST_P(InAStream, mirrors_read_what_kernels_of_the_stream_have_written) {
   EXPECT_EQ(pageable.read_host(stream)[n - 1].x().get()[0], static_cast<double>(1 + (n - 1) % 1000));
 }
 
-/// What works in the default stream alone.
+/// Operations that work in the default stream alone.
 class InTheDefaultStream : public InAStream {};
 INSTANTIATE_TEST_SUITE_P(Streams, InTheDefaultStream, ::testing::Values(false));
 

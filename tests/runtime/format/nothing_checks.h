@@ -167,8 +167,8 @@ void check_only_pruned_fields() {
   EXPECT_EQ(empty.bytes(), 0);
 }
 
-/// What is written on one side of a mirror arrives on the other as far as that stores it; what it does not store never
-/// comes back.
+/// A field written on one side of a mirror arrives on the other as far as that stores it; one that it does not store
+/// never comes back.
 template <class DeviceSpace, class Layout>
 void check_mirror() {
   using Object = elasticity::DeformationSvdObject;

@@ -44,7 +44,7 @@ struct weight;
 template <class Field>
 using Gone = format::Pruned<TestScene, TestArray, Field>;
 
-/// What an explicit step of an elastic body keeps of an SVD.
+/// The fields of an SVD that an explicit step of an elastic body keeps.
 struct StretchesOnly : elasticity::DeformationSvdFormats<Host> {
   using U = Gone<field::U>;
   using V = Gone<field::V>;

@@ -44,7 +44,7 @@ struct Tet : elasticity::TetFormats<Host> {
   using nodes = format::Pruned<explicit_dynamics, arrays::svds, Case>;
 };
 
-/// What kernels are given.
+/// The arrays that kernels are given.
 template <class Case>
 struct Views {
   using Scalar = float;
@@ -252,7 +252,7 @@ struct a_quaternion_of_nothing_;
 format::Quaternion<Svd<a_quaternion_of_nothing_>::U> a_quaternion_of_nothing();
 static_assert(sizeof(a_quaternion_of_nothing()) > 0);
 
-/// refused on the host nothing_scaled: what is scaled is Native, Float32, Float64, Half<> or Bfloat16
+/// refused on the host nothing_scaled: Scaled takes Native, Float32, Float64, Half<> or Bfloat16
 struct nothing_scaled_;
 format::Scaled<Svd<nothing_scaled_>::U, format::Affine{.scale = 2}> nothing_scaled();
 static_assert(sizeof(nothing_scaled()) > 0);

@@ -46,9 +46,9 @@ const double a_half_of_too_large_a_scale = format::Half<101>::scale;
 const double a_half_of_too_small_a_scale = format::Half<-101>::scale;
 /// refused a_range_upside_down: the range of a Snorm16 goes from a number to a larger one
 const double a_range_upside_down = format::Snorm16<format::Interval{1.0, -1.0}>::scale;
-/// refused a_scaled_half_that_is_scaled: what is scaled is Native, Float32, Float64, Half<> or Bfloat16
+/// refused a_scaled_half_that_is_scaled: Scaled takes Native, Float32, Float64, Half<> or Bfloat16
 const double a_scaled_half_that_is_scaled = format::Scaled<format::Half<3>, format::Affine{.scale = 10}>::scale;
-/// refused nothing_that_is_scaled: what is scaled is Native, Float32, Float64, Half<> or Bfloat16
+/// refused nothing_that_is_scaled: Scaled takes Native, Float32, Float64, Half<> or Bfloat16
 const double nothing_that_is_scaled = format::Scaled<format::Nothing, format::Affine{.scale = 10}>::scale;
 /// refused too_large_a_scale: numbers are scaled by 2^-100 to 2^100
 const double too_large_a_scale = format::Scaled<format::Float32, format::Affine{.scale = 0x1p101}>::scale;

@@ -1,4 +1,4 @@
-// What probes make of each word that reads or stores, and of the formats that they stand for.
+// Probes of each word that reads or stores, and of the formats that they stand for.
 #include <everything.physgen.h>
 #include <quasistatic.physgen.h>
 

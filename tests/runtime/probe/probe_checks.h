@@ -1,4 +1,4 @@
-// What the tests of probes share: arrays by their tags, and what is found of them in words.
+// The common part of the tests of probes: arrays by their tags, and the finds as words.
 #pragma once
 
 #include <elasticity.physgen.h>

@@ -90,7 +90,7 @@ const ProbeArray<elasticity::StressDerivativeObject, float, Soa, Halves> an_arra
 
 // ---- What is not refused ----
 void accepted(ProbeExecutor<Host>& on, FirstProbe& first, Derivatives& plain, WithoutOneArray& pruned) {
-  // What asks whether it compiles finds the same of every view: what does not compile is a use.
+  // A question whether code compiles has the same answer for every view: code that does not compile is a use.
   static_assert(requires { first.view().data(); } && requires { plain.view().data(); });
   static_assert(requires { pruned.view().data(); });
   on.run(1, OverAnyViews{first.view()});

@@ -27,7 +27,7 @@ void aos_by_hand(const ByHandTiled& v, index_t i) { by_hand_aos(v.svd, v.h, i); 
 void soa_by_hand(const ByHand& v, index_t i) { by_hand_soa(v.svd, v.svd_pitch, v.h, v.h_pitch, i); }
 void aosoa32_by_hand(const ByHandTiled& v, index_t i) { by_hand_aosoa<32>(v.svd, v.h, i); }
 
-// Of arrays that prune what is not used.
+// Over arrays that prune the fields that are not used.
 void aos_pruned_generated(const PrunedViews<Aos>& v, index_t i) { generated_and_pruned<Aos>(v, i); }
 void soa_pruned_generated(const PrunedViews<Soa>& v, index_t i) { generated_and_pruned<Soa>(v, i); }
 void aosoa32_pruned_generated(const PrunedViews<Aosoa<32>>& v, index_t i) { generated_and_pruned<Aosoa<32>>(v, i); }

@@ -17,7 +17,7 @@ __global__ void soa_by_hand(const float* svd, index_t svd_pitch, float* h, index
 }
 __global__ void aosoa32_by_hand(const float* svd, float* h) { by_hand_aosoa<32>(svd, h, thread()); }
 
-// Of arrays that prune what is not used.
+// Over arrays that prune the fields that are not used.
 __global__ void aos_pruned_generated(PrunedViews<Aos> v) { generated_and_pruned<Aos>(v, thread()); }
 __global__ void soa_pruned_generated(PrunedViews<Soa> v) { generated_and_pruned<Soa>(v, thread()); }
 __global__ void aosoa32_pruned_generated(PrunedViews<Aosoa<32>> v) { generated_and_pruned<Aosoa<32>>(v, thread()); }

@@ -15,7 +15,7 @@ using Space = physgen::Host;
 
 using physgen::Host, physgen::format::Nothing;
 
-/// What the loop bodies read and write of an SVD and of a stress derivative, and no more.
+/// The fields of an SVD and of a stress derivative that the loop bodies read and write, and no more.
 struct Stretches : elasticity::DeformationSvdFormats<Host> {
   using U = Nothing;
   using V = Nothing;
@@ -71,7 +71,7 @@ struct Part {
   static constexpr int svd = 3, s = 0, h = 4, second = 1, third = 2, fourth = 3;
 };
 
-// What one writes without physgen.
+// The same as one writes it without physgen.
 template <class Channels = All>
 PHYSGEN_FUNCTION inline void by_hand_aos(const float* svd, float* h, index_t i) {
   const float* s = svd + i * Channels::svd + Channels::s;

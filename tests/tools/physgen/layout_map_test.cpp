@@ -19,7 +19,7 @@ using plan::assumed_objects;
 using plan::Precision;
 using plan::Segment;
 
-/// What the runtime says of a layout.
+/// The addresses that the runtime gives for a layout.
 struct Law {
   model::Layout layout;
   index_t pitch;

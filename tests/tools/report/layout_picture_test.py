@@ -37,7 +37,7 @@ class LayoutPictureTest(unittest.TestCase):
         cls.temporary.cleanup()
 
     def layout(self, *options):
-        """What physgen says of the schema, as a file."""
+        """The output of physgen on the schema, as a file."""
         path = self.folder / "a.json"
         subprocess.run([PHYSGEN, "layout", self.folder / "a.h", "--json", "-o", path, *options], check=True)
         return path

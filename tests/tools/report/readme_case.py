@@ -1,4 +1,4 @@
-"""What the tests of readme_numbers.py share: a copy of the pages and results that it reads, and how it is called."""
+"""The common part of the tests of readme_numbers.py: a copy of the pages and results that it reads, and how it is called."""
 import collections
 import contextlib
 import io

@@ -58,7 +58,7 @@ def report_of_a_process(*arguments):
 
 
 class Page(HTMLParser):
-    """What the tests ask of a page: sections with their text and their numbers of plots, references, and ids."""
+    """The parts of a page that tests ask for: sections with their text and their numbers of plots, references, and ids."""
 
     def __init__(self, path):
         super().__init__()

@@ -15,7 +15,7 @@ CMAKE = "cmake"
 
 
 def of_the_build(checkout):
-    """What physbench built from that checkout says."""
+    """The hashes that physbench built from that checkout prints."""
     with tempfile.TemporaryDirectory() as folder:
         output = pathlib.Path(folder) / "sources.cpp"
         script = ROOT / "tools" / "physbench" / "sources.cmake"

@@ -1,4 +1,4 @@
-"""What the tests of truthcube's pictures compare with: tables of beads read in another way, and a mesh of known areas."""
+"""The references of the tests of truthcube's pictures: tables of beads read in another way, and a mesh of known areas."""
 import csv
 import math
 
@@ -13,7 +13,7 @@ def table(path, compression=None):
 
 
 def rms_mm(here, there):
-    """Of two lists of rows: root of the mean squared distance."""
+    """The root of the mean squared distance of two lists of rows."""
     squares = [sum((a[axis] - b[axis]) ** 2 for axis in ("ux", "uy", "uz")) for a, b in zip(here, there)]
     return 1e3 * math.sqrt(sum(squares) / len(squares))
 

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What tests of commands are written in. They set rule and program before they source this.
+# The words in which tests of commands are written. Tests set rule and program before they source this.
 fail() { printf '%s: %s\n' "$rule" "$*" >&2; cat out err >&2; exit 1; }
 # Runs the command; its output is in the files out and err.
 expect_exit() {

@@ -74,6 +74,9 @@ case $rule in
     expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
     expect_refused "--poisson -1: Poisson's ratio is" --poisson -1
     expect_refused "--poisson nan: Poisson's ratio is" --poisson nan
+    expect_exit 1 --cells 4 --young 1e30 --compress 0.1 --out o
+    expect err "a Young's modulus of 1e[+]30 Pa over tets of 0.02 m leaves what single precision holds: take double precision"
+    expect_exit 0 --cells 4 --young 1e30 --compress 0.1 --precision double
     expect_refused "--young 0: Young's modulus is" --young 0
     expect_refused '--compress .* 1 does not fit behind 0' --compress 1
     expect_refused '--compress .* 0.05 does not fit behind 0.1' --compress 0.1 0.05
@@ -130,7 +133,7 @@ case $rule in
   plates_with_contact_push_sides_back)
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 --out held
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 --plates contact --out contact
-    expect out 'free sides reach 0[.]0[0-9]+ mm past the plates; the upper one pushes them back with [0-9.]+ N'
+    expect out 'reach 0[.]0[0-9]+ mm past the plates; the lower one pushes them back with [0-9.]+ N, the upper one with [0-9.]+ N'
     awk -v a="$(number_of past_plates held/run.json)" -v b="$(number_of past_plates contact/run.json)" \
       'BEGIN { exit !(b > 0 && b < 1e-4 && b < a / 10) }' || fail 'past the plates'
     awk -v a="$(number_of reaction held/run.json)" -v b="$(number_of reaction contact/run.json)" \
@@ -141,6 +144,8 @@ case $rule in
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 --plates contact --plate-stiffness 1000 --out stiff
     awk -v a="$(number_of past_plates contact/run.json)" -v b="$(number_of past_plates stiff/run.json)" \
       'BEGIN { exit !(b < a / 2) }' || fail 'stiffness'
+    expect_exit 0 --cells 8 --threads 1 --top frictionless --compress 0.5 --plates contact
+    expect out 'past the plates; the lower one pushes them back with [0-9.]+ N, the upper one with 0 N'
     expect_exit 1 --cells 8 --threads 1 --compress 0.45 0.5 --out contact --restart
     expect err 'plates: .*contact.*, .*held'
     expect_exit 0 --cells 8 --threads 1 --compress 0.45 0.5 --plates contact --out contact --restart
@@ -152,6 +157,27 @@ case $rule in
       expect_exit 0 "${small[@]}" $flags
       [[ ! -s out && ! -s err ]] || fail "output of $flags"
     done ;;
+  output_that_cannot_be_written_is_said)
+    : >out
+    for flags in --help "--dry-run" "${small[*]} --compress 0.02 --out o"; do
+      got=0
+      # shellcheck disable=SC2086
+      "$program" $flags >/dev/full 2>err || got=$?
+      ((got == 1)) || fail "exit $got of $flags"
+      expect err '^truthcube: cannot write all of the standard output; is there room where it goes[?]$'
+    done
+    [[ $(wc -l <o/beads.csv) == 344 ]] || fail 'no files' ;;
+  closed_standard_streams_do_not_become_files)
+    mkdir o
+    touch o/run.lock # the first file that a run opens, which it removes
+    ln o/run.lock kept
+    stdbuf -o0 "$program" "${small[@]}" --compress 0.02 --out o >&- 2>err || fail 'no success'
+    : >out
+    expect kept '^process [0-9]+'
+    expect_no kept 'reaction|residual' ;;
+  the_command_in_the_record_can_be_typed_again)
+    expect_exit 0 "${small[@]}" --compress 0.02 --out "it's a folder"
+    expect "it's a folder/run.json" '"command": "truthcube --cells 4 --threads 1 --compress 0.02 --out '"'it'.{2}''s a folder'"'"' ;;
   a_terminal_has_a_bar_during_set_up)
     script -qec "'$program' --cells 4 --threads 1 --compress 0.02" /dev/null >out 2>err || fail 'no success'
     expect out '#\.*\] set-up, 4 of 4: the solver'

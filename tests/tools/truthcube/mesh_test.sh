@@ -74,10 +74,17 @@ case $rule in
     expect_exit 1 --mesh m.msh
     expect err 'm.msh cannot be used'
     expect err 'negative volume [(]element 7[)]'
+    write_mesh 2 | sed 's/^48$/40/' >m.msh # a count of fewer elements than there are
+    expect_exit 1 --mesh m.msh
+    expect err 'm.msh: [$]Elements in line 34 is to have 40 lines by its counts, and has 48 before [$]EndElements in line 84'
     expect_exit 1 --mesh absent.msh
     expect err 'absent.msh'
     echo 'no mesh' >text.msh
     expect_exit 1 --mesh text.msh
     expect err 'text.msh' ;;
+  a_mesh_that_is_too_large_when_refined_is_refused_before_it_is_made)
+    write_mesh 8 >m.msh
+    expect_exit 1 --mesh m.msh --refine 6
+    expect err 'the mesh refined [3-6] times (takes [0-9.]+ GB|has [0-9]+ nodes .* more than 32-bit).*; --refine [2-5] takes' ;;
   *) fail 'no such rule' ;;
 esac

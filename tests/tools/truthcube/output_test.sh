@@ -76,7 +76,7 @@ case $rule in
   a_file_that_may_not_grow_keeps_the_steps_before)
     flags=(--cells 8 --threads 1 --compress 0.01 0.02 0.03 0.04 0.05 0.06)
     expect_exit 0 "${flags[@]}" --out whole
-    # What is asked for ahead of a step; then a limit that the file meets after some steps.
+    # Bytes that are asked for ahead of a step; then a limit that the file meets after some steps.
     (ulimit -f 1000; expect_exit 1 "${flags[@]}" --out o; expect err 'o/cube.vtkhdf: needs [0-9]+ bytes more')
     ahead=$(sed -nE 's/.*needs ([0-9]+) bytes more.*/\1/p' err)
     (ulimit -f $(((ahead + $(stat -c %s whole/cube.vtkhdf) - 200000) / 1024)); expect_exit 1 "${flags[@]}" --out o)
@@ -106,7 +106,7 @@ case $rule in
     expect_exit 0 "${flags[@]}" --compress 0.1
     expect_no out 'inverted' ;;
   what_is_not_finite_is_said_with_its_tet)
-    expect_exit 3 "${small[@]}" --young 1e300 --compress 0.1 --out o
+    expect_exit 3 "${small[@]}" --young 1e300 --precision double --compress 0.1 --out o
     expect err 'not finite'
     expect err 'tet [0-9]+ .*F = \['
     [[ $(wc -l <o/beads.csv) == 1 ]] || fail 'beads of no step' ;;
@@ -147,7 +147,7 @@ case $rule in
     for file in beads.csv checkpoint.h5 cube.vtkhdf run.json; do expect_same o/$file before/$file; done ;;
   a_new_run_drops_the_checkpoint_of_an_old_one)
     expect_exit 0 "${small[@]}" --compress 0.05 --out o
-    expect_exit 3 "${small[@]}" --young 1e300 --compress 0.1 --out o
+    expect_exit 3 "${small[@]}" --young 1e300 --precision double --compress 0.1 --out o
     [[ ! -e o/checkpoint.h5 ]] || fail 'a checkpoint of another run' ;;
   an_interrupt_ends_with_what_is_done)
     # Steps of a tenth of a per cent: far more than are done before the interrupt.

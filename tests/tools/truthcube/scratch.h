@@ -66,7 +66,7 @@ inline void put_text(const std::filesystem::path& file, const std::string& text)
   std::ofstream(file, std::ios::binary) << text;
 }
 
-/// What an Error says; "" when the function throws none.
+/// The message of an Error; "" when the function throws none.
 template <class Run>
 std::string error_of(const Run& run) {
   try {

@@ -1,4 +1,4 @@
-// What truthcube says of sizes and bytes before anything is allocated, against what is allocated then.
+// The sizes and bytes that truthcube states before anything is allocated, against those that are allocated then.
 #include <fem/dynamics/explicit.h>
 #include <fem/solver/background_grid.h>
 #include <fem/solver/quasistatic.h>
@@ -106,7 +106,7 @@ TEST_P(Bytes, of_products_without_blocks_of_edges_are_those_of_the_solver_and_fe
   }
 }
 
-/// What a run of a scene has, where nothing else is asked for than settings say.
+/// The arrays of a run of a scene, where nothing else is asked for than settings say.
 RunArrays arrays_for(SceneKind scene, const fem::SolverSettings& settings, VolumeTreatment volume) {
   Options options;
   options.scene = scene;

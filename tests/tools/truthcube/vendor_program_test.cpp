@@ -148,7 +148,7 @@ TEST(VendorProgram, counts_the_bytes_of_the_product_and_of_its_three_kernels) {
   const Scene scene;
   std::vector<Point> step;
   const VendorMeasurement vendor = scene.solve(scene.solver()->stiffness(), {.tolerance = 1e-2}, step);
-  // Of each node z and p; p and K p; p, K p, dx, r, z and the inverse of the block. The rest are single numbers.
+  // Each node has z and p; p and K p; p, K p, dx, r, z and the inverse of the block. The rest are single numbers.
   const auto nodes = static_cast<index_t>(step.size());
   const index_t rest = vendor.measured.iteration_bytes - vendor.measured.product_bytes - nodes * (9 * 12 + 24);
   EXPECT_EQ(vendor.measured.product_bytes, 1000);

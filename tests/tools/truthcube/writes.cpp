@@ -75,7 +75,7 @@ int rename(const char* from, const char* to) noexcept {
   return static_cast<int>(::syscall(SYS_rename, from, to));
 }
 
-// What the system has, a killed process cannot take back: only power could, and waiting for the disk takes long.
+// A killed process cannot take back bytes that the system has: only power could, and waiting for the disk takes long.
 int fsync(int /*file*/) { return 0; }
 
 int fallocate(int file, int mode, off_t offset, off_t length) {

@@ -15,6 +15,7 @@ double stable_time_step(const MeshLevel& level, const DynamicSettings& settings)
 std::unique_ptr<DynamicSolver> make_explicit_solver(const MeshLevel& level, const Loading& loading,
                                                     const DynamicSettings& settings) {
   if (level.mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
+  require_rest(0, level);
   require_motion(settings);
   require_plain("the explicit solver", level, loading);
   if (settings.solver.device == Device::cpu) return make_host_explicit_solver(level, loading, settings);

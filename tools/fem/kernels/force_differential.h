@@ -2,8 +2,8 @@
 // edge stiffness) and in element form (matrix-free, per tet, then gathered).
 #pragma once
 
-#include <fem/kernels/dp_from_df.h>
 #include <fem/kernels/elastic_force.h>
+#include <fem/kernels/stress_differential.h>
 #include <fem/kernels/tet.h>
 
 namespace physgen::fem {
@@ -11,7 +11,7 @@ namespace physgen::fem {
 /// df(v) = K_v dx(v) + sum over the edges of v of E dx(n), where v is m, and E^T dx(m), where v is n.
 template <class NodeStiffnessView, class EdgeStiffnessView, class EdgeView, class NodeEdges, class DisplacementView,
           class DifferentialView>
-struct ForceDifferential {
+struct ComputeForceDifferentials {
   using Scalar = typename DifferentialView::Precision;
   NodeStiffnessView node_stiffness;  ///< elasticity::NodeStiffness
   EdgeStiffnessView edge_stiffness;  ///< elasticity::EdgeStiffness
@@ -21,16 +21,16 @@ struct ForceDifferential {
   DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
 
   /// @throw Error when there is not a row for each node, or rows do not name these edges
-  ForceDifferential(const NodeStiffnessView& node_blocks, const EdgeStiffnessView& edge_blocks,
-                    const EdgeView& edge_nodes, const NodeEdges& rows, const DisplacementView& dx,
-                    const DifferentialView& sums)
+  ComputeForceDifferentials(const NodeStiffnessView& node_blocks, const EdgeStiffnessView& edge_blocks,
+                            const EdgeView& edge_nodes, const NodeEdges& rows, const DisplacementView& dx,
+                            const DifferentialView& sums)
       : node_stiffness(node_blocks),
         edge_stiffness(edge_blocks),
         edges(edge_nodes),
         node_edges(rows),
         displacements(dx),
         differentials(sums) {
-    node_edges.require("ForceDifferential: node_edges", differentials.size(), edges.size());
+    node_edges.require("ComputeForceDifferentials: node_edges", differentials.size(), edges.size());
   }
 
   PHYSGEN_FUNCTION void operator()(index_t node) const {

@@ -28,7 +28,7 @@ PHYSGEN_FUNCTION inline void have(const Value& value) {
 
 }  // namespace detail
 
-/// Of ScatterCornerForces.
+/// Loads the places that ScatterCornerForces stores to.
 template <class PlaceView, class LoadedView>
 struct LoadPlaces {
   using Scalar = typename PlaceView::Precision;
@@ -50,7 +50,7 @@ struct LoadPlaces {
 template <class... Views>
 LoadPlaces(Views...) -> LoadPlaces<Views...>;
 
-/// Of a deformation gradient and of corner forces, between which there are stores.
+/// Loads the rest shape for a deformation gradient and for corner forces, between which there are stores.
 template <class RestView, class LoadedView>
 struct LoadShapes {
   using Scalar = typename RestView::Precision;

@@ -1,5 +1,6 @@
 // Gmsh is one per process and changes settings of it: each reading opens it, takes the lists and closes it again.
 #include <fem/mesh/gmsh_file.h>
+#include <fem/mesh/gmsh_text.h>
 #include <gmsh.h>
 #include <omp.h>
 #include <physgen/error.h>
@@ -94,8 +95,9 @@ class Link {
   std::filesystem::path folder_;
 };
 
-// Gmsh goes by a file's first characters, and runs whatever it does not know as a script.
-void check_beginning(const std::filesystem::path& path) {
+// Gmsh goes by a file's first characters, and runs whatever it does not know as a script. It passes over elements
+// beyond those that a file counts.
+void check_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path)) refuse(path, "cannot be read; check its name and your rights");
   std::string line;
@@ -104,6 +106,8 @@ void check_beginning(const std::filesystem::path& path) {
   if (path.extension() != ".msh" || std::ranges::find(known, line) == known.end()) {
     refuse(path, "is not in Gmsh's mesh format; save the mesh as .msh (gmsh FILE -save -o FILE.msh)");
   }
+  file.seekg(0);
+  if (const std::string fault = fault_in_gmsh_text(file); !fault.empty()) refuse(path, fault);
 }
 
 struct Elements {
@@ -214,7 +218,7 @@ std::string last_words(const std::filesystem::path& path, const Link& link) {
 }  // namespace
 
 ReadMesh read_gmsh(const std::filesystem::path& path) {
-  check_beginning(path);
+  check_text(path);
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const KeptSettings settings;

@@ -26,9 +26,9 @@ struct ReadMesh {
 /// locale and number of OpenMP threads, which Gmsh changes, are put back. Calls from several threads wait for each
 /// other.
 /// The Gmsh library itself may crash on a damaged file (4.8.4 did on 2 of 300 with a few bytes changed at random).
-/// @throws Error with the file's name, what Gmsh said and a remedy: when the file cannot be read, is not in Gmsh's
-/// format (Gmsh would run it as a script), has no tets, tets of second or higher order, or other elements with volume,
-/// or more than 2^31 nodes
+/// @throws Error with the file's name, what Gmsh said or the line, and a remedy: when the file cannot be read, is not
+/// in Gmsh's format (Gmsh would run it as a script), is cut off, has more or fewer lines than it counts, has no tets,
+/// tets of second or higher order, or other elements with volume, or more than 2^31 nodes
 [[nodiscard]] ReadMesh read_gmsh(const std::filesystem::path& path);
 
 }  // namespace physgen::fem

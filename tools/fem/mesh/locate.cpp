@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace physgen::fem {
 
@@ -113,7 +114,10 @@ Box box_of(const std::array<Point, 4>& corners) {
 }
 
 std::string text(const Point& x) {
-  return "(" + std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + ")";
+  std::ostringstream text;
+  text.precision(10);
+  text << "(" << x[0] << ", " << x[1] << ", " << x[2] << ")";
+  return text.str();
 }
 
 }  // namespace

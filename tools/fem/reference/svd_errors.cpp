@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace physgen::fem::reference {
 
@@ -67,16 +66,6 @@ SvdErrors svd_errors(const Matrix3<Real>& matrix, const Svd<Real>& svd) {
   return errors;
 }
 
-template <class Real>
-std::string replay_command(const Matrix3<Real>& A) {
-  std::ostringstream command;
-  command << "physbench replay svd " << (sizeof(Real) == sizeof(float) ? "float" : "double") << std::hexfloat;
-  for (int k = 0; k < 9; ++k) command << " " << A.data()[k];
-  return command.str();
-}
-
-template std::string replay_command<float>(const Matrix3<float>&);
-template std::string replay_command<double>(const Matrix3<double>&);
 template SvdErrors svd_residuals<float>(const Matrix3<float>&, const Svd<float>&);
 template SvdErrors svd_residuals<double>(const Matrix3<double>&, const Svd<double>&);
 template SvdErrors svd_errors<float>(const Matrix3<float>&, const Svd<float>&);

@@ -5,7 +5,6 @@
 #include <fem/numerics/svd.h>
 
 #include <limits>
-#include <string>
 
 namespace physgen::fem::reference {
 
@@ -28,9 +27,5 @@ template <class Real>
 /// All of them.
 template <class Real>
 [[nodiscard]] SvdErrors svd_errors(const Matrix3<Real>& A, const Svd<Real>& svd);
-
-/// "physbench replay svd float 0x1.8p+0 ...": what shows this matrix again.
-template <class Real>
-[[nodiscard]] std::string replay_command(const Matrix3<Real>& A);
 
 }  // namespace physgen::fem::reference

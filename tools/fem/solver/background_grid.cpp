@@ -11,8 +11,8 @@ namespace {
 
 using Cells = std::array<Index, 3>;
 
-/// A corner of the grid by its place in all of the box, which may have more than 32-bit numbers reach.
-using Place = std::int64_t;
+/// The number of a corner of the grid among all of the box, which may have more than 32-bit numbers reach.
+using CornerNumber = std::int64_t;
 
 /// A grid's node whose free children all weigh less has the square of that for stiffness, which rounding of the blocks
 /// between which it is a difference would spoil. It is left out.
@@ -60,19 +60,19 @@ Cells choose_cells(const Box& box, double width) {
   return chosen;
 }
 
-Place place_of(const Cells& cells, const std::array<Index, 3>& at) {
-  return at[0] + (Place{cells[0]} + 1) * (at[1] + (Place{cells[1]} + 1) * at[2]);
+CornerNumber corner_number(const Cells& cells, const std::array<Index, 3>& at) {
+  return at[0] + (CornerNumber{cells[0]} + 1) * (at[1] + (CornerNumber{cells[1]} + 1) * at[2]);
 }
 
-std::array<Index, 3> corner_at(const Cells& cells, Place place) {
-  const Place x = Place{cells[0]} + 1, y = Place{cells[1]} + 1;
-  return {static_cast<Index>(place % x), static_cast<Index>(place / x % y), static_cast<Index>(place / x / y)};
+std::array<Index, 3> corner_at(const Cells& cells, CornerNumber number) {
+  const CornerNumber x = CornerNumber{cells[0]} + 1, y = CornerNumber{cells[1]} + 1;
+  return {static_cast<Index>(number % x), static_cast<Index>(number / x % y), static_cast<Index>(number / x / y)};
 }
 
 /// The corners of the tet in which a point lies, and their weights: from the corner of its cell that is nearest to the
 /// box's low end along the axes, the longest way first.
 struct Located {
-  std::array<Place, 4> places;
+  std::array<CornerNumber, 4> corners;
   std::array<double, 4> weights;
 };
 Located locate_in(const Box& box, const Cells& cells, const Point& x) {
@@ -92,7 +92,7 @@ Located locate_in(const Box& box, const Cells& cells, const Point& x) {
   for (std::size_t c = 0; c < 4; ++c) {
     const double next = c < 3 ? part[order[c]] : 0;
     if (before - next > rounding) {
-      located.places[used] = place_of(cells, at);
+      located.corners[used] = corner_number(cells, at);
       located.weights[used++] = before - next;
     }
     before = next;
@@ -101,33 +101,33 @@ Located locate_in(const Box& box, const Cells& cells, const Point& x) {
   double sum = 0;
   for (const double weight : located.weights) sum += weight;
   for (double& weight : located.weights) weight /= sum;
-  for (std::size_t c = used; c < 4; ++c) located.places[c] = located.places[0];
+  for (std::size_t c = used; c < 4; ++c) located.corners[c] = located.corners[0];
   return located;
 }
 
 /// Numbers of those corners of a grid that are used.
 class UsedCorners {
  public:
-  explicit UsedCorners(std::vector<Place> places) : places_(std::move(places)) {
-    std::ranges::sort(places_);
-    const auto twice = std::ranges::unique(places_);
-    places_.erase(twice.begin(), twice.end());
+  explicit UsedCorners(std::vector<CornerNumber> numbers) : numbers_(std::move(numbers)) {
+    std::ranges::sort(numbers_);
+    const auto twice = std::ranges::unique(numbers_);
+    numbers_.erase(twice.begin(), twice.end());
   }
-  [[nodiscard]] const std::vector<Place>& places() const { return places_; }
-  [[nodiscard]] Index operator[](Place place) const {
-    return static_cast<Index>(std::ranges::lower_bound(places_, place) - places_.begin());
+  [[nodiscard]] const std::vector<CornerNumber>& numbers() const { return numbers_; }
+  [[nodiscard]] Index operator[](CornerNumber number) const {
+    return static_cast<Index>(std::ranges::lower_bound(numbers_, number) - numbers_.begin());
   }
 
  private:
-  std::vector<Place> places_;
+  std::vector<CornerNumber> numbers_;
 };
 
 /// A level of these corners, all prescribed.
 MeshLevel make_level(const Box& box, const Cells& cells, const UsedCorners& corners) {
   MeshLevel level;
-  level.mesh.nodes = static_cast<Index>(corners.places().size());
-  for (const Place place : corners.places()) {
-    const auto at = corner_at(cells, place);
+  level.mesh.nodes = static_cast<Index>(corners.numbers().size());
+  for (const CornerNumber number : corners.numbers()) {
+    const auto at = corner_at(cells, number);
     Point x{};
     for (std::size_t k = 0; k < 3; ++k) x[k] = std::lerp(box.low[k], box.high[k], double(at[k]) / cells[k]);
     level.rest.push_back(x);
@@ -139,17 +139,17 @@ MeshLevel make_level(const Box& box, const Cells& cells, const UsedCorners& corn
 /// The finest grid, and where the nodes of the mesh lie in it.
 MeshLevel make_finest(const Box& box, const Cells& cells, MeshLevel& mesh, UsedCorners& corners) {
   std::vector<Located> located;
-  std::vector<Place> places;
+  std::vector<CornerNumber> numbers;
   for (const Point& x : mesh.rest) {
     located.push_back(locate_in(box, cells, x));
-    places.insert(places.end(), located.back().places.begin(), located.back().places.end());
+    numbers.insert(numbers.end(), located.back().corners.begin(), located.back().corners.end());
   }
-  corners = UsedCorners(std::move(places));
+  corners = UsedCorners(std::move(numbers));
   MeshLevel grid = make_level(box, cells, corners);
   for (std::size_t n = 0; n < located.size(); ++n) {
     GridLocation location{{}, located[n].weights};
     for (std::size_t c = 0; c < 4; ++c) {
-      location.nodes[c] = corners[located[n].places[c]];
+      location.nodes[c] = corners[located[n].corners[c]];
       if (location.weights[c] >= least_weight) grid.fixed[static_cast<std::size_t>(location.nodes[c])] &= mesh.fixed[n];
     }
     mesh.grid_parents.push_back(location);
@@ -163,20 +163,20 @@ MeshLevel make_coarser(const Box& box, Cells& cells, MeshLevel& fine, UsedCorner
   for (Index& count : coarse) {
     if (count % 2 == 0) count /= 2;
   }
-  std::vector<std::array<Place, 2>> ends;
-  std::vector<Place> places;
-  for (const Place place : corners.places()) {
-    auto low = corner_at(cells, place), high = low;
+  std::vector<std::array<CornerNumber, 2>> ends;
+  std::vector<CornerNumber> numbers;
+  for (const CornerNumber number : corners.numbers()) {
+    auto low = corner_at(cells, number), high = low;
     for (std::size_t k = 0; k < 3; ++k) {
       if (coarse[k] == cells[k]) continue;
       high[k] = (low[k] + 1) / 2;
       low[k] /= 2;
     }
-    ends.push_back({place_of(coarse, low), place_of(coarse, high)});
-    places.insert(places.end(), ends.back().begin(), ends.back().end());
+    ends.push_back({corner_number(coarse, low), corner_number(coarse, high)});
+    numbers.insert(numbers.end(), ends.back().begin(), ends.back().end());
   }
   cells = coarse;
-  corners = UsedCorners(std::move(places));
+  corners = UsedCorners(std::move(numbers));
   MeshLevel grid = make_level(box, cells, corners);
   for (std::size_t n = 0; n < ends.size(); ++n) {
     fine.parents.push_back({corners[ends[n][0]], corners[ends[n][1]]});

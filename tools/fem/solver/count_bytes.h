@@ -124,11 +124,11 @@ void add_edges(ByteCounter<Space>& on, const SymmetricProduct<Views...>& product
 template <class Space, class Level>
 void add_scaled_edges(ByteCounter<Space>& on, Level& level) {
   const auto product = scaled_product(level, level.direction.const_view(), level.residual.view());
-  if (level.slices.is_empty()) {
+  if (level.rows.is_empty()) {
     add_edges(on, product, level.sums);
   } else {
     on.add(detail::bytes_of_views(product.edge_stiffness) + detail::bytes_of_views(product.displacements) +
-           detail::bytes_of_views(product.differentials) + level.slices.bytes());
+           detail::bytes_of_views(product.differentials) + level.rows.bytes());
   }
 }
 

@@ -73,8 +73,11 @@ class MaterialSteps {
   }
   template <class On, class Arrays, class Positions>
   void evaluate_volumes(On& on, Arrays& a, const Positions& positions, bool restart) {
+    // Apart from the sum, in which a device forms fewer terms at once.
     const auto evaluate = [&](const auto& kernel) {
-      on.reduce(a.volumes.size(), kernel, Sum{}, StoreVolumetric{a.state.view()});
+      on.run(a.volumes.size(), kernel);
+      on.reduce(a.volumes.size(), MeanVolumeEnergy{volume_.law, volume_.modulus, a.volumes.const_view()}, Sum{},
+                StoreVolumetric{a.state.view()});
     };
     const auto of_patches = [&](auto& p) {
       evaluate(EvaluatePatches{volume_.law, volume_.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),

@@ -2,7 +2,7 @@
 // arrays.
 #pragma once
 
-#include <fem/kernels/edge_slices.h>
+#include <fem/kernels/edge_rows.h>
 #include <physgen/kernel.h>
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct LevelViews {
   using OfRows = ArrayViews<typename Rows::ConstView, typename Rows::ConstView>;
 
   Of<decltype(Level::constraints)> constraints;
-  EdgeSlices::View slices;
+  EdgeRows::View rows;
   Of<decltype(Level::scales)> scales;
   Of<decltype(Level::scaled_nodes)> scaled_nodes;
   Of<decltype(Level::scaled_edges)> scaled_edges;
@@ -52,7 +52,7 @@ struct LevelViews {
 
   explicit LevelViews(Level& level)
       : constraints(level.constraints),
-        slices(level.slices.view()),
+        rows(level.rows.view()),
         scales(level.scales),
         scaled_nodes(level.scaled_nodes),
         scaled_edges(level.scaled_edges),

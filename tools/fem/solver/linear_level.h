@@ -1,7 +1,7 @@
 // The arrays of one level of the preconditioner, by name.
 #pragma once
 
-#include <fem/kernels/edge_slices.h>
+#include <fem/kernels/edge_rows.h>
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/inertia_arrays.h>
@@ -17,7 +17,7 @@
 
 namespace physgen::fem {
 
-/// What a level needs whose stiffness is not assembled.
+/// The settings of a level whose stiffness is not assembled.
 struct MatrixFree {
   bool blocks;   ///< whether the inverses of nodes' blocks precondition
   bool coarser;  ///< whether the next coarser level is solved on, too
@@ -40,7 +40,7 @@ struct LevelOver : Group {
   bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
   bool is_grid = false;   ///< a level of a background grid
   EdgeSums sums;
-  EdgeSlices slices;          ///< on CUDA, of few nodes
+  EdgeRows rows;              ///< on CUDA, of few nodes: scaled_edges then has a block for each place in them
   Optional<Schwarz> schwarz;  ///< where that preconditioner is used
   Optional<Planes> planes;    ///< where the body may touch some
   Optional<Inertia> inertia;  ///< where it moves
@@ -56,9 +56,9 @@ struct LevelOver : Group {
   LevelOver(const LevelGraph& graph, const LevelGraph* coarser)
       : is_grid(graph.is_grid),
         sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
-        slices(Space::kind == SpaceKind::cuda && graph.nodes <= EdgeSlices::most_nodes
-                   ? EdgeSlices(as_mesh(graph), Space::kind)
-                   : EdgeSlices()) {
+        rows(Space::kind == SpaceKind::cuda && graph.nodes <= EdgeRows::most_nodes
+                 ? EdgeRows(as_mesh(graph), Space::kind)
+                 : EdgeRows()) {
     const index_t nodes = graph.nodes, edges = index_t(graph.edges.size());
     const auto of_nodes = packed_rows<NodeEdgeEntry>(graph.node_edges, edges, "edges");
     const bool on_grid = !graph.grid_parents.empty();
@@ -81,6 +81,7 @@ struct LevelOver : Group {
                     .edge_term = of_terms.entries().size(),
                     .grid_node = graph.is_grid || on_grid ? nodes : 0,
                     .coarse_pair = coarser == nullptr && nodes <= most_coarse_nodes ? nodes * nodes : 0});
+    if (!rows.is_empty()) this->scaled_edges.resize(2 * edges);
     put(this->constraints, host_constraints(graph));
     put(this->edges, host_edges(graph));
     put_rows(this->node_edge_ranges, this->node_edge_entries, of_nodes);
@@ -109,7 +110,7 @@ struct LevelOver : Group {
   [[nodiscard]] index_t nodes() const { return this->constraints.size(); }
   [[nodiscard]] index_t edge_count() const { return this->edge_stiffness.size(); }
   [[nodiscard]] index_t bytes() const {
-    return Group::bytes() + sums.bytes() + slices.bytes() + bytes_where(schwarz) + bytes_where(planes) +
+    return Group::bytes() + sums.bytes() + rows.bytes() + bytes_where(schwarz) + bytes_where(planes) +
            bytes_where(inertia);
   }
 

@@ -114,7 +114,7 @@ class LinearSolverOf final : public EquilibriumSolver {
       result.energy = state.elastic + state.loads;
       result.reaction = fixed;
       const double residual = fixed > 0 ? free / fixed : (free > 0 ? 1.0 : 0.0);
-      // What a solve that reached its tolerance has not lessened is rounding.
+      // A residual that a solve has not lessened, though it reached its tolerance, is rounding.
       const bool stuck = solved && !(residual < 0.5 * result.residual);
       result.residual = residual;
       if (!std::isfinite(result.energy) || !std::isfinite(free)) result.status = NewtonStatus::not_finite;
@@ -171,7 +171,7 @@ class LinearSolverOf final : public EquilibriumSolver {
     }
     return linear_result(*on_, vectors_);
   }
-  /// Of sqrt(r . z); so far below that of the residual that one solve reaches it, where rounding lets it.
+  /// The tolerance of sqrt(r . z); so far below that of the residual that one solve reaches it, where rounding lets it.
   [[nodiscard]] double linear_tolerance() const {
     return std::max(0.03 * settings_.newton.tolerance, 8.0 * std::numeric_limits<Real>::epsilon());
   }

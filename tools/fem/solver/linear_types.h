@@ -8,7 +8,7 @@
 
 namespace physgen::fem {
 
-/// Of the scene linear_elastic_assembled. @tparam Stored StoredAsComputed or StoredInHalf
+/// The arrays of the scene linear_elastic_assembled. @tparam Stored StoredAsComputed or StoredInHalf
 template <class Real_, class Space_, class Stored>
 struct LinearAssembledArrays {
   using Real = Real_;
@@ -21,7 +21,7 @@ struct LinearAssembledArrays {
   using Vectors = scenes::linear_elastic_assembled_scene::Krylov<Space, Real>;
 };
 
-/// Of the scene linear_elastic, whose products are matrix-free.
+/// The arrays of the scene linear_elastic, whose products are matrix-free.
 template <class Real_, class Space_>
 struct LinearByTetsArrays {
   using Real = Real_;

@@ -35,19 +35,14 @@ PHYSGEN_FUNCTION inline TetVolume<Scalar> tet_volume(const TetView& tets, const 
   return volume;
 }
 
-/// The resistance to the change of a mean volume.
-template <class Scalar>
-struct VolumeResponse {
-  Scalar k;       ///< U''(T) / volume, or its linearised form [N/m^5]
-  Scalar energy;  ///< [J]
-};
 /// Stores a mean volume and its pressures.
 /// @param volume, current at rest and now [m^3]
 /// @param restart the linearised pressure begins anew, at that of the forces; else it is read
 /// @param mean quasistatic::MeanVolume
+/// @return U''(T) / volume, or its linearised form [N/m^5]: the resistance to the change of the volume
 template <class Scalar, class MeanVolumeRef>
-PHYSGEN_FUNCTION inline VolumeResponse<Scalar> respond(VolumeLaw law, Scalar modulus, bool restart, Scalar volume,
-                                                       Scalar current, const MeanVolumeRef& mean) {
+PHYSGEN_FUNCTION inline Scalar respond(VolumeLaw law, Scalar modulus, bool restart, Scalar volume, Scalar current,
+                                       const MeanVolumeRef& mean) {
   const Scalar T = current / volume;
   const bool is_log = law == VolumeLaw::logarithmic;
   const Scalar strain = is_log ? math::log(T) : (current - volume) / volume;
@@ -58,8 +53,7 @@ PHYSGEN_FUNCTION inline VolumeResponse<Scalar> respond(VolumeLaw law, Scalar mod
   mean.pressure() = is_log ? stress / T : stress;
   mean.linearised() = linearised;
   mean.tangent_pressure() = is_log ? linearised / T : linearised;
-  const Scalar k = is_log ? (modulus - linearised) / (T * T * volume) : modulus / volume;
-  return {k, Scalar(0.5) * volume * stress * strain};
+  return is_log ? (modulus - linearised) / (T * T * volume) : modulus / volume;
 }
 
 /// Moves the linearised pressure along with a step that changes the mean volume by `change` [m^3], to first order.
@@ -74,6 +68,24 @@ PHYSGEN_FUNCTION inline void advance(VolumeLaw law, Scalar modulus, Scalar chang
 }
 
 }  // namespace detail
+
+/// Returns the energy [J] of a mean volume whose pressure has been stored: modulus/2 volume ln(T)^2, or (T - 1)^2.
+template <class MeanVolumeView>
+struct MeanVolumeEnergy {
+  using Scalar = typename MeanVolumeView::Precision;
+  VolumeLaw law;
+  Scalar modulus;          ///< lambda or kappa [Pa]
+  MeanVolumeView volumes;  ///< quasistatic::MeanVolume
+
+  PHYSGEN_FUNCTION Scalar operator()(index_t v) const {
+    const auto mean = volumes[v];
+    const Scalar pressure = mean.pressure();
+    const Scalar stress = law == VolumeLaw::logarithmic ? pressure * Scalar(mean.ratio()) : pressure;
+    return modulus != Scalar(0) ? Scalar(0.5) * Scalar(mean.volume()) * stress * (stress / modulus) : Scalar(0);
+  }
+};
+template <class View>
+MeanVolumeEnergy(VolumeLaw, double, View) -> MeanVolumeEnergy<View>;
 
 /// After the linearised pressures have been moved along with all of a step: along with a part of it.
 template <class MeanVolumeView>

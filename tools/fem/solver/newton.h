@@ -153,7 +153,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
     state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, true);
   };
   if (settings.start_is_given && !(state.smallest_ratio > 0)) begin_nearer_to_rest();
-  // What is left of a coarser mesh's equilibrium lies where F changes most, and no linear solve takes all of it away.
+  // The error left by a coarser mesh's equilibrium lies where F changes most, and no linear solve takes all of it away.
   double before = free_of(state), forcing = settings.is_interpolated ? settings.most_forcing : settings.least_forcing;
   // A full step may raise the energy where the one behind it makes up for that; if it does not, none may any more.
   bool risky = false, may_risk = true, fresh = true;

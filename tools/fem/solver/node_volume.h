@@ -29,8 +29,7 @@ PHYSGEN_FUNCTION inline index_t place_in_ring(const RingNodeView& entries, index
 
 }  // namespace detail
 
-/// Volumes [m^3] and T of nodes, their pressures and k, and how each node changes the volumes of its ring. Returns the
-/// nodes' energy [J].
+/// Volumes [m^3] and T of nodes, their pressures and k, and how each node changes the volumes of its ring.
 template <class NodeTets, class TetView, class RestView, class PositionView, class MeanVolumeView, class Rings,
           class TangentView>
 struct EvaluateNodeVolumes {
@@ -46,7 +45,7 @@ struct EvaluateNodeVolumes {
   Rings rings;             ///< Rows of quasistatic::RingNode, of which g is written
   TangentView tangent;     ///< quasistatic::NodeVolumeTangent, written
 
-  PHYSGEN_FUNCTION Scalar operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(index_t node) const {
     using Real = typename TangentView::Precision;
     using Vector = Vector3<Scalar>;
     const auto entries = rings.entries();
@@ -67,10 +66,8 @@ struct EvaluateNodeVolumes {
         for (int k = 0; k < 3; ++k) g[k] += static_cast<Real>(change[k] / Scalar(24));
       }
     });
-    const auto response =
-        detail::respond<Scalar>(law, modulus, restart, volume / Scalar(24), current / Scalar(24), volumes[node]);
-    tangent[node].k() = static_cast<Real>(response.k);
-    return response.energy;
+    tangent[node].k() = static_cast<Real>(
+        detail::respond<Scalar>(law, modulus, restart, volume / Scalar(24), current / Scalar(24), volumes[node]));
   }
 };
 template <class... Arguments>

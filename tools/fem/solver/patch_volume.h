@@ -8,7 +8,7 @@
 
 namespace physgen::fem {
 
-/// Volumes [m^3] and T of patches, their pressures, and the tangent k g g^T. Returns their energy [J].
+/// Volumes [m^3] and T of patches, their pressures, and the tangent k g g^T.
 template <class PatchTets, class TetView, class RestView, class PositionView, class MeanVolumeView, class TangentView>
 struct EvaluatePatches {
   using Scalar = typename MeanVolumeView::Precision;
@@ -22,7 +22,7 @@ struct EvaluatePatches {
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume, of which `linearised` is read unless restart; written
   TangentView tangent;     ///< quasistatic::PatchTangent, written
 
-  PHYSGEN_FUNCTION Scalar operator()(index_t p) const {
+  PHYSGEN_FUNCTION void operator()(index_t p) const {
     using Real = typename TangentView::Precision;
     const auto g = tangent[p].g();
     g.setZero();
@@ -37,10 +37,8 @@ struct EvaluatePatches {
       add_to_slot(g, slots >> 6 & 7, tet.k);
       add_to_slot(g, slots >> 9 & 7, tet.l);
     });
-    const auto response =
-        detail::respond<Scalar>(law, modulus, restart, volume / Scalar(6), current / Scalar(6), volumes[p]);
-    tangent[p].k() = static_cast<Real>(response.k);
-    return response.energy;
+    tangent[p].k() = static_cast<Real>(
+        detail::respond<Scalar>(law, modulus, restart, volume / Scalar(6), current / Scalar(6), volumes[p]));
   }
 
  private:

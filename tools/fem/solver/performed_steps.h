@@ -3,6 +3,7 @@
 #pragma once
 
 #ifdef __CUDACC__
+#include <fem/solver/coarse_inverse_cuda.h>
 #include <fem/solver/product_cuda.h>
 #include <fem/solver/schwarz_cuda.h>
 #include <fem/solver/small_levels_cuda.h>

@@ -3,6 +3,7 @@
 
 #include <fem/solver/dynamic_solver.h>
 
+#include <cstddef>
 #include <string>
 
 namespace physgen::fem {
@@ -10,6 +11,10 @@ namespace physgen::fem {
 /// @throw Error when the value is not a positive number. @param what "the density"
 void require_positive(const std::string& what, double value);
 
+/// @throw Error naming the node of level `l` whose rest position is not finite, or the tet without positive volume
+void require_rest(std::size_t l, const MeshLevel& level);
+/// @throw Error where a tangent in single precision would overflow or vanish for that modulus and the level's tets
+void require_single_range(const MeshLevel& level, const SolverSettings& settings);
 /// @throw Error when there is not a finite vector per node, or a plane is none
 void require_loading(const MeshLevel& level, const Loading& loading);
 

@@ -1,4 +1,4 @@
-// What programs of the solver may be asked for at run time: the rest is not compiled, and fields that it alone would
+// The choices that programs of the solver offer at run time: the rest is not compiled, and fields that it alone would
 // need are pruned.
 #pragma once
 

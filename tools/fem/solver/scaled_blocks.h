@@ -94,9 +94,10 @@ struct ScaleEdges {
   ScaleView scales;             ///< quasistatic::NodeScale
   ScaledView scaled;            ///< elasticity::EdgeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const { (*this)(edge, edge); }
+  PHYSGEN_FUNCTION void operator()(index_t edge) const { (*this)(edge, edge, 0); }
   /// @param place of the scaled block
-  PHYSGEN_FUNCTION void operator()(index_t edge, index_t place) const {
+  /// @param side from which it is seen: 0, df(m)/dx(n); 1, df(n)/dx(m)
+  PHYSGEN_FUNCTION void operator()(index_t edge, index_t place, int side) const {
     const auto ends = edges[edge].nodes();
     const index_t m = ends[0], n = ends[1];
     const Scalar factor = Scalar(scales[m].scale()) * Scalar(scales[n].scale());
@@ -104,6 +105,7 @@ struct ScaleEdges {
     Matrix3<Scalar> E = stiffness[edge].E();
     E *= factor;
     if ((of_m | of_n) != 0) E = detail::free_block<Scalar>(E, of_m, of_n);
+    if (side != 0) E = Matrix3<Scalar>(E.transpose());
     scaled[place].E() = E;
   }
 };

@@ -22,7 +22,7 @@ template <class Choices, class Group>
 using SceneLevel =
     LevelOver<float, typename Group::Space, StoredAsComputed, Choices, Group, NoArrays, NoArrays, NoArrays>;
 
-/// Of the scene quasistatic, under the names of AllArrays.
+/// The arrays of the scene quasistatic, under the names of AllArrays.
 template <class Space_>
 struct QuasistaticArrays {
   using Real = float;
@@ -35,7 +35,7 @@ struct QuasistaticArrays {
   using Vectors = scenes::quasistatic_scene::Krylov<Space>;
 };
 
-/// Of the scene quasistatic_matrix_free.
+/// The arrays of the scene quasistatic_matrix_free.
 template <class Space_>
 struct MatrixFreeArrays {
   using Real = float;
@@ -48,7 +48,7 @@ struct MatrixFreeArrays {
   using Vectors = scenes::quasistatic_matrix_free_scene::Krylov<Space>;
 };
 
-/// Of the scene quasistatic_fixed_corotated.
+/// The arrays of the scene quasistatic_fixed_corotated.
 template <class Space_>
 struct FixedCorotatedArrays {
   using Real = float;
@@ -61,7 +61,7 @@ struct FixedCorotatedArrays {
   using Vectors = scenes::quasistatic_fixed_corotated_scene::Krylov<Space>;
 };
 
-/// Of the scene implicit_dynamics, whose volumes are those of tets where levels have no patches.
+/// The arrays of the scene implicit_dynamics, whose volumes are those of tets where levels have no patches.
 template <class Space_>
 struct ImplicitDynamicsArrays {
   using Real = float;

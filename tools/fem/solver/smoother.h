@@ -19,10 +19,12 @@ PHYSGEN_FUNCTION inline Vector3<S> block_jacobi(const InverseView& inverse, cons
 
 /// The interval of Chebyshev polynomials: [low, 1] times an estimate of the largest eigenvalue, which is raised by a
 /// tenth since power iterations come from below.
+template <class Scalar>
 struct ChebyshevInterval {
-  double centre, radius;
+  Scalar centre, radius;
   PHYSGEN_FUNCTION ChebyshevInterval(double largest, double low)
-      : centre(0.5 * (1 + low) * 1.1 * largest), radius(0.5 * (1 - low) * 1.1 * largest) {}
+      : centre(static_cast<Scalar>(0.5 * (1 + low) * 1.1 * largest)),
+        radius(static_cast<Scalar>(0.5 * (1 - low) * 1.1 * largest)) {}
 };
 
 }  // namespace detail
@@ -56,8 +58,8 @@ struct BeginChebyshev {
   template <class I>
   PHYSGEN_FUNCTION void operator()(I i) const {
     using S = lanes_t<Scalar, I>;
-    const detail::ChebyshevInterval interval(smoother[index_t{0}].largest(), low);
-    const Vector3<S> d = detail::block_jacobi<S>(inverse, residual, i) * S(static_cast<Scalar>(1 / interval.centre));
+    const detail::ChebyshevInterval<Scalar> interval(smoother[index_t{0}].largest(), low);
+    const Vector3<S> d = detail::block_jacobi<S>(inverse, residual, i) * S(Scalar(1) / interval.centre);
     if (grows) {
       corrections[i].dx() += d;
     } else {
@@ -90,17 +92,17 @@ struct ContinueChebyshev {
   template <class I>
   PHYSGEN_FUNCTION void operator()(I i) const {
     using S = lanes_t<Scalar, I>;
-    const detail::ChebyshevInterval interval(smoother[index_t{0}].largest(), low);
-    const double sigma = interval.centre / interval.radius;
-    double rho = 1 / sigma, kept = 0;
+    const detail::ChebyshevInterval<Scalar> interval(smoother[index_t{0}].largest(), low);
+    const Scalar sigma = interval.centre / interval.radius;
+    Scalar rho = Scalar(1) / sigma, kept(0);
     for (int k = 2; k <= step; ++k) {
-      const double next = 1 / (2 * sigma - rho);
+      const Scalar next = Scalar(1) / (Scalar(2) * sigma - rho);
       kept = rho * next;
       rho = next;
     }
     const Vector3<S> from_residual =
-        detail::block_jacobi<S>(inverse, residual, i) * S(static_cast<Scalar>(2 * rho / interval.radius));
-    const Vector3<S> d = Vector3<S>(direction[i].dx().get()) * S(static_cast<Scalar>(kept)) + from_residual;
+        detail::block_jacobi<S>(inverse, residual, i) * S(Scalar(2) * rho / interval.radius);
+    const Vector3<S> d = Vector3<S>(direction[i].dx().get()) * S(kept) + from_residual;
     corrections[i].dx() += d;
     if (product) {
       direction[i].dx() = d;

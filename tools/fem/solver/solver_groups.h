@@ -25,11 +25,11 @@ struct OfBody {
     /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
     PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_tet_ranges;
     PHYSGEN_ARRAY(per("tet_edge"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_tet_entries;
-    /// Of each patch or node where volumes are averaged.
+    /// The volumes of each patch or node where volumes are averaged.
     PHYSGEN_ARRAY(per("volume")) Array<quasistatic::MeanVolumeObject, double> volumes;
 
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodePositionObject, double> rest;
-    /// Of the last equilibrium, or of the step under way.
+    /// Positions of the last equilibrium, or of the step under way.
     PHYSGEN_ARRAY(per("node"), input(), output()) Array<elasticity::NodePositionObject, double> positions;
     /// Where a step leads.
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodePositionObject, double> trial;
@@ -37,12 +37,12 @@ struct OfBody {
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodePositionObject, double> kept;
     /// External, at a load of 1.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeForceObject, double> loads;
-    /// Of prescribed components, at a load of 1.
+    /// The motion of prescribed components, at a load of 1.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeDisplacementObject, double> motion;
     /// Elastic and external; in prescribed components minus the reaction.
     PHYSGEN_ARRAY(per("node"), output()) Array<elasticity::NodeForceObject, double> forces;
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeForceObject, double> trial_forces;
-    /// Of prescribed components.
+    /// The increment of prescribed components.
     PHYSGEN_ARRAY(per("node")) Array<elasticity::NodeDisplacementObject, double> increment;
     /// Its volumetric energy is 0 where no volumes are averaged.
     PHYSGEN_ARRAY(per(1), input("volumetric")) Array<quasistatic::EquilibriumObject, double> state;
@@ -65,7 +65,7 @@ struct OfPatches {
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_patch_ranges;
     PHYSGEN_ARRAY(per("node_patch"), input()) Array<quasistatic::PackedIncidenceObject, float> node_patch_entries;
     PHYSGEN_ARRAY(per("patch")) Array<quasistatic::PatchTangentObject, Real> tangent;
-    /// Of products without blocks of edges, on the CPU.
+    /// The changes in products without blocks of edges, on the CPU.
     PHYSGEN_ARRAY(per("change")) Array<quasistatic::PatchChangeObject, Real> changes;
   };
 };
@@ -80,11 +80,11 @@ struct OfRings {
   };
 };
 
-/// What kernels over a chunk of tets leave for the next.
+/// The arrays that kernels over a chunk of tets leave for the next.
 struct OfChunk {
   struct Chunk {
     PHYSGEN_ARRAY(per("chunk_tet")) Array<elasticity::CornerForcesObject, double> corners;
-    /// Of a chunk, or of all tets.
+    /// The tangent of a chunk, or of all tets.
     PHYSGEN_ARRAY(per("kept_tet")) Array<quasistatic::TetTangentObject, Real> tangent;
   };
 };
@@ -119,15 +119,15 @@ struct OfLevel {
     PHYSGEN_ARRAY(per("child"), input()) Array<quasistatic::NodeParentsObject, Real> parents;
     /// In place of `parents`, to a background grid.
     PHYSGEN_ARRAY(per("grid_child"), input()) Array<quasistatic::GridParentsObject, Real> grid_parents;
-    /// Of each node of the coarser level: rows of ChildEntry.
+    /// The children of each node of the coarser level: rows of ChildEntry.
     PHYSGEN_ARRAY(per("parent"), input()) Array<elasticity::IncidenceRangeObject, float> child_ranges;
     PHYSGEN_ARRAY(per("child_entry"), input()) Array<quasistatic::PackedIncidenceObject, float> child_entries;
-    /// Of each edge of the coarser level: rows of EdgeTermEntry.
+    /// The terms of each edge of the coarser level: rows of EdgeTermEntry.
     PHYSGEN_ARRAY(per("coarse_edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_term_ranges;
     PHYSGEN_ARRAY(per("edge_term"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_term_entries;
-    /// Of levels of a background grid, and of the mesh on it.
+    /// The levels of a background grid, and the mesh on it, have these.
     PHYSGEN_ARRAY(per("grid_node")) Array<quasistatic::TranslationStiffnessObject, Real> translations;
-    /// Of the coarsest level alone.
+    /// The coarsest level alone has it.
     PHYSGEN_ARRAY(per("coarse_pair")) Array<quasistatic::CoarseInverseObject, Real> coarse_inverse;
   };
 };
@@ -196,7 +196,7 @@ struct OfLinear {
     PHYSGEN_ARRAY(per("tet_edge"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_tets;
     /// u, from rest.
     PHYSGEN_ARRAY(per("node"), output()) Array<elasticity::NodeDisplacementObject, double> displacements;
-    /// Of prescribed components, at a load of 1.
+    /// The motion of prescribed components, at a load of 1.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeDisplacementObject, double> motion;
     /// External, at a load of 1.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodeForceObject, double> loads;

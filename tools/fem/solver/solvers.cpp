@@ -21,6 +21,7 @@ void require_least(const char* what, int value, int least) {
 
 void require_meshes(const std::vector<MeshLevel>& levels) {
   if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
+  for (std::size_t l = 0; l < levels.size(); ++l) require_rest(l, levels[l]);
 }
 
 void require_settings(const SolverSettings& settings) {
@@ -56,6 +57,7 @@ void require_settings(const SolverSettings& settings) {
 void require_nonlinear(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings) {
   require_meshes(levels);
   require_settings(settings);
+  require_single_range(levels.front(), settings);
   require_loading(levels.front(), loading);
   if (!loading.planes.empty() && settings.newton.product == Product::matrix_free) {
     throw Error("rigid planes go with the assembled product: the matrix-free one has the stiffness of tets alone");
@@ -117,7 +119,7 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
 
 namespace {
 
-/// What a scene is declared with.
+/// The choices that a scene is declared with.
 struct DeclaredScene {
   const char* name;
   const char* material;
@@ -209,6 +211,7 @@ std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLeve
                                                       const SolverSettings& settings) {
   require_meshes(levels);
   require_settings(settings);
+  require_single_range(levels.front(), settings);
   require_plain("linear elasticity", levels.front(), loading);
   if (settings.device == Device::cpu) return make_host_linear_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA

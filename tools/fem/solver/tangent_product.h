@@ -1,15 +1,15 @@
 // Kernels and programs: K dx from the tangents of tets and patches as they are, without blocks of edges: matrix-free.
 // Prescribed components are in it, as in the assembled product.
 //
-// What is moved for a tet in float is its tangent (120 bytes), its corners (16) and their dx, which neighbours share;
+// For a tet in float the product moves its tangent (120 bytes), its corners (16) and their dx, which neighbours share;
 // then the change of its forces. On CUDA that is added to the nodes by vector atomics: 48 bytes in the L2 cache, and no
 // memory of its own. Written for a gather it would be 36 bytes written and read from other places, with 16 to 32 bytes
 // of lists. On the CPU sums must have the same bits on every run, so there it is a gather in a fixed order, over the
 // corner forces of the evaluation, which nobody reads while a system is solved.
 #pragma once
 
-#include <fem/kernels/dp_from_df.h>
 #include <fem/kernels/stiffness.h>
+#include <fem/kernels/stress_differential.h>
 #include <fem/solver/corner_sums.h>
 #include <fem/solver/evaluate_tets.h>
 #include <fem/solver/linear_level.h>

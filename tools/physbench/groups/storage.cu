@@ -20,7 +20,7 @@ Case record_case(const OnScene<DpFromDf, float>& provider) {
   made.bytes = provider.bytes();
   made.run = [state, n] {
     const auto view = state->elements.view();
-    const fem::DpFromDf kernel{view, view, view, view};
+    const fem::ComputeStressDifferential kernel{view, view, view, view};
     return CudaDevice::time([&] { parallel_for(Cuda{}, n, kernel); });
   };
   made.copy = CudaDevice::copy(made.bytes);

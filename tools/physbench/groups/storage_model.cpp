@@ -12,7 +12,7 @@ namespace {
   return add_model("dp_from_df/float/record", [] {
     Array<elasticity::ElementRecordObject, float, Host, Traced<Aos>> records(4096);
     const auto view = records.view();
-    return counters_of(count_sectors(fem::DpFromDf{view, view, view, view}, records.size()));
+    return counters_of(count_sectors(fem::ComputeStressDifferential{view, view, view, view}, records.size()));
   });
 }();
 

@@ -20,7 +20,8 @@ struct AddForceDifferential {
   template <class Real>
   static auto run(const auto& nodes, const auto& blocks, const auto& edges, const auto& ranges, const auto& entries,
                   const auto& displacements, const auto& out) {
-    return fem::ForceDifferential{nodes, blocks, edges, Rows{ranges, entries, edges.size()}, displacements, out};
+    return fem::ComputeForceDifferentials{nodes,         blocks, edges, Rows{ranges, entries, edges.size()},
+                                          displacements, out};
   }
 
   template <class T, class Real>

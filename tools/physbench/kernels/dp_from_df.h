@@ -1,7 +1,7 @@
 // dP from dF: the change of the stress along a change of the deformation gradient, and what its errors are.
 #pragma once
 
-#include <fem/kernels/dp_from_df.h>
+#include <fem/kernels/stress_differential.h>
 
 #include "kernels/stress_derivative.h"
 
@@ -75,7 +75,7 @@ struct DpFromDf {
   using Writes = Operands<Streamed<source::Of<Output, domain>>>;
   template <class Real, class... View>
   static auto run(const View&... view) {
-    return fem::DpFromDf{view...};
+    return fem::ComputeStressDifferential{view...};
   }
   template <class Real>
   using Problem = DpFromDfProblem<Real>;

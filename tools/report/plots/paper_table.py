@@ -132,7 +132,7 @@ def _times(compared):
 
 def _coalescing(results, compared):
     def counter(row, name):
-        """Of the row or, as coalescing does not depend on the object count, of the same row at another count."""
+        """The coalescing of the row or, as it does not depend on the object count, of the same row at another count."""
         same = where(results, machine=row.machine, kernel=row.kernel, layout=row.layout, storage=row.storage, set="")
         return next((other.counter(name) for other in [row, *same] if other.counter(name) is not None), None)
 

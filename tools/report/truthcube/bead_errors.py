@@ -10,7 +10,7 @@ REACTIONS = f"{beads.ORACLE}/README.md"
 
 
 def oracle_reactions():
-    """Of the checked-in reference: {(upper plate, compression): over Young's modulus [m^2]}. @throws RunError"""
+    """The checked-in reference: {(upper plate, compression): over Young's modulus [m^2]}. @throws RunError"""
     text = (beads.ROOT / REACTIONS).read_text(encoding="utf-8")
     found = re.search(r"Reaction / E \[1e-4 m\^2\], c = ([\d., ]+): bonded ([-\d., ]+); frictionless ([-\d., ]+)\.", text)
     if found is None:

@@ -83,7 +83,7 @@ def _numbers(cells, header, place):
 
 
 def at_compression(tables, compression):
-    """Of read_beads(): the beads of a compression; those of a table without compressions; or None."""
+    """The beads of a compression among those of read_beads(); those of a table without compressions; or None."""
     near = [beads for key, beads in tables.items() if key is None or abs(key - compression) < SAME_COMPRESSION]
     return near[0] if near else None
 

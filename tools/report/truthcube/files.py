@@ -64,7 +64,7 @@ class Run:
         return nodes, weights, np.where(total > 0, total, 1)
 
     def title(self):
-        """What was solved, in words."""
+        """The problem that was solved, in words."""
         settings = self.record["settings"]
         body = f"{settings['cells']}³ cells" if "cells" in settings else "a mesh"
         scene = settings.get("scene", "quasistatic")
@@ -83,7 +83,7 @@ def lengths(vectors):
 
 
 def von_mises(stress):
-    """Of symmetric tensors, rows of xx yy zz xy yz xz."""
+    """The von Mises norms of symmetric tensors, rows of xx yy zz xy yz xz."""
     normal, shear = stress[:, :3], stress[:, 3:]
     deviator = normal - normal.mean(axis=1, keepdims=True)
     return np.sqrt(1.5 * (deviator**2).sum(axis=1) + 3 * (shear**2).sum(axis=1))
@@ -100,7 +100,7 @@ def read_run(folder):
 
 
 def _last_beads(beads, steps):
-    """Of a motion, several of whose states may have one compression: the beads of the last."""
+    """The beads of the last of the states of a motion that have one compression."""
     if not beads or not steps:
         return {}
     compression = steps[-1]["compression"]

@@ -1,4 +1,4 @@
-"""What the schemas' layouts are worth: the same programs built with all arrays in one layout, beside them. Its file is
+"""The worth of the schemas' layouts: the same programs built with all arrays in one layout, beside them. Its file is
 what layout_runs.py writes: a list `bodies`, of each the two builds {layout, whole: a run of truthcube, linear: rows of
 linear_solves}."""
 from . import records

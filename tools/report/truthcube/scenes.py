@@ -1,4 +1,4 @@
-"""What the scenes of truthcube keep and take. Its file is what scene_runs.py writes: a list `scenes`, of each {scene,
+"""The bytes that the scenes of truthcube keep, and the time that they take. Its file is what scene_runs.py writes: a list `scenes`, of each {scene,
 scalars, own: {flags, tets, bytes, seconds}} and, where the scene everything offers the same choices, `everything`, too."""
 import pathlib
 

@@ -79,8 +79,8 @@ class Body {
 
  private:
   [[nodiscard]] const std::vector<std::uint8_t>& fixed() const { return scene_.levels.front().fixed; }
-  /// Of the solvers in float or in double, empty until there was one: with one precision, whatever the preconditioner,
-  /// it has the same bits.
+  /// The stiffness of the solvers in float or in double, empty until there was one: with one precision, whatever the
+  /// preconditioner, it has the same bits.
   [[nodiscard]] fem::AssembledStiffness& stiffness_of(TangentPrecision precision) {
     return precision == TangentPrecision::float64 ? in_double_ : in_float_;
   }
@@ -145,7 +145,7 @@ std::string missing_vendor() {
 #endif
 }
 
-/// Of the solver with the method that takes most, before it is made.
+/// Refuses a solver with the method that takes most memory, before it is made, if it does not fit.
 void require_memory_for(const LinearOptions& options, int cells) {
   const auto counts = count_cube(cells, options.volume);
   const std::string who = "a cube of " + std::to_string(cells) + "^3 cells";

@@ -25,7 +25,8 @@ struct LinearRow {
   double tolerance = 0;
   fem::LinearMeasurement measured;
   double residual = 0;  ///< |f + K dx| / |f| of free components, in double from the step and the blocks of K
-  /// Of the device's own copies that read and write product_bytes and iteration_bytes together; none: not measured.
+  /// Times of the device's own copies that read and write product_bytes and iteration_bytes together; none: not
+  /// measured.
   double product_copy_seconds = none, iteration_copy_seconds = none;
   std::string vendor_product, note;  ///< of Method::vendor
   std::string device, command;

@@ -1,4 +1,4 @@
-// What is measured of a solve by the vendor's product.
+// The measurements of a solve by the vendor's product.
 #pragma once
 
 #include <fem/solver/linear_measurement.h>

@@ -32,7 +32,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// What stands in a cell, quoted, as a terminal can show it.
+// The content of a cell, quoted, as a terminal can show it.
 std::string quoted(std::string_view cell) {
   constexpr std::size_t most = 40;
   std::string text(cell.substr(0, most));
@@ -88,7 +88,8 @@ double read_number(std::string_view cell, std::string_view column, const std::st
 }  // namespace
 
 BeadTable read_bead_table(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file)) throw Error(file.string() + ": cannot be read as a bead table: it is a folder");
+  if (std::filesystem::is_directory(file))
+    throw Error(file.string() + ": cannot be read as a bead table: it is a folder");
   std::ifstream stream(file);
   if (!stream) {
     throw Error(file.string() + ": cannot be read as a bead table: " + std::generic_category().message(errno));

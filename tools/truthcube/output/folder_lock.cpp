@@ -58,7 +58,7 @@ bool FolderLock::try_to_hold() {
     throw Error(file_.parent_path().string() + ": another run writes there, " + who +
                 " (run.lock): wait until it has ended, or choose another --out");
   }
-  // Whoever held it may have removed the file meanwhile; then no name leads to what is locked here.
+  // Its last holder may have removed the file meanwhile; then no name leads to the file that is locked here.
   struct stat own{}, named{};
   if (::fstat(id_, &own) == 0 && ::stat(file_.c_str(), &named) == 0 && own.st_ino == named.st_ino &&
       own.st_dev == named.st_dev) {

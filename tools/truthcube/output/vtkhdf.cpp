@@ -114,7 +114,8 @@ VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, std::span<const
   VtkHdfWriter writer(std::move(path), points.size(), tets.size());
   const h5::File file = h5::File::open(writer.path_, false);
   const std::string name = writer.path_.string();
-  if (!file.has_attribute("/", "mesh_hash")) throw Error(name + ": truthcube did not write this file, so it cannot continue it");
+  if (!file.has_attribute("/", "mesh_hash"))
+    throw Error(name + ": truthcube did not write this file, so it cannot continue it");
   if (file.read_attribute<std::uint64_t>("/", "mesh_hash") != mesh_hash(points, tets)) {
     throw Error(name + ": is of another mesh, with " +
                 of_mesh(file.shape(in(root, "Points"))[0], file.shape(in(root, "Types"))[0]) + ", than this one of " +

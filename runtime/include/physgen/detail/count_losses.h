@@ -30,12 +30,12 @@ PHYSGEN_FUNCTION inline void raise(unsigned long long& bits, double value) {
 #endif
 }
 
-/// Makes `first` this place where it comes before the one that is there. Almost every call ends at the first
-/// comparison; else a lock of its own keeps place and value together.
-PHYSGEN_FUNCTION inline void keep_first(Losses::Place& first, index_t object, int offset, double value) {
-  const unsigned long long order = Losses::Place::order_of(object, offset);
+/// Makes `first` this loss where it comes before the one that is known. Almost every call ends at the first
+/// comparison; else a lock of its own keeps object and value together.
+PHYSGEN_FUNCTION inline void keep_first(Losses::FirstLoss& first, index_t object, int offset, double value) {
+  const unsigned long long order = Losses::FirstLoss::order_of(object, offset);
 #ifdef __CUDA_ARCH__
-  auto* known = const_cast<volatile Losses::Place*>(&first);
+  auto* known = const_cast<volatile Losses::FirstLoss*>(&first);
   while (order < known->order) {
     if (atomicCAS(&first.busy, 0U, 1U) != 0) continue;  // threads of a warp go on one by one
     __threadfence();
@@ -62,7 +62,7 @@ PHYSGEN_FUNCTION inline void keep_first(Losses::Place& first, index_t object, in
 #endif
 }
 
-PHYSGEN_FUNCTION inline void remember(unsigned long long& counter, Losses::Place& first, index_t object, int offset,
+PHYSGEN_FUNCTION inline void remember(unsigned long long& counter, Losses::FirstLoss& first, index_t object, int offset,
                                       double value) {
   count_one(counter);
   keep_first(first, object, offset, value);

@@ -54,7 +54,7 @@ template <class Step>
   return number;
 }
 
-/// What one launch did to one array.
+/// The accesses of one launch to one array.
 class ArrayAccesses {
  public:
   /// @param size objects of the array, of which a view may have fewer
@@ -73,9 +73,9 @@ class ArrayAccesses {
   /// @throw Error when it and another one, for another object of the kernel, are a race
   void note(FusedAccess access, index_t object, int offset, index_t of, int step) {
     Entry& entry = entries_.get()[object * units_ + offset / unit_];
-    const Place at{object, offset};
+    const Element at{object, offset};
     const std::uint64_t mine = static_cast<std::uint64_t>(step) << index_bits | static_cast<std::uint64_t>(of + 1);
-    // What is done is stored before others' is looked at: of two threads one at least sees the other.
+    // An access is stored before others' are looked at: of two threads one at least sees the other.
     if (access == FusedAccess::write) {
       look(at, access, mine, FusedAccess::write, std::atomic_ref(entry.writer).exchange(mine));
     } else {
@@ -95,7 +95,7 @@ class ArrayAccesses {
     std::uint64_t writer;
     std::array<std::uint64_t, 2> readers, adders;
   };
-  struct Place {
+  struct Element {
     index_t object;
     int offset;
   };
@@ -113,7 +113,7 @@ class ArrayAccesses {
       std::atomic_ref(who[1]).store(mine);
   }
 
-  void look(const Place& at, FusedAccess access, std::uint64_t mine, FusedAccess other_access,
+  void look(const Element& at, FusedAccess access, std::uint64_t mine, FusedAccess other_access,
             std::uint64_t other) const {
     if (other == 0 || index(other) == index(mine)) return;
     const auto says = [](FusedAccess what, std::uint64_t who) {
@@ -137,10 +137,10 @@ class ArrayAccesses {
   std::unique_ptr<Entry, Free> entries_;
 };
 
-/// What the steps of a fused kernel did in one launch.
+/// The accesses of a fused kernel's steps in one launch.
 class FusedAccesses {
  public:
-  /// What is known of an array; null where nothing is. @param losses of the array, which tell arrays apart
+  /// The accesses to an array; null where none are known. @param losses of the array, which tell arrays apart
   [[nodiscard]] ArrayAccesses* find(const Losses* losses) {
     static thread_local std::array<Known, 16> lately;
     Known& known = lately[reinterpret_cast<std::uintptr_t>(losses) / 64 % lately.size()];

@@ -51,7 +51,7 @@ struct AllLanes {
 };
 
 #ifdef PHYSGEN_CHECKED
-/// What a launch keeps of its calls: with what they throw, what the steps of a fused kernel do.
+/// A launch's memory of its calls: the exception that they throw, and what the steps of a fused kernel do.
 struct LaunchFailure : RegionFailure {
   FusedAccesses accesses;
 

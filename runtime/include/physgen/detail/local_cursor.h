@@ -73,7 +73,7 @@ struct LocalObject : Cursor {
   }
 };
 
-/// In the place of a field that a local does not have: what stands for its value is defined nowhere.
+/// In the place of a field that a local does not have: the type that stands for its value is defined nowhere.
 template <class Value>
 struct NoField {
   PHYSGEN_FUNCTION Value get() const;

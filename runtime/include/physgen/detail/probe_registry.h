@@ -23,7 +23,7 @@ struct Use {
   static inline const Use* last = nullptr;
 };
 
-/// Whoever names `use` makes the program have it.
+/// Code that names `use` makes the program have it.
 template <class ArrayTag, class Object, int field, Access access>
 struct Used {
   static inline const Use use{ArrayTag::name, Object::name,

@@ -23,7 +23,7 @@ struct Affine {
 template <class Base_, Affine kOf>
 struct Scaled {
   static_assert(FromLibrary<Base_> && !StoresNothing<Base_> && Base_::scale == 1 && Base_::centre == 0,
-                "what is scaled is Native, Float32, Float64, Half<> or Bfloat16");
+                "Scaled takes Native, Float32, Float64, Half<> or Bfloat16");
   static_assert(kOf.scale >= 0x1p-100 && kOf.scale <= 0x1p100, "numbers are scaled by 2^-100 to 2^100");
   static_assert(kOf.centre >= -0x1p126 && kOf.centre <= 0x1p126, "the centre is a number that float has");
   using Library = Scaled;

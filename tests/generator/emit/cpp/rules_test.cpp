@@ -40,7 +40,7 @@ TEST(Rules, refuse_fields_named_as_a_type_of_a_nested_object_that_is_said_beside
   }
 }
 
-// What Eigen keeps on the stack is 128 KiB: 128 x 128 doubles.
+// Eigen keeps at most 128 KiB on the stack: 128 x 128 doubles.
 TEST(Rules, refuse_fields_whose_value_is_too_large_for_the_stack) {
   EXPECT_EQ(issues(with({of("x", model::Shape::matrix, 128, 128)})), "");
   EXPECT_EQ(issues(with({of("x", model::Shape::diagonal, 1024, 1024)})), "");

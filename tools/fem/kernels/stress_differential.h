@@ -43,7 +43,7 @@ template <class S, class Derivative>
 
 /// dP = dP/dF : dF [Pa].
 template <class SvdView, class DerivativeView, class DifferentialView, class StressDifferentialView>
-struct DpFromDf {
+struct ComputeStressDifferential {
   using Scalar = typename StressDifferentialView::Precision;
   SvdView decomposition;          ///< elasticity::DeformationSvd, of which U and V are read
   DerivativeView derivative;      ///< elasticity::StressDerivative
@@ -59,6 +59,6 @@ struct DpFromDf {
   }
 };
 template <class... Views>
-DpFromDf(Views...) -> DpFromDf<Views...>;
+ComputeStressDifferential(Views...) -> ComputeStressDifferential<Views...>;
 
 }  // namespace physgen::fem
