@@ -9,6 +9,7 @@
 
 #include <set>
 
+#include "scenes/other_memory.h"
 #include "scenes/read_stores.h"
 
 namespace physgen::scenes {
@@ -16,52 +17,9 @@ namespace {
 
 using usage::Names;
 
-/// Memory beside the scene's arrays that may be written through what a kernel holds or names: nobody sees what it does
-/// there for which object, and so not whether another kernel, which runs after it for all objects, may run after it for
-/// each.
-class OtherMemory {
- public:
-  explicit OtherMemory(Names& names) : names_(names) {}
-
-  /// @return what it holds; empty: nothing
-  std::string find(const clang::CXXRecordDecl& record, bool is_shared = false) {
-    if (!record.hasDefinition() || !seen_.insert(record.getCanonicalDecl()).second) return {};
-    for (const auto& base : record.getDefinition()->bases())
-      if (std::string found = find(base.getType(), is_shared); !found.empty()) return found;
-    for (const auto* member : record.getDefinition()->fields())
-      if (std::string found = is_shared && member->isMutable() ? "holds a pointer or a reference to what may change"
-                                                               : find(member->getType(), is_shared);
-          !found.empty())
-        return found + (names_.is_library(member->getLocation())
-                            ? ""
-                            : " at " + usage::text_of(names_.place(member->getLocation())));
-    return {};
-  }
-
-  /// @param is_shared by all objects: behind a pointer or a reference, or a variable of the program
-  std::string find(clang::QualType type, bool is_shared) {
-    type = type.getCanonicalType();
-    while (type->isArrayType()) type = type->castAsArrayTypeUnsafe()->getElementType();
-    if (type->isMemberPointerType()) return "holds a pointer to a member";
-    if (type->isPointerType() || type->isReferenceType())
-      return type->getPointeeType().isConstQualified()
-                 ? find(type->getPointeeType(), true)
-                 : "holds a pointer or a reference to something that is not an array";
-    const auto* record = type->getAsCXXRecordDecl();
-    if (record == nullptr) return {};
-    const auto* view = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(record);
-    if (view == nullptr || !Names::is_physgen(record, "View")) return find(*record, is_shared);
-    const bool is_read_only = view->getTemplateArgs()[1].getAsType().isConstQualified();
-    return is_read_only || !names_.arrays(type).empty() ? "" : "holds a view of an array that the scene has not";
-  }
-
- private:
-  Names& names_;
-  std::set<const clang::Decl*> seen_;
-};
-
-/// Finds what keeps a kernel from being a step of a fused kernel: it asks for its index, makes one, does what locals do
-/// not allow, or uses what cannot be seen; also in functions of its own that libraries call, such as std::invoke().
+/// Finds what keeps a kernel from being a step of a fused kernel: it asks for its index, makes one, does what locals,
+/// which are not arrays, do not allow, or uses what cannot be seen. Functions of libraries are looked through for those
+/// of the program that they call, such as those that std::invoke() is given.
 class Unfit : public clang::RecursiveASTVisitor<Unfit> {
  public:
   explicit Unfit(Names& names) : names_(names) {}
@@ -191,7 +149,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
   void shared(const clang::VarDecl& variable, clang::SourceLocation place) {
     if (!variable.hasGlobalStorage() || names_.is_library(variable.getLocation())) return;
     const auto type = variable.getType();
-    if (!type.isConstQualified() || !OtherMemory(names_).find(type, true).empty())
+    if (!type.isConstQualified() || !other_memory_of(type, names_).empty())
       say(place, "uses the variable " + variable.getNameAsString());
   }
   void destroys(clang::QualType type) {
@@ -291,7 +249,7 @@ KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel
     facts.obstacle = "it has more call operators than one template over the index";
     return facts;
   }
-  if (const std::string use = OtherMemory(names).find(*record); !use.empty()) facts.obstacle = "it " + use;
+  if (const std::string use = other_memory_of(*record, names); !use.empty()) facts.obstacle = "it " + use;
   if (const std::string use = Unfit(names).find(*packs); !use.empty()) facts.obstacle = "it " + use;
   facts.stores = Stores(names, scene, context).of(*packs);
   return facts;

@@ -1,6 +1,8 @@
 #include "names.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <numeric>
 
 namespace physgen::truthcube {
@@ -40,6 +42,12 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
 std::string unknown(const std::string& kind, const std::string& word, const std::vector<std::string>& words) {
   const std::string near = nearest(word, words);
   return "there is no " + kind + " " + word + (near.empty() ? "." : "; did you mean " + near + "?");
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
 }
 
 std::string joined(const std::vector<std::string>& words) {

@@ -1,4 +1,4 @@
-// Choices by name on a command line, and the name that a misspelt one is near to.
+// Words of a command line: choices by name, the name that a misspelt one is near to, and numbers.
 #pragma once
 
 #include <string>
@@ -15,6 +15,9 @@ namespace physgen::truthcube {
 /// "material", ...
 [[nodiscard]] std::string unknown(const std::string& kind, const std::string& word,
                                   const std::vector<std::string>& words);
+
+/// The shortest text that stands for this number: "0.1", "1e-09"
+[[nodiscard]] std::string number(double value);
 
 /// "a, b, c"
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);

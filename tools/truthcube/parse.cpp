@@ -2,10 +2,7 @@
 
 #include <physgen/error.h>
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "arrays.h"
@@ -54,12 +51,6 @@ void require_built(const std::string& layout) {
   }
   throw Error("--layout " + layout + ": the layout is a choice of the build, and this one has " + built_layout() +
               "; configure one with cmake -DPHYSGEN_LAYOUT=" + layout);
-}
-
-std::string number(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end.ptr};
 }
 
 void require(bool holds, const std::string& what) {

@@ -65,6 +65,20 @@ void require_memory_for(const Options& options, const RunBytes& bytes) {
   }
 }
 
+/// How such a run speaks of its solves; of what helps where there is no equilibrium, what is not chosen yet.
+SolveWords solve_words(const Options& options) {
+  const bool is_linear = options.scene == SceneKind::linear_elastic;
+  std::string remedies = is_linear ? "a --poisson farther from 0.5" : "more and smaller --compress steps";
+  if (options.historical) remedies += ", the same without --historical";
+  if (!is_linear && options.solver.nested) remedies += ", --stepping loads";
+  const bool may_be_double = options.scene == SceneKind::everything || is_linear;
+  if (may_be_double && !options.historical && options.solver.precision != fem::TangentPrecision::float64) {
+    remedies += ", --precision double";
+  }
+  remedies += options.is_cube() ? ", or more --cells" : ", or a finer mesh";
+  return {is_linear ? "linear solves" : "Newton steps", remedies};
+}
+
 void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
   notes.insert(notes.end(), more.begin(), more.end());
 }
@@ -164,8 +178,7 @@ Outcome run(Options options, const std::string& command) {
   files.write_record(record);
   if (dynamic != nullptr) return run_motion(options, scene, *dynamic, files, record, terminal);
   const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
-  const char* what = options.scene == SceneKind::linear_elastic ? "linear solves" : "Newton steps";
-  return Steps(scene, *solver, files, record, beads, terminal, tolerance, what)
+  return Steps(scene, *solver, files, record, beads, terminal, tolerance, solve_words(options))
       .run(options.compressions, options.repetitions);
 }
 

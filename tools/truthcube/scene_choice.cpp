@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "arrays.h"
+#include "names.h"
 
 namespace physgen::truthcube {
 
@@ -140,13 +141,13 @@ void apply_scene(Options& options, const Given& given) {
 void check_motion(const MotionOptions& motion) {
   const auto require_positive = [](const char* flag, double value, const char* what) {
     if (value > 0 && std::isfinite(value)) return;
-    throw Error(std::string(flag) + " " + std::to_string(value) + ": " + what + " is a positive number");
+    throw Error(std::string(flag) + " " + number(value) + ": " + what + " is a positive number");
   };
   require_positive("--duration", motion.duration, "the time of the motion, in seconds,");
   require_positive("--density", motion.density, "the density, in kg/m^3,");
   if (motion.time_step != 0) require_positive("--time-step", motion.time_step, "the time step, in seconds,");
   if (!(motion.damping >= 0) || !std::isfinite(motion.damping)) {
-    throw Error("--damping " + std::to_string(motion.damping) + ": the damping, in 1/s, is 0 or a positive number");
+    throw Error("--damping " + number(motion.damping) + ": the damping, in 1/s, is 0 or a positive number");
   }
 }
 

@@ -162,8 +162,8 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
                                  ? ""
                                  : ", " + std::to_string(result.coarse_steps) + " and " +
                                        std::to_string(result.coarse_iterations) + " on coarser meshes";
-  terminal_.line("  solved in %.3f s: %d %s and %d PCG iterations%s; reaction %.6g N", seconds, result.steps, what_,
-                 result.iterations, coarse.c_str(), reaction);
+  terminal_.line("  solved in %.3f s: %d %s and %d PCG iterations%s; reaction %.6g N", seconds, result.steps,
+                 words_.what.c_str(), result.iterations, coarse.c_str(), reaction);
   if (std::isfinite(estimates.reaction)) {
     terminal_.line(
         "  estimated from half as many cells: displacements are off by %.4f mm RMS, %.4f mm at most; reaction of an "
@@ -201,15 +201,14 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
     terminal_.line("compression %g, on the way", reached);
     finish(reached, *found, seconds, last.newton());
   }
-  std::fprintf(
-      stderr,
-      "truthcube: no equilibrium at a compression of %g: %s, after %d Newton steps, with a residual of %.2e; the "
-      "last equilibrium is at %g.\n",
-      compression, reason(result.status), result.steps, result.residual, reached);
+  std::fprintf(stderr,
+               "truthcube: no equilibrium at a compression of %g: %s, after %d %s, with a residual of %.2e; the last "
+               "equilibrium is at %g.\n",
+               compression, reason(result.status), result.steps, words_.what.c_str(), result.residual, reached);
   const fem::MeshLevel& level = scene_.levels.front();
   std::fprintf(stderr, "There, %s.\n",
                describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses())).c_str());
-  std::fputs("Try more and smaller --compress steps, --stepping loads, --precision double, or more --cells.\n", stderr);
+  std::fprintf(stderr, "Try %s.\n", words_.remedies.c_str());
   return Outcome::not_converged;
 }
 

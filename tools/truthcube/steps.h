@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "outcome.h"
@@ -29,12 +31,18 @@ struct MeasuredBeads {
 
 class LastEquilibrium;
 
+/// How a run speaks of its solves.
+struct SolveWords {
+  std::string what;      ///< the steps of a solve, in the plural
+  std::string remedies;  ///< what to try where there is no equilibrium
+};
+
 class Steps {
  public:
   /// All stay alive as long as this. @param record gets an entry for each step
-  /// @param tolerance of the residual; 0: of another measure @param what its steps are, in the plural
+  /// @param tolerance of the residual; 0: of another measure
   Steps(const Scene& scene, fem::EquilibriumSolver& solver, RunFiles& files, RunRecord& record,
-        const std::optional<MeasuredBeads>& beads, const Terminal& terminal, double tolerance, const char* what)
+        const std::optional<MeasuredBeads>& beads, const Terminal& terminal, double tolerance, SolveWords words)
       : scene_(scene),
         solver_(solver),
         files_(files),
@@ -42,7 +50,7 @@ class Steps {
         beads_(beads),
         terminal_(terminal),
         tolerance_(tolerance),
-        what_(what) {}
+        words_(std::move(words)) {}
 
   /// Solves for those behind the solver's load. Ctrl-C ends this after a Newton step; a second one ends the process.
   /// @param repetitions of all solves once more from where they began, for their time without what a program does once
@@ -66,7 +74,7 @@ class Steps {
   const std::optional<MeasuredBeads>& beads_;
   const Terminal& terminal_;
   double tolerance_;
-  const char* what_;
+  SolveWords words_;
 };
 
 }  // namespace physgen::truthcube

@@ -29,6 +29,7 @@ inline float memory = 0;
 inline float* const shared = &memory;
 struct State { static inline float kept = 0; };
 struct Holder { float* to; };
+struct Box { mutable float number = 0; };
 template <class A, class B> struct Both { A a; B b; };
 struct AtItsBegin { float n; AtItsBegin() : n(++last) {} };
 struct AtItsEnd { ~AtItsEnd() { ++last; } };
@@ -45,6 +46,7 @@ template <class V> constexpr float cleared(const V& view) { view[0].a() = 0.0F; 
          kernel("CopyByMember", store + "    state.kept = 1;\n", "  State state = {};\n") +
          kernel("CopyByPointer", store + "    *shared = 1;\n") +
          kernel("CopyByHolder", store + "    *holder->to = 1;\n", "  const Holder* holder = nullptr;\n") +
+         kernel("CopyByBox", store + "    box->number = 1;\n", "  Box own = {};\n  const Box* box = nullptr;\n") +
          kernel("CopyByConst", store + "    *const_cast<float*>(number) = 1;\n", "  const float* number = nullptr;\n") +
          kernel("CopyByConstructor", store + "    (void)AtItsBegin();\n") +
          kernel("CopyByDestructor", store + "    const HasOne has;\n") +
@@ -66,6 +68,7 @@ const std::vector<Block> blocks = {
     block("member", "CopyByMember"),
     block("sharedpointer", "CopyByPointer"),
     block("holder", "CopyByHolder"),
+    block("box", "CopyByBox"),
     block("constant", "CopyByConst"),
     block("constructor", "CopyByConstructor"),
     block("destructor", "CopyByDestructor"),
@@ -104,7 +107,9 @@ TEST_F(Command, keeps_steps_apart_that_share_what_no_array_holds_or_whose_words_
   for (const auto& [name, reason] : std::map<std::string, std::string>{
            {"member", "CopyByMember: it uses the variable kept at kernels.h:"},
            {"sharedpointer", "CopyByPointer: it uses the variable shared at kernels.h:"},
-           {"holder", "CopyByHolder: it holds a pointer or a reference to something that is not an array at kernels.h:"},
+           {"holder",
+            "CopyByHolder: it holds a pointer or a reference to something that is not an array at kernels.h:"},
+           {"box", "CopyByBox: it holds a pointer or a reference to something that may change at kernels.h:"},
            {"constant", "CopyByConst: it casts const away at kernels.h:"},
            {"constructor", "CopyByConstructor: it uses the variable last at kernels.h:"},
            {"destructor", "CopyByDestructor: it uses the variable last at kernels.h:"},

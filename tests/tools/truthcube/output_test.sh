@@ -90,12 +90,18 @@ case $rule in
     expect_exit 3 "${small[@]}" --compress 0.05 0.999999 --out o
     expect err 'no equilibrium at a compression of 0[.]999999: .* the last equilibrium is at '
     expect err 'J -?[0-9.e-]+, F = \[.*;.*;.*\]'
-    expect err 'Try more and smaller --compress steps'
+    expect err 'Try more and smaller --compress steps, --stepping loads, --precision double, or more --cells[.]$'
     last=$(sed -nE 's/.*the last equilibrium is at ([0-9.]+)[.]$/\1/p' err)
     steps=$(number_of compression o/run.json | wc -l)
     (($(wc -l <o/beads.csv) == 343 * steps + 1)) || fail 'beads of other steps than the record'
     awk -v a="$last" -v b="$(number_of compression o/run.json | tail -1)" 'BEGIN { exit !(a - b < 1e-5 && b - a < 1e-5) }' ||
       fail "the last step written is not at $last" ;;
+  where_there_is_no_equilibrium_what_is_not_yet_chosen_is_to_be_tried)
+    expect_exit 3 "${small[@]}" --precision double --stepping loads --compress 0.999999
+    expect err 'Try more and smaller --compress steps, or more --cells[.]$'
+    expect_exit 3 "${small[@]}" --scene linear-elastic --poisson 0.4999999 --compress 0.5
+    expect err 'after [0-9]+ linear solves,'
+    expect err 'Try a --poisson farther from 0[.]5, --precision double, or more --cells[.]$' ;;
   inverted_tets_of_an_equilibrium_are_said)
     flags=("${small[@]}" --volume tets --material st-venant-kirchhoff)
     expect_exit 0 "${flags[@]}" --compress 0.6 --out o

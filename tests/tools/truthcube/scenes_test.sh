@@ -93,9 +93,9 @@ case $rule in
     expect_refused 'implicit-dynamics goes without --fixed-order: that is for the sums of --scene explicit' \
       --scene implicit-dynamics --fixed-order
     expect_refused 'everything goes without --fixed-order' --fixed-order
-    expect_refused '--density 0.0*: the density' --scene implicit-dynamics --density 0
-    expect_refused '--duration -1.0*: the time' --scene implicit-dynamics --duration -1
-    expect_refused '--damping -2.0*: the damping' --scene explicit-dynamics --damping -2
+    expect_refused '--density 0: the density' --scene implicit-dynamics --density 0
+    expect_refused '--duration -1: the time' --scene implicit-dynamics --duration -1
+    expect_refused '--damping -2: the damping' --scene explicit-dynamics --damping -2
     expect_refused '--time-step nan: the time step' --scene explicit-dynamics --time-step nan
     expect_refused 'frames: Value 0 not in range' --scene explicit-dynamics --frames 0 ;;
   a_dry_run_says_the_bytes_that_a_scene_takes)
