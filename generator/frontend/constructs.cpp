@@ -46,26 +46,22 @@ bool is_harmless(const clang::CXXRecordDecl& record, const clang::Decl& member, 
 }
 
 bool is_plain_field(const clang::FieldDecl& declaration, Report& report) {
-  const std::string what = "field " + quoted(declaration.getName());
   bool good = true;
+  const auto refuse = [&](clang::SourceRange range, const std::string& what) {
+    report.error(range, "field " + quoted(declaration.getName()) + what);
+    good = false;
+  };
   if (declaration.getAccess() != clang::AS_public) {
-    report.error(declaration.getLocation(),
-                 what + " is " + (declaration.getAccess() == clang::AS_private ? "private" : "protected") +
-                     ", but generated code must reach it; write 'struct' and no '" +
-                     (declaration.getAccess() == clang::AS_private ? "private:'" : "protected:'"));
-    good = false;
+    const std::string access = declaration.getAccess() == clang::AS_private ? "private" : "protected";
+    refuse(declaration.getLocation(),
+           " is " + access + ", but generated code must reach it; write 'struct' and no '" + access + ":'");
   }
-  if (const auto* initializer = declaration.getInClassInitializer()) {
-    report.error(initializer->getSourceRange(),
-                 what + " has a C++ initializer; write PHYSGEN(initial(...)) before its type");
-    good = false;
-  }
-  if (const auto* aligned = declaration.getAttr<clang::AlignedAttr>()) {
-    report.error(aligned->getRange(), what +
-                                          " has an alignment, which is the layout's choice; remove alignas, or write "
-                                          "PHYSGEN_OBJECT(align(...)) for the whole record");
-    good = false;
-  }
+  if (const auto* initializer = declaration.getInClassInitializer())
+    refuse(initializer->getSourceRange(), " has a C++ initializer; write PHYSGEN(initial(...)) before its type");
+  if (const auto* aligned = declaration.getAttr<clang::AlignedAttr>())
+    refuse(aligned->getRange(),
+           " has an alignment, which is the layout's choice; remove alignas, or write PHYSGEN_OBJECT(align(...)) for "
+           "the whole record");
   return good;
 }
 

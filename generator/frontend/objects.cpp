@@ -86,11 +86,11 @@ class SchemaReader {
   void record(const clang::CXXRecordDecl& record) {
     if (clang::isTemplateInstantiation(record.getTemplateSpecializationKind())) return;  // of what is walked itself
     const auto object_marker = marker(record, object_annotation);
-    const std::string what = "object " + quoted(record.getName());
+    const auto refuse = [&](const std::string& what) {
+      report_.error(record.getLocation(), "object " + quoted(record.getName()) + what);
+    };
     if (object_marker && record.getDescribedClassTemplate() != nullptr)
-      return report_.error(record.getLocation(), what +
-                                                     " is a template, and the generator needs its sizes; write a "
-                                                     "struct for each set of arguments");
+      return refuse(" is a template, and the generator needs its sizes; write a struct for each set of arguments");
     if (!record.isThisDeclarationADefinition()) return;
     if (const auto range = marker(record, field_annotation))
       report_.error(*range, "PHYSGEN is for fields; write PHYSGEN_OBJECT(...) for the options of a struct");
@@ -102,17 +102,13 @@ class SchemaReader {
                            "'struct PHYSGEN_OBJECT() Name'");
     }
     if (!record.getDeclContext()->getRedeclContext()->isFileContext())
-      return report_.error(record.getLocation(),
-                           what + " is not at namespace scope, where object types stand; move it there");
+      return refuse(" is not at namespace scope, where object types stand; move it there");
     if (record.isUnion())
-      return report_.error(record.getLocation(),
-                           what + " is a union, whose members share memory; write a struct with one field per member");
+      return refuse(" is a union, whose members share memory; write a struct with one field per member");
     if (llvm::isa<clang::ClassTemplateSpecializationDecl>(record))
-      return report_.error(record.getLocation(), what + " is a specialization of a template; write a struct");
+      return refuse(" is a specialization of a template; write a struct");
     if (record.isInAnonymousNamespace())
-      report_.error(
-          record.getLocation(),
-          what + " is in an anonymous namespace, where generated code cannot name it; give the namespace a name");
+      refuse(" is in an anonymous namespace, where generated code cannot name it; give the namespace a name");
     object(record);
   }
 

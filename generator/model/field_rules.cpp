@@ -1,4 +1,4 @@
-// See field_rules.h. One small function per rule; FieldChecker carries what they share.
+// See field_rules.h. One small function per rule.
 #include "model/field_rules.h"
 
 #include <algorithm>
@@ -12,107 +12,98 @@
 namespace physgen::model {
 namespace {
 
-class FieldChecker {
- public:
-  explicit FieldChecker(const FieldReport& to) : report_(to) {}
-
-  bool sizes(const Field& field) {
-    const auto wrong = [&](const std::string& instead) {
-      report_(Aspect::type, "field " + quoted(field.name) + " has the type " + schema_type(field) + ", " + instead);
-      return false;
-    };
-    const std::string limits = "whose sizes must be from 1 to " + std::to_string(max_side);
-    const int rows = field.rows, cols = field.cols;
-    if (rows < 1 || cols < 1) return wrong("which stores nothing; " + std::string("sizes must be at least 1"));
-    if (rows > max_side || cols > max_side) return wrong(limits + "; keep larger matrices in objects of blocks");
-    const ShapeFacts& shape = facts(field.shape);
-    const std::string side = std::to_string(shape.side);
-    if (!shape.integers && facts(field.element).integer) return wrong("whose elements must be real");
-    switch (shape.sides) {
-      case Sides::fixed:
-        return (rows == shape.side && cols == shape.side) || wrong("but rows and cols are not " + side);
-      case Sides::column:
-        return cols == 1 || wrong("but cols is not 1");
-      case Sides::square:
-        if (rows < shape.side)
-          return wrong("which stores nothing; a " + std::string(shape.phrase) + " matrix has at least size " + side);
-        return rows == cols || wrong("but rows and cols differ");
-      case Sides::any:
-        return true;
-    }
-    return true;
+bool check_sizes(const Field& field, const FieldReport& report) {
+  const auto wrong = [&](const std::string& instead) {
+    report(Aspect::type, "field " + quoted(field.name) + " has the type " + schema_type(field) + ", " + instead);
+    return false;
+  };
+  const std::string limits = "whose sizes must be from 1 to " + std::to_string(max_side);
+  const int rows = field.rows, cols = field.cols;
+  if (rows < 1 || cols < 1) return wrong("which stores nothing; " + std::string("sizes must be at least 1"));
+  if (rows > max_side || cols > max_side) return wrong(limits + "; keep larger matrices in objects of blocks");
+  const ShapeFacts& shape = facts(field.shape);
+  const std::string side = std::to_string(shape.side);
+  if (!shape.integers && facts(field.element).integer) return wrong("whose elements must be real");
+  switch (shape.sides) {
+    case Sides::fixed:
+      return (rows == shape.side && cols == shape.side) || wrong("but rows and cols are not " + side);
+    case Sides::column:
+      return cols == 1 || wrong("but cols is not 1");
+    case Sides::square:
+      if (rows < shape.side)
+        return wrong("which stores nothing; a " + std::string(shape.phrase) + " matrix has at least size " + side);
+      return rows == cols || wrong("but rows and cols differ");
+    case Sides::any:
+      return true;
   }
+  return true;
+}
 
-  void options(const Field& field) {
-    if (field.shape == Shape::object) {
-      const std::string advice = " has no meaning for nested object " + quoted(field.name) +
-                                 "; write it at the fields of " + quoted(field.object);
-      if (!field.unit.empty()) report_(Aspect::unit, "unit()" + advice);
-      if (field.range) report_(Aspect::range, "range()" + advice);
-      if (field.initial) report_(Aspect::initial, "initial()" + advice);
-      if (field.host_format != Format{}) report_(Aspect::host_format, "format()" + advice);
-      if (field.cuda_format != Format{}) report_(Aspect::cuda_format, "format()" + advice);
-      return;
-    }
-    unit(field.unit);
-    if (field.range) range(*field.range);
-    if (field.initial) initial(field);
-    check_format(Aspect::host_format, field, field.host_format, report_);
-    check_format(Aspect::cuda_format, field, field.cuda_format, report_);
+void check_unit(const std::string& unit, const FieldReport& report) {
+  const auto unprintable = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '"' || c == '\\'; };
+  if (unit.size() > 64 || std::any_of(unit.begin(), unit.end(), unprintable))
+    report(Aspect::unit,
+           "a unit is at most 64 printable characters without quotes and backslashes; write one such as "
+           "unit(\"N/m^2\")");
+}
+
+void check_range(const Range& range, const FieldReport& report) {
+  if (!std::isfinite(range.low) || !std::isfinite(range.high))
+    report(Aspect::range, "both ends of a range must be finite; write the largest meaningful value instead");
+  else if (range.low > range.high)
+    report(Aspect::range, "range(" + number(range.low) + ", " + number(range.high) +
+                              ") is empty; write the lower end first, range(" + number(range.high) + ", " +
+                              number(range.low) + ")");
+}
+
+void check_initial(const Field& field, const FieldReport& report) {
+  const double value = *field.initial;
+  const bool whole = facts(field.element).integer;
+  const int bits = 8 * facts(field.element).bytes_with_double;
+  const double end = std::ldexp(1, bits - 1);                                  // of integers
+  const bool is_float = !whole && facts(field.element).bytes_with_float == 4;  // or can be
+  const auto wrong = [&](const std::string& why) {
+    report(Aspect::initial, "initial(" + number(value) + ") is " + why);
+  };
+  const std::string elements = ", as the elements of " + quoted(field.name) + " are";
+  if (!std::isfinite(value))
+    report(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
+  else if (field.shape == Shape::rotation)
+    report(Aspect::initial, "a matrix of equal elements is not a rotation; leave initial() out");
+  else if (whole && (value != std::floor(value) || value < -end || value >= end))
+    wrong("not a " + std::to_string(bits) + "-bit integer" + elements + "; write one");
+  else if (is_float && std::abs(value) > FLT_MAX)
+    wrong("not a float" + elements + " or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
+          ", or declare it double");
+  else if (is_float && value != 0 && static_cast<float>(value) == 0)
+    wrong("0 as a float" + elements + " or can be; write 0 or a size from 1.5e-45 on, or declare it double");
+  else if (field.range && (value < field.range->low || value > field.range->high))
+    wrong("outside range(" + number(field.range->low) + ", " + number(field.range->high) + "); change one of them");
+}
+
+void check_options(const Field& field, const FieldReport& report) {
+  if (field.shape == Shape::object) {
+    const std::string advice = " has no meaning for nested object " + quoted(field.name) +
+                               "; write it at the fields of " + quoted(field.object);
+    if (!field.unit.empty()) report(Aspect::unit, "unit()" + advice);
+    if (field.range) report(Aspect::range, "range()" + advice);
+    if (field.initial) report(Aspect::initial, "initial()" + advice);
+    if (field.host_format != Format{}) report(Aspect::host_format, "format()" + advice);
+    if (field.cuda_format != Format{}) report(Aspect::cuda_format, "format()" + advice);
+    return;
   }
-
-  void unit(const std::string& unit) {
-    const auto unprintable = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '"' || c == '\\'; };
-    if (unit.size() > 64 || std::any_of(unit.begin(), unit.end(), unprintable))
-      report_(Aspect::unit,
-              "a unit is at most 64 printable characters without quotes and backslashes; write one such as "
-              "unit(\"N/m^2\")");
-  }
-
-  void range(const Range& range) {
-    if (!std::isfinite(range.low) || !std::isfinite(range.high))
-      report_(Aspect::range, "both ends of a range must be finite; write the largest meaningful value instead");
-    else if (range.low > range.high)
-      report_(Aspect::range, "range(" + number(range.low) + ", " + number(range.high) +
-                                 ") is empty; write the lower end first, range(" + number(range.high) + ", " +
-                                 number(range.low) + ")");
-  }
-
-  void initial(const Field& field) {
-    const double value = *field.initial;
-    const bool whole = facts(field.element).integer;
-    const int bits = 8 * facts(field.element).bytes_with_double;
-    const double end = std::ldexp(1, bits - 1);                                  // of integers
-    const bool is_float = !whole && facts(field.element).bytes_with_float == 4;  // or can be
-    const auto wrong = [&](const std::string& why) {
-      report_(Aspect::initial, "initial(" + number(value) + ") is " + why);
-    };
-    const std::string elements = ", as the elements of " + quoted(field.name) + " are";
-    if (!std::isfinite(value))
-      report_(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
-    else if (field.shape == Shape::rotation)
-      report_(Aspect::initial, "a matrix of equal elements is not a rotation; leave initial() out");
-    else if (whole && (value != std::floor(value) || value < -end || value >= end))
-      wrong("not a " + std::to_string(bits) + "-bit integer" + elements + "; write one");
-    else if (is_float && std::abs(value) > FLT_MAX)
-      wrong("not a float" + elements + " or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
-            ", or declare it double");
-    else if (is_float && value != 0 && static_cast<float>(value) == 0)
-      wrong("0 as a float" + elements + " or can be; write 0 or a size from 1.5e-45 on, or declare it double");
-    else if (field.range && (value < field.range->low || value > field.range->high))
-      wrong("outside range(" + number(field.range->low) + ", " + number(field.range->high) + "); change one of them");
-  }
-
- private:
-  const FieldReport& report_;
-};
+  check_unit(field.unit, report);
+  if (field.range) check_range(*field.range, report);
+  if (field.initial) check_initial(field, report);
+  check_format(Aspect::host_format, field, field.host_format, report);
+  check_format(Aspect::cuda_format, field, field.cuda_format, report);
+}
 
 }  // namespace
 
 bool check_field(const Field& field, const FieldReport& report) {
-  FieldChecker checker(report);
-  checker.options(field);
-  return field.shape != Shape::object && checker.sizes(field);
+  check_options(field, report);
+  return field.shape != Shape::object && check_sizes(field, report);
 }
 
 }  // namespace physgen::model

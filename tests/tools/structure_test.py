@@ -125,6 +125,19 @@ def backends(root):
     return [sorted(path.stem for path in folder.iterdir() if path.is_file()) for folder in folders]
 
 
+def details_first(root):
+    """Public headers of the runtime that do not begin with a comment, or have inner parts before what they offer."""
+    folder = root / "runtime/include/physgen"
+    found = []
+    for path in sorted(folder.rglob("*.h")):
+        text = path.read_text(encoding="utf-8")
+        before, inner, _ = text.partition("\nnamespace detail {")
+        offers = re.search(r"(?m)^(template|struct|class|enum|using|inline|constexpr|concept|\[\[|PHYSGEN|#define)", before)
+        if path.parent != folder / "detail" and (not text.startswith("// ") or (inner and not offers)):
+            found.append(path.relative_to(folder).as_posix())
+    return found
+
+
 class StructureTest(unittest.TestCase):
     def test_every_source_has_a_room(self):
         self.assertEqual([str(path) for path in sources(ROOT) if room(path) is None], [])
@@ -140,6 +153,9 @@ class StructureTest(unittest.TestCase):
     def test_no_file_is_longer_than_a_concept(self):
         self.assertGreater(sum(1 for _ in written(ROOT)), 700)
         self.assertEqual(too_long(ROOT), [])
+
+    def test_public_headers_begin_with_what_they_offer(self):
+        self.assertEqual(details_first(ROOT), [])
 
     def test_both_backends_have_the_same_files(self):
         with_cuda, without = backends(ROOT)
@@ -187,6 +203,16 @@ class FaultsTest(unittest.TestCase):
         self.write("runtime/include/physgen/a.h")
         self.write("tools/fem/kernels/a.h", "<physgen/a.h>")
         self.assertEqual(upward(self.root), ["runtime/src/a.cpp includes tools/fem/kernels/a.h, of tools/fem/kernels"])
+
+    def test_a_public_header_that_begins_with_inner_parts_is_found(self):
+        folder = self.root / "runtime/include/physgen"
+        (folder / "detail").mkdir(parents=True)
+        inner, offered = "namespace detail {\nint f();\n}\n", "inline int g();\n"
+        (folder / "first.h").write_text("// Numbers.\n" + inner + offered)
+        (folder / "last.h").write_text("// Numbers.\n" + offered + inner)
+        (folder / "silent.h").write_text("#pragma once\n" + offered)
+        (folder / "detail/all.h").write_text("// Numbers.\n" + inner)
+        self.assertEqual(details_first(self.root), ["first.h", "silent.h"])
 
     def test_a_long_source_and_a_missing_one_of_a_backend_are_found(self):
         self.write("runtime/src/cuda/memory.cu", lines=LONGEST + 1)

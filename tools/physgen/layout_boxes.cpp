@@ -40,23 +40,24 @@ std::string span(long long first, long long last) {
   return first == last ? std::to_string(first) : std::to_string(first) + ".." + std::to_string(last);
 }
 
+Box padding(long long begin, long long bytes, const std::string& text) {
+  return {begin, begin + bytes, -1, 0, 0, 0, 0, text};
+}
+
 Row record_row(const LayoutMap& map, long long object) {
   Row row{std::to_string(object), {}};
   for (const Segment* segment : shown_segments(map)) {
     if (segment == nullptr) continue;
     const long long begin = object * map.record_bytes + segment->offset;
-    Box box{begin,
-            begin + segment->bytes,
-            segment->accessor,
-            0,
-            0,
-            object,
-            1,
-            "-- " + std::to_string(segment->bytes) + " --"};
+    Box box = padding(begin, segment->bytes, "-- " + std::to_string(segment->bytes) + " --");
     if (segment->accessor >= 0) {
-      box.elements = accessor_of(map, *segment).run_elements;
+      const Accessor& accessor = accessor_of(map, *segment);
+      box.field = segment->accessor;
+      box.elements = accessor.run_elements;
       box.element = segment->run * box.elements;
-      box.text = run_name(accessor_of(map, *segment), segment->run);
+      box.object = object;
+      box.objects = 1;
+      box.text = run_name(accessor, segment->run);
     }
     box.text.insert(0, "+" + std::to_string(segment->offset) + " ");
     row.boxes.push_back(std::move(box));
@@ -83,16 +84,16 @@ Row channel_row(const LayoutMap& map, const Segment& segment, int element, long 
     add(object, sector_end(object));
   if (object < end_object) add(std::max(object, end_object - std::max(1, sector_bytes / bytes)), end_object);
   if (const long long spare = map.pitch - plan::assumed_objects; spare > 0)
-    row.boxes.push_back({at(end_object), at(end_object + spare), -1, 0, 0, 0, 0, std::to_string(spare) + " spare"});
+    row.boxes.push_back(padding(at(end_object), spare * bytes, std::to_string(spare) + " spare"));
   return row;
 }
 
 /// A segment of the first tile: all its elements, or the first two and the last.
 void add_rows(const LayoutMap& map, const Segment& segment, bool all, std::vector<Row>& rows) {
   if (segment.accessor < 0) {
-    const long long begin = segment.offset * map.pitch, bytes = segment.bytes * map.pitch;
+    const long long bytes = segment.bytes * map.pitch;
     const std::string text = "-- " + std::to_string(bytes) + " bytes padding --";
-    rows.push_back({"--", {{begin, begin + bytes, -1, 0, 0, 0, 0, text}}});
+    rows.push_back({"--", {padding(segment.offset * map.pitch, bytes, text)}});
     return;
   }
   const int elements = accessor_of(map, segment).run_elements;
@@ -220,7 +221,7 @@ std::string warp_words(const LayoutMap& map) {
   long long ideal = 0;
   for (const Accessor& accessor : map.accessors) {
     total += accessor.sectors.total;
-    ideal += 1LL * accessor.elements() * accessor.sectors.ideal;
+    ideal += accessor.ideal_sectors();
   }
   return "all " + counted(map.elements(), "request") + ": " + counted(total, "sector") + ", " +
          fixed(static_cast<double>(total) / static_cast<double>(ideal), 2) + "x the ideal " + std::to_string(ideal) +

@@ -19,7 +19,7 @@ Json write(const LayoutMap& map, const Accessor& accessor) {
           {"bytes", accessor.elements() * accessor.bytes},
           {"sectors_per_request", {accessor.sectors.fewest, accessor.sectors.most}},
           {"sectors", accessor.sectors.total},
-          {"ideal_sectors", 1LL * accessor.elements() * accessor.sectors.ideal}};
+          {"ideal_sectors", accessor.ideal_sectors()}};
 }
 
 Json write(const LayoutMap& map, const Box& box) {

@@ -100,7 +100,7 @@ void draw_table(const LayoutMap& map, std::string& text) {
       {"field", "elements", "format", "offset", "bytes", "sectors/request", "of ideal", "used of 32 B"}};
   for (const Accessor& accessor : map.accessors) {
     const double over_ideal =
-        static_cast<double>(accessor.sectors.total) / (1.0 * accessor.elements() * accessor.sectors.ideal);
+        static_cast<double>(accessor.sectors.total) / static_cast<double>(accessor.ideal_sectors());
     lines.push_back({accessor.name, std::to_string(accessor.elements()), format_word(accessor, map.precision),
                      std::to_string(accessor.offset(0)), std::to_string(accessor.elements() * accessor.bytes),
                      sectors_words(accessor.sectors), fixed(over_ideal, 2) + "x", fixed(sector_bytes / over_ideal, 1)});

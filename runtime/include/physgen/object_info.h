@@ -55,6 +55,14 @@ template <class Shape, class Format, class T>
           format::is_pruned<Element>};
 }
 
+/// Whether something is stored of every field.
+template <std::size_t N>
+[[nodiscard]] constexpr bool all_stored(const std::array<FieldInfo, N>& fields) {
+  for (const FieldInfo& field : fields)
+    if (!field.is_stored()) return false;
+  return true;
+}
+
 /// Number of elements over all fields, as code sees them.
 template <std::size_t N>
 [[nodiscard]] constexpr int element_count(const std::array<FieldInfo, N>& fields) {

@@ -22,17 +22,6 @@ extern "C" __device__ void physgen_a_kernel_on_the_device_uses_a_view_of_Host_me
 
 namespace physgen {
 
-namespace detail {
-
-template <class View>
-inline constexpr bool stores_all_fields = [] {
-  for (const auto& field : View::Object::template fields<typename View::Precision, typename View::Formats>)
-    if (field.type == ElementType::none) return false;
-  return true;
-}();
-
-}  // namespace detail
-
 /// @tparam Object a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double; const for a read-only view
 /// @tparam Layout_ Aos, AosPadded, Soa or Aosoa<W>
@@ -102,7 +91,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   [[nodiscard]] PHYSGEN_FUNCTION Byte* data() const {
     static_assert(!format::are_probes<Formats>,
                   "data(): a probed array has no raw memory, so read and write its fields, view[i].field()");
-    static_assert(detail::stores_all_fields<View>,
+    static_assert(all_stored(Object::template fields<Precision, Formats>),
                   "data(): fields of this array are pruned, so what lies in its memory depends on the scene; read and "
                   "write its fields, view[i].field()");
     return base_;

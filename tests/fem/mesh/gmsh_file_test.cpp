@@ -227,6 +227,8 @@ TEST_F(GmshFile, says_what_gmsh_said) {
 TEST_F(GmshFile, names_the_line_of_what_is_not_a_number) {
   EXPECT_EQ(refusal(write(replaced(in_version_2(one_tet()), "20 1 0 0", "20 1 0,5 0"))),
             "line 7: '0,5' is not a number; the file may be cut off or damaged: write it again");
+  EXPECT_EQ(refusal(write(replaced(in_version_2(one_tet()), "20 1 0 0", "20 1 \x1b[2J 0"))),
+            "line 7: '?[2J' is not a number; the file may be cut off or damaged: write it again");
 }
 
 TEST_F(GmshFile, refuses_what_is_missing_or_no_mesh_and_runs_no_script) {

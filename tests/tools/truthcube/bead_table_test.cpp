@@ -75,7 +75,9 @@ TEST_F(BeadTables, malformed_headers_are_named) {
   expect_refused("x,y,z,ux,uy,uz,force\n", 1, "unknown column \"force\"");
   expect_refused("\n\nx,y,z,ux,uy,uz,x\n", 3, "x is there twice");
   expect_refused("0.01,0.02,0.03,0,0,0\n", 1, "unknown column \"0.01\"");
-  expect_refused("x;y;z;ux;uy;uz\n", 1, "unknown column \"x;y;z;ux;uy;uz\"");
+  expect_refused("x;y;z;ux;uy;uz\n", 1,
+                 "unknown column \"x;y;z;ux;uy;uz\"; columns are x,y,z,ux,uy,uz and, if there is one, compression, "
+                 "separated by commas");
   expect_refused("\x1b[2J\x07" + std::string(5000, 'x'), 1, "unknown column \"?[2J?" + std::string(35, 'x') + "...\";");
 }
 

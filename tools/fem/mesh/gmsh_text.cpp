@@ -150,6 +150,10 @@ class Reader {
 
 }  // namespace
 
-std::string fault_in_gmsh_text(std::istream& file) { return Reader(file).fault(); }
+std::string fault_in_gmsh_text(std::istream& file) {
+  std::string fault = Reader(file).fault();
+  std::ranges::replace_if(fault, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');  // as a terminal can show it
+  return fault;
+}
 
 }  // namespace physgen::fem

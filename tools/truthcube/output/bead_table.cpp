@@ -58,7 +58,8 @@ std::vector<std::size_t> read_header(std::string_view line, const std::string& p
     const auto name = std::ranges::find(column_names, cell);
     const auto column = static_cast<std::size_t>(name - column_names.begin());
     if (name == column_names.end()) {
-      throw Error(place + "unknown column " + quoted(cell) + "; columns are " + std::string(expected_header));
+      throw Error(place + "unknown column " + quoted(cell) + "; columns are " + std::string(expected_header) +
+                  ", separated by commas");
     }
     if (std::ranges::find(columns, column) != columns.end()) {
       throw Error(place + "the column " + std::string(cell) + " is there twice");

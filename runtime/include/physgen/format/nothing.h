@@ -2,21 +2,12 @@
 // no more than a program needs, and the compiler proves that the program needs no more.
 #pragma once
 
+#include <physgen/detail/no_element.h>
 #include <physgen/format/native.h>
 
 #include <concepts>
 
 namespace physgen::format {
-
-namespace detail {
-
-template <class>
-inline constexpr bool is_kept = false;
-
-/// In place of a number. C++ gives it a byte, which no record has.
-struct NoElement {};
-
-}  // namespace detail
 
 /// No bytes. A kernel that stores such a field compiles to nothing there, and values that it computes for the field
 /// alone are not computed; whatever reads it does not compile: get() of a whole object, add(), swap(), += included. A
