@@ -53,7 +53,7 @@ template <class V> constexpr float cleared(const V& view) { view[0].a() = 0.0F; 
          kernel("CopyInvoking", store + "    std::invoke(Counts(), 1);\n") +
          kernel("CopyApplying", store + "    std::apply(count, std::tuple(1));\n") +
          kernel("CopyRandom", "    to[i].a() = a + S(Scalar(std::rand()));\n") +
-         kernel("CopyElsewhere", store + "#ifdef __CUDA_ARCH__\n    ++last;\n#endif\n") +
+         kernel("CopyElsewhere", store + " # ifdef __CUDA_ARCH__\n    ++last;\n # endif\n") +
          kernel("CopyUnevaluated", "    (void)__builtin_constant_p((to[i].a() = a, 1));\n");
 }
 
