@@ -69,6 +69,17 @@ inline Tets cut(const Tets& all, const std::function<bool(const Point&)>& inside
   return left;
 }
 
+/// Small cubes of one cell that stand apart on the plane z = 0: so many, with 8 nodes each. In cells of a background
+/// grid they have about 12.
+inline Tets studs(Index along_x, Index along_y, double width) {
+  constexpr Index apart = 5;
+  const std::array<Index, 3> cells{apart * (along_x - 1) + 1, apart * (along_y - 1) + 1, 1};
+  const Tets plate = irregular_box(cells, {cells[0] * width, cells[1] * width, width}, 0, 0);
+  return cut(plate, [=](const Point& centre) {
+    return static_cast<Index>(centre[0] / width) % apart == 0 && static_cast<Index>(centre[1] / width) % apart == 0;
+  });
+}
+
 /// The same body with nodes, tets, and the first three corners of each tet in random order.
 /// @param seed of the order, printed
 inline Tets shuffled(const Tets& tets, std::uint64_t seed) {

@@ -237,6 +237,23 @@ TEST_F(SolverOnCuda, solves_over_a_background_grid_as_the_cpu_does) {
   }
 }
 
+TEST_F(SolverOnCuda, solves_over_a_grid_that_has_more_nodes_than_its_mesh) {
+  constexpr double width = 0.01;
+  const auto fixed = [](const Point& x) -> std::uint8_t { return x[2] == 0 ? 7 : (x[2] == width ? 4 : 0); };
+  Body body{make_levels(studs(11, 10, width), 0, false, fixed), {}};
+  body.loading.motion =
+      at_nodes(body.levels[0].rest, [](const Point& x) { return x[2] == width ? Point{0, 0, -width} : Point{}; });
+  (void)add_background_grid(body.levels);
+  ASSERT_GT(body.levels[1].mesh.nodes, 1000);
+  SolverSettings settings;
+  settings.newton.tolerance = 1e-9;
+  const Solved cpu = compress(body, settings, Device::cpu, {0.1});
+  const Solved gpu = compress(body, settings, Device::cuda, {0.1});
+  ASSERT_EQ(cpu.result.status, NewtonStatus::converged);
+  ASSERT_EQ(gpu.result.status, NewtonStatus::converged);
+  EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-10);
+}
+
 TEST_F(SolverOnCuda, goes_on_from_a_state_that_was_kept) {
   const Body body = make_truth_cube_body(8, true);
   SolverSettings settings;

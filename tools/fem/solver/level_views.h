@@ -69,4 +69,14 @@ struct LevelViews {
   [[nodiscard]] PHYSGEN_FUNCTION index_t nodes() const { return constraints.size(); }
 };
 
+/// Whether the levels from l on all have rows, and at most so many nodes: the finest level of a background grid may
+/// have more than the mesh that lies in it. @param levels finest first
+template <class Levels>
+[[nodiscard]] bool are_small(const Levels& levels, std::size_t l, index_t most_nodes) {
+  for (; l < levels.size(); ++l) {
+    if (levels[l]->nodes() > most_nodes || levels[l]->rows.is_empty()) return false;
+  }
+  return true;
+}
+
 }  // namespace physgen::fem

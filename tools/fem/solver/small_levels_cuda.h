@@ -165,7 +165,12 @@ template <class Global>
   for (unsigned blocks = most_cluster_blocks; blocks > 1; blocks /= 2) {
     int clusters = 0;
     const ClusterLaunch launch(blocks, nullptr);
-    cuda::check(cudaOccupancyMaxActiveClusters(&clusters, kernel, &launch.config), "asking for the size of clusters");
+    const cudaError_t answer = cudaOccupancyMaxActiveClusters(&clusters, kernel, &launch.config);
+    if (answer == cudaErrorInvalidClusterSize) {  // so devices refuse sizes that none of their kernels has
+      static_cast<void>(cudaGetLastError());
+      continue;
+    }
+    cuda::check(answer, "asking for the size of clusters");
     if (clusters > 0) return blocks;
   }
   return 1;
@@ -184,12 +189,16 @@ template <PerformsIn<Cuda> On, class Levels>
 bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
   using Level = std::remove_reference_t<decltype(*levels[0])>;
   const std::size_t count = levels.size() - l;
-  if (levels[l]->nodes() > detail::most_small_nodes() || levels[l]->rows.is_empty()) return false;
-  if (count > detail::most_small_levels) return false;
+  if (count > detail::most_small_levels || !are_small(levels, l, detail::most_small_nodes())) return false;
   using Small = detail::SmallLevels<LevelViews<Level>>;
   const Small small{detail::level_views(levels, l, std::make_index_sequence<detail::most_small_levels>()), count,
                     settings};
-  static const unsigned blocks = detail::blocks_of_cluster(detail::run_small_levels<LevelViews<Level>>);
+  static thread_local int asked_device = -1;
+  static thread_local unsigned blocks = 1;
+  int device = 0;
+  cuda::check(cudaGetDevice(&device), "asking for the current device");
+  if (device != asked_device) blocks = detail::blocks_of_cluster(detail::run_small_levels<LevelViews<Level>>);
+  asked_device = device;
   on.perform([&](Stream stream) {
     if (blocks == 1) {
       detail::run_small_levels<LevelViews<Level>><<<1, detail::small_level_threads, 0, stream>>>(small);
