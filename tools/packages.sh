@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
-# The Debian packages that building and checking physgen takes, and how they are installed. tools/dev reads this file, which
-# calls its say, fail and have, and sets $root and $build.
+# The Debian packages that building and checking physgen takes, and how they are installed. tools/dev sources this file
+# behind $root, $build and its functions say, fail and have, which are used here.
 packages=$root/tools/packages.txt
 no_llvm_mark=$build/.no-llvm-in-archive  # remembers that the archive has no LLVM, so that later set-ups stay quick
 

@@ -1,4 +1,4 @@
-// From the arguments of PHYSGEN_OBJECT and PHYSGEN, which Clang has evaluated, to the options in the model.
+// Makes options of the model from the arguments of PHYSGEN_OBJECT and PHYSGEN, which Clang has evaluated.
 #pragma once
 
 #include <map>

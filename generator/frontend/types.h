@@ -1,4 +1,4 @@
-// From the C++ type of a field to its shape, element type and sizes.
+// Finds the shape, element type and sizes of a field by its C++ type.
 #pragma once
 
 #include "frontend/report.h"

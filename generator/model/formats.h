@@ -8,7 +8,7 @@
 
 namespace physgen::model {
 
-/// That of the larger end of a range.
+/// The magnitude of the larger end of a range.
 [[nodiscard]] double magnitude(const Range& range);
 
 /// A value with so many digits, for people; `to`, std::ceil or std::floor, makes it a bound of positive values.

@@ -40,7 +40,7 @@ struct Accessor {
   int run_elements = 0;        ///< elements of each run
   Sectors sectors;
   [[nodiscard]] int elements() const { return static_cast<int>(runs.size()) * run_elements; }
-  /// Of all requests, if the elements of each lay side by side.
+  /// The sectors of all requests, if the elements of each lay side by side.
   [[nodiscard]] long long ideal_sectors() const { return 1LL * elements() * sectors.ideal; }
   [[nodiscard]] int offset(int element) const {
     return runs[static_cast<std::size_t>(element / run_elements)].offset + element % run_elements * bytes;

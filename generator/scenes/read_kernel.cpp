@@ -176,7 +176,8 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
         clang::Lexer::getSourceText(clang::CharSourceRange::getTokenRange(function.getSourceRange()),
                                     context.getSourceManager(), context.getLangOpts());
     for (std::size_t at = 0; (at = text.find('\n', at)) != llvm::StringRef::npos; ++at)
-      if (const llvm::StringRef line = text.substr(at + 1).ltrim(" \t"); line.starts_with("#if"))
+      if (llvm::StringRef line = text.substr(at + 1).ltrim(" \t");
+          line.consume_front("#") && line.ltrim(" \t").starts_with("if"))
         say(function.getLocation(), "holds a directive of the preprocessor");
   }
   /// The kernel may be one of the runtime's that holds a lambda.

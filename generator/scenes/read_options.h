@@ -1,4 +1,4 @@
-// From the arguments of PHYSGEN_ARRAY and the type that follows, which Clang has evaluated, to an array of the model.
+// Makes an array of the model from the arguments of PHYSGEN_ARRAY, which Clang has evaluated, and the type behind it.
 #pragma once
 
 #include <clang/AST/DeclCXX.h>

@@ -20,7 +20,7 @@ struct FieldUse {
   std::string field;  ///< "svd.U" of a nested object, "points.x" of a fixed array of them
   bool read = false, written = false;
   bool address_taken = false;  ///< by `&` of an element or an atomic operation
-  // The objects that are meant. None of the three: the kernel takes single objects alone, and types do not tell.
+  // The objects that are meant. None: types do not tell, where a kernel takes single objects alone or makes an index.
   bool own = false;                 ///< of those that the step is called for
   bool gathered = false;            ///< of others, which it finds by indices of its own making
   bool added = false;               ///< of others, by add()

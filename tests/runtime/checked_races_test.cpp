@@ -131,12 +131,12 @@ AddToRow(bool, Rows, From, To) -> AddToRow<Rows, From, To>;
 struct Races : testing::Test {
   using Rows = RowArrays<elasticity::IncidenceRangeArray<float>, elasticity::IncidenceArray<float>>;
 
-  elasticity::RestShapeArray<float> first{shapes}, between{shapes}, last{shapes}, distances{shapes}, none{shapes};
+  elasticity::RestShapeArray<float> first{shapes}, between{shapes}, last{shapes}, distances{shapes};
 
   Races() {
     for (index_t i = 0; i < shapes; ++i) {
       first.view()[i].volume() = static_cast<float>(i);
-      distances.view()[i].volume() = none.view()[i].volume() = 0;
+      distances.view()[i].volume() = 0;
     }
   }
   /// Rows of 0 to 3 entries that name their own object, but for the last one of row 41.

@@ -65,7 +65,7 @@ void require_memory_for(const Options& options, const RunBytes& bytes) {
   }
 }
 
-/// How such a run speaks of its solves; of what helps where there is no equilibrium, what is not chosen yet.
+/// How such a run speaks of its solves. The remedies where there is no equilibrium are those that it has not taken yet.
 SolveWords solve_words(const Options& options) {
   const bool is_linear = options.scene == SceneKind::linear_elastic;
   std::string remedies = is_linear ? "a --poisson farther from 0.5" : "more and smaller --compress steps";

@@ -107,7 +107,7 @@ struct CentredHalf : Scaled<Half<>, Affine{.scale = kRange.high / 2 - kRange.low
     tree.insert("runtime/include/physgen/format.h", r"#include <physgen/format/bfloat16.h>\n",
                 "#include <physgen/format/centred_half.h>\n")
     tree.add_enumerator(SCHEMA, "Encoding", "centred_half")
-    tree.insert(SCHEMA, r"Storage snorm16\{[^;]*;\n",
+    tree.insert(SCHEMA, r"StorageFormat snorm16\{[^;]*;\n",
                 "inline constexpr detail::StorageFormat centred_half{detail::Encoding::centred_half, 0};\n")
     tree.add_enumerator(CATALOG, "Encoding", "centred_half")
     tree.add_row("encoding_rows", """{.key = Encoding::centred_half,

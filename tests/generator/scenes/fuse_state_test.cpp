@@ -59,7 +59,7 @@ template <class V> constexpr float cleared(const V& view) { view[0].a() = 0.0F; 
          kernel("CopyInvoking", store + "    std::invoke(Counts(), 1);\n") +
          kernel("CopyApplying", store + "    std::apply(count, std::tuple(1));\n") +
          kernel("CopyRandom", "    to[i].a() = a + S(Scalar(std::rand()));\n") +
-         kernel("CopyElsewhere", store + "#ifdef __CUDA_ARCH__\n    ++last;\n#endif\n") +
+         kernel("CopyElsewhere", store + " # ifdef __CUDA_ARCH__\n    ++last;\n # endif\n") +
          kernel("CopyAddressed",
                 "    auto own = i;\n    begin_again(std::addressof(own));\n    to[i].a() = a + from[own].a();\n") +
          kernel("CopyZeroed", "    auto own = i;\n    std::memset(&own, 0, 8);\n    to[i].a() = a + from[own].a();\n") +

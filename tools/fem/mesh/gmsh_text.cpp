@@ -98,7 +98,7 @@ class Reader {
   [[nodiscard]] std::int64_t lines_of(const std::string& name) const {
     std::vector<std::int64_t> counts;
     each_word(text_, [&](std::string_view word) {
-      std::int64_t count = 0;
+      std::int64_t count = -1;  // stays, beyond what 64 bits hold
       counts.push_back(is_number(word, count) ? count : -1);
     });
     const bool has_blocks = version_ >= 4;

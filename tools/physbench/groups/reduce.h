@@ -54,7 +54,7 @@ struct DotOperands {
     Accuracy accuracy;
     const double error = std::abs(sum - exact) / exact;
     if (!(error <= 1e-6)) throw Error("a dot product is off by " + std::to_string(error));
-    accuracy.errors = {error, error, error, error, 1, 0, 0};
+    accuracy.errors = {error, error, error, error, 1, 0};
     return accuracy;
   }
 };

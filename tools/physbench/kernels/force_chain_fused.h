@@ -1,4 +1,4 @@
-// From positions to the forces on nodes by one kernel over the tets, which adds to the nodes: what
+// Leads from positions to the forces on nodes by one kernel over the tets, which adds to the nodes: what
 // force_chain_separate does in five. The order of sums is open.
 #pragma once
 

@@ -1,5 +1,5 @@
-// From positions to the forces on nodes by five separate kernels, each of which stores what the next one reads: what a
-// kernel that does it at once is compared with.
+// Leads from positions to the forces on nodes by five separate kernels, each of which stores what the next one reads: a
+// kernel that does it at once is compared with these.
 #pragma once
 
 #include <tuple>

@@ -1,5 +1,6 @@
-"""The bytes that the scenes of truthcube keep, and the time that they take. Its file is what scene_runs.py writes: a list `scenes`, of each {scene,
-scalars, own: {flags, tets, bytes, seconds}} and, where the scene everything offers the same choices, `everything`, too."""
+"""The bytes that the scenes of truthcube keep, and the time that they take. Its file is what scene_runs.py writes: a list
+`scenes`, of each {scene, scalars, own: {flags, tets, bytes, seconds}} and, where the scene everything offers the same
+choices, `everything`, too."""
 import pathlib
 
 from . import records
