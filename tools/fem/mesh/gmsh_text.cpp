@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cstdint>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace physgen::fem {
@@ -35,8 +34,7 @@ template <class Number>
 bool is_number(std::string_view word, Number& number) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  const bool is_beyond = error == std::errc::result_out_of_range;  // of what the type holds: no fault of a coordinate
-  return (error == std::errc() || (is_beyond && std::is_floating_point_v<Number>)) && end == word.data() + word.size();
+  return error != std::errc::invalid_argument && end == word.data() + word.size();  // or beyond what doubles hold
 }
 
 class Reader {
