@@ -125,6 +125,12 @@ TEST(BadInput, materials_whose_volume_cannot_be_averaged_at_nodes_are_refused_wi
   }
 }
 
+TEST(BadInput, cubes_without_cells_are_refused_however_coarse_the_coarsest_may_be) {
+  for (const Index cells : {0, -2}) {
+    for (const Index coarsest : {2, 0, -4}) EXPECT_THROW((void)make_cube_levels(cells, side, false, coarsest), Error);
+  }
+}
+
 TEST(BadInput, patch_parents_that_do_not_fit_are_refused) {
   const Body body = make_truth_cube_body(8, true);
   auto fewer = body.levels, outside = body.levels;

@@ -217,7 +217,7 @@ IncidenceList make_node_patches(const MeshLevel& level) {
 std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest) {
   std::vector<MeshLevel> levels;
   Index last_cells = cells;
-  while (last_cells % 2 == 0 && last_cells / 2 >= coarsest) last_cells /= 2;
+  while (last_cells > 0 && last_cells % 2 == 0 && last_cells / 2 >= coarsest) last_cells /= 2;
   const auto mirrored = [=](Index n) {  // the same places on all levels
     const Index from = last_cells < 1 ? 0 : n / last_cells * (last_cells / 2);
     return MirroredFrom{from, from, from};
