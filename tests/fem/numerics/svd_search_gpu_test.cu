@@ -7,6 +7,7 @@
 #include <physgen/device.h>
 
 #include "reference.h"
+#include "replay.h"
 
 namespace physgen::fem {
 namespace {
@@ -180,7 +181,7 @@ void expect_no_bad_case(std::int64_t count) {
     Matrix3<Real> matrix;
     for (int k = 0; k < 9; ++k) matrix(k % 3, k / 3) = static_cast<Real>(worst.matrix[k]);
     std::cout << names[kind] << ", " << count << ": residual " << residual << " eps, orthogonality " << orthogonality
-              << " eps\n  " << reference::replay_command(matrix) << "\n";
+              << " eps\n  " << replay_command(matrix) << "\n";
     EXPECT_GT(residual, 0.5) << names[kind];  // measured something
     EXPECT_LE(residual, 9) << names[kind];
     EXPECT_LE(orthogonality, 16) << names[kind];
