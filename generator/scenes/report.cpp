@@ -115,6 +115,20 @@ std::string lines(const char* what, const std::vector<StepOfField>& uses) {
   return text;
 }
 
+bool contains(const std::vector<StepOfField>& uses, const StepOfField& use) {
+  return std::ranges::find(uses, use) != uses.end();
+}
+
+/// Who writes the field, who does both, and who reads it. The places of a step are those of all that it does with the
+/// field, so a step that does both is named once.
+std::string lines(const FieldNeed& field) {
+  std::vector<StepOfField> writers, both, readers;
+  for (const StepOfField& use : field.writers) (contains(field.readers, use) ? both : writers).push_back(use);
+  for (const StepOfField& use : field.readers)
+    if (!contains(field.writers, use)) readers.push_back(use);
+  return lines("written", writers) + lines("read and written", both) + lines("read", readers);
+}
+
 /// "is kept: written by ..."
 std::string fate_and_why(const Needs& needs, const ArrayNeed& need, const FieldNeed& field) {
   if (!field.kept || !need.local()) return (field.kept ? "is kept: " : "is not kept: ") + field.why;
@@ -203,8 +217,7 @@ std::string report_why(const Scene& scene, const Needs& needs, const std::string
         names.push_back(word + "." + field.field.name);
         if (name != word && name != names.back()) continue;
         text += group.full_name(array) + "." + field.field.name + " of " + array.object + " " +
-                fate_and_why(needs, need, field) + "\n" + lines("written", field.writers) +
-                lines("read", field.readers);
+                fate_and_why(needs, need, field) + "\n" + lines(field);
         break;
       }
   });

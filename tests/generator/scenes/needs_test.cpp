@@ -45,6 +45,18 @@ TEST(SceneNeeds, keep_what_outputs_depend_on_and_prune_what_is_written_in_vain) 
             "chain.h:10:3: note: array body.extra is left out: no field of it is needed\n");
 }
 
+TEST(SceneNeeds, name_a_step_once_that_reads_and_writes_a_field) {
+  Usage usage = chain_usage();
+  usage.steps.push_back(step("Scale", {use("body.svd", "s", true, {{"scale.h", 2, 5}, {"scale.h", 3, 5}})}));
+  usage.steps.back().fields.front().written = true;
+  EXPECT_EQ(report_why(chain(), find_needs(chain(), usage), "svd.s"),
+            "body.svd.s of m::Svd is kept: written by Svd(body.x, body.svd) and Scale(body.svd); read by "
+            "Force(body.svd, body.f) and Scale(body.svd)\n"
+            "  written by Svd(body.x, body.svd)\n    at svd.h:5:9\n"
+            "  read and written by Scale(body.svd)\n    at scale.h:2:5\n    at scale.h:3:5\n"
+            "  read by Force(body.svd, body.f)\n    at force.h:6:1\n");
+}
+
 TEST(SceneNeeds, do_not_depend_on_the_order_of_steps) {
   Usage usage = chain_usage();
   std::reverse(usage.steps.begin(), usage.steps.end());
