@@ -253,10 +253,10 @@ TEST(ExplicitDynamics, what_it_cannot_do_is_refused_with_a_reason) {
   EXPECT_NE(refusal(with_contact(body), good).find("no rigid planes"), std::string::npos);
   DynamicSettings settings = good;
   settings.density = 0;
-  EXPECT_NE(refusal(body, settings).find("the density is 0.000000 and must be a positive number"), std::string::npos);
+  EXPECT_NE(refusal(body, settings).find("the density is 0 and must be a positive number"), std::string::npos);
   settings = good;
   settings.damping = -1;
-  EXPECT_NE(refusal(body, settings).find("the damping is -1.000000"), std::string::npos);
+  EXPECT_NE(refusal(body, settings).find("the damping is -1"), std::string::npos);
   settings = good;
   settings.solver.material = "jelly";
   EXPECT_NE(refusal(body, settings).find("there is no material 'jelly'"), std::string::npos);

@@ -240,7 +240,7 @@ TEST(ImplicitDynamics, what_it_cannot_do_is_refused_with_a_reason) {
   EXPECT_EQ(refusal(good), "");
   DynamicSettings settings = good;
   settings.density = -3;
-  EXPECT_NE(refusal(settings).find("the density is -3.0"), std::string::npos);
+  EXPECT_NE(refusal(settings).find("the density is -3 "), std::string::npos);
   settings = good;
   settings.solver.newton.product = Product::matrix_free;
   settings.solver.newton.preconditioner.kind = Preconditioner::block_jacobi;

@@ -10,7 +10,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
 import compiler_errors  # noqa: E402
 
 compiler, hits, source, *command = sys.argv[1:]

@@ -80,7 +80,7 @@ case $rule in
   json_names_the_sources_of_the_checkout)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000$'
     expect "$json" '"results_version": "[0-9]+"'
-    report=${BASH_SOURCE%/*}/../../tools/report
+    report=${BASH_SOURCE%/*}/../../../tools/report
     expect "$json" "\"sources\": \"$(/usr/bin/python3 "$report/sources.py")\""
     as_here='import sys; sys.path.insert(0, sys.argv[1]); import rows; print(rows.load(sys.argv[2:]).files[0].sources)'
     [[ $(/usr/bin/python3 -B -c "$as_here" "$report" "$json") == 'as here' ]] || fail 'the report takes them for others' ;;

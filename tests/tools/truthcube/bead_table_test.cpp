@@ -105,7 +105,7 @@ TEST_F(BeadTables, bead_outside_the_mesh_is_named_by_its_line) {
   const fem::TruthCube cube = fem::make_truth_cube(2, 1);
   const BeadTable table = read(header_and("0.01,0.02,0.03,0,0,0\n\n0.01,0.02,30,0,0,0\n"));
   expect_error([&] { static_cast<void>(locate_beads(table, cube.rest, cube.mesh)); },
-               path.string() + ":4: ", "outside the mesh", "30.0");
+               path.string() + ":4: ", "outside the mesh", "(0.01, 0.02, 30) m");
 }
 
 TEST_F(BeadTables, errors_are_mean_rms_p95_and_max_in_millimetres) {

@@ -99,13 +99,13 @@ case $rule in
   where_there_is_no_equilibrium_what_is_not_yet_chosen_is_to_be_tried)
     expect_exit 3 "${small[@]}" --precision double --stepping loads --compress 0.999999
     expect err 'Try more and smaller --compress steps, or more --cells[.]$'
-    expect_exit 3 "${small[@]}" --scene linear-elastic --poisson 0.4999999 --compress 0.5
+    expect_exit 3 "${small[@]}" --scene linear-elastic --poisson 0.49999999 --compress 0.5
     expect err 'after [0-9]+ linear solves,'
     expect err 'Try a --poisson farther from 0[.]5, --precision double, or more --cells[.]$' ;;
   inverted_tets_of_an_equilibrium_are_said)
     flags=("${small[@]}" --volume tets --material st-venant-kirchhoff)
     expect_exit 0 "${flags[@]}" --compress 0.6 --out o
-    J=$(number_of smallest_J o/run.json | head -1)
+    J=$(number_of smallest_J o/run.json | sed -n 1p)
     [[ $J == -* ]] || fail 'no inverted tets'
     expect out "[0-9]+ tets are inverted, most of all tet [0-9]+: J ${J:0:4}.*, F = \[.*;.*;.*\]"
     expect out 'A real body has no such equilibrium[.] Try more and smaller --compress steps'

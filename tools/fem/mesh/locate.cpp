@@ -140,8 +140,7 @@ std::vector<Location> locate(std::span<const Point> rest, const TetMesh& mesh, s
     std::array<Point, 4> corners{};
     for (std::size_t c = 0; c < 4; ++c) corners[c] = rest[static_cast<std::size_t>(mesh.tets[t][c])];
     const Box box = box_of(corners);
-    bounds.include(box.low);
-    bounds.include(box.high);
+    for (const Point& corner : corners) bounds.include(corner);
     grid.visit_points_near(box, [&](std::size_t p) {
       if (!box.contains(points[p])) return;
       const std::array<double, 4> w = weights(corners, points[p]);
