@@ -130,7 +130,8 @@ TEST(Locate, accepts_points_outside_by_rounding_and_names_the_first_of_those_tha
   } catch (const OutsideMesh& error) {
     EXPECT_EQ(error.point(), 6U);
     EXPECT_NE(std::string(error.what()).find("point 6 ("), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("between (0, 0, 0) and (0.08, 0.08, 0.08)"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("between (0, 0, 0) and (0.08, 0.08, 0.08)"), std::string::npos)
+        << error.what();
   }
 }
 
