@@ -135,8 +135,7 @@ using OwnObject = elasticity::StressDerivativeObject;
 /// All elements of all objects as they are stored.
 template <class Array>
 std::vector<std::vector<std::byte>> stored_elements(const Array& array) {
-  using Same =
-      physgen::Array<typename Array::Object, typename Array::Precision, Host, Aos, typename Array::Formats>;
+  using Same = physgen::Array<typename Array::Object, typename Array::Precision, Host, Aos, typename Array::Formats>;
   Same records(array.size());
   copy(records, array);
   synchronize();

@@ -51,7 +51,8 @@ struct EdgeParts {
 [[nodiscard]] IncidenceList make_node_patches(const MeshLevel& level);
 
 /// The cube of cells^3 cells in levels of half as many cells each, as long as the number is even and above `coarsest`,
-/// half of them mirrored along each axis, so that it drifts to no side; of an odd number on the coarsest level, one more.
+/// half of them mirrored along each axis, so that it drifts to no side; of an odd number on the coarsest level, one
+/// more.
 /// @param side [m]; base in the plane z = 0, corner in the origin
 /// @throw Error as make_box_mesh() does
 [[nodiscard]] std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest = 2);
