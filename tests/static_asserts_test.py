@@ -11,7 +11,6 @@ FOLDERS = ("runtime/include", "tools/fem", "generated")
 INVARIANTS = {
     "fields.size() > 0": "physgen refuses objects without fields, and only it writes objects",
     "std::is_trivially_copyable_v<Value> && sizeof(Value) <= 64": "values of folds are numbers, alone or with an index",
-    "3 * most_kept_nodes <= inverse_side * inverse_tiles": "constants beside it, which no program chooses",
     "masks convert to bool with this xsimd": "of a version of xsimd that the build does not have",
     "physgen::are_sound_records<": "physgen plans what the compiler finds; tests/generator/plan/proof_test.cpp has plans that it does not",
 }

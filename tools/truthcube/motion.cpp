@@ -158,16 +158,18 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
                   compression, measure.kinetic, measure.elastic, reaction, effort.steps, effort.newton,
                   effort.iterations, suspect.J, seconds, suspect.inverted > 0 ? "  inverted" : "");
     if (suspect.inverted > 0 && states_inverted++ == 0) {
-      terminal.text("  " + describe(suspect));
-      terminal.text(
-          "  No real body is in such a state. Try a shorter --time-step, a longer --duration, more --cells, or a "
-          "smaller "
-          "--compress.");
+      terminal.warning(
+          "at %.4g s, %s. No real body is in such a state. Try a shorter --time-step, a longer --duration, more "
+          "--cells, "
+          "or a smaller --compress.",
+          solver.time(), describe(suspect).c_str());
     }
     before = suspect;
     if (files.writes()) files.write_step(record, solver.time(), positions, stresses);
   }
-  if (states_inverted > 0) terminal.line("%d of %d states have inverted tets", states_inverted, motion.frames);
+  if (states_inverted > 0) {
+    terminal.warning("%d of %d states have inverted tets.", states_inverted, motion.frames);
+  }
   return Outcome::done;
 }
 

@@ -247,7 +247,7 @@ Options parse(const std::vector<std::string>& arguments) {
       ->check(whole_number(0, 4096))
       ->type_name("N");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");
-  app.add_flag("-q,--quiet", options.quiet, "print errors only");
+  app.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
   options.help = parse_words(app, arguments);
   if (!options.help.empty()) return options;
   apply_scene(options, [&app](const std::string& flag) { return app.get_option(flag)->count() > 0; });

@@ -178,21 +178,26 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   } else if (reach > 1e-6 * scene_.height) {
     terminal_.line("  free sides reach %.3f mm past the plates: --plates contact pushes them back", 1e3 * reach);
   }
-  if (tolerance_ > 0 && result.residual > tolerance_) {
-    terminal_.line("  rounding ends the solve at a residual of %.2e, above the tolerance of %.2e", result.residual,
-                   tolerance_);
-  }
-  if (result.smallest_J <= 0) {
-    const fem::MeshLevel& level = scene_.levels.front();
-    terminal_.text("  " + describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses())));
-    terminal_.text(
-        "  A real body has no such equilibrium. Try more and smaller --compress steps, more --cells, or --plates "
-        "contact.");
-  }
+  warn(compression, result, positions);
   compare(compression, positions);
   if (!files_.writes()) return;
   files_.write_step(record_, compression, positions, solver_.stresses());
   files_.write_checkpoint(record_, solver_.state());
+}
+
+void Steps::warn(double compression, const fem::NewtonResult& result, const std::vector<Point>& positions) const {
+  if (tolerance_ > 0 && result.residual > tolerance_) {
+    terminal_.warning(
+        "at a compression of %g, rounding ended the solve at a residual of %.2e, above the tolerance of %.2e: "
+        "displacements and reaction may be as far off. Try a larger --compress or --tolerance.",
+        compression, result.residual, tolerance_);
+  }
+  if (result.smallest_J > 0) return;
+  const fem::MeshLevel& level = scene_.levels.front();
+  terminal_.warning(
+      "at a compression of %g, %s. A real body has no such equilibrium. Try more and smaller --compress steps, more "
+      "--cells, or --plates contact.",
+      compression, describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses())).c_str());
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {

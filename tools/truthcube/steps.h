@@ -62,6 +62,8 @@ class Steps {
   [[nodiscard]] Outcome stop() const;
   /// Prints and writes an equilibrium. @param newton the steps that led to it
   void finish(double compression, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton);
+  /// Says on standard error why an equilibrium should not be taken as it is.
+  void warn(double compression, const fem::NewtonResult& result, const std::vector<fem::Point>& positions) const;
   /// Writes the last equilibrium on the way, and says what stopped the run.
   [[nodiscard]] Outcome fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last,
                              double seconds);

@@ -1,4 +1,4 @@
-// The text that a run prints on standard output: nothing where it is quiet.
+// The text that a run prints: on standard output, nothing where it is quiet; warnings on standard error, always.
 #pragma once
 
 #include <fem/solver/settings.h>
@@ -26,6 +26,15 @@ class Terminal {
     std::fflush(stdout);
   }
   void text(const std::string& words) const { line("%s", words.c_str()); }
+
+  /// A line on standard error for a result that a user should not take as it is, also of a quiet run.
+  template <class... Arguments>
+  void warning(const char* format, const Arguments&... arguments) const {
+    clear_bar();
+    std::fputs("truthcube: warning: ", stderr);
+    std::fprintf(stderr, format, arguments...);
+    std::fputs("\n", stderr);
+  }
 
   /// A bar in the last line, where a person looks on: which part of the set-up is under way. The next line replaces it.
   void set_up(int part, int parts, const std::string& what) const;

@@ -107,10 +107,20 @@ case $rule in
     expect_exit 0 "${flags[@]}" --compress 0.6 --out o
     J=$(number_of smallest_J o/run.json | sed -n 1p)
     [[ $J == -* ]] || fail 'no inverted tets'
-    expect out "[0-9]+ tets are inverted, most of all tet [0-9]+: J ${J:0:4}.*, F = \[.*;.*;.*\]"
-    expect out 'A real body has no such equilibrium[.] Try more and smaller --compress steps'
+    said="^truthcube: warning: at a compression of 0[.]6, [0-9]+ tets are inverted, most of all tet [0-9]+: J ${J:0:4}.*, F = \[.*;.*;.*\]"
+    expect err "$said[.] A real body has no such equilibrium[.] Try more and smaller --compress steps"
+    expect_exit 0 "${flags[@]}" --compress 0.6 --quiet
+    expect err "$said"
     expect_exit 0 "${flags[@]}" --compress 0.1
-    expect_no out 'inverted' ;;
+    expect_no err 'inverted' ;;
+  a_solve_that_rounding_ends_above_the_tolerance_is_said)
+    for quiet in "" --quiet; do
+      # shellcheck disable=SC2086
+      expect_exit 0 "${small[@]}" --compress 1e-15 $quiet
+      expect err '^truthcube: warning: at a compression of 1e-15, rounding ended the solve at a residual of [0-9.]+e[-+][0-9]+, above the tolerance of [0-9.]+e-[0-9]+: .* Try a larger --compress or --tolerance[.]$'
+    done
+    expect_exit 0 "${small[@]}" --compress 0.05
+    expect_no err 'warning' ;;
   what_is_not_finite_is_said_with_its_tet)
     expect_exit 3 "${small[@]}" --young 1e300 --precision double --compress 0.1 --out o
     expect err 'not finite'

@@ -44,10 +44,9 @@ __device__ Real pivot_factor(Real pivot) {
   return pivot > least_coarse_pivot<Real> ? Real(1) / pivot : Real(0);
 }
 
-constexpr int inverse_side = 16;     ///< threads by rows, and by columns
-constexpr int inverse_tiles = 6;     ///< entries of a thread, by rows and by columns
-constexpr int most_kept_nodes = 32;  ///< of which the matrix fits the threads' registers
-static_assert(3 * most_kept_nodes <= inverse_side * inverse_tiles);
+constexpr int inverse_side = 16;                                   ///< threads by rows, and by columns
+constexpr int inverse_tiles = 6;                                   ///< entries of a thread, by rows and by columns
+constexpr int most_kept_nodes = inverse_side * inverse_tiles / 3;  ///< of which the matrix fits the threads' registers
 
 /// Gauss-Jordan without pivoting over a symmetric positive definite matrix, which the threads of a block hold in their
 /// registers: thread (tx, ty) the entries (ty + 16 a, tx + 16 b).

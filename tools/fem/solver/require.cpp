@@ -17,6 +17,9 @@ std::string number(double value) {
   return text.str();
 }
 
+/// "(0, nan, 0.01)"
+std::string vector_text(const Point& x) { return "(" + number(x[0]) + ", " + number(x[1]) + ", " + number(x[2]) + ")"; }
+
 bool is_finite(const Point& x) {
   return std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
 }
@@ -34,7 +37,8 @@ void require_rest(std::size_t l, const MeshLevel& level) {
   const std::string where = "level " + std::to_string(l) + ": ";
   const auto stray = std::ranges::find_if_not(level.rest, is_finite);
   if (stray != level.rest.end()) {
-    throw Error(where + "the rest position of node " + std::to_string(stray - level.rest.begin()) + " is not finite");
+    throw Error(where + "the rest position of node " + std::to_string(stray - level.rest.begin()) + " is " +
+                vector_text(*stray) + ": give finite coordinates [m]");
   }
   const auto flat =
       std::ranges::find_if(level.mesh.tets, [&](const auto& tet) { return !(six_volumes(tet, level.rest) > 0); });
@@ -62,13 +66,13 @@ namespace {
 
 void require_vectors(const std::string& what, const std::vector<Point>& vectors, std::size_t nodes) {
   if (vectors.size() != nodes) {
-    throw Error(what + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) + " nodes");
+    throw Error(what + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
+                " nodes: give one of each");
   }
-  for (std::size_t n = 0; n < nodes; ++n) {
-    for (const double x : vectors[n]) {
-      if (!std::isfinite(x)) throw Error(what + " of node " + std::to_string(n) + " is not finite");
-    }
-  }
+  const auto stray = std::ranges::find_if_not(vectors, is_finite);
+  if (stray == vectors.end()) return;
+  throw Error(what + " of node " + std::to_string(stray - vectors.begin()) + " is " + vector_text(*stray) +
+              ": give finite components");
 }
 
 void require_planes(const std::vector<RigidPlane>& planes) {
@@ -80,7 +84,8 @@ void require_planes(const std::vector<RigidPlane>& planes) {
       throw Error(which + ": its normal has a length of " + std::to_string(length) + " and must have 1");
     }
     if (!std::isfinite(plane.offset) || !std::isfinite(plane.travel)) {
-      throw Error(which + ": its offset or travel is not finite");
+      throw Error(which + ": its offset is " + number(plane.offset) + " and its travel " + number(plane.travel) +
+                  ": give finite lengths [m]");
     }
   }
 }
@@ -103,12 +108,15 @@ bool MotionMeasure::is_finite() const {
 
 void require_step(double length, double load) {
   require_positive("the length of a time step", length);
-  if (!std::isfinite(load)) throw Error("the load at the end of a time step is " + std::to_string(load));
+  if (!std::isfinite(load)) {
+    throw Error("the load at the end of a time step is " + number(load) + " and must be a finite number");
+  }
 }
 
 void require_vectors_of(const char* what, std::size_t given, std::size_t nodes) {
   if (given == nodes) return;
-  throw Error(std::to_string(given) + " " + what + " were given for " + std::to_string(nodes) + " nodes");
+  throw Error(std::to_string(given) + " " + what + " were given for " + std::to_string(nodes) +
+              " nodes: give one of each");
 }
 
 void require_plain(const char* who, const MeshLevel& level, const Loading& loading) {

@@ -1,6 +1,6 @@
 // The small levels of a V-cycle in one kernel on CUDA: the program of cycle.h over the levels' views, by the threads of
 // a cluster of thread blocks. Between two steps these meet at a barrier of the hardware, which takes a fraction of what
-// a launch does. And sums of rows by lanes of a warp. For CUDA translation units.
+// a launch does. Kernels that sum rows, here and elsewhere, give a row to lanes of a warp. For CUDA translation units.
 #pragma once
 
 #include <fem/solver/cycle.h>

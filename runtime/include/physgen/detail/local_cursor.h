@@ -107,7 +107,7 @@ struct NotInLocal {
   }
 };
 
-/// The two.
+/// LocalObject and NotInLocal: the cursors of a local.
 template <class Cursor>
 concept OnLocal = requires { Cursor::first_field; };
 
