@@ -101,6 +101,7 @@ void set_layouts(model::Schema& schema, const std::string& word) {
 
 int generate(const Arguments& arguments, const Streams& streams) {
   if (arguments.output_dir.empty()) throw UsageError("the folder given with -o is empty; write -o . for this folder");
+  const Stamp stamp{arguments.stamp};
   const emit::Emitter& emitter = emit::emitter(arguments.emitter);
   require_different_headers(arguments);
   if (arguments.layout_of_all) (void)read_layout(*arguments.layout_of_all, model::Space::host);
@@ -112,8 +113,7 @@ int generate(const Arguments& arguments, const Streams& streams) {
   for (const model::Schema& schema : parsed->schemas)
     files.push_back({arguments.output_dir + "/" + emit::file_of(emitter, schema.file), emitter.emit(schema)});
   if (!arguments.depfile.empty()) files.push_back({arguments.depfile, depfile(arguments.stamp, parsed->dependencies)});
-  const auto changed = write_changed(files);
-  if (!arguments.stamp.empty()) touch(arguments.stamp);
+  const auto changed = write_outputs(files, parsed->dependencies, stamp);
   if (arguments.verbose)
     for (std::size_t i = 0; i < files.size(); ++i)
       streams.out << (changed[i] ? "written   " : "unchanged ") << files[i].path << '\n';
@@ -151,7 +151,7 @@ int print_layout(const Arguments& arguments, const Streams& streams) {
   if (arguments.drawing.empty())
     streams.out << drawing;
   else
-    write_changed({{arguments.drawing, drawing}});
+    write_outputs({{arguments.drawing, drawing}}, parsed->dependencies, {});
   return done;
 }
 

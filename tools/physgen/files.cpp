@@ -44,12 +44,15 @@ class Staged {
     const fs::path path(file.path);
     if (std::error_code error; fs::is_directory(path, error))
       fail("write", path, std::make_error_code(std::errc::is_a_directory));
+    std::error_code error;
+    const bool device = fs::exists(path, error) && !fs::is_regular_file(path, error);  // no place for a new file
     const fs::path temporary =
-        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
+        device ? path
+               : path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
     errno = 0;
     std::ofstream out(temporary, std::ios::binary);
     if (!out) fail("write", path, last_error());
-    moves_.push_back({temporary, path});
+    if (!device) moves_.push_back({temporary, path});
     out << file.text;
     out.close();
     if (!out) fail("write", path, last_error());
@@ -78,6 +81,30 @@ void make_folder_of(const fs::path& path) {
   if (error) fail("make the folder", path.parent_path(), error);
 }
 
+void set_time(const std::string& path, fs::file_time_type time) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return;  // /dev/null
+  fs::last_write_time(path, time, error);
+  if (error) fail("set the time of", path, error);
+}
+
+/// Makes an empty file, or empties one, and gives it a time.
+void touch(const std::string& path, fs::file_time_type time) {
+  make_folder_of(path);
+  errno = 0;
+  if (!std::ofstream(path, std::ios::binary)) fail("write", path, last_error());
+  set_time(path, time);
+}
+
+/// Whether two paths name one file, which need not be there yet.
+bool are_one_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+  const fs::path second = fs::weakly_canonical(fs::absolute(b, error), error);
+  if (first != second && !fs::equivalent(first, second, error)) return false;
+  return fs::is_regular_file(first, error) || !fs::exists(first, error);
+}
+
 }  // namespace
 
 void require_readable(const std::string& path) {
@@ -94,6 +121,18 @@ std::string read_file(const std::string& path) {
   return std::move(*text);
 }
 
+void require_apart(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  const auto refuse = [](const std::string& path, const std::string& why) {
+    throw FileError("cannot write '" + path + "': " + why + "; name another file");
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (const std::string& input : inputs)
+      if (are_one_file(outputs[i], input)) refuse(outputs[i], "it is read for this, and would be lost");
+    for (std::size_t k = 0; k < i; ++k)
+      if (are_one_file(outputs[i], outputs[k])) refuse(outputs[i], "another output is written there");
+  }
+}
+
 std::vector<bool> write_changed(const std::vector<File>& files) {
   std::vector<bool> changed;
   Staged staged;
@@ -107,13 +146,20 @@ std::vector<bool> write_changed(const std::vector<File>& files) {
   return changed;
 }
 
-void touch(const std::string& path) {
-  make_folder_of(path);
-  errno = 0;
-  if (!std::ofstream(path, std::ios::binary)) fail("write", path, last_error());
-  std::error_code error;
-  fs::last_write_time(path, fs::file_time_type::clock::now(), error);
-  if (error) fail("set the time of", path, error);
+fs::file_time_type now() { return fs::file_time_type::clock::now(); }
+
+std::vector<bool> write_outputs(const std::vector<File>& files, const std::vector<std::string>& inputs,
+                                const Stamp& stamp) {
+  std::vector<std::string> outputs;
+  for (const File& file : files) outputs.push_back(file.path);
+  if (!stamp.path.empty()) outputs.push_back(stamp.path);
+  require_apart(outputs, inputs);
+  auto changed = write_changed(files);
+  if (stamp.path.empty()) return changed;
+  for (std::size_t i = 0; i < files.size(); ++i)  // Ninja takes the latest time of all that a command has written
+    if (changed[i]) set_time(files[i].path, stamp.begun);
+  touch(stamp.path, stamp.begun);
+  return changed;
 }
 
 std::string depfile(const std::string& target, const std::vector<std::string>& dependencies) {

@@ -14,7 +14,10 @@ int main(int argc, char** argv) {
     std::_Exit(2);
   });
   try {
-    return physgen::command::run({argv + 1, argv + argc}, std::cout, std::cerr);
+    const int status = physgen::command::run({argv + 1, argv + argc}, std::cout, std::cerr);
+    if (std::cout.flush()) return status;
+    std::cerr << "physgen: error: cannot write all of the output, which is cut off; is the disk full?\n";
+    return 2;
   } catch (const std::exception& error) {
     std::cerr << "physgen: internal error: " << error.what() << '\n';
     return 2;

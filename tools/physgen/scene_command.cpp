@@ -97,13 +97,13 @@ class SceneCommand {
     if (request_.everything)
       files.push_back({path(".everything.h"), scenes::header(scene, scenes::everything(needs), "_everything")});
     if (!request_.depfile.empty()) files.push_back({request_.depfile, depfile(request_.stamp, dependencies_)});
-    write_changed(files);
-    if (!request_.stamp.empty()) touch(request_.stamp);
+    write_outputs(files, {request_.file}, stamp_);  // programs that it reads may include what was written of it
   }
 
   const SceneRequest& request_;
   std::ostream& out_;
   std::ostream& err_;
+  Stamp stamp_{request_.stamp};
   std::vector<std::string> dependencies_;
   std::string times_;
   scenes::ProgramText program_;

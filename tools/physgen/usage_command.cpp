@@ -38,7 +38,12 @@ class UsageCommand {
 
   int run() {
     for (const std::string& file : request_.files) require_readable(file);
-    if (!request_.checked_in.empty()) require_readable(request_.checked_in);
+    std::vector<std::string> inputs = request_.files;
+    if (!request_.checked_in.empty()) {
+      require_readable(request_.checked_in);
+      inputs.push_back(request_.checked_in);
+    }
+    if (!request_.json.empty()) require_apart({request_.json}, inputs);
     std::vector<usage::Program> programs;
     bool good = true;
     for (const std::string& file : request_.files) {
