@@ -8,6 +8,7 @@
 
 #include <functional>
 
+#include "frontend/changed_numbers.h"
 #include "frontend/constants.h"
 
 namespace physgen::frontend {
@@ -45,12 +46,15 @@ Option evaluated(const clang::Expr* argument, const clang::ASTContext& context) 
 }
 
 /// Calls `read` for every argument of the macro on the declaration.
-void for_each_option(const clang::Decl& declaration, llvm::StringRef annotation, const clang::ASTContext& context,
+void for_each_option(const clang::Decl& declaration, llvm::StringRef annotation, Report& report,
                      const std::function<void(const Option&)>& read) {
   for (const auto* attribute : declaration.specific_attrs<clang::AnnotateAttr>())
     if (attribute->getAnnotation() == annotation)
-      for (const clang::Expr* argument : attribute->args())
-        if (!argument->containsErrors()) read(evaluated(argument, context));  // else Clang has reported it
+      for (const clang::Expr* argument : attribute->args()) {
+        if (argument->containsErrors()) continue;  // which Clang has reported
+        report_changed_numbers(*argument, report);
+        read(evaluated(argument, report.context()));
+      }
 }
 
 /// Remembers where an option stands; an option that was there before is an error.
@@ -124,7 +128,7 @@ Words<Facts> words(const Option& option, std::span<const Facts> rows, const std:
 
 OptionPlaces read_options(const clang::Decl& declaration, model::Object& object, Report& report) {
   Places places(report);
-  for_each_option(declaration, object_annotation, report.context(), [&](const Option& option) {
+  for_each_option(declaration, object_annotation, report, [&](const Option& option) {
     if (option.type == "Layout") {
       const auto said = words(option, model::layouts(), "layout", "pattern", "layout",
                               model::joined(model::layout_words("tile"), " or "), report);
@@ -147,7 +151,7 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Object& object,
 
 OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, Report& report) {
   Places places(report);
-  for_each_option(declaration, field_annotation, report.context(), [&](const Option& option) {
+  for_each_option(declaration, field_annotation, report, [&](const Option& option) {
     if (option.type == "Unit") {
       if (!places.add(Aspect::unit, option, "unit(...)")) return;
       const auto text = literal(option.value.getStructField(0));

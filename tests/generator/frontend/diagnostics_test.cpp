@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cases_constructs.h"
+#include "cases_numbers.h"
 #include "cases_options.h"
 #include "cases_types.h"
 
@@ -26,6 +27,7 @@ std::string name_of(const testing::TestParamInfo<DiagnosticCase>& info) { return
 INSTANTIATE_TEST_SUITE_P(Constructs, Diagnostics, testing::ValuesIn(constructs_cases), name_of);
 INSTANTIATE_TEST_SUITE_P(Types, Diagnostics, testing::ValuesIn(types_cases), name_of);
 INSTANTIATE_TEST_SUITE_P(Options, Diagnostics, testing::ValuesIn(options_cases), name_of);
+INSTANTIATE_TEST_SUITE_P(Numbers, Diagnostics, testing::ValuesIn(numbers_cases), name_of);
 
 }  // namespace
 }  // namespace physgen::test
