@@ -8,12 +8,14 @@
 # Makes the library target `name`. A program that links it finds the headers a.physgen.h and b.physgen.h, is compiled
 # after they are written, and links physgen::runtime. physgen runs again when a schema, a header that a schema includes,
 # or physgen itself has changed; a header whose text stays the same keeps its time, so that nothing that includes it is
-# compiled again. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder). LAYOUT (aos,
+# compiled again. A header in the build folder whose schema is no longer in the list is removed, so that no program goes
+# on with it. Headers are written to OUTPUT_DIR (default: physgen/<name> in the current build folder). LAYOUT (aos,
 # aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state. Without a physgen command (it
 # needs LLVM), the headers in CHECKED_IN are used as they are, whose layouts cannot be changed.
 #
 # Of scenes it is the headers s.scene.h and s.program.h, t.scene.h and t.program.h, with reports beside them. LIBRARIES are those whose headers the
-# scenes include, and `name` links them; FLAGS are the compiler's with which programs are read, such as -march=x86-64-v3.
+# scenes include, and `name` links them, and programs are read with their folders and definitions; FLAGS are further
+# options of the compiler with which programs are read, such as -march=x86-64-v3.
 # With DEVICE what programs do on CUDA is looked at, too: needs a toolkit, that of the project where it enables CUDA.
 # With EVERYTHING there is s.everything.h, too, the same arrays with all fields. With NO_FUSE the steps of their programs
 # stay apart.
@@ -106,6 +108,7 @@ function(physgen_generate)
   # The stamp stands for "physgen has run", with a time of its own: headers keep theirs when their text does not change,
   # and Make would run physgen for ever. The list of schemas is an input, because Make does not compare commands.
   set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${arg_TARGET})
+  _physgen_remove_former(${state}.written "${headers}")
   file(CONFIGURE OUTPUT ${state}.schemas CONTENT "${schemas}\n${arg_OUTPUT_DIR}\n${arg_LAYOUT}\n" @ONLY)
   set(layout "")
   if(arg_LAYOUT)
@@ -127,8 +130,12 @@ endfunction()
 # Writes the headers of scenes, each by a command of its own: reading a program takes seconds.
 function(_physgen_scenes target scenes output_dir libraries flags device everything no_fuse)
   set(folders "$<TARGET_PROPERTY:${target},INTERFACE_INCLUDE_DIRECTORIES>")  # those of its libraries, too
+  # Programs are compiled with them. physgen's own choose checks and CUDA, and no field.
+  set(definitions "$<FILTER:$<TARGET_PROPERTY:${target},INTERFACE_COMPILE_DEFINITIONS>,EXCLUDE,^PHYSGEN_>")
+  set(definitions "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>")
   set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${target})
   set(stamps "")
+  set(all_written "")
   set(options "")
   set(environment "")
   if(everything)
@@ -149,7 +156,10 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
   endif()
   foreach(scene IN LISTS scenes)
     cmake_path(GET scene STEM LAST_ONLY name)
-    file(CONFIGURE OUTPUT ${state}/${name}.flags CONTENT "${scene}\n${output_dir}\n${flags}\n${options}\n" @ONLY)
+    # An input, because Make does not compare commands. Written where the definitions are known, and only if it changes.
+    set(inputs ${state}/${name}.$<CONFIG>.flags)
+    file(GENERATE OUTPUT ${inputs}
+      CONTENT "${scene}\n${output_dir}\n${flags}\n${options}\n${environment}\n${folders}\n${definitions}\n")
     set(written "")
     foreach(ending scene.h program.h need.txt need.json usage.json)
       list(APPEND written ${output_dir}/${name}.${ending})
@@ -161,13 +171,15 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
       OUTPUT ${state}/${name}.stamp
       BYPRODUCTS ${written}
       COMMAND ${environment} $<TARGET_FILE:physgen::physgen> scene ${scene} -o ${output_dir} ${options} --depfile ${state}/${name}.d --stamp ${state}/${name}.stamp
-              -- "-I$<JOIN:${folders},;-I>" ${flags}
-      DEPENDS ${scene} ${state}/${name}.flags physgen::physgen
+              -- "-I$<JOIN:${folders},;-I>" "${definitions}" ${flags}
+      DEPENDS ${scene} ${inputs} physgen::physgen
       DEPFILE ${state}/${name}.d
       COMMENT "Looking at what the scene ${name} needs"
       COMMAND_EXPAND_LISTS VERBATIM)
     list(APPEND stamps ${state}/${name}.stamp)
+    list(APPEND all_written ${written})
   endforeach()
+  _physgen_remove_former(${state}.written "${all_written}")
   add_custom_target(${target}_scenes DEPENDS ${stamps})
   foreach(library IN LISTS libraries)
     if(TARGET ${library})
@@ -175,6 +187,24 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
     endif()
   endforeach()
   add_dependencies(${target} ${target}_scenes)
+endfunction()
+
+# Removes what the list in the file `record` names and `files` does not, and writes `files` there. Only files of the build
+# folder are removed: in a source folder they may be checked in.
+function(_physgen_remove_former record files)
+  set(former "")
+  if(EXISTS ${record})
+    file(STRINGS ${record} former)
+  endif()
+  get_property(written GLOBAL PROPERTY PHYSGEN_WRITTEN_HEADERS)
+  foreach(file IN LISTS former)
+    cmake_path(IS_PREFIX CMAKE_BINARY_DIR "${file}" is_built)
+    if(is_built AND NOT file IN_LIST files AND NOT file IN_LIST written)
+      file(REMOVE "${file}")
+    endif()
+  endforeach()
+  list(JOIN files "\n" lines)
+  file(WRITE ${record} "${lines}\n")
 endfunction()
 
 # Makes `target` use the headers `names` of the folder `checked_in`, as they are.
