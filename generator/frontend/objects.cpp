@@ -8,6 +8,9 @@
 #include <clang/AST/RawCommentList.h>
 #include <clang/Basic/SourceManager.h>
 
+#include <map>
+#include <set>
+
 #include "frontend/constructs.h"
 #include "frontend/options.h"
 #include "frontend/types.h"
@@ -132,8 +135,27 @@ class SchemaReader {
     share_comments(record, object);
     const bool imported = !sources_.isInMainFile(sources_.getExpansionLoc(record.getLocation()));
     if (imported) object.schema = object.location.file;
+    names_another_file(record);
     (imported ? schema_.imported : schema_.objects).push_back(std::move(object));
     (imported ? imported_ : own_).push_back(std::move(places));
+  }
+
+  /// Reports an object whose schema has the file name of another one with objects: what is generated of the two would
+  /// have one name, too.
+  void names_another_file(const clang::CXXRecordDecl& record) {
+    const auto where = sources_.getExpansionLoc(record.getLocation());
+    const std::string file = file_name(where);
+    const auto [first, is_new] = schemas_.emplace(file.substr(0, file.rfind('.')), where);
+    const auto entry = [&](clang::SourceLocation place) {
+      return sources_.getFileEntryForID(sources_.getFileID(place));
+    };
+    if (is_new || entry(first->second) == entry(where)) return;
+    const std::string path = sources_.getFilename(where).str(), other = sources_.getFilename(first->second).str();
+    if (!clashing_.insert(path).second) return;  // said of its first object
+    report_.error(record.getLocation(),
+                  "object " + quoted(record.getName()) + " is declared in " + quoted(path) + " and others in " +
+                      quoted(other) + ", and the headers that are generated of the two have one name; rename one file",
+                  Note{first->second, "an object of the other file is here"});
   }
 
   /// The options of the one declaration that carries them.
@@ -245,7 +267,9 @@ class SchemaReader {
   const clang::SourceManager& sources_;
   Report report_;
   model::Schema schema_;
-  std::vector<Places> own_, imported_;  // beside schema_.objects, schema_.imported
+  std::vector<Places> own_, imported_;                    // beside schema_.objects, schema_.imported
+  std::map<std::string, clang::SourceLocation> schemas_;  // first objects of files, by their names without ending
+  std::set<std::string> clashing_;                        // files that have the name of another one
 };
 
 }  // namespace
