@@ -20,7 +20,10 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
 
   bool VisitImplicitCastExpr(clang::ImplicitCastExpr* cast) {
     const clang::Expr* from = cast->getSubExpr();
-    if (cast->getCastKind() == clang::CK_IntegralToFloating) divisions(*from);
+    const clang::CastKind kind = cast->getCastKind();
+    if (kind == clang::CK_IntegralToFloating) divisions(*from);
+    if (kind != clang::CK_IntegralToFloating && kind != clang::CK_FloatingToIntegral && kind != clang::CK_IntegralCast)
+      return true;  // a condition asks whether a number is 0, and decimals are rounded
     const auto before = value(*from), after = value(*cast);
     if (!before || !after || is_kept(*before, *after)) return true;
     report_.error(from->getSourceRange(),
@@ -46,7 +49,8 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
       divisions(*choice->getFalseExpr());
     } else if (const auto* unary = llvm::dyn_cast<clang::UnaryOperator>(plain)) {
       divisions(*unary->getSubExpr());
-    } else if (const auto* binary = llvm::dyn_cast<clang::BinaryOperator>(plain)) {
+    } else if (const auto* binary = llvm::dyn_cast<clang::BinaryOperator>(plain);
+               binary != nullptr && (binary->isAdditiveOp() || binary->isMultiplicativeOp())) {
       divisions(*binary->getLHS());
       divisions(*binary->getRHS());
       if (binary->getOpcode() == clang::BO_Div) division(*binary);

@@ -221,7 +221,9 @@ void describe(CLI::App& app, Arguments& arguments) {
                        "schema says; an array whose program names a layout keeps it")
       ->type_name("LAYOUT");
   generate->add_option("--emitter", arguments.emitter, emitter_choices())->type_name("NAME");
-  auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that is touched after all outputs are written")
+  auto* stamp = generate
+                    ->add_option("--stamp", arguments.stamp,
+                                 "File that is made after all outputs, with the time when reading began")
                     ->type_name("FILE");
   generate->add_option("--depfile", arguments.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)

@@ -139,7 +139,9 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
   scene->add_flag("--print-model", request.print_model, "Print what physgen reads from the declaration, as JSON");
   scene->add_flag("--print-unit", request.print_unit,
                   "Print the source that is analysed: the program over probes, which any compiler takes");
-  auto* stamp = scene->add_option("--stamp", request.stamp, "File that is touched after all outputs are written")
+  auto* stamp = scene
+                    ->add_option("--stamp", request.stamp,
+                                 "File that is made after all outputs, with the time when reading began")
                     ->type_name("FILE");
   scene->add_option("--depfile", request.depfile, "File for the dependencies of the stamp, in the syntax of Make")
       ->needs(stamp)

@@ -8,12 +8,13 @@ namespace physgen::test {
 namespace {
 
 TEST(ChangedNumbers, accepts_exact_divisions_casts_named_integers_and_rounded_decimals) {
-  const auto result = parse_text(
-      schema_of("constexpr int three = 7 / 2; enum Count { five = 5 };\n"
-                "struct PHYSGEN_OBJECT(align(8 * 2), layout(host, aosoa(1 << 4))) A {\n"
-                "  PHYSGEN(range(0, 6 / 2), initial(int(7 / 3))) Scalar x;\n  PHYSGEN(initial(three)) Index y;\n"
-                "  PHYSGEN(initial(five)) Index z;\n  PHYSGEN(range(-1, 1), initial(0.1F)) Scalar u;\n"
-                "  PHYSGEN(initial(true)) Scalar v;\n  PHYSGEN(range(1.0 / 3, 0.1L * 10)) Scalar w;\n};\n"));
+  const auto result = parse_text(schema_of(
+      "constexpr int three = 7 / 2; enum Count { five = 5 };\n"
+      "struct PHYSGEN_OBJECT(align(8 * 2), layout(host, aosoa(1 << 4))) A {\n"
+      "  PHYSGEN(range(0, 6 / 2), initial(int(7 / 3))) Scalar x;\n  PHYSGEN(initial(three)) Index y;\n"
+      "  PHYSGEN(initial(five)) Index z;\n  PHYSGEN(range(-1, 1), initial(0.1F)) Scalar u;\n"
+      "  PHYSGEN(initial(true)) Scalar v;\n  PHYSGEN(range(1.0 / 3, 0.1L * 10)) Scalar w;\n"
+      "  PHYSGEN(initial(three ? 1 << 7 / 2 : 0)) Scalar t;\n  PHYSGEN(initial(0.5 && five)) Scalar s;\n};\n"));
   ASSERT_TRUE(result.schema.has_value()) << result.diagnostics;
   EXPECT_EQ(result.diagnostics, "");
   const auto& fields = result.schema->objects.at(0).fields;
