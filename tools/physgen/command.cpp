@@ -193,7 +193,8 @@ void describe_layout(CLI::App& app, Arguments& arguments) {
   layout->add_option("--real", request.real, "float (default) or double")->type_name("TYPE");
   layout
       ->add_option("--layout", request.layout,
-                   layout_choices() + "; without: what the schema says, else " + standard_layouts())
+                   layout_choices() + "; aosoa: " + standard_layouts() +
+                       "; all: every layout, to compare; without: what the schema says, else " + standard_layouts())
       ->type_name("LAYOUT");
   layout->add_flag("--json", arguments.json, "Write JSON instead of text; tools/report/layout_picture.py draws it");
   layout->add_option("-o,--output", arguments.drawing, "File of the JSON; without: standard output")->type_name("FILE");
@@ -216,9 +217,9 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->type_name("DIR");
   generate
       ->add_option("--layout", arguments.layout_of_all,
-                   layout_choices_of_a_space() +
-                       ": of the arrays of every object in both spaces, in place of what the "
-                       "schema says; an array whose program names a layout keeps it")
+                   "Layout of every object in both spaces, in place of what the schema says; an array whose program "
+                   "names a layout keeps it: " +
+                       layout_choices_of_a_space() + " (" + standard_layouts() + ")")
       ->type_name("LAYOUT");
   generate->add_option("--emitter", arguments.emitter, emitter_choices())->type_name("NAME");
   auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that is touched after all outputs are written")
