@@ -190,7 +190,8 @@ void describe_layout(CLI::App& app, Arguments& arguments) {
       ->allow_extra_args(false)
       ->type_name("NAME");
   layout->add_option("--space", request.space, space_choices() + " (default)")->type_name("SPACE");
-  layout->add_option("--real", request.real, "float (default) or double")->type_name("TYPE");
+  layout->add_option("--real", request.real, "Precision where the schema says Scalar: float (default) or double")
+      ->type_name("TYPE");
   layout
       ->add_option("--layout", request.layout,
                    layout_choices() + "; aosoa: " + standard_layouts() +
@@ -206,8 +207,8 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.require_subcommand(1);
   app.footer(
       "'physgen SCHEMA... -o DIR' is short for 'physgen generate SCHEMA... -o DIR'.\n"
-      "Exit status: 0 done; 1 errors in a schema, nothing was written; 2 wrong use, or a file that cannot be read or "
-      "written.");
+      "Exit status: 0 done; 1 errors in a schema, scene or program, nothing was written, or a stale file of --check;\n"
+      "2 wrong use, or a file that cannot be read or written.");
   auto* generate =
       add_command(app, "generate", "Write the accessor classes of schemas: x.h gives DIR/x.physgen.h", arguments);
   generate->add_option("SCHEMA", arguments.schemas, "Schema headers")->required();
@@ -255,7 +256,7 @@ void require_command_or_schema(const std::string& first) {
 
 int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
   Arguments values;
-  CLI::App app("physgen writes accessor classes for physics objects from a schema, an annotated C++ header.",
+  CLI::App app("physgen writes classes for arrays of physics objects from schemas, and of the fields that scenes need.",
                "physgen");
   describe(app, values);
   if (!arguments.empty() && (arguments.front() == "scene" || arguments.front() == "usage")) {
