@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fem/solver/assembled_stiffness.h>
-#include <fem/solver/hierarchy.h>
 #include <fem/solver/linear_measurement.h>
+#include <fem/solver/mesh_level.h>
 #include <fem/solver/settings.h>
 #include <physgen/config.h>
 
