@@ -1,8 +1,8 @@
 // The scene linear_elastic: an equilibrium for small strain.
 #pragma once
 
-#include <fem/solver/linear_steps.h>
-#include <fem/solver/solver_groups.h>
+#include <fem/solver/arrays/solver_groups.h>
+#include <fem/solver/newton/linear_steps.h>
 #include <physgen/scene.h>
 
 namespace scenes {

@@ -2,9 +2,9 @@
 // preconditioners.
 #pragma once
 
-#include <fem/solver/linear_steps.h>
-#include <fem/solver/performed_steps.h>
-#include <fem/solver/solver_groups.h>
+#include <fem/solver/arrays/solver_groups.h>
+#include <fem/solver/linear/performed_steps.h>
+#include <fem/solver/newton/linear_steps.h>
 #include <physgen/scene.h>
 
 #include <memory>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <fem/materials/stable_neo_hookean.h>
-#include <fem/solver/performed_steps.h>
-#include <fem/solver/solver_groups.h>
-#include <fem/solver/solver_program.h>
+#include <fem/solver/arrays/solver_groups.h>
+#include <fem/solver/linear/performed_steps.h>
+#include <fem/solver/solvers/solver_program.h>
 #include <physgen/scene.h>
 
 namespace scenes {

@@ -10,13 +10,16 @@ sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Folders whose sources are included by these paths.
 SEARCHED = ("runtime/include", "generator", "schemas", "tools", "tools/physbench", "tools/truthcube", "tools/physgen")
+# The folders of the solver; its interface stands at the bottom, since all that implements it knows its words.
+SOLVER = ("", "/hierarchy", "/arrays", "/loads", "/elastic", "/schwarz", "/multigrid", "/linear", "/newton", "/solvers")
 # The rooms of the house from the ground up: what stands in one of them includes nothing from those behind it.
 ROOMS = (
     *("runtime/include", "runtime/src"),
     *("generator/model", "generator/plan", "generator/emit", "generator/frontend", "generator/usage"),
     *("generator/scenes", "tools/physgen"),
     *("tools/fem/numerics", "tools/fem/materials", "tools/fem/mesh", "tools/fem/kernels", "tools/fem/reference"),
-    *("tools/fem/solver", "tools/fem/dynamics", "schemas"),
+    *(f"tools/fem/solver{folder}" for folder in SOLVER),
+    *("tools/fem/dynamics", "schemas"),
     *("tools/physbench/data", "tools/physbench/kernels", "tools/physbench/measure", "tools/physbench/coalescing"),
     *("tools/physbench/groups", "tools/physbench/vendor", "tools/physbench/report", "tools/physbench"),
     *("tools/truthcube/output", "tools/truthcube", "tools/truthcube/linear_solves", "tools/examples"),

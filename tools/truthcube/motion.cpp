@@ -1,7 +1,7 @@
 #include "motion.h"
 
 #include <fem/dynamics/explicit.h>
-#include <fem/solver/scene_solvers.h>
+#include <fem/solver/solvers/scene_solvers.h>
 #include <physgen/error.h>
 
 #include <algorithm>

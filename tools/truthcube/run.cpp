@@ -1,6 +1,6 @@
 #include "run.h"
 
-#include <fem/solver/scene_solvers.h>
+#include <fem/solver/solvers/scene_solvers.h>
 #include <physgen/error.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/check.h>
 #include <fem/mesh/refine.h>
-#include <fem/solver/background_grid.h>
+#include <fem/solver/hierarchy/background_grid.h>
 #include <physgen/error.h>
 
 #include <algorithm>

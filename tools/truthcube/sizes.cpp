@@ -1,6 +1,6 @@
 #include "sizes.h"
 
-#include <fem/solver/packed_rows.h>
+#include <fem/solver/arrays/packed_rows.h>
 #include <physgen/error.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // How many objects each level of a run will have, before anything of it is allocated.
 #pragma once
 
-#include <fem/solver/hierarchy.h>
+#include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/settings.h>
 
 #include <cstdint>

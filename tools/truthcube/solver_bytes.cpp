@@ -1,10 +1,10 @@
 #include "solver_bytes.h"
 
 #include <fem/dynamics/explicit_body.h>
-#include <fem/solver/all_arrays.h>
-#include <fem/solver/in_precision.h>
-#include <fem/solver/linear_types.h>
-#include <fem/solver/scene_types.h>
+#include <fem/solver/solvers/all_arrays.h>
+#include <fem/solver/solvers/in_precision.h>
+#include <fem/solver/solvers/linear_types.h>
+#include <fem/solver/solvers/scene_types.h>
 
 #include <algorithm>
 #include <numeric>

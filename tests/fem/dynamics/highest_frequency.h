@@ -1,8 +1,8 @@
 // The highest frequency of a body at rest, by power iterations with the stiffness of linear elasticity and lumped mass.
 #pragma once
 
-#include <fem/solver/linear_body.h>
-#include <fem/solver/linear_steps.h>
+#include <fem/solver/newton/linear_steps.h>
+#include <fem/solver/solvers/linear_body.h>
 #include <linear_elastic.scene.h>
 #include <physgen/executor.h>
 

@@ -1,7 +1,7 @@
 // Backward Euler on Newton's method against motions that it is known to give, and its limits: quasistatic equilibrium
 // for long steps, the explicit scheme for short ones.
 #include <fem/dynamics/explicit.h>
-#include <fem/solver/background_grid.h>
+#include <fem/solver/hierarchy/background_grid.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 

@@ -2,11 +2,11 @@
 #include <explicit_dynamics.scene.h>
 #include <fem/dynamics/explicit.h>
 #include <fem/dynamics/explicit_body.h>
-#include <fem/solver/host_points.h>
-#include <fem/solver/inertia_arrays.h>
-#include <fem/solver/linear_body.h>
-#include <fem/solver/node_vectors.h>
-#include <fem/solver/scene_solvers.h>
+#include <fem/solver/arrays/host_points.h>
+#include <fem/solver/arrays/node_vectors.h>
+#include <fem/solver/loads/inertia_arrays.h>
+#include <fem/solver/solvers/linear_body.h>
+#include <fem/solver/solvers/scene_solvers.h>
 #include <gtest/gtest.h>
 #include <implicit_dynamics.scene.h>
 #include <linear_elastic.scene.h>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/mesh/refine.h>
+#include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/quasistatic.h>
 
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <everything.scene.h>
-#include <fem/solver/equilibrium_arrays.h>
-#include <fem/solver/linear_level.h>
+#include <fem/solver/elastic/equilibrium_arrays.h>
+#include <fem/solver/multigrid/linear_level.h>
 #include <physgen/probe.h>
 
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fem/materials/materials.h>
-#include <fem/solver/implicit_step.h>
+#include <fem/solver/newton/implicit_step.h>
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,7 +1,7 @@
 // The fields that the solver on the CPU reads and writes.
 #include "probe_solver.h"
 
-#include <fem/solver/performed_steps.h>
+#include <fem/solver/linear/performed_steps.h>
 
 namespace physgen::fem::test {
 namespace {

@@ -1,6 +1,6 @@
 // The uses that nvcc's compiler of the host finds in the solver on CUDA, and those that it does not see. No device is
 // needed.
-#include <fem/solver/performed_steps.h>
+#include <fem/solver/linear/performed_steps.h>
 
 #include "probe_solver.h"
 

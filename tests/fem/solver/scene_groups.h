@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fem/mesh/mesh_arrays.h>
-#include <fem/solver/make_linear_levels.h>
-#include <fem/solver/solver_program.h>
+#include <fem/solver/multigrid/make_linear_levels.h>
+#include <fem/solver/solvers/solver_program.h>
 
 #include <utility>
 #include <vector>

@@ -1,5 +1,5 @@
 // The solver on CUDA against the solver on the CPU, and against itself.
-#include <fem/solver/background_grid.h>
+#include <fem/solver/hierarchy/background_grid.h>
 #include <gtest/gtest.h>
 #include <physgen/device.h>
 

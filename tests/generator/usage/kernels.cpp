@@ -3,9 +3,9 @@
 #include "kernels/probe_kernels.h"
 
 #ifdef __CUDACC__
-#include <fem/solver/product_cuda.h>
+#include <fem/solver/linear/product_cuda.h>
 #else
-#include <fem/solver/product_host.h>
+#include <fem/solver/linear/product_host.h>
 #endif
 
 namespace kernels {

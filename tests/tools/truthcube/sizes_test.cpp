@@ -1,8 +1,8 @@
 // The sizes and bytes that truthcube states before anything is allocated, against those that are allocated then.
 #include <fem/dynamics/explicit.h>
-#include <fem/solver/background_grid.h>
+#include <fem/solver/hierarchy/background_grid.h>
 #include <fem/solver/quasistatic.h>
-#include <fem/solver/scene_solvers.h>
+#include <fem/solver/solvers/scene_solvers.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 #include <truthcube/arrays.h>

@@ -1,7 +1,8 @@
 // The vendor's method on the CPU, over a product of block sparse rows that is written out here.
-#include <fem/solver/product_host.h>
+#include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/linear/product_host.h>
+#include <fem/solver/multigrid/scattered.h>
 #include <fem/solver/quasistatic.h>
-#include <fem/solver/scattered.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
 #include <truthcube/linear_solves/block_matrix.h>

@@ -1,7 +1,7 @@
 #include <fem/dynamics/explicit.h>
 #include <fem/dynamics/explicit_solvers.h>
 #include <fem/solver/masses.h>
-#include <fem/solver/require.h>
+#include <fem/solver/solvers/require.h>
 #include <physgen/error.h>
 
 namespace physgen::fem {

@@ -3,10 +3,10 @@
 
 #include <explicit_dynamics.scene.h>
 #include <fem/kernels/node_sums.h>
-#include <fem/solver/loading_arrays.h>
+#include <fem/solver/arrays/solver_arrays.h>
+#include <fem/solver/elastic/rest_shapes.h>
+#include <fem/solver/loads/loading_arrays.h>
 #include <fem/solver/quasistatic.h>
-#include <fem/solver/rest_shapes.h>
-#include <fem/solver/solver_arrays.h>
 
 #include <type_traits>
 #include <vector>

@@ -3,13 +3,13 @@
 
 #include <fem/dynamics/explicit_body.h>
 #include <fem/dynamics/explicit_steps.h>
+#include <fem/solver/arrays/host_points.h>
+#include <fem/solver/arrays/node_vectors.h>
 #include <fem/solver/dynamic_solver.h>
-#include <fem/solver/host_points.h>
-#include <fem/solver/make_executor.h>
 #include <fem/solver/masses.h>
 #include <fem/solver/material_names.h>
-#include <fem/solver/node_vectors.h>
-#include <fem/solver/require.h>
+#include <fem/solver/solvers/make_executor.h>
+#include <fem/solver/solvers/require.h>
 
 #include <memory>
 #include <utility>

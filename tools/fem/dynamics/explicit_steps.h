@@ -5,7 +5,7 @@
 #include <elasticity.physgen.h>
 #include <fem/kernels/groups.h>
 #include <fem/numerics/scalar.h>
-#include <fem/solver/time_step.h>
+#include <fem/solver/loads/time_step.h>
 #include <physgen/reduce.h>
 #include <physgen/rows.h>
 #include <physgen/space.h>

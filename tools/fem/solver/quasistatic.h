@@ -2,8 +2,8 @@
 #pragma once
 
 #include <fem/solver/assembled_stiffness.h>
-#include <fem/solver/hierarchy.h>
 #include <fem/solver/linear_measurement.h>
+#include <fem/solver/mesh_level.h>
 #include <fem/solver/settings.h>
 #include <physgen/config.h>
 
@@ -89,7 +89,7 @@ class EquilibriumSolver {
 /// Solves by Newton's method.
 class QuasistaticSolver : public EquilibriumSolver {
  public:
-  /// Moves the free nodes of the finest mesh, such as to random places. The next solve begins there; where tets are
+  /// Moves the free nodes of the finest mesh, such as to random positions. The next solve begins there; where tets are
   /// inverted or flat there, on the straight way from rest, before the first of them is flat.
   /// @throw Error when sizes differ
   virtual void set_positions(std::span<const Point> positions) = 0;

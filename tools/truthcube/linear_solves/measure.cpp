@@ -1,7 +1,7 @@
 #include "measure.h"
 
+#include <fem/solver/multigrid/scattered.h>
 #include <fem/solver/quasistatic.h>
-#include <fem/solver/scattered.h>
 #include <physgen/error.h>
 #include <truthcube/memory.h>
 #include <truthcube/run_bytes.h>

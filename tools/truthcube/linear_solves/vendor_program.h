@@ -3,8 +3,8 @@
 #pragma once
 
 #include <fem/solver/assembled_stiffness.h>
-#include <fem/solver/conjugate_gradients.h>
-#include <fem/solver/measure_linear.h>
+#include <fem/solver/linear/conjugate_gradients.h>
+#include <fem/solver/solvers/measure_linear.h>
 
 #include <cmath>
 #include <memory>

@@ -1,4 +1,4 @@
-#include <fem/solver/product_cuda.h>
+#include <fem/solver/linear/product_cuda.h>
 #include <physgen/cuda/executor.h>
 
 #include "cusparse_product.h"

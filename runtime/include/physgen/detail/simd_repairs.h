@@ -86,10 +86,15 @@ inline batch<T, A> select(const batch_bool<T, A>& condition, const batch<T, A>& 
 
 #ifdef __AVX512BW__
 /// xsimd's own does not compile without optimization.
-inline batch<std::int32_t, avx512bw> select(const batch_bool<std::int32_t, avx512bw>& condition,
-                                            const batch<std::int32_t, avx512bw>& a,
-                                            const batch<std::int32_t, avx512bw>& b) {
-  return _mm512_mask_blend_epi32(condition.data, b.data, a.data);
+template <std::integral T>
+  requires(sizeof(T) >= 4)
+inline batch<T, avx512bw> select(const batch_bool<T, avx512bw>& condition, const batch<T, avx512bw>& a,
+                                 const batch<T, avx512bw>& b) {
+  if constexpr (sizeof(T) == 4) {
+    return _mm512_mask_blend_epi32(condition.data, b.data, a.data);
+  } else {
+    return _mm512_mask_blend_epi64(condition.data, b.data, a.data);
+  }
 }
 #endif
 

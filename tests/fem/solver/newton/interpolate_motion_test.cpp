@@ -1,0 +1,183 @@
+// How nested iteration carries the motion of a coarser mesh to the next finer one.
+#include <fem/mesh/geometry.h>
+#include <fem/mesh/mesh_arrays.h>
+#include <fem/solver/newton/interpolate_motion.h>
+#include <gtest/gtest.h>
+#include <physgen/parallel_for.h>
+
+#include <cstdio>
+
+#include "../bodies.h"
+
+namespace physgen::fem {
+namespace {
+
+constexpr double side = 2;
+
+/// Positions on the finer of two meshes of a cube, where `motion` was found on the coarser one, beside a rest that is
+/// already moved by `start`.
+std::vector<Point> interpolated(const Body& body, const std::function<Point(const Point&)>& motion, double start,
+                                bool bends = true) {
+  const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
+  const auto coarse_nodes = index_t{coarse.mesh.nodes}, fine_nodes = index_t{fine.mesh.nodes};
+  quasistatic::NodeParentsArray<float> parents(fine_nodes);
+  quasistatic::NodeConstraintArray<float> constraints(fine_nodes);
+  elasticity::NodePositionArray<double> positions(fine_nodes), rest(coarse_nodes), before(coarse_nodes),
+      now(coarse_nodes);
+  elasticity::TetArray<float> tets(index_t(coarse.mesh.tets.size()));
+  store_tets(coarse.mesh, tets.view());
+  const auto node_tets = packed_rows<NodeTetEntry>(coarse.mesh.node_tets, tets.size(), "tets");
+  for (index_t n = 0; n < fine_nodes; ++n) {
+    const auto& [a, b] = fine.parents[std::size_t(n)];
+    parents.view().put(n, {{a, b}});
+    constraints.view().put(n, {int{fine.fixed[std::size_t(n)]}});
+    const Point& x = fine.rest[std::size_t(n)];
+    positions.view().put(n, {{x[0] + start, x[1] + start, x[2] + start}});
+  }
+  for (index_t n = 0; n < coarse_nodes; ++n) {
+    const Point& x = coarse.rest[std::size_t(n)];
+    const Point w = motion(x);
+    rest.view().put(n, {{x[0], x[1], x[2]}});
+    before.view().put(n, {{x[0] + 7, x[1] - 5, x[2] + 3}});
+    now.view().put(n, {{x[0] + 7 + w[0], x[1] - 5 + w[1], x[2] + 3 + w[2]}});
+  }
+  parallel_for<1>(
+      Host{}, fine_nodes,
+      InterpolateMotion{bends, parents.const_view(), node_tets.const_view(), tets.const_view(), rest.const_view(),
+                        before.const_view(), now.const_view(), constraints.const_view(), positions.view()});
+  std::vector<Point> result(std::size_t(fine_nodes), Point{});
+  for (index_t n = 0; n < fine_nodes; ++n) {
+    const auto x = positions.view().get(n).x;
+    result[std::size_t(n)] = {x[0], x[1], x[2]};
+  }
+  return result;
+}
+
+/// Cells of 1/4, and of 1/2, some of whose components are prescribed.
+Body cube_with(std::uint8_t fixed_below) {
+  return make_cube(
+      8, side, false, 0, [&](const Point& x) { return x[2] == 0 ? fixed_below : std::uint8_t{0}; },
+      [](const Point& /*x*/) { return Point{}; });
+}
+
+TEST(InterpolateMotion, is_exact_for_affine_motions_everywhere) {
+  const Body body = cube_with(0);
+  const auto motion = [](const Point& x) {
+    return Point{0.3 + 0.2 * x[0] - 0.7 * x[1], 0.1 + 0.5 * x[2] - x[0], 0.9 * x[1] - 0.4 * x[2]};
+  };
+  const auto positions = interpolated(body, motion, 0.25);
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Point& x = body.levels[0].rest[n];
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + 0.25 + motion(x)[k], 1e-13) << n;
+  }
+}
+
+/// A straight line between parents would be off by h^2/8 times the second derivative. The mean gradient at
+/// a node is exact where the tets around it are symmetric in it.
+TEST(InterpolateMotion, is_exact_for_quadratic_motions_between_nodes_inside) {
+  const Body body = cut_along_one_diagonal(cube_with(0), 8);
+  const auto motion = [](const Point& x) {
+    return Point{x[0] * x[0] - 0.5 * x[1] * x[2], 0.7 * x[1] * x[1] + x[0] * x[2], x[2] * (x[0] - x[1] - 0.3 * x[2])};
+  };
+  const auto positions = interpolated(body, motion, 0);
+  const double spacing = side / 4;
+  int inside = 0;
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Point& x = body.levels[0].rest[n];
+    const bool near_surface =
+        std::ranges::any_of(x, [&](double number) { return number < spacing * 0.9 || number > side - spacing * 0.9; });
+    if (near_surface) continue;
+    ++inside;
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + motion(x)[k], 1e-13) << n;
+  }
+  EXPECT_EQ(inside, 125);
+}
+
+TEST(InterpolateMotion, without_bends_takes_the_mean_of_both_parents) {
+  const Body body = cube_with(0);
+  const auto motion = [](const Point& x) { return Point{x[0] * x[1], x[2] * x[2], 1 / (1 + x[0] + x[2])}; };
+  const auto positions = interpolated(body, motion, 0.25, false);
+  const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const auto& [a, b] = fine.parents[n];
+    const Point first = motion(coarse.rest[std::size_t(a)]), second = motion(coarse.rest[std::size_t(b)]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(positions[n][k], fine.rest[n][k] + 0.25 + (first[k] + second[k]) / 2, 1e-13) << n;
+    }
+  }
+}
+
+TEST(InterpolateMotion, leaves_prescribed_components_where_they_are) {
+  const Body body = cube_with(5);
+  const auto positions = interpolated(body, [](const Point& /*x*/) { return Point{0.5, 0.25, -0.125}; }, 0);
+  int prescribed = 0;
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const Point& x = body.levels[0].rest[n];
+    const bool below = x[2] == 0;
+    prescribed += below;
+    EXPECT_EQ(positions[n][0], below ? x[0] : x[0] + 0.5);
+    EXPECT_NEAR(positions[n][1], x[1] + 0.25, 1e-14);
+    EXPECT_EQ(positions[n][2], below ? x[2] : x[2] - 0.125);
+  }
+  EXPECT_EQ(prescribed, 81);
+}
+
+/// The cube is flattened in one step, which cubics from the coarser mesh would follow beyond flat tets.
+TEST(NestedIteration, begins_on_straight_lines_where_cubics_would_invert_tets) {
+  constexpr double load = 0.8;
+  Body body = make_cube(
+      8, side, false, 0, [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; },
+      [](const Point& x) { return x[2] == side ? Point{0, 0, -side} : Point{}; });
+  body.levels.resize(2);
+  body.levels[1].parents.clear();
+  const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
+  SolverSettings settings = exact_settings("neo-hookean", 0.45);
+  settings.coarsest_nested = 0;
+  settings.newton.least_forcing = settings.newton.most_forcing = 1e-10;
+  const auto first_step_of = [&](QuasistaticSolver& solver) {
+    NewtonStep first;
+    const NewtonResult result = solver.solve_to(load, [&](std::size_t level, const NewtonStep& step) {
+      if (level == 0 && step.number == 1) first = step;
+    });
+    EXPECT_EQ(result.status, NewtonStatus::converged);
+    EXPECT_EQ(result.bisections, 0);
+    return first;
+  };
+  const auto nested = make_solver(body.levels, body.loading, settings);
+  const NewtonStep found = first_step_of(*nested);
+  const auto coarser = nested->coarser_equilibrium();
+  ASSERT_TRUE(coarser.has_value());
+
+  const auto motion = [&](const Point& x) {
+    const auto at = [&](std::size_t axis) { return std::lround(x[axis] / side * 4); };
+    const auto n = static_cast<std::size_t>(at(0) + 5 * (at(1) + 5 * at(2)));
+    const Point &from = coarse.rest[n], &to = coarser->positions[n];
+    return Point{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  };
+  const auto start = [&](bool bends) {
+    std::vector<Point> positions = interpolated(body, motion, 0, bends);
+    for (std::size_t n = 0; n < positions.size(); ++n) {
+      if (fine.rest[n][2] == side) positions[n][2] = side * (1 - load);
+    }
+    return positions;
+  };
+  const auto smallest_ratio = [&](const std::vector<Point>& positions) {
+    double smallest = INFINITY;
+    for (const auto& tet : fine.mesh.tets) {
+      smallest = std::min(smallest, six_volumes(tet, positions) / six_volumes(tet, fine.rest));
+    }
+    return smallest;
+  };
+  EXPECT_LT(smallest_ratio(start(true)), -0.01);
+  EXPECT_GT(smallest_ratio(start(false)), 0.1);
+
+  settings.nested = false;
+  const auto alone = make_solver(body.levels, body.loading, settings);
+  alone->set_positions(start(false));
+  const NewtonStep expected = first_step_of(*alone);
+  EXPECT_NEAR(found.energy / expected.energy, 1, 1e-7);
+  EXPECT_NEAR(found.smallest_J, expected.smallest_J, 1e-6);
+}
+
+}  // namespace
+}  // namespace physgen::fem

@@ -1,0 +1,153 @@
+// The arrays of one mesh on which equilibrium is sought, by name: in double what decides the result, in Real the
+// tangent.
+#pragma once
+
+#include <fem/solver/arrays/over_groups.h>
+#include <fem/solver/arrays/solver_arrays.h>
+#include <fem/solver/elastic/rest_shapes.h>
+#include <fem/solver/elastic/ring_arrays.h>
+#include <fem/solver/elastic/tet_chunks.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace physgen::fem {
+
+/// Those of volumes averaged over patches.
+/// @tparam Group with the arrays of Patches in solver_groups.h
+template <class Group>
+struct PatchesOver : Group {
+  RowsOf<decltype(Group::patch_tet_ranges), decltype(Group::patch_tet_entries)> patch_tets{this->patch_tet_ranges,
+                                                                                           this->patch_tet_entries};
+  // As TangentLists says, the other without rows.
+  RowsOf<decltype(Group::edge_patch_ranges), decltype(Group::edge_patch_entries)> edge_patches{
+      this->edge_patch_ranges, this->edge_patch_entries};
+  RowsOf<decltype(Group::node_patch_ranges), decltype(Group::node_patch_entries)> node_patches{
+      this->node_patch_ranges, this->node_patch_entries};
+
+  explicit PatchesOver(Group&& arrays) : Group(std::move(arrays)) {}
+  PatchesOver(const MeshLevel& level, const EdgeParts& parts, bool injects, TangentLists lists) {
+    const auto patches = index_t(level.patches.nodes.size());
+    const bool products = lists == TangentLists::of_nodes && Group::Space::kind == SpaceKind::host;
+    PackedRows<Host> of_edges, of_nodes;
+    if (lists == TangentLists::of_edges) {
+      of_edges = packed_rows<EdgePatchEntry>(parts.edge_patches, patches, "patches");
+    } else if (lists == TangentLists::of_nodes) {
+      of_nodes = packed_rows<NodePatchEntry>(make_node_patches(level), patches, "patches");
+    }
+    this->allocate({.tet = index_t(level.patches.tet_patch.size()),
+                    .patch = patches,
+                    .child = injects ? index_t(level.patch_parents.size()) : 0,
+                    .edge = of_edges.ranges().size(),
+                    .edge_patch = of_edges.entries().size(),
+                    .node = of_nodes.ranges().size(),
+                    .node_patch = of_nodes.entries().size(),
+                    .change = products ? patches : 0});
+    put(this->tet_patches, host_tet_patches(level.patches));
+    put(this->nodes, host_nodes(level.patches));
+    if (injects) put(this->parents, host_parents(level));
+    put_rows(this->patch_tet_ranges, this->patch_tet_entries, host_patch_tets(level));
+    put_rows(this->edge_patch_ranges, this->edge_patch_entries, of_edges);
+    put_rows(this->node_patch_ranges, this->node_patch_entries, of_nodes);
+  }
+
+ private:
+  using HostRows = RowArrays<elasticity::IncidenceRangeArray<float>, quasistatic::PatchTetArray<float>>;
+  static auto host_tet_patches(const VolumePatches& patches) {
+    quasistatic::TetPatchArray<typename Group::Real> array(index_t(patches.tet_patch.size()));
+    for (index_t t = 0; t < array.size(); ++t) array.view()[t].patch() = patches.tet_patch[std::size_t(t)];
+    return array;
+  }
+  static auto host_nodes(const VolumePatches& patches) {
+    quasistatic::PatchNodesArray<typename Group::Real> array(index_t(patches.nodes.size()));
+    for (index_t p = 0; p < array.size(); ++p) {
+      for (int k = 0; k < 8; ++k) array.view()[p].nodes()[k] = patches.nodes[std::size_t(p)][std::size_t(k)];
+    }
+    return array;
+  }
+  static auto host_parents(const MeshLevel& level) {
+    quasistatic::PatchParentArray<typename Group::Real> array(index_t(level.patch_parents.size()));
+    for (index_t p = 0; p < array.size(); ++p) array.view()[p].patch() = level.patch_parents[std::size_t(p)];
+    return array;
+  }
+  static auto host_patch_tets(const MeshLevel& level) {
+    const IncidenceList& list = level.patches.patch_tets;
+    std::vector<typename quasistatic::PatchTetArray<float>::Value> entries;
+    for (const auto& entry : list.entries) {
+      const auto& slots = level.patches.tet_slots[std::size_t(entry.element)];
+      entries.push_back({entry.element, slots[0] | slots[1] << 3 | slots[2] << 6 | slots[3] << 9});
+    }
+    return HostRows::from_offsets({"tet", index_t(level.mesh.tets.size())}, list.first, entries);
+  }
+};
+
+/// @tparam Real_ of the tangent
+/// @tparam Body with the arrays of Body in solver_groups.h
+/// @tparam Patches PatchesOver, or NoArrays
+/// @tparam Rings RingsOver, or NoArrays
+/// @tparam Chunk with the arrays of Chunk in solver_groups.h
+template <class Real_, class Body, class Patches, class Rings, class Chunk>
+struct EquilibriumOver : Body {
+  using Real = Real_;
+  using Own = Body;  ///< without what it may have besides
+
+  std::vector<TetChunk> chunks;
+  Optional<Patches> patches;            ///< where volumes are averaged over them
+  Optional<Rings> rings;                ///< where volumes are averaged at nodes
+  std::shared_ptr<Chunk> chunk_arrays;  ///< meshes of one solver share them; not in bytes()
+  double spacing = 0;                   ///< the mean distance of neighbours at rest, or about that [m]
+  RowsOf<decltype(Body::node_tet_ranges), decltype(Body::node_tet_entries)> node_tets{this->node_tet_ranges,
+                                                                                      this->node_tet_entries};
+  /// Where TangentLists are of edges.
+  RowsOf<decltype(Body::edge_tet_ranges), decltype(Body::edge_tet_entries)> edge_tets{this->edge_tet_ranges,
+                                                                                      this->edge_tet_entries};
+
+  explicit EquilibriumOver(Body&& arrays) : Body(std::move(arrays)) {}
+  /// @param injects whether equilibrium is solved on the next coarser mesh, too, whose pressures patches begin with
+  /// @param lists where they are not of edges, the tangents of all tets are kept
+  /// @param shared arrays of another mesh, which has as many tets at least; or none
+  EquilibriumOver(const MeshLevel& level, const LevelGraph& graph, bool injects, TangentLists lists,
+                  const std::shared_ptr<Chunk>& shared)
+      : chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Body::Space::kind))),
+        chunk_arrays(shared),
+        spacing(mean_spacing(level.mesh, level.rest)) {
+    const EdgeParts parts = lists == TangentLists::of_edges ? make_edge_parts(level, graph) : EdgeParts{};
+    fill(level, graph, lists, parts);
+    if (!level.patches.nodes.empty()) make(patches, level, parts, injects, lists);
+    if (level.averages_at_nodes) make(rings, level.mesh);
+    if (shared != nullptr) return;
+    const index_t tets = chunks.front().tets();
+    chunk_arrays = std::make_shared<Chunk>();
+    chunk_arrays->allocate({.chunk_tet = tets, .kept_tet = lists == TangentLists::of_edges ? tets : tet_count()});
+  }
+
+  [[nodiscard]] index_t nodes() const { return this->rest.size(); }
+  [[nodiscard]] index_t tet_count() const { return this->tets.size(); }
+  /// As one chunk. @pre the tangents of all tets are kept
+  [[nodiscard]] TetChunk all_tets() const { return {0, tet_count(), 0, nodes(), 0, 0}; }
+  [[nodiscard]] index_t bytes() const { return Body::bytes() + bytes_where(patches) + bytes_where(rings); }
+
+ private:
+  void fill(const MeshLevel& level, const LevelGraph& graph, TangentLists lists, const EdgeParts& parts) {
+    const auto tets = index_t(level.mesh.tets.size());
+    const auto of_nodes = packed_rows<NodeTetEntry>(level.mesh.node_tets, tets, "tets");
+    PackedRows<Host> of_edges;
+    if (lists == TangentLists::of_edges) of_edges = packed_rows<EdgeTetEntry>(parts.edge_tets, tets, "tets");
+    this->allocate({.tet = tets,
+                    .node = graph.nodes,
+                    .corner = of_nodes.entries().size(),
+                    .edge = of_edges.ranges().size(),
+                    .tet_edge = of_edges.entries().size(),
+                    .volume = level.averages_at_nodes ? index_t{graph.nodes} : index_t(level.patches.nodes.size())});
+    put(this->tets, host_tets(level));
+    put_rows(this->node_tet_ranges, this->node_tet_entries, of_nodes);
+    put_rows(this->edge_tet_ranges, this->edge_tet_entries, of_edges);
+    elasticity::NodePositionArray<double> rest(level.mesh.nodes);
+    store_positions(level.rest, rest.view());
+    put(this->rest, rest);
+    for (auto* positions : {&this->positions, &this->trial, &this->kept}) put(*positions, this->rest);
+  }
+};
+
+}  // namespace physgen::fem

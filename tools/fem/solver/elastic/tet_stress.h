@@ -1,0 +1,35 @@
+// Kernel: the stress of each tet, for output.
+#pragma once
+
+#include <fem/solver/elastic/evaluate_tets.h>
+
+namespace physgen::fem {
+
+/// P = dpsi/dF, with the pressure of the tet where volumes are averaged.
+template <class Material, class Pressures, class TetView, class RestView, class PositionView, class StressView>
+struct EvaluateStress {
+  using Scalar = typename StressView::Precision;
+  Material material;       ///< in Scalar
+  Pressures pressures;     ///< NoMeanPressures, PatchPressures or NodePressures
+  TetView tets;            ///< elasticity::Tet
+  RestView rest;           ///< elasticity::NodePosition, at rest
+  PositionView positions;  ///< elasticity::NodePosition, current
+  StressView stresses;     ///< elasticity::Stress, written
+
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    using S = Scalar;
+    const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, i);
+    Vector3<S> g = material.stress(tet.f.s);
+    if constexpr (Pressures::averages) {
+      const S pressure = pressures.template of<S>(i).pressure;
+      g = detail::with_pressure<S>(g, pressure, tet.f.s);
+    }
+    Matrix3<S> ug;  // U diag(g)
+    for (int c = 0; c < 3; ++c) ug.col(c) = tet.f.U.col(c) * g[c];
+    stresses[i].P() = multiply_transpose<S>(ug, tet.f.V);
+  }
+};
+template <class... Arguments>
+EvaluateStress(Arguments...) -> EvaluateStress<Arguments...>;
+
+}  // namespace physgen::fem

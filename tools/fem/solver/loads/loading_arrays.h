@@ -1,0 +1,80 @@
+// The prescribed motion and the forces at the nodes of each level, from those of the finest one.
+#pragma once
+
+#include <fem/solver/arrays/solver_arrays.h>
+#include <fem/solver/quasistatic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace physgen::fem {
+
+/// Stores motion [m] and forces [N] at a load of 1. @param a a group with the arrays `motion` and `loads`
+/// @param forces one per node, or none
+template <class Arrays>
+void store_loading(Arrays& a, const MeshLevel& level, const std::vector<Point>& motion,
+                   const std::vector<Point>& forces) {
+  const index_t nodes = level.mesh.nodes;
+  elasticity::NodeDisplacementArray<double> host_motion(nodes);
+  elasticity::NodeForceArray<double> host_forces(nodes);
+  for (index_t n = 0; n < nodes; ++n) {
+    const auto node = static_cast<std::size_t>(n);
+    for (int k = 0; k < 3; ++k) {
+      const bool fixed = (level.fixed[node] >> k & 1) != 0;
+      host_motion.view()[n].dx()[k] = fixed ? motion[node][std::size_t(k)] : 0.0;
+      host_forces.view()[n].f()[k] = forces.empty() ? 0.0 : forces[node][std::size_t(k)];
+    }
+  }
+  copy(a.motion, host_motion);
+  copy(a.loads, host_forces);
+  synchronize();
+}
+
+/// Motion of nodes that coincide, and forces shared by the parents.
+inline void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vector<Point>& motion,
+                            std::vector<Point>& forces) {
+  const auto size = static_cast<std::size_t>(coarse_nodes);
+  std::vector<Point> coarse_motion(size, Point{}), coarse_forces(forces.empty() ? 0 : size, Point{});
+  for (std::size_t n = 0; n < fine.parents.size(); ++n) {
+    const auto [p, q] = fine.parents[n];
+    if (p == q) coarse_motion[static_cast<std::size_t>(p)] = motion[n];
+    if (forces.empty()) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      coarse_forces[static_cast<std::size_t>(p)][k] += 0.5 * forces[n][k];
+      coarse_forces[static_cast<std::size_t>(q)][k] += 0.5 * forces[n][k];
+    }
+  }
+  motion = std::move(coarse_motion);
+  forces = std::move(coarse_forces);
+}
+
+/// Rounding of positions, eps |x|, times the stiffness of a node [N/m], with a factor for few numbers that add up [N].
+/// @param farthest |x| at most [m]
+[[nodiscard]] inline double rounding_force(double stiffness, double farthest, std::size_t nodes) {
+  return 32 * std::numeric_limits<double>::epsilon() * farthest * stiffness * std::sqrt(double(nodes));
+}
+
+/// About the stiffness of a node, with that of planes where there are some [N/m].
+/// @param spacing mean distance of neighbours [m]
+[[nodiscard]] inline double node_stiffness(const SolverSettings& settings, bool planes, double spacing) {
+  return spacing * settings.youngs_modulus *
+         (1 / (1 - 2 * std::min(settings.poissons_ratio, 0.4999)) + (planes ? settings.plane_stiffness : 0.0));
+}
+
+/// The rounding force at a load between 0 and 1.
+[[nodiscard]] inline double rounding_force(const SolverSettings& settings, const MeshLevel& level,
+                                           const std::vector<Point>& motion, bool planes, double spacing) {
+  double farthest = 0;
+  for (std::size_t n = 0; n < level.rest.size(); ++n) {
+    if (level.mesh.node_tets.first[n] == level.mesh.node_tets.first[n + 1]) continue;  // no part of the body
+    for (std::size_t k = 0; k < 3; ++k) {
+      farthest = std::max(farthest, std::abs(level.rest[n][k]) + std::abs(motion[n][k]));
+    }
+  }
+  return rounding_force(node_stiffness(settings, planes, spacing), farthest, level.rest.size());
+}
+
+}  // namespace physgen::fem

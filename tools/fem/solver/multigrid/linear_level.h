@@ -1,0 +1,186 @@
+// The arrays of one level of the preconditioner, by name.
+#pragma once
+
+#include <fem/kernels/edge_rows.h>
+#include <fem/kernels/symmetric_product.h>
+#include <fem/solver/arrays/over_groups.h>
+#include <fem/solver/arrays/run_time_choices.h>
+#include <fem/solver/arrays/solver_arrays.h>
+#include <fem/solver/arrays/stored.h>
+#include <fem/solver/assembled_stiffness.h>
+#include <fem/solver/loads/inertia_arrays.h>
+#include <fem/solver/loads/plane_arrays.h>
+#include <fem/solver/schwarz/schwarz_arrays.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace physgen::fem {
+
+/// The settings of a level whose stiffness is not assembled.
+struct MatrixFree {
+  bool blocks;   ///< whether the inverses of nodes' blocks precondition
+  bool coarser;  ///< whether the next coarser level is solved on, too
+};
+
+/// @tparam Real_ of the stiffness
+/// @tparam Stored_ StoredAsComputed or StoredInHalf
+/// @tparam Choices_ what is asked for at run time: AnyChoice, or another of run_time_choices.h
+/// @tparam Group with the arrays of Level in solver_groups.h
+/// @tparam Schwarz SchwarzOver, Planes PlanesOver, Inertia InertiaOver, or NoArrays
+template <class Real_, class Space_, class Stored_, class Choices_, class Group, class Schwarz, class Planes,
+          class Inertia>
+struct LevelOver : Group {
+  using Real = Real_;
+  using Space = Space_;
+  using Stored = Stored_;
+  using Choices = Choices_;
+  using Own = Group;  ///< without what it may have besides
+
+  bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
+  bool is_grid = false;   ///< a level of a background grid
+  EdgeSums sums;
+  EdgeRows rows;              ///< on CUDA, of few nodes: scaled_edges then has a block for each of their entries
+  Optional<Schwarz> schwarz;  ///< where that preconditioner is used
+  Optional<Planes> planes;    ///< where the body may touch some
+  Optional<Inertia> inertia;  ///< where it moves
+  RowsOf<decltype(Group::node_edge_ranges), decltype(Group::node_edge_entries)> node_edges{this->node_edge_ranges,
+                                                                                           this->node_edge_entries};
+  RowsOf<decltype(Group::child_ranges), decltype(Group::child_entries)> children{this->child_ranges,
+                                                                                 this->child_entries};
+  RowsOf<decltype(Group::edge_term_ranges), decltype(Group::edge_term_entries)> edge_terms{this->edge_term_ranges,
+                                                                                           this->edge_term_entries};
+
+  explicit LevelOver(Group&& arrays) : Group(std::move(arrays)) {}
+  /// With an assembled stiffness. @param coarser the next level, or null
+  LevelOver(const LevelGraph& graph, const LevelGraph* coarser)
+      : is_grid(graph.is_grid),
+        sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
+        rows(Space::kind == SpaceKind::cuda && graph.nodes <= EdgeRows::most_nodes
+                 ? EdgeRows(as_mesh(graph), Space::kind)
+                 : EdgeRows()) {
+    const index_t nodes = graph.nodes, edges = index_t(graph.edges.size());
+    const auto of_nodes = packed_rows<NodeEdgeEntry>(graph.node_edges, edges, "edges");
+    const bool on_grid = !graph.grid_parents.empty();
+    PackedRows<Host> of_children, of_terms;
+    if (coarser != nullptr) {
+      of_children = packed_rows<ChildEntry>(graph.children, nodes, "nodes");
+      of_terms = packed_rows<EdgeTermEntry>(graph.edge_terms, std::max(nodes, edges), "edges");
+    }
+    this->allocate({.node = nodes,
+                    .edge = edges,
+                    .edge_node = nodes,
+                    .edge_end = of_nodes.entries().size(),
+                    .block_node = nodes,
+                    .smoother = 1,
+                    .child = coarser != nullptr && !on_grid ? nodes : 0,
+                    .grid_child = coarser != nullptr && on_grid ? nodes : 0,
+                    .parent = of_children.ranges().size(),
+                    .child_entry = of_children.entries().size(),
+                    .coarse_edge = of_terms.ranges().size(),
+                    .edge_term = of_terms.entries().size(),
+                    .grid_node = graph.is_grid || on_grid ? nodes : 0,
+                    .coarse_pair = coarser == nullptr && nodes <= most_coarse_nodes ? nodes * nodes : 0});
+    if (!rows.is_empty()) this->scaled_edges.resize(2 * edges);
+    put(this->constraints, host_constraints(graph));
+    put(this->edges, host_edges(graph));
+    put_rows(this->node_edge_ranges, this->node_edge_entries, of_nodes);
+    put_rows(this->child_ranges, this->child_entries, of_children);
+    put_rows(this->edge_term_ranges, this->edge_term_entries, of_terms);
+    if (coarser == nullptr) return;
+    if (on_grid) {
+      put(this->grid_parents, host_grid_parents(graph));
+    } else {
+      put(this->parents, host_parents(graph));
+    }
+  }
+  LevelOver(const LevelGraph& graph, MatrixFree needs) : assembled(false) {
+    this->allocate(
+        {.node = graph.nodes, .block_node = needs.blocks ? graph.nodes : 0, .child = needs.coarser ? graph.nodes : 0});
+    put(this->constraints, host_constraints(graph));
+    put(this->scales, host_unit_scales(graph));
+    if (needs.coarser) put(this->parents, host_parents(graph));
+  }
+
+  /// @param rest position of each node
+  void use_schwarz(const LevelGraph& graph, const std::vector<Point>& rest) {
+    make(schwarz, make_schwarz_hierarchy(graph, rest), edge_count());
+  }
+
+  [[nodiscard]] index_t nodes() const { return this->constraints.size(); }
+  [[nodiscard]] index_t edge_count() const { return this->edge_stiffness.size(); }
+  [[nodiscard]] index_t bytes() const {
+    return Group::bytes() + sums.bytes() + rows.bytes() + bytes_where(schwarz) + bytes_where(planes) +
+           bytes_where(inertia);
+  }
+
+  /// The stiffness as plain blocks. @pre nothing is under way in it
+  [[nodiscard]] AssembledStiffness stiffness() const {
+    const auto node_blocks = moved_to<elasticity::NodeStiffnessArray<Real>>(this->node_stiffness);
+    const auto edge_blocks = moved_to<elasticity::EdgeStiffnessArray<Real>>(this->edge_stiffness);
+    const auto ends = moved_to<elasticity::EdgeArray<Real>>(this->edges);
+    AssembledStiffness plain;
+    plain.nodes.resize(static_cast<std::size_t>(nodes()));
+    plain.edges.resize(static_cast<std::size_t>(edge_count()));
+    plain.edge_blocks.resize(plain.edges.size());
+    const auto copy_block = [](const Matrix3<Real>& from, AssembledStiffness::Block& to) {
+      std::copy_n(from.data(), 9, to.begin());
+    };
+    for (index_t n = 0; n < nodes(); ++n) copy_block(node_blocks.const_view()[n].K(), plain.nodes[std::size_t(n)]);
+    for (index_t e = 0; e < edge_count(); ++e) {
+      copy_block(edge_blocks.const_view()[e].E(), plain.edge_blocks[std::size_t(e)]);
+      for (int k = 0; k < 2; ++k) plain.edges[std::size_t(e)][std::size_t(k)] = ends.const_view()[e].nodes()[k];
+    }
+    return plain;
+  }
+
+ private:
+  static auto host_constraints(const LevelGraph& graph) {
+    quasistatic::NodeConstraintArray<Real> array(graph.nodes);
+    for (index_t n = 0; n < array.size(); ++n) array.view()[n].fixed() = graph.fixed[std::size_t(n)];
+    return array;
+  }
+  static auto host_unit_scales(const LevelGraph& graph) {
+    quasistatic::NodeScaleArray<Real> array(graph.nodes);
+    for (index_t n = 0; n < array.size(); ++n) {
+      array.view()[n].scale() = Real(1);
+      array.view()[n].inverse() = Real(1);
+    }
+    return array;
+  }
+  static auto host_edges(const LevelGraph& graph) {
+    elasticity::EdgeArray<Real> array(index_t(graph.edges.size()));
+    for (index_t e = 0; e < array.size(); ++e) {
+      for (int k = 0; k < 2; ++k) array.view()[e].nodes()[k] = graph.edges[std::size_t(e)][std::size_t(k)];
+    }
+    return array;
+  }
+  static auto host_parents(const LevelGraph& graph) {
+    quasistatic::NodeParentsArray<Real> array(graph.nodes);
+    for (index_t n = 0; n < array.size(); ++n) {
+      for (int k = 0; k < 2; ++k) array.view()[n].nodes()[k] = graph.parents[std::size_t(n)][std::size_t(k)];
+    }
+    return array;
+  }
+  static auto host_grid_parents(const LevelGraph& graph) {
+    quasistatic::GridParentsArray<Real> array(graph.nodes);
+    for (index_t n = 0; n < array.size(); ++n) {
+      const GridLocation& location = graph.grid_parents[std::size_t(n)];
+      for (int k = 0; k < 4; ++k) {
+        array.view()[n].nodes()[k] = location.nodes[std::size_t(k)];
+        array.view()[n].weights()[k] = static_cast<Real>(location.weights[std::size_t(k)]);
+      }
+    }
+    return array;
+  }
+  /// As the product wants it.
+  static TetMesh as_mesh(const LevelGraph& graph) {
+    TetMesh mesh;
+    mesh.nodes = graph.nodes;
+    mesh.edges = graph.edges;
+    mesh.node_edges = graph.node_edges;
+    return mesh;
+  }
+};
+
+}  // namespace physgen::fem

@@ -1,0 +1,34 @@
+// Fills the arrays of a linear elastic body, those of Linear in solver_groups.h.
+#pragma once
+
+#include <fem/solver/arrays/solver_arrays.h>
+#include <fem/solver/elastic/linear_elastic.h>
+#include <fem/solver/elastic/rest_shapes.h>
+#include <fem/solver/loads/loading_arrays.h>
+#include <fem/solver/quasistatic.h>
+
+namespace physgen::fem {
+
+/// Makes the arrays of a body at rest.
+/// @param body the group Linear of a scene
+/// @param assembled whether the stiffness is
+template <class Body>
+void fill_linear_body(Body& body, const MeshLevel& level, const LevelGraph& graph, const Loading& loading,
+                      bool assembled) {
+  const auto tets = index_t(level.mesh.tets.size());
+  const auto of_nodes = packed_rows<NodeTetEntry>(level.mesh.node_tets, tets, "tets");
+  PackedRows<Host> of_edges;
+  if (assembled) of_edges = packed_rows<EdgeTetEntry>(make_edge_parts(level, graph).edge_tets, tets, "tets");
+  body.allocate({.tet = tets,
+                 .node = level.mesh.nodes,
+                 .corner = of_nodes.entries().size(),
+                 .edge = of_edges.ranges().size(),
+                 .tet_edge = of_edges.entries().size()});
+  put(body.tets, host_tets(level));
+  put(body.rest, host_rest_shapes(level));
+  put_rows(body.node_tet_ranges, body.node_tets, of_nodes);
+  put_rows(body.edge_tet_ranges, body.edge_tets, of_edges);
+  store_loading(body, level, loading.motion, loading.forces);
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,137 @@
+#include <fem/mesh/geometry.h>
+#include <fem/solver/solvers/require.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace physgen::fem {
+
+namespace {
+
+/// "1.5e-09"
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// "(0, nan, 0.01)"
+std::string vector_text(const Point& x) { return "(" + number(x[0]) + ", " + number(x[1]) + ", " + number(x[2]) + ")"; }
+
+bool is_finite(const Point& x) {
+  return std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+void require_positive(const std::string& what, double value) {
+  if (!(value > 0) || !std::isfinite(value)) {
+    throw Error(what + " is " + number(value) + " and must be a positive number");
+  }
+}
+
+void require_rest(std::size_t l, const MeshLevel& level) {
+  if (level.rest.size() != static_cast<std::size_t>(level.mesh.nodes)) return;  // which the level's arrays refuse
+  const std::string where = "level " + std::to_string(l) + ": ";
+  const auto stray = std::ranges::find_if_not(level.rest, is_finite);
+  if (stray != level.rest.end()) {
+    throw Error(where + "the rest position of node " + std::to_string(stray - level.rest.begin()) + " is " +
+                vector_text(*stray) + ": give finite coordinates [m]");
+  }
+  const auto flat =
+      std::ranges::find_if(level.mesh.tets, [&](const auto& tet) { return !(six_volumes(tet, level.rest) > 0); });
+  if (flat == level.mesh.tets.end()) return;
+  throw Error(where + "tet " + std::to_string(flat - level.mesh.tets.begin()) + " has the volume " +
+              number(six_volumes(*flat, level.rest) / 6) +
+              " m^3 at rest and needs a positive one: exchange two of its corners, or mesh again");
+}
+
+// Limits were found with cubes of 4^3 cells and moduli from 1e-30 to 1e36 over sides from 1e-10 to 1e8: within them
+// float finds the equilibria of double, in as many steps.
+void require_single_range(const MeshLevel& level, const SolverSettings& settings) {
+  if (settings.precision == TangentPrecision::float64) return;
+  if (level.rest.size() != static_cast<std::size_t>(level.mesh.nodes)) return;
+  double volumes = 0;
+  for (const auto& tet : level.mesh.tets) volumes += six_volumes(tet, level.rest);
+  const double h = std::cbrt(volumes / static_cast<double>(level.mesh.tets.size()));
+  const double modulus = settings.youngs_modulus, per_area = modulus / h / h, work = modulus * h * h * h;
+  if (!(modulus > 0) || (per_area >= 1e-35 && per_area <= 1e30 && work >= 1e-28 && work <= 1e33)) return;
+  throw Error("a Young's modulus of " + number(modulus) + " Pa over tets of " + number(h) +
+              " m leaves what single precision holds: take double precision, or units in which both are nearer to 1");
+}
+
+namespace {
+
+void require_vectors(const std::string& what, const std::vector<Point>& vectors, std::size_t nodes) {
+  if (vectors.size() != nodes) {
+    throw Error(what + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
+                " nodes: give one of each");
+  }
+  const auto stray = std::ranges::find_if_not(vectors, is_finite);
+  if (stray == vectors.end()) return;
+  throw Error(what + " of node " + std::to_string(stray - vectors.begin()) + " is " + vector_text(*stray) +
+              ": give finite components");
+}
+
+void require_planes(const std::vector<RigidPlane>& planes) {
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    const RigidPlane& plane = planes[p];
+    const std::string which = "rigid plane " + std::to_string(p);
+    const double length = std::hypot(plane.normal[0], plane.normal[1], plane.normal[2]);
+    if (!(std::abs(length - 1) <= 1e-9)) {
+      throw Error(which + ": its normal has a length of " + std::to_string(length) + " and must have 1");
+    }
+    if (!std::isfinite(plane.offset) || !std::isfinite(plane.travel)) {
+      throw Error(which + ": its offset is " + number(plane.offset) + " and its travel " + number(plane.travel) +
+                  ": give finite lengths [m]");
+    }
+  }
+}
+
+}  // namespace
+
+void require_loading(const MeshLevel& level, const Loading& loading) {
+  const auto nodes = static_cast<std::size_t>(level.mesh.nodes);
+  require_vectors("the motion of prescribed components", loading.motion, nodes);
+  if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
+  require_planes(loading.planes);
+}
+
+void refuse_cuda() { throw Error("this build has no CUDA: configure it with -DPHYSGEN_CUDA=ON, or solve on the CPU"); }
+
+bool MotionMeasure::is_finite() const {
+  return std::isfinite(kinetic) && std::isfinite(elastic) && std::isfinite(momentum[0]) && std::isfinite(momentum[1]) &&
+         std::isfinite(momentum[2]);
+}
+
+void require_step(double length, double load) {
+  require_positive("the length of a time step", length);
+  if (!std::isfinite(load)) {
+    throw Error("the load at the end of a time step is " + number(load) + " and must be a finite number");
+  }
+}
+
+void require_vectors_of(const char* what, std::size_t given, std::size_t nodes) {
+  if (given == nodes) return;
+  throw Error(std::to_string(given) + " " + what + " were given for " + std::to_string(nodes) +
+              " nodes: give one of each");
+}
+
+void require_plain(const char* who, const MeshLevel& level, const Loading& loading) {
+  require_loading(level, loading);
+  if (!loading.planes.empty()) throw Error(std::string(who) + " has no rigid planes: prescribe the motion of nodes");
+  if (!level.patches.nodes.empty() || level.averages_at_nodes) {
+    throw Error(std::string(who) + " takes the change of volume of each tet by itself: average no volumes");
+  }
+}
+
+void require_motion(const DynamicSettings& settings) {
+  require_positive("the density", settings.density);
+  if (!(settings.damping >= 0) || !std::isfinite(settings.damping)) {
+    throw Error("the damping is " + number(settings.damping) + " and must be 0 or a positive number");
+  }
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,133 @@
+// The parts of solvers by Newton's method, over one executor and in one precision: levels, their arrays and the
+// material.
+#pragma once
+
+#include <fem/solver/arrays/host_points.h>
+#include <fem/solver/loads/loading_arrays.h>
+#include <fem/solver/multigrid/make_linear_levels.h>
+#include <fem/solver/newton/newton.h>
+#include <fem/solver/quasistatic.h>
+#include <fem/solver/solvers/make_executor.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace physgen::fem {
+
+/// @tparam Types SolverTypes of solver_types.h, or a struct of its names
+template <class On, class Types>
+class SolverParts {
+ protected:
+  using Real = typename Types::Real;
+  using Space = typename On::Space;
+  using Arrays = typename Types::Arrays;
+  using Level = typename Types::Level;
+  using Vectors = typename Types::Vectors;
+  using Material = typename Types::Material;
+
+  /// Takes parts that are made; the caller fills in the rest.
+  SolverParts(On& on, const SolverSettings& settings, std::unique_ptr<Material> material, std::size_t solved)
+      : settings_(settings), on_(&on), evaluator_(std::move(material)), solved_(solved) {}
+  SolverParts(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
+      : SolverParts(loading, settings, levels_in_use(levels, settings)) {}
+
+  [[nodiscard]] index_t bytes() const {
+    index_t sum = arrays_.front()->chunk_arrays->bytes();
+    for (const auto& level : linear_) sum += level->bytes();
+    for (const auto& arrays : arrays_) sum += arrays->bytes();
+    for (const auto& vectors : vectors_) sum += vectors->bytes();
+    return sum;
+  }
+
+  /// Evaluates a level's positions as they are.
+  typename quasistatic::EquilibriumArray<double, Space>::Value evaluate_now(std::size_t level, double load) {
+    Arrays& a = *arrays_[level];
+    return evaluate_state(*on_, a, *linear_[level], *evaluator_, a.positions.const_view(), a.forces.view(), load, true);
+  }
+  /// Evaluates stresses at the finest level's positions as they are. @param stresses an array of elasticity::Stress in
+  /// double, one per tet
+  template <class Stresses>
+  void evaluate_stresses(double load, Stresses& stresses) {
+    (void)evaluate_now(0, load);
+    evaluator_->evaluate_stress(*on_, *arrays_.front(), stresses);
+    on_->wait();
+  }
+  [[nodiscard]] std::vector<std::array<double, 9>> stresses_at(double load) {
+    elasticity::StressArray<double, Space> stresses(arrays_.front()->tet_count());
+    evaluate_stresses(load, stresses);
+    return plain_stresses(stresses);
+  }
+
+  void store(Arrays& a, std::span<const Point> points) {
+    elasticity::NodePositionArray<double> host(a.nodes());
+    store_positions(points, host.view());
+    on_->wait();
+    copy(a.positions, host);
+    copy(a.kept, host);
+    synchronize();
+  }
+
+  void require_nodes(std::size_t level, std::size_t given) const {
+    const index_t nodes = arrays_[level]->nodes();
+    if (static_cast<index_t>(given) != nodes) {
+      throw Error("level " + std::to_string(level) + " has " + std::to_string(nodes) + " nodes, and " +
+                  std::to_string(given) + " were given");
+    }
+  }
+
+  SolverSettings settings_;
+  std::unique_ptr<On> own_on_;
+  On* on_;
+  std::unique_ptr<Material> evaluator_;
+  std::vector<std::unique_ptr<Level>> linear_;   ///< finest first
+  std::vector<std::unique_ptr<Arrays>> arrays_;  ///< of the levels on which equilibrium is solved
+  std::vector<std::unique_ptr<Vectors>> vectors_;
+  std::deque<typename On::Loop> loops_;
+  std::vector<double> rounding_forces_;       ///< per level on which equilibrium is solved [N]
+  std::vector<bool> moves_, all_prescribed_;  ///< any component or plane is moved by the load; every component is
+  std::size_t solved_;
+
+ private:
+  SolverParts(const Loading& loading, const SolverSettings& settings, const LevelsInUse& used)
+      : settings_(settings),
+        own_on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
+        on_(own_on_.get()),
+        evaluator_(Types::make_material(
+            settings, used.levels.front().averages_at_nodes || !used.levels.front().patches.nodes.empty())),
+        linear_(make_linear_levels<Level>(used, settings)),
+        solved_(used.solved) {
+    const TangentLists lists = tangent_lists<Space>(settings.newton);
+    std::vector<Point> motion = loading.motion, forces = loading.forces;
+    for (std::size_t l = 0; l < used.levels.size(); ++l) {
+      const MeshLevel& level = used.levels[l];
+      if (l < solved_) {
+        arrays_.push_back(std::make_unique<Arrays>(level, used.graphs[l], l + 1 < solved_, lists,
+                                                   l == 0 ? nullptr : arrays_.front()->chunk_arrays));
+        vectors_.push_back(std::make_unique<Vectors>());
+        vectors_.back()->allocate({.node = used.graphs[l].nodes});
+        loops_.emplace_back();
+        store_loading(*arrays_.back(), level, motion, forces);
+        rounding_forces_.push_back(
+            rounding_force(settings, level, motion, !loading.planes.empty(), arrays_.back()->spacing));
+        moves_.push_back(std::ranges::any_of(level.fixed, [](std::uint8_t fixed) { return fixed != 0; }) ||
+                         !loading.planes.empty());
+        all_prescribed_.push_back(std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; }));
+      }
+      if (!loading.planes.empty() && !level.is_grid()) make_planes(l, level, loading.planes);
+      if (l + 1 < solved_) coarsen_loading(level, used.levels[l + 1].mesh.nodes, motion, forces);
+    }
+  }
+
+  void make_planes(std::size_t l, const MeshLevel& level, const std::vector<RigidPlane>& planes) {
+    if (l >= solved_) return make(linear_[l]->planes, index_t{level.mesh.nodes});
+    const double per_area = settings_.plane_stiffness * settings_.youngs_modulus / arrays_[l]->spacing;
+    make(linear_[l]->planes, level, planes, per_area);
+  }
+};
+
+}  // namespace physgen::fem

@@ -1,0 +1,216 @@
+// The quasistatic solver as the program of a scene: over groups of arrays that the caller has made and filled, on one
+// mesh, in one material.
+#pragma once
+
+#include <fem/solver/newton/implicit_step.h>
+#include <fem/solver/solvers/nested_newton.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace physgen::fem {
+
+namespace detail {
+template <class Groups>
+struct EachGroup {
+  using type = Groups;
+};
+template <class Group>
+struct EachGroup<std::vector<Group>> {
+  using type = Group;
+};
+}  // namespace detail
+
+/// References to the groups of arrays of a scene, or to NoArrays; solver_groups.h says what is in each. Levels are one
+/// group, or a vector of them, finest first, on the first of which equilibrium is solved; so is inertia, which then has
+/// a group for each level.
+template <class Body_, class Patches_, class Rings_, class Chunk_, class Level_, class Schwarz_, class Planes_,
+          class Inertia_, class Krylov_>
+struct SolverGroups {
+  using Body = Body_;
+  using Patches = Patches_;
+  using Rings = Rings_;
+  using Chunk = Chunk_;
+  using Levels = Level_;
+  using Level = typename detail::EachGroup<Level_>::type;
+  using Schwarz = Schwarz_;
+  using Planes = Planes_;
+  using Inertias = Inertia_;
+  using Inertia = typename detail::EachGroup<Inertia_>::type;
+  using Krylov = Krylov_;
+  Body& body;
+  Patches& patches;
+  Rings& rings;
+  Chunk& chunk;
+  Levels& levels;
+  Schwarz& schwarz;
+  Planes& planes;
+  Inertias& inertia;
+  Krylov& krylov;
+};
+template <class... Groups>
+SolverGroups(Groups&...) -> SolverGroups<Groups...>;
+
+/// `Over<Group>`, or NoArrays.
+template <template <class> class Over, class Group>
+using OverGroup = typename std::conditional_t<std::is_same_v<Group, NoArrays>, std::type_identity<NoArrays>,
+                                              std::type_identity<Over<Group>>>::type;
+
+/// The types of a solver over a scene's groups: see SolverTypes.
+/// @tparam Choices AnyChoice, or a struct of its names
+template <class On, class Real_, class Stored, class Choices, class Material_, class Groups>
+struct ProgramTypes {
+  using Real = Real_;
+  using Space = typename On::Space;
+  using Patches = OverGroup<PatchesOver, typename Groups::Patches>;
+  using Rings = OverGroup<RingsOver, typename Groups::Rings>;
+  using Schwarz = OverGroup<SchwarzOver, typename Groups::Schwarz>;
+  using Planes = OverGroup<PlanesOver, typename Groups::Planes>;
+  using Inertia = OverGroup<InertiaOver, typename Groups::Inertia>;
+  using Arrays = EquilibriumOver<Real, typename Groups::Body, Patches, Rings, typename Groups::Chunk>;
+  using Level = LevelOver<Real, Space, Stored, Choices, typename Groups::Level, Schwarz, Planes, Inertia>;
+  using Vectors = typename Groups::Krylov;
+  using Material = MaterialSteps<Material_>;
+};
+
+/// The facts that the host knows of a mesh.
+struct MeshFacts {
+  std::vector<TetChunk> chunks;
+  std::vector<EdgeSums> sums;                  ///< of each level, where the stiffness is assembled
+  std::vector<Index> first_block, first_pair;  ///< where there is a Schwarz preconditioner, as SchwarzHierarchy's
+  double plane_stiffness = 0;                  ///< of rigid planes, per area [Pa/m]
+  double rounding_force = 0;                   ///< see NewtonSettings
+  double node_stiffness = 0;                   ///< of a node, elastic and by inertia, for bodies that move [N/m]
+  bool moves = false, all_prescribed = false;  ///< any component or plane is moved by the load; every component is
+};
+
+/// Takes the arrays of the groups and the sums of the facts, and gives them back when it ends.
+template <class On, class Types, class Groups>
+class SolverProgram : private NestedNewton<On, Types> {
+  using Nested = NestedNewton<On, Types>;
+  using Nested::arrays_;
+  using Nested::linear_;
+  using Nested::on_;
+  using Nested::vectors_;
+
+ public:
+  template <class Material>
+  SolverProgram(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts, Groups groups)
+      : Nested(
+            on, settings,
+            std::make_unique<typename Types::Material>(material, averages<typename Groups::Patches>(groups.patches) ||
+                                                                     averages<typename Groups::Rings>(groups.rings)),
+            1),
+        groups_(groups),
+        facts_(facts) {
+    arrays_.push_back(std::make_unique<typename Types::Arrays>(std::move(groups.body)));
+    auto& a = *arrays_.front();
+    a.chunks = facts.chunks;
+    take(a.patches, groups.patches);
+    take(a.rings, groups.rings);
+    a.chunk_arrays = std::make_shared<typename Groups::Chunk>(std::move(groups.chunk));
+    for_each_level([&](auto& group) {
+      linear_.push_back(std::make_unique<typename Types::Level>(std::move(group)));
+      auto& level = *linear_.back();
+      level.assembled = settings.newton.product == Product::assembled;
+      if (level.assembled) level.sums = std::move(facts.sums.at(linear_.size() - 1));
+    });
+    auto& level = *linear_.front();
+    take(level.schwarz, groups.schwarz);
+    where(level.schwarz, [&](auto& schwarz) {
+      schwarz.first_block = facts.first_block;
+      schwarz.first_pair = facts.first_pair;
+    });
+    take(level.planes, groups.planes);
+    where(level.planes, [&](auto& planes) { planes.per_area = facts.plane_stiffness; });
+    for_each_inertia([](auto& over, auto& group) { take(over, group); });
+    vectors_.push_back(std::make_unique<typename Types::Vectors>(std::move(groups.krylov)));
+    this->loops_.emplace_back();
+    this->rounding_forces_.push_back(facts.rounding_force);
+    this->moves_.push_back(facts.moves);
+    this->all_prescribed_.push_back(facts.all_prescribed);
+    this->reached_ = false;
+  }
+  SolverProgram(const SolverProgram&) = delete;
+  SolverProgram& operator=(const SolverProgram&) = delete;
+  ~SolverProgram() {
+    on_->wait();
+    auto& a = *arrays_.front();
+    auto& level = *linear_.front();
+    groups_.body = std::move(static_cast<typename Groups::Body&>(a));
+    give_back(a.patches, groups_.patches);
+    give_back(a.rings, groups_.rings);
+    groups_.chunk = std::move(*a.chunk_arrays);
+    std::size_t l = 0;
+    for_each_level([&](auto& group) {
+      if (linear_[l]->assembled) facts_.sums[l] = std::move(linear_[l]->sums);
+      group = std::move(static_cast<typename Groups::Level&>(*linear_[l++]));
+    });
+    give_back(level.schwarz, groups_.schwarz);
+    give_back(level.planes, groups_.planes);
+    for_each_inertia([](auto& over, auto& group) { give_back(over, group); });
+    groups_.krylov = std::move(*vectors_.front());
+  }
+
+  using Nested::evaluate_stresses;
+  using Nested::plane_contacts_of;
+  using Nested::solve_to;
+  using Nested::state_now;
+
+  /// One step of backward Euler. @pre there is inertia
+  NewtonResult step(const TimeStep& step) {
+    auto& newton = this->settings_.newton;
+    const double farthest = largest_coordinate(*on_, *arrays_.front(), *linear_.front());
+    newton.rounding_force = rounding_force(facts_.node_stiffness, farthest, std::size_t(arrays_.front()->nodes()));
+    return implicit_step(*on_, this->loops_.front(), *arrays_.front(), linear_, *vectors_.front(), *this->evaluator_,
+                         this->settings_.newton, step, this->moves_.front());
+  }
+  /// dynamics::Motion as it is. @pre there is inertia
+  [[nodiscard]] auto motion() { return measure_motion(*on_, *arrays_.front(), *linear_.front()); }
+
+ private:
+  template <class Group>
+  static constexpr bool averages(const Group& /*group*/) {
+    return !std::is_same_v<Group, NoArrays>;
+  }
+  template <class Body>
+  void for_each_level(const Body& body) const {
+    if constexpr (std::is_same_v<typename Groups::Levels, typename Groups::Level>) {
+      body(groups_.levels);
+    } else {
+      for (auto& group : groups_.levels) body(group);
+    }
+  }
+  template <class Body>
+  void for_each_inertia(const Body& body) const {
+    if constexpr (std::is_same_v<typename Groups::Inertias, typename Groups::Inertia>) {
+      body(linear_.front()->inertia, groups_.inertia);
+    } else {
+      for (std::size_t l = 0; l < groups_.inertia.size(); ++l) body(linear_[l]->inertia, groups_.inertia[l]);
+    }
+  }
+  template <class Over, class Group>
+  static void take(std::unique_ptr<Over>& to, Group& from) {
+    to = std::make_unique<Over>(std::move(from));
+  }
+  static void take(NoArrays& /*to*/, NoArrays& /*from*/) {}
+  template <class Over, class Group>
+  static void give_back(std::unique_ptr<Over>& from, Group& to) {
+    to = std::move(static_cast<Group&>(*from));
+  }
+  static void give_back(NoArrays& /*from*/, NoArrays& /*to*/) {}
+
+  Groups groups_;
+  MeshFacts& facts_;
+};
+
+/// @tparam Real of tangents
+template <class Real, class Stored, class Choices, class On, class Material, class Groups>
+[[nodiscard]] auto solver_program(On& on, const SolverSettings& settings, const Material& material, MeshFacts& facts,
+                                  const Groups& groups) {
+  return SolverProgram<On, ProgramTypes<On, Real, Stored, Choices, Material, Groups>, Groups>(on, settings, material,
+                                                                                              facts, groups);
+}
+
+}  // namespace physgen::fem

@@ -1,0 +1,235 @@
+#include <fem/solver/material_names.h>
+#include <fem/solver/solvers/require.h>
+#include <fem/solver/solvers/scene_solvers.h>
+#include <fem/solver/solvers/solvers.h>
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace physgen::fem {
+
+namespace {
+
+void require_least(const char* what, int value, int least) {
+  if (value < least) {
+    throw Error(std::string(what) + " is " + std::to_string(value) + " and must be " + std::to_string(least) +
+                " or more");
+  }
+}
+
+void require_meshes(const std::vector<MeshLevel>& levels) {
+  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
+  for (std::size_t l = 0; l < levels.size(); ++l) require_rest(l, levels[l]);
+}
+
+void require_settings(const SolverSettings& settings) {
+  const NewtonSettings& newton = settings.newton;
+  const PreconditionerSettings& preconditioner = newton.preconditioner;
+  require_positive("the tolerance", newton.tolerance);
+  require_positive("the tolerance on coarser meshes", settings.coarser_tolerance);
+  require_positive("the least tolerance of linear solves", newton.least_forcing);
+  require_positive("the largest tolerance of linear solves", newton.most_forcing);
+  require_positive("the stiffness of rigid planes", settings.plane_stiffness);
+  require_positive("the lower end of the smoother's interval", preconditioner.low);
+  if (!(preconditioner.low < 1)) {
+    throw Error("the lower end of the smoother's interval is " + std::to_string(preconditioner.low) +
+                " of its upper end and must be below 1");
+  }
+  require_least("the number of Newton steps", newton.most_steps, 1);
+  require_least("the number of iterations of conjugate gradients", newton.most_iterations, 1);
+  require_least("the number of halvings of a step", newton.most_halvings, 0);
+  require_least("the number of bisections of an increment", settings.most_bisections, 0);
+  if (newton.product == Product::matrix_free && preconditioner.kind != Preconditioner::block_jacobi &&
+      preconditioner.kind != Preconditioner::none) {
+    throw Error(
+        "the matrix-free product goes with block Jacobi or no preconditioner: levels of multigrid and blocks of "
+        "Schwarz are formed from "
+        "blocks of edges, which it does without");
+  }
+  require_least("the degree of the smoother", preconditioner.degree, 1);
+  require_least("the number of power iterations", preconditioner.first_power_steps, 1);
+  require_least("the number of power iterations", preconditioner.next_power_steps, 1);
+}
+
+/// @throw Error naming what is wrong with what a solver by Newton's method is given
+void require_nonlinear(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings) {
+  require_meshes(levels);
+  require_settings(settings);
+  require_single_range(levels.front(), settings);
+  require_loading(levels.front(), loading);
+  if (!loading.planes.empty() && settings.newton.product == Product::matrix_free) {
+    throw Error("rigid planes go with the assembled product: the matrix-free one has the stiffness of tets alone");
+  }
+  const bool patches = !levels.front().patches.nodes.empty(), nodes_average = levels.front().averages_at_nodes;
+  for (std::size_t l = 0; nodes_average && l < levels.size() && !levels[l].is_grid(); ++l) {
+    const auto& first = levels[l].mesh.node_tets.first;
+    const auto stray = std::ranges::adjacent_find(first);
+    if (stray == first.end()) continue;
+    throw Error("level " + std::to_string(l) + ": node " + std::to_string(stray - first.begin()) +
+                " is in no tet, and has no volume to average; remove it");
+  }
+  if (nodes_average && settings.newton.product == Product::matrix_free) {
+    throw Error(
+        "volumes averaged at nodes go with the assembled product: the matrix-free one has the tangents of tets and "
+        "patches alone");
+  }
+  for (const MeshLevel& level : levels) {
+    if (level.is_grid()) continue;
+    if (level.patches.nodes.empty() == patches) throw Error("either all levels have patches, or none");
+    if (level.averages_at_nodes != nodes_average)
+      throw Error("volumes are averaged at nodes on all levels, or on none");
+    if (patches && nodes_average) throw Error("volumes are averaged over patches or at nodes, and not both");
+  }
+  for (std::size_t l = 0; patches && l + 1 < levels.size(); ++l) {
+    const auto& parents = levels[l].patch_parents;
+    const auto coarse = static_cast<Index>(levels[l + 1].patches.nodes.size());
+    const auto outside = [=](Index p) { return p < 0 || p >= coarse; };
+    if (parents.empty()) continue;  // pressures are not injected then
+    if (parents.size() != levels[l].patches.nodes.size() || std::ranges::any_of(parents, outside)) {
+      throw Error("level " + std::to_string(l) + ": each patch needs a parent among the " + std::to_string(coarse) +
+                  " patches of the next coarser level, or none has one");
+    }
+  }
+  if (!can_average_volume(settings.material) && (patches || nodes_average)) refuse_averages(settings.material);
+}
+
+}  // namespace
+
+std::string device_name(Device device) {
+  if (device == Device::cpu) return "cpu";
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return cuda_device_name();
+#else
+  refuse_cuda();
+#endif
+}
+
+std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                               const SolverSettings& settings) {
+  require_nonlinear(levels, loading, settings);
+  if (settings.device == Device::cpu) return make_host_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
+}
+
+namespace {
+
+/// The choices that a scene is declared with.
+struct DeclaredScene {
+  const char* name;
+  const char* material;
+  bool assembled;
+  bool patches;  ///< whether volumes may be averaged over them
+  bool tets;     ///< whether volumes may be those of tets
+};
+/// The same, with its solvers of equilibria.
+struct SolvedScene : DeclaredScene {
+  MakeSceneSolver *on_cpu, *on_cuda;
+};
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+#define PHYSGEN_SCENE_SOLVERS(scene) &make_host_##scene##_solver, &make_cuda_##scene##_solver
+#else
+#define PHYSGEN_SCENE_SOLVERS(scene) &make_host_##scene##_solver, nullptr
+#endif
+constexpr SolvedScene solved_scenes[] = {
+    {{"quasistatic", "stable-neo-hookean", true, true, false}, PHYSGEN_SCENE_SOLVERS(quasistatic)},
+    {{"quasistatic_matrix_free", "stable-neo-hookean", false, true, false},
+     PHYSGEN_SCENE_SOLVERS(quasistatic_matrix_free)},
+    {{"quasistatic_fixed_corotated", "fixed-corotated", true, false, true},
+     PHYSGEN_SCENE_SOLVERS(quasistatic_fixed_corotated)}};
+#undef PHYSGEN_SCENE_SOLVERS
+constexpr DeclaredScene implicit_scene{"implicit_dynamics", "stable-neo-hookean", true, true, true};
+
+/// @throw Error naming what is asked for that the scene has not
+void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
+                      const SolverSettings& settings) {
+  const auto require = [&](bool holds, const std::string& what) {
+    if (!holds) throw Error("the scene " + std::string(scene.name) + " " + what);
+  };
+  const NewtonSettings& newton = settings.newton;
+  require(settings.precision == TangentPrecision::float32, "is in float, and another precision is asked for");
+  require(settings.material == scene.material,
+          "is of the material '" + std::string(scene.material) + "', and '" + settings.material + "' is asked for");
+  require((newton.product == Product::assembled) == scene.assembled,
+          scene.assembled ? "assembles its stiffness, and the matrix-free product is asked for"
+                          : "assembles no stiffness, and the assembled product is asked for");
+  require(newton.preconditioner.kind != Preconditioner::schwarz, "has no Schwarz preconditioner");
+  require(loading.planes.empty(), "has no rigid planes");
+  for (const MeshLevel& level : levels) {
+    require(!level.is_grid(), "has no levels of a background grid; give meshes whose coarsest is small");
+    require(!level.averages_at_nodes, "averages no volumes at nodes");
+    const bool has_patches = !level.patches.nodes.empty();
+    require(has_patches || scene.tets, "averages volumes over patches, and a level has none");
+    require(!has_patches || scene.patches, "takes the volumes of single tets, and a level has patches");
+  }
+}
+
+/// @throw Error naming what is wrong with what a solver of motion by Newton's method is given
+void require_implicit(const std::vector<MeshLevel>& levels, const Loading& loading, const DynamicSettings& settings) {
+  require_nonlinear(levels, loading, settings.solver);
+  require_motion(settings);
+  if (settings.solver.newton.product == Product::matrix_free) {
+    throw Error("inertia goes with the assembled product: the matrix-free one has the stiffness of tets alone");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels,
+                                                     const Loading& loading, const SolverSettings& settings) {
+  const auto* solved = std::ranges::find_if(solved_scenes, [&](const auto& known) { return scene == known.name; });
+  if (solved == std::end(solved_scenes)) {
+    std::string names;
+    for (const SolvedScene& known : solved_scenes) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    throw Error("there is no solver of a scene '" + scene + "'; there are " + names);
+  }
+  require_declared(*solved, levels, loading, settings);
+  require_nonlinear(levels, loading, settings);
+  if (settings.device == Device::cpu) return solved->on_cpu(levels, loading, settings);
+  if (solved->on_cuda == nullptr) refuse_cuda();
+  return solved->on_cuda(levels, loading, settings);
+}
+
+std::unique_ptr<DynamicSolver> make_scene_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                          const DynamicSettings& settings) {
+  require_declared(implicit_scene, levels, loading, settings.solver);
+  require_implicit(levels, loading, settings);
+  if (settings.solver.device == Device::cpu) return make_host_implicit_dynamics_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_implicit_dynamics_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
+}
+
+std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                      const SolverSettings& settings) {
+  require_meshes(levels);
+  require_settings(settings);
+  require_single_range(levels.front(), settings);
+  require_plain("linear elasticity", levels.front(), loading);
+  if (settings.device == Device::cpu) return make_host_linear_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_linear_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
+}
+
+std::unique_ptr<DynamicSolver> make_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
+                                                    const DynamicSettings& settings) {
+  require_implicit(levels, loading, settings);
+  if (settings.solver.device == Device::cpu) return make_host_implicit_solver(levels, loading, settings);
+#ifdef PHYSGEN_SOLVER_HAS_CUDA
+  return make_cuda_implicit_solver(levels, loading, settings);
+#else
+  refuse_cuda();
+#endif
+}
+
+}  // namespace physgen::fem
