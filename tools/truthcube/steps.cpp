@@ -197,7 +197,7 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
   terminal_.warning(
       "at a compression of %g, %s. A real body has no such equilibrium. Try more and smaller --compress steps, more "
       "--cells, or --plates contact.",
-      compression, describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses())).c_str());
+      compression, describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str());
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {
@@ -212,7 +212,7 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
                compression, reason(result.status), result.steps, words_.what.c_str(), result.residual, reached);
   const fem::MeshLevel& level = scene_.levels.front();
   std::fprintf(stderr, "There, %s.\n",
-               describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses())).c_str());
+               describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses()), scene_).c_str());
   std::fprintf(stderr, "Try %s.\n", words_.remedies.c_str());
   return Outcome::not_converged;
 }
