@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "fields.h"
 #include "parse.h"
 
 namespace physgen::truthcube {
@@ -44,6 +43,7 @@ RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mes
     : folder_(options.out),
       settings_(settings_json(options)),
       mesh_hash_(mesh_hash),
+      strain_(options.scene == SceneKind::linear_elastic ? Strain::small : Strain::finite),
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
   if (folder_.empty()) return;
@@ -64,7 +64,7 @@ void RunFiles::write_record(const RunRecord& record) const {
 void RunFiles::write_step(const RunRecord& record, double time, const std::vector<Point>& positions,
                           const std::vector<std::array<double, 9>>& stresses) {
   if (!vtk_) return;
-  const Fields fields = make_fields(mesh_, rest_, positions, stresses);
+  const Fields fields = make_fields(mesh_, rest_, positions, stresses, strain_);
   const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
   const std::vector<Field> of_cells{
       {"stress", 6, fields.stress}, {"von_mises", 1, fields.von_mises}, {"J", 1, fields.volume_ratio}};
