@@ -121,7 +121,7 @@ TEST_F(BeadTables, errors_are_mean_rms_p95_and_max_in_millimetres) {
   std::string text = header;
   std::vector<fem::Point> computed;
   for (int i = 20; i >= 1; --i) {  // errors of 1 .. 20 mm, in turns along x, y and z
-    text += "0.01,0.01,0.01,0.5,0.25,-0.125\n";
+    text += std::to_string(i) + ",0.01,0.01,0.5,0.25,-0.125\n";
     fem::Point u{0.5, 0.25, -0.125};
     u[static_cast<std::size_t>(i % 3)] += (i % 2 == 0 ? 1e-3 : -1e-3) * i;
     computed.push_back(u);

@@ -95,7 +95,7 @@ case $rule in
     said=$(sed -nE 's/.*most of all (tet [0-9]+ [(]element [0-9]+) of the mesh file[)]: J -.*/\1/p' err)
     read -r _ tet _ element <<<"$said"
     ((element == tet + 1001)) || fail "not of its element: $said"
-    expect_exit 0 "${flags[@]}" --compress 0.6 --refine 1
+    expect_exit 0 "${flags[@]}" --compress 0.3 --refine 1
     said=$(sed -nE 's/.*most of all (tet [0-9]+ [(]part of element [0-9]+) of the mesh file[)]: J -.*/\1/p' err)
     read -r _ tet _ _ _ element <<<"$said"
     ((element == tet / 8 + 1001)) || fail "not a part of its element: $said" ;;
