@@ -63,12 +63,16 @@ CLI::Option* add_choices(CLI::App& app, const std::string& flag, std::vector<Val
   return {check, "INT in [" + std::to_string(least) + " - " + std::to_string(most) + "]"};
 }
 
-/// That a name is not empty, as it is where a variable of a shell is not set.
-[[nodiscard]] inline CLI::Validator name_of_file() {
-  const auto check = [](const std::string& word) -> std::string {
-    return word.empty() ? "the name is empty; leave the flag out, or name a file or folder" : "";
-  };
-  return {check, ""};
+/// An empty word would be the number 0, or a file without a name. @throw Error naming the flag that it belongs to
+inline void refuse_empty_words(const std::vector<std::string>& arguments) {
+  std::string flag;
+  for (const std::string& word : arguments) {
+    const bool is_flag = word.starts_with('-');
+    if (is_flag) flag = word.substr(0, word.find('='));
+    if (!word.empty() && !(is_flag && word.ends_with('='))) continue;
+    throw Error((flag.empty() ? "" : flag + ": ") +
+                "a word is empty, as of a variable of the shell that is not set; leave the flag out, or give a value");
+  }
 }
 
 /// @throw Error for the first word that looks like a flag and is none
@@ -90,6 +94,7 @@ inline void refuse_unknown_flags(const CLI::App& app, const std::vector<std::str
 [[nodiscard]] inline std::string parse_words(CLI::App& app, const std::vector<std::string>& arguments) {
   try {
     refuse_unknown_flags(app, arguments);
+    refuse_empty_words(arguments);
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
     app.parse(std::move(reversed));
   } catch (const CLI::CallForHelp&) {

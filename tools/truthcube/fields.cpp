@@ -8,7 +8,7 @@
 namespace physgen::truthcube {
 
 Fields make_fields(const fem::TetMesh& mesh, std::span<const fem::Point> rest, std::span<const fem::Point> positions,
-                   std::span<const std::array<double, 9>> first_piola) {
+                   std::span<const std::array<double, 9>> stresses, Strain strain) {
   Fields fields;
   const auto nodes = static_cast<std::size_t>(mesh.nodes);
   for (std::size_t n = 0; n < nodes; ++n) {
@@ -19,15 +19,15 @@ Fields make_fields(const fem::TetMesh& mesh, std::span<const fem::Point> rest, s
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const Eigen::Matrix3d F = deformation_gradient(mesh.tets[t], rest, positions);
     const double J = F.determinant();
-    const Eigen::Matrix3d P = Eigen::Map<const Eigen::Matrix3d>(first_piola[t].data());
-    const Eigen::Matrix3d sigma = P * F.transpose() / J;
+    Eigen::Matrix3d sigma = Eigen::Map<const Eigen::Matrix3d>(stresses[t].data());
+    if (strain == Strain::finite) sigma = (sigma * F.transpose() / J).eval();
     fields.stress.insert(fields.stress.end(),
                          {sigma(0, 0), sigma(1, 1), sigma(2, 2), sigma(0, 1), sigma(1, 2), sigma(0, 2)});
     const double mean = sigma.trace() / 3;
     const Eigen::Matrix3d deviator = sigma - mean * Eigen::Matrix3d::Identity();
     fields.von_mises.push_back(std::sqrt(1.5) * deviator.norm());
     fields.volume_ratio.push_back(J);
-    const double own = std::abs(edges_of(mesh.tets[t], positions).determinant());
+    const double own = std::abs(edges_of(mesh.tets[t], strain == Strain::finite ? positions : rest).determinant());
     for (const fem::Index n : mesh.tets[t]) {
       fields.pressure[static_cast<std::size_t>(n)] -= own * mean;
       volume[static_cast<std::size_t>(n)] += own;

@@ -17,9 +17,12 @@ struct Fields {
   std::vector<double> volume_ratio;  ///< per tet: J
 };
 
-/// @param first_piola per tet, by columns [Pa]
+/// Of which strain a solver's stresses are: small strain does not tell the first Piola-Kirchhoff stress from Cauchy's.
+enum class Strain { finite, small };
+
+/// @param stresses per tet, by columns [Pa]; of finite strain first Piola-Kirchhoff
 [[nodiscard]] Fields make_fields(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
-                                 std::span<const fem::Point> positions,
-                                 std::span<const std::array<double, 9>> first_piola);
+                                 std::span<const fem::Point> positions, std::span<const std::array<double, 9>> stresses,
+                                 Strain strain);
 
 }  // namespace physgen::truthcube

@@ -118,8 +118,8 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
     const SuspectTet suspect = find_suspect(level.mesh, level.rest, solver.positions(), stresses);
     if (!measure.is_finite() || !suspect.is_finite) {
       std::fprintf(stderr, "truthcube: the motion is not finite at %g s, time step %lld of this state: %s.\n",
-                   solver.time(), static_cast<long long>(effort.steps), describe(suspect).c_str());
-      if (frame > 1) std::fprintf(stderr, "In the state before, %s.\n", describe(before).c_str());
+                   solver.time(), static_cast<long long>(effort.steps), describe(suspect, scene).c_str());
+      if (frame > 1) std::fprintf(stderr, "In the state before, %s.\n", describe(before, scene).c_str());
       std::fprintf(stderr,
                    "A time step of %.3g s is too long for tets that are compressed. Try --time-step %.2g, or --scene "
                    "implicit-dynamics.\n",
@@ -132,7 +132,8 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
           "truthcube: no equilibrium with inertia behind %g s, with time steps down to %.3g s, after %d Newton "
           "steps, with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or more "
           "--cells.\n",
-          solver.time(), length / (1 << most_halvings), effort.newton, effort.residual, describe(suspect).c_str());
+          solver.time(), length / (1 << most_halvings), effort.newton, effort.residual,
+          describe(suspect, scene).c_str());
       return Outcome::not_converged;
     }
     const double compression = compression_at(solver.time(), motion.duration, options.compressions.back());
@@ -162,7 +163,7 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
           "at %.4g s, %s. No real body is in such a state. Try a shorter --time-step, a longer --duration, more "
           "--cells, "
           "or a smaller --compress.",
-          solver.time(), describe(suspect).c_str());
+          solver.time(), describe(suspect, scene).c_str());
     }
     before = suspect;
     if (files.writes()) files.write_step(record, solver.time(), positions, stresses);

@@ -151,7 +151,6 @@ Options parse(const std::vector<std::string>& arguments) {
                  "a mesh of tets in Gmsh's format, in metres, in place of the cube; its plates "
                  "are its lowest and highest nodes along z")
       ->excludes(cells)
-      ->check(name_of_file())
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,
                  "cut each tet of the mesh into 8, so many times; --stepping nested needs 1 at least")
@@ -231,11 +230,9 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(product)
       ->excludes(stepping);
   app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
-      ->check(name_of_file())
       ->type_name("DIR");
   app.add_flag("--restart", options.restart, "continue after the last step in --out");
   app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")
-      ->check(name_of_file())
       ->type_name("FILE");
   app.add_option("--repeat", options.repetitions,
                  "solve all steps so often again and print the shortest times: the first solve of a program loads and "

@@ -92,7 +92,12 @@ Outcome run(Options options, const std::string& command) {
   terminal.set_up(1, parts, "sizes");
   std::vector<std::string> notes;
   Scene scene;
-  if (!options.is_cube()) scene = make_scene(options, read_levels(options, notes));
+  if (!options.is_cube()) {
+    GivenMesh given = read_mesh(options, notes);
+    scene = make_scene(options, std::move(given.levels));
+    scene.tet_tags = std::move(given.tet_tags);
+    scene.refinements = options.refinements;
+  }
   const std::vector<LevelCounts> counts =
       options.is_cube() ? count_cube(options.cells, options.volume) : count_levels(scene.levels);
   append(notes, options.notes);

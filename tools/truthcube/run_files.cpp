@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "fields.h"
 #include "parse.h"
 
 namespace physgen::truthcube {
@@ -44,6 +43,7 @@ RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mes
     : folder_(options.out),
       settings_(settings_json(options)),
       mesh_hash_(mesh_hash),
+      strain_(options.scene == SceneKind::linear_elastic ? Strain::small : Strain::finite),
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
   if (folder_.empty()) return;
@@ -64,7 +64,7 @@ void RunFiles::write_record(const RunRecord& record) const {
 void RunFiles::write_step(const RunRecord& record, double time, const std::vector<Point>& positions,
                           const std::vector<std::array<double, 9>>& stresses) {
   if (!vtk_) return;
-  const Fields fields = make_fields(mesh_, rest_, positions, stresses);
+  const Fields fields = make_fields(mesh_, rest_, positions, stresses, strain_);
   const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
   const std::vector<Field> of_cells{
       {"stress", 6, fields.stress}, {"von_mises", 1, fields.von_mises}, {"J", 1, fields.volume_ratio}};
@@ -94,9 +94,14 @@ std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& che
   if (steps.size() < done) {
     throw Error(file.string() + " has " + std::to_string(steps.size()) +
                 " steps, and the checkpoint beside it is of step " + std::to_string(done) +
-                ": the files are not of one run");
+                ": the files are not of one run; run anew, without --restart");
   }
   steps.resize(done);
+  if (done > 0 && steps.back().compression != checkpoint.compression) {
+    throw Error(file.string() + " has a compression of " + std::to_string(steps.back().compression) + " in step " +
+                std::to_string(done) + ", and the checkpoint beside it " + std::to_string(checkpoint.compression) +
+                ": the files are not of one run; run anew, without --restart");
+  }
   return steps;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "fields.h"
 #include "options.h"
 #include "output/beads.h"
 #include "output/checkpoint.h"
@@ -32,7 +33,7 @@ class RunFiles {
   [[nodiscard]] bool writes() const { return vtk_.has_value(); }
   /// The record without steps of this run, for whoever looks before the first.
   void write_record(const RunRecord& record) const;
-  /// The last step in the record. @param time as viewers show it @param stresses first Piola-Kirchhoff, per tet [Pa]
+  /// The last step in the record. @param time as viewers show it @param stresses of the solver, per tet [Pa]
   void write_step(const RunRecord& record, double time, const std::vector<fem::Point>& positions,
                   const std::vector<std::array<double, 9>>& stresses);
   /// From which a run goes on behind that step. @pre it is written
@@ -44,6 +45,7 @@ class RunFiles {
   std::filesystem::path folder_;
   std::string settings_;
   std::uint64_t mesh_hash_;
+  Strain strain_;
   const std::vector<fem::Point>& rest_;
   const fem::TetMesh& mesh_;
   std::optional<VtkHdfWriter> vtk_;

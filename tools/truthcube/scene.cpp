@@ -55,8 +55,7 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
 
 }  // namespace
 
-std::vector<MeshLevel> read_levels([[maybe_unused]] const Options& options,
-                                   [[maybe_unused]] std::vector<std::string>& notes) {
+GivenMesh read_mesh([[maybe_unused]] const Options& options, [[maybe_unused]] std::vector<std::string>& notes) {
 #ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
   fem::ReadMesh read = fem::read_gmsh(options.mesh);
   if (!read.left_out_nodes.empty()) {
@@ -93,7 +92,7 @@ std::vector<MeshLevel> read_levels([[maybe_unused]] const Options& options,
       }
     }
   }
-  return levels;
+  return {std::move(levels), std::move(read.tet_tags)};
 #else
   throw Error("this build reads no meshes: install libgmsh-dev and configure it again");
 #endif
@@ -159,6 +158,14 @@ std::vector<std::string> adapt_solver(Options& options, const Scene& scene, cons
   return {"the coarsest mesh has " + std::to_string(coarsest) + " nodes, and more than " +
           std::to_string(fem::most_coarse_nodes) +
           " are smoothed, not solved: powers of two, or three times them, are faster"};
+}
+
+std::string name_of_tet(const Scene& scene, Index tet) {
+  const std::string name = "tet " + std::to_string(tet);
+  const auto element = static_cast<std::size_t>(tet) >> (3 * static_cast<unsigned>(scene.refinements));
+  if (element >= scene.tet_tags.size()) return name;
+  return name + (scene.refinements > 0 ? " (part of element " : " (element ") +
+         std::to_string(scene.tet_tags[element]) + " of the mesh file)";
 }
 
 double reach_past_plates(const Scene& scene, double compression, const std::vector<fem::Point>& positions) {

@@ -12,16 +12,24 @@
 
 namespace physgen::truthcube {
 
-/// The mesh in options.mesh, checked and refined, finest level first.
+/// A mesh that the user has given.
+struct GivenMesh {
+  std::vector<fem::MeshLevel> levels;  ///< refined, finest first
+  std::vector<std::size_t> tet_tags;   ///< per tet of the coarsest level: its element's number in the file
+};
+
+/// The mesh in options.mesh, checked and refined.
 /// @param notes what a user should know of it is added
 /// @throw Error when it cannot be read or is not sound, naming places and remedy, or refined would not fit the memory
-[[nodiscard]] std::vector<fem::MeshLevel> read_levels(const Options& options, std::vector<std::string>& notes);
+[[nodiscard]] GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes);
 
 struct Scene {
   std::vector<fem::MeshLevel> levels;  ///< finest first
   fem::Loading loading;                ///< at a compression of 1; its planes, if any, are the lower and the upper plate
   double low = 0, height = 0;          ///< of the body along z [m]
   std::array<fem::Index, 3> grid{};    ///< cells along x, y, z of the background grid; zeros where there is none
+  std::vector<std::size_t> tet_tags;   ///< of a mesh of the user's, as GivenMesh has them
+  int refinements = 0;                 ///< of that mesh: each tet of it is 8^refinements of the finest level
 };
 
 /// The cube of options.cells^3 cells, in levels.
@@ -36,6 +44,9 @@ struct Scene {
 /// @return what a user should know of it
 [[nodiscard]] std::vector<std::string> adapt_solver(Options& options, const Scene& scene,
                                                     const std::vector<LevelCounts>& levels);
+
+/// "tet 12", as cells of cube.vtkhdf are numbered; of a mesh of the user's "tet 12 (element 345 of the mesh file)".
+[[nodiscard]] std::string name_of_tet(const Scene& scene, fem::Index tet);
 
 /// How far the body reaches past the planes of the plates at a compression [m].
 [[nodiscard]] double reach_past_plates(const Scene& scene, double compression,

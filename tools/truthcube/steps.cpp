@@ -1,10 +1,13 @@
 #include "steps.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <ranges>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -39,6 +42,20 @@ const char* reason(fem::NewtonStatus status) {
       break;
   }
   return "";
+}
+
+/// "0.05, 0.125" of a table that names compressions, ascending; of many the first five.
+std::string compressions_of(const BeadTable& table) {
+  std::set<double> found;
+  for (const BeadRow& row : table.rows) found.insert(row.compression.value_or(0));
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (const double compression : found | std::views::take(most)) {
+    std::array<char, 32> number{};
+    std::snprintf(number.data(), number.size(), "%g", compression);
+    text += (text.empty() ? "" : ", ") + std::string(number.data());
+  }
+  return text + (found.size() > most ? ", ..." : "");
 }
 
 }  // namespace
@@ -197,7 +214,7 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
   terminal_.warning(
       "at a compression of %g, %s. A real body has no such equilibrium. Try more and smaller --compress steps, more "
       "--cells, or --plates contact.",
-      compression, describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses())).c_str());
+      compression, describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str());
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {
@@ -212,7 +229,7 @@ Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEqu
                compression, reason(result.status), result.steps, words_.what.c_str(), result.residual, reached);
   const fem::MeshLevel& level = scene_.levels.front();
   std::fprintf(stderr, "There, %s.\n",
-               describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses())).c_str());
+               describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses()), scene_).c_str());
   std::fprintf(stderr, "Try %s.\n", words_.remedies.c_str());
   return Outcome::not_converged;
 }
@@ -224,7 +241,8 @@ void Steps::compare(double compression, const std::vector<Point>& positions) con
   const auto errors = compare_beads(table, compression,
                                     interpolate_displacements(beads_->locations, level.mesh, level.rest, positions));
   if (!errors) {
-    terminal_.line("  %s has no beads of a compression of %g", table.file.c_str(), compression);
+    terminal_.line("  %s has no beads of a compression of %g, and has some of %s", table.file.c_str(), compression,
+                   compressions_of(table).c_str());
     return;
   }
   if (!table.rows.front().compression) {

@@ -27,8 +27,8 @@ SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> re
   return suspect;
 }
 
-std::string describe(const SuspectTet& suspect) {
-  std::string text = "tet " + std::to_string(suspect.tet);
+std::string describe(const SuspectTet& suspect, const Scene& scene) {
+  std::string text = name_of_tet(scene, suspect.tet);
   if (!suspect.is_finite) {
     text += " has a stress that is not finite";
   } else if (suspect.inverted > 0) {

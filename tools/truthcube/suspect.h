@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "scene.h"
+
 namespace physgen::truthcube {
 
 struct SuspectTet {
@@ -23,7 +25,7 @@ struct SuspectTet {
                                       std::span<const fem::Point> positions,
                                       std::span<const std::array<double, 9>> first_piola);
 
-/// "tet 7 is deformed most: J 0.31, F = [...; ...; ...]", or what else is wrong with it.
-[[nodiscard]] std::string describe(const SuspectTet& suspect);
+/// "tet 7 is deformed most: J 0.31, F = [...; ...; ...]", or what else is wrong with it. @param scene names its tets
+[[nodiscard]] std::string describe(const SuspectTet& suspect, const Scene& scene);
 
 }  // namespace physgen::truthcube

@@ -266,5 +266,11 @@ TEST(ExplicitDynamics, what_it_cannot_do_is_refused_with_a_reason) {
   EXPECT_THROW(solver->set_velocities(random_vectors(3, 1, 1)), Error);
 }
 
+TEST(ExplicitDynamics, positions_and_velocities_that_are_not_finite_are_refused_and_change_nothing) {
+  const Body body = make_truth_cube_body(2, false);
+  expect_only_finite_vectors(
+      *make_explicit_solver(body.levels[0], body.loading, moving_settings("neo-hookean", 1e4, 0.3)));
+}
+
 }  // namespace
 }  // namespace physgen::fem

@@ -247,5 +247,11 @@ TEST(ImplicitDynamics, what_it_cannot_do_is_refused_with_a_reason) {
   EXPECT_NE(refusal(settings).find("inertia goes with the assembled product"), std::string::npos);
 }
 
+TEST(ImplicitDynamics, positions_and_velocities_that_are_not_finite_are_refused_and_change_nothing) {
+  const Body body = make_truth_cube_body(2, false);
+  expect_only_finite_vectors(
+      *make_implicit_solver(body.levels, body.loading, moving_settings("neo-hookean", 1e4, 0.3)));
+}
+
 }  // namespace
 }  // namespace physgen::fem

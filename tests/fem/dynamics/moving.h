@@ -4,11 +4,14 @@
 #include <fem/mesh/geometry.h>
 #include <fem/solver/dynamic_solver.h>
 #include <fem/solver/masses.h>
+#include <gtest/gtest.h>
+#include <physgen/error.h>
 
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "../solver/bodies.h"
 
@@ -23,6 +26,28 @@ inline DynamicSettings moving_settings(const std::string& material, double young
   settings.solver.youngs_modulus = youngs_modulus;
   settings.density = density;
   return settings;
+}
+
+/// Positions and velocities that are not finite are refused with the node, and the solver is as before.
+inline void expect_only_finite_vectors(DynamicSolver& solver) {
+  const auto refusal = [](const auto& set) -> std::string {
+    try {
+      set();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const auto x = solver.positions(), v = solver.velocities();
+  auto bad = x;
+  bad[3][2] = NAN;
+  EXPECT_NE(refusal([&] { solver.set_positions(bad); }).find("the position of node 3 is ("), std::string::npos);
+  bad = v;
+  bad[4][0] = INFINITY;
+  EXPECT_NE(refusal([&] { solver.set_velocities(bad); }).find("the velocity of node 4 is (inf, 0, 0)"),
+            std::string::npos);
+  EXPECT_EQ(solver.positions(), x);
+  EXPECT_EQ(solver.velocities(), v);
 }
 
 /// An irregular cube that nothing holds.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <clocale>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -247,6 +248,16 @@ TEST_F(GmshFile, refuses_what_is_missing_or_no_mesh_and_runs_no_script) {
   static_cast<void>(write(script, "mesh.msh.opt"));
   EXPECT_EQ(refusal(write(in_version_2(one_tet()))), "accepted");
   EXPECT_FALSE(std::filesystem::exists(mark));
+}
+
+// A folder would stay where a kill ends the process.
+TEST_F(GmshFile, is_read_without_a_temporary_folder) {
+  const std::filesystem::path path = write(in_version_2(one_tet()));
+  const char* kept = std::getenv("TMPDIR");
+  const std::string before = kept == nullptr ? "" : kept;
+  ASSERT_EQ(setenv("TMPDIR", (folder_ / "none").c_str(), 1), 0);
+  EXPECT_EQ(refusal(path), "accepted");
+  ASSERT_EQ(kept == nullptr ? unsetenv("TMPDIR") : setenv("TMPDIR", before.c_str(), 1), 0);
 }
 
 TEST_F(GmshFile, prints_nothing_and_leaves_threads_and_locale_as_they_were) {

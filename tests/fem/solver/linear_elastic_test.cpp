@@ -232,6 +232,21 @@ TEST(LinearElastic, loads_scale_the_answer_and_a_state_goes_on) {
   EXPECT_THROW(other->restore({0, true, {}}), Error);
 }
 
+TEST(LinearElastic, a_state_whose_numbers_are_not_finite_is_refused_and_changes_nothing) {
+  const Body body = make_truth_cube_body(4, false);
+  const auto solver = make_linear_solver(body.levels, body.loading, linear_settings(0.4));
+  ASSERT_EQ(solver->solve_to(0.05, {}).status, NewtonStatus::converged);
+  const SolverState good = solver->state();
+  SolverState bad = good;
+  bad.load = NAN;
+  EXPECT_THROW(solver->restore(bad), Error);
+  bad = good;
+  bad.positions[0][2][1] = INFINITY;
+  EXPECT_THROW(solver->restore(bad), Error);
+  EXPECT_EQ(solver->load(), 0.05);
+  EXPECT_EQ(solver->positions(), good.positions[0]);
+}
+
 TEST(LinearElastic, what_it_cannot_do_is_refused_with_a_reason) {
   const auto refusal = [](const Body& body, const SolverSettings& settings) -> std::string {
     try {

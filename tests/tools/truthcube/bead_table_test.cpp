@@ -94,6 +94,15 @@ TEST_F(BeadTables, malformed_rows_are_named) {
   expect_refused(good + "+-1,2,3,4,5,6\n", 3, "\"+-1\" in column x");
 }
 
+TEST_F(BeadTables, beads_with_two_displacements_are_named_with_both_lines) {
+  expect_refused(header_and("0.01,0.02,0.03,0,0,0\n0.02,0.02,0.03,0,0,0\n0.01,0.02,0.03,1,0,0\n"), 4,
+                 "has a displacement in line 2, too: remove one of them, or say in a column compression");
+  const std::string with_compression = "compression,x,y,z,ux,uy,uz\n0.1,1,2,3,0,0,0\n0.2,1,2,3,0,0,0\n";
+  EXPECT_EQ(read(with_compression).rows.size(), 2U);
+  expect_refused(with_compression + "0.1,1,2,3,0,0,0\n", 4,
+                 "at the same compression in line 2, too: remove one of them");
+}
+
 TEST_F(BeadTables, files_without_rows_are_named) {
   expect_refused("", 0, "has no rows");
   expect_refused(header_and("\n\n"), 0, "has no rows");
@@ -112,7 +121,7 @@ TEST_F(BeadTables, errors_are_mean_rms_p95_and_max_in_millimetres) {
   std::string text = header;
   std::vector<fem::Point> computed;
   for (int i = 20; i >= 1; --i) {  // errors of 1 .. 20 mm, in turns along x, y and z
-    text += "0.01,0.01,0.01,0.5,0.25,-0.125\n";
+    text += std::to_string(i) + ",0.01,0.01,0.5,0.25,-0.125\n";
     fem::Point u{0.5, 0.25, -0.125};
     u[static_cast<std::size_t>(i % 3)] += (i % 2 == 0 ? 1e-3 : -1e-3) * i;
     computed.push_back(u);

@@ -130,6 +130,13 @@ TEST_F(Beads, restart_refuses_what_it_cannot_continue) {
   EXPECT_EQ(read_text(path), complete);
   testing::put_text(path, complete.substr(0, complete.size() - 1));  // the last row has no end
   expect_error(continue_after(2), "fewer rows");
+  std::string damaged = complete;
+  damaged.replace(damaged.find('\n', damaged.size() / 2) + 5, 3, std::string(3, '\0'));
+  testing::put_text(path, damaged);
+  const auto line = 2 + std::ranges::count(complete.substr(0, complete.size() / 2), '\n');
+  expect_error(continue_after(2), path.string() + ":" + std::to_string(line) + ": is no row of numbers",
+               "without --restart");
+  EXPECT_EQ(read_text(path), damaged);
   testing::put_text(path, "x,y,z,ux,uy,uz\n" + complete);
   expect_error(continue_after(2), path.string(), "header");
 }

@@ -62,14 +62,17 @@ case $rule in
       awk -v a="$(number_of energy assembled/run.json)" -v b="$(number_of energy matrix-free/run.json)" \
         'BEGIN { exit !(a > 0 && (a - b) ^ 2 < 1e-20 * a * a) }' || fail 'another energy'
     done ;;
+  empty_words_are_refused)
+    for flag in out beads mesh poisson young damping compress cells; do
+      expect_refused "--$flag: a word is empty, as of a variable of the shell that is not set" --$flag ''
+      expect_refused "--$flag: a word is empty" --$flag=
+    done
+    expect_refused '--compress: a word is empty' --cells 4 --compress 0.1 '' ;;
   values_out_of_range_are_refused)
     expect_refused 'cells: Value 0 not in range' --cells 0
     expect_refused 'cells: Value -4 not in range' --cells -4
     expect_refused 'cells: Value 2.5 not in range 1 to 100000 of whole numbers' --cells 2.5
     expect_refused 'poisson = abc; a number is wanted there' --poisson abc
-    expect_refused 'out: the name is empty' --out ''
-    expect_refused 'beads: the name is empty' --beads ''
-    expect_refused 'mesh: the name is empty' --mesh ''
     expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; --cells 274 fits' --cells 400
     expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
     expect_refused "--poisson -1: Poisson's ratio is" --poisson -1

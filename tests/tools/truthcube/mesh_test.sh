@@ -86,6 +86,19 @@ case $rule in
     echo 'no mesh' >text.msh
     expect_exit 1 --mesh text.msh
     expect err 'text.msh' ;;
+  tets_in_messages_have_the_numbers_of_their_elements)
+    # Elements 1001 ... in another order than that of their numbers.
+    write_mesh 3 | awk '/^\$Elements/ { inside = 1 } /^\$EndElements/ { inside = 0; while (n > 0) print line[n--] }
+      inside && NF == 9 { $1 += 1000; line[++n] = $0; next } { print }' >m.msh
+    flags=(--mesh m.msh --threads 1 --volume tets --material st-venant-kirchhoff)
+    expect_exit 0 "${flags[@]}" --compress 0.6
+    said=$(sed -nE 's/.*most of all (tet [0-9]+ [(]element [0-9]+) of the mesh file[)]: J -.*/\1/p' err)
+    read -r _ tet _ element <<<"$said"
+    ((element == tet + 1001)) || fail "not of its element: $said"
+    expect_exit 0 "${flags[@]}" --compress 0.3 --refine 1
+    said=$(sed -nE 's/.*most of all (tet [0-9]+ [(]part of element [0-9]+) of the mesh file[)]: J -.*/\1/p' err)
+    read -r _ tet _ _ _ element <<<"$said"
+    ((element == tet / 8 + 1001)) || fail "not a part of its element: $said" ;;
   a_mesh_that_is_too_large_when_refined_is_refused_before_it_is_made)
     write_mesh 8 >m.msh
     expect_exit 1 --mesh m.msh --refine 6

@@ -161,6 +161,13 @@ case $rule in
     expect err 'poisson: 0.49 .*, 0.45'
     expect err 'precision: .*half.*, .*float'
     for file in beads.csv checkpoint.h5 cube.vtkhdf run.json; do expect_same o/$file before/$file; done ;;
+  a_restart_refuses_a_record_of_other_steps_than_the_checkpoint)
+    expect_exit 0 "${small[@]}" --compress 0.05 0.1 --out o
+    sed -i 's/"compression": 0.1,/"compression": 0.2,/' o/run.json
+    cp -r o before
+    expect_exit 1 "${small[@]}" --compress 0.05 0.1 0.15 --out o --restart
+    expect err 'o/run.json has a compression of 0.20* in step 2, and the checkpoint beside it 0.10*: the files are not of one run; run anew'
+    for file in beads.csv checkpoint.h5 cube.vtkhdf run.json; do expect_same o/$file before/$file; done ;;
   a_new_run_drops_the_checkpoint_of_an_old_one)
     expect_exit 0 "${small[@]}" --compress 0.05 --out o
     expect_exit 3 "${small[@]}" --young 1e300 --precision double --compress 0.1 --out o
@@ -195,7 +202,7 @@ case $rule in
     expect_exit 0 "${small[@]}" --compress 0.1 --beads moved.csv
     expect out '343 beads of moved.csv: difference \[mm\] mean 5.0000, RMS 5.0000, 95 % below 5.0000, max 5.0000'
     expect_exit 0 "${small[@]}" --compress 0.02 --beads moved.csv
-    expect out 'moved.csv has no beads of a compression of 0.02'
+    expect out 'moved.csv has no beads of a compression of 0.02, and has some of 0[.]05, 0[.]1$'
     sed -i '3s/,[^,]*$/,wrong/' moved.csv
     expect_exit 1 "${small[@]}" --beads moved.csv
     expect err 'moved.csv:3: .*wrong'

@@ -1,6 +1,7 @@
 // run.json, read by a JSON parser: its keys and numbers, and that it is complete at any time.
 #include <truthcube/output/run_json.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -142,6 +143,9 @@ TEST_F(RunJson, files_that_are_none_are_refused) {
     testing::put_text(path, text);
     expect_error(read, path.string(), "this is not a run.json");
   }
+  testing::put_text(path, "{\"nodes\": \x1b[2J\xff 7}");
+  const std::string said = testing::error_of(read);
+  EXPECT_TRUE(std::ranges::all_of(said, [](unsigned char c) { return c >= ' ' && c <= '~'; })) << said;
   write_run_json(path, record_of(1));
   Json run = Json::parse(read_text(path));
   run["steps"][0].erase("reaction");

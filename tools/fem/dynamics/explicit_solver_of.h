@@ -90,7 +90,7 @@ class ExplicitSolverOf final : public DynamicSolver {
     return plain_velocities(body_.velocities);
   }
   void set_positions(std::span<const Point> positions) override {
-    require_vectors_of("positions", positions.size(), rest_.size());
+    require_vectors("the position", positions, rest_.size());
     std::vector<Point> u(positions.begin(), positions.end());
     for (std::size_t n = 0; n < u.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) u[n][k] -= rest_[n][k];
@@ -100,7 +100,7 @@ class ExplicitSolverOf final : public DynamicSolver {
     store_displacements(u, body_.rounded);
   }
   void set_velocities(std::span<const Point> velocities) override {
-    require_vectors_of("velocities", velocities.size(), rest_.size());
+    require_vectors("the velocity", velocities, rest_.size());
     on_->wait();
     store_velocities(velocities, body_.velocities);
   }

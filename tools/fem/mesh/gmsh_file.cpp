@@ -1,19 +1,19 @@
 // Gmsh is one per process and changes settings of it: each reading opens it, takes the lists and closes it again.
+#include <fcntl.h>
 #include <fem/mesh/gmsh_file.h>
 #include <fem/mesh/gmsh_text.h>
 #include <gmsh.h>
 #include <omp.h>
 #include <physgen/error.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <clocale>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <mutex>
 #include <span>
 #include <string>
-#include <system_error>
 #include <utility>
 
 namespace physgen::fem {
@@ -62,44 +62,41 @@ class Session {
   Session& operator=(const Session&) = delete;
 };
 
+constexpr const char* unreadable = "cannot be read; check its name and your rights";
+
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what) {
   throw Error("mesh file " + path.string() + ": " + what);
 }
 
-// A link to the file in a folder of its own: next to a file FILE Gmsh looks for FILE.opt, and runs the commands there.
-class Link {
+// The file, opened, under a name of the system: next to a file FILE Gmsh looks for FILE.opt, and runs the commands
+// there. Nothing is left of that name, however the process ends.
+class Opened {
  public:
-  explicit Link(const std::filesystem::path& path) {
-    std::error_code failed;
-    std::string folder = (std::filesystem::temp_directory_path(failed) / "physgen-mesh-XXXXXX").string();
-    if (!failed && mkdtemp(folder.data()) != nullptr) {
-      folder_ = folder;
-      std::filesystem::create_symlink(std::filesystem::absolute(path), name(), failed);
-      if (!failed) return;
-      remove();
-    }
-    refuse(path, "cannot be linked to from a temporary folder, as Gmsh needs it; set TMPDIR to a writable folder");
+  explicit Opened(const std::filesystem::path& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    if (file_ >= 0 && ::access(name().c_str(), R_OK) == 0) return;
+    const bool is_open = file_ >= 0;
+    close();
+    refuse(path, is_open ? "cannot be read by the name " + name() + ", as Gmsh needs it; mount /proc" : unreadable);
   }
-  ~Link() { remove(); }
-  Link(const Link&) = delete;
-  Link& operator=(const Link&) = delete;
+  ~Opened() { close(); }
+  Opened(const Opened&) = delete;
+  Opened& operator=(const Opened&) = delete;
 
-  [[nodiscard]] std::filesystem::path name() const { return folder_ / "mesh.msh"; }
+  [[nodiscard]] std::string name() const { return "/proc/self/fd/" + std::to_string(file_); }
 
  private:
-  void remove() const {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
+  void close() const {
+    if (file_ >= 0) ::close(file_);
   }
 
-  std::filesystem::path folder_;
+  int file_;
 };
 
 // Gmsh goes by a file's first characters, and runs whatever it does not know as a script. It passes over elements
 // beyond those that a file counts.
 void check_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) refuse(path, "cannot be read; check its name and your rights");
+  if (!file || std::filesystem::is_directory(path)) refuse(path, unreadable);
   std::string line;
   file >> line;
   constexpr std::array known{"$MeshFormat", "$NOD", "$Comments", "$PhysicalNames"};
@@ -200,15 +197,15 @@ ReadMesh read_open_model(const std::filesystem::path& path) {
   return mesh;
 }
 
-// The last words of Gmsh, with the file's name in the place of the link's.
-std::string last_words(const std::filesystem::path& path, const Link& link) {
+// The last words of Gmsh, with the file's name in the place of the system's.
+std::string last_words(const std::filesystem::path& path, const Opened& file) {
   std::string said;
   try {
     gmsh::logger::getLastError(said);
   } catch (...) {
     return "";
   }
-  const std::string name = link.name().string();
+  const std::string name = file.name();
   if (const std::size_t place = said.find(name); place != std::string::npos) {
     said.replace(place, name.size(), path.string());
   }
@@ -222,16 +219,16 @@ ReadMesh read_gmsh(const std::filesystem::path& path) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const KeptSettings settings;
-  const Link link(path);
+  const Opened file(path);
   const Session session;
   try {
-    gmsh::merge(link.name().string());
+    gmsh::merge(file.name());
     return read_open_model(path);
   } catch (const Error&) {
     throw;
   } catch (...) {  // as in Session; or no memory for counts that are no counts
     refuse(path,
-           "Gmsh cannot read it" + last_words(path, link) + "; the file may be cut off or damaged: write it again");
+           "Gmsh cannot read it" + last_words(path, file) + "; the file may be cut off or damaged: write it again");
   }
 }
 

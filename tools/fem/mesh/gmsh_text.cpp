@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,35 @@ bool is_number(std::string_view word, Number& number) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   return error != std::errc::invalid_argument && end == word.data() + word.size();  // or beyond what doubles hold
 }
+
+// The numbers of a section's nodes or elements, of versions before 4: Gmsh keeps one of two with the same number, and
+// the other is then missing without a word. Rows that say the same, as of an element in two physical groups, may
+// repeat.
+class Numbers {
+ public:
+  /// @param content all of a row but its number and groups
+  void add(std::int64_t number, std::string_view content, std::size_t line) {
+    rows_.push_back(
+        {number, static_cast<std::uint32_t>(std::hash<std::string_view>{}(content)), static_cast<std::uint32_t>(line)});
+  }
+  /// "node 7 stands in line 9 and, with other values, in line 12"; or nothing
+  std::string fault(const char* kind) {
+    if (!std::ranges::is_sorted(rows_, {}, &Row::number)) std::ranges::stable_sort(rows_, {}, &Row::number);
+    const auto found = std::ranges::adjacent_find(
+        rows_, [](const Row& a, const Row& b) { return a.number == b.number && a.content != b.content; });
+    if (found == rows_.end()) return "";
+    return kind + (" " + std::to_string(found->number)) + " stands in line " + std::to_string(found->line) +
+           " and, with other values, in line " + std::to_string((found + 1)->line) +
+           "; give each a number of its own, or write the mesh again";
+  }
+
+ private:
+  struct Row {
+    std::int64_t number;
+    std::uint32_t content, line;
+  };
+  std::vector<Row> rows_;
+};
 
 class Reader {
  public:
@@ -120,6 +150,8 @@ class Reader {
     if (said < 0)
       return place() + "$" + name + " begins with the counts of what follows, and not with '" + line_of() + "'" + again;
     std::int64_t lines = 0;
+    const bool are_nodes = name == "NOD" || name == "Nodes";
+    Numbers numbers;
     for (;;) {
       if (!next()) return "$" + name + " in line " + std::to_string(start) + " has no " + end + again;
       if (text_ == end) break;
@@ -131,11 +163,28 @@ class Reader {
         if (wrong.empty() && !is_number(word, number)) wrong = word.substr(0, 40);
       });
       if (!wrong.empty()) return place() + "'" + wrong + "' is not a number" + again;
+      if (version_ < 4) add_row(numbers, are_nodes);
     }
-    if (lines == said) return "";
+    if (lines == said) return numbers.fault(are_nodes ? "node" : "element");
     return "$" + name + " in line " + std::to_string(start) + " is to have " + std::to_string(said) +
            " lines by its counts, and has " + std::to_string(lines) + " before " + end + " in line " +
            std::to_string(number_) + again;
+  }
+
+  // An element is its number, type, groups and nodes: of the first version two groups and the number of nodes, of the
+  // second the number of groups before them.
+  void add_row(Numbers& numbers, bool are_nodes) {
+    std::int64_t number = 0, groups = 2;
+    std::size_t count = 0;
+    content_.clear();
+    each_word(text_, [&](std::string_view word) {
+      const auto k = static_cast<std::int64_t>(count++);
+      if (k == 0) static_cast<void>(is_number(word, number));
+      if (!are_nodes && version_ >= 2 && k == 2) static_cast<void>(is_number(word, groups));
+      const std::int64_t first = are_nodes ? 1 : (version_ >= 2 ? 3 + groups : 2 + groups);
+      if (k >= first || (k == 1 && !are_nodes)) content_.append(word).append(" ");
+    });
+    numbers.add(number, content_, number_);
   }
 
   [[nodiscard]] std::string line_of() const { return std::string(text_.substr(0, 40)); }
@@ -143,6 +192,7 @@ class Reader {
   std::istream& file_;
   std::string line_;
   std::string_view text_;  // of line_, without blanks around it
+  std::string content_;
   std::size_t number_ = 0;
   double version_ = 1;
   bool is_binary_ = false;

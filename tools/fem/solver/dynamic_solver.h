@@ -51,7 +51,7 @@ class DynamicSolver {
   [[nodiscard]] virtual std::vector<Point> positions() const = 0;   ///< of nodes [m]
   [[nodiscard]] virtual std::vector<Point> velocities() const = 0;  ///< of nodes [m/s]
   /// Moves nodes, such as to where a motion begins. Prescribed components go on to where the load takes them.
-  /// @throw Error when sizes differ
+  /// @throw Error when there is not one finite vector per node
   virtual void set_positions(std::span<const Point> positions) = 0;
   virtual void set_velocities(std::span<const Point> velocities) = 0;
 

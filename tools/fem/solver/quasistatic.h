@@ -82,7 +82,7 @@ class EquilibriumSolver {
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used
 
   [[nodiscard]] virtual SolverState state() const = 0;
-  /// @throw Error when the state is not of these meshes
+  /// @throw Error when the state is not of these meshes, or a number in it is not finite; this solver is then as before
   virtual void restore(const SolverState& state) = 0;
 };
 
@@ -91,7 +91,7 @@ class QuasistaticSolver : public EquilibriumSolver {
  public:
   /// Moves the free nodes of the finest mesh, such as to random positions. The next solve begins there; where tets are
   /// inverted or flat there, on the straight way from rest, before the first of them is flat.
-  /// @throw Error when sizes differ
+  /// @throw Error when there is not one finite position per node
   virtual void set_positions(std::span<const Point> positions) = 0;
 
   /// The tangent of the finest mesh at its positions, assembled.

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace physgen::truthcube {
 
@@ -86,6 +88,22 @@ double read_number(std::string_view cell, std::string_view column, const std::st
   return value;
 }
 
+// A bead with two displacements would count twice in every measure.
+void require_one_row_per_bead(const BeadTable& table) {
+  std::vector<const BeadRow*> rows;
+  rows.reserve(table.rows.size());
+  for (const BeadRow& row : table.rows) rows.push_back(&row);
+  const auto key = [](const BeadRow* row) { return std::pair(row->compression, row->rest); };
+  std::ranges::stable_sort(rows, {}, key);
+  const auto found = std::ranges::adjacent_find(rows, {}, key);
+  if (found == rows.end()) return;
+  const BeadRow &first = **found, &second = **(found + 1);
+  throw Error(at(table.file, second.line) + "this bead has a displacement " +
+              (first.compression ? "at the same compression " : "") + "in line " + std::to_string(first.line) +
+              ", too: remove one of them" +
+              (first.compression ? "" : ", or say in a column compression to which step each belongs"));
+}
+
 }  // namespace
 
 BeadTable read_bead_table(const std::filesystem::path& file) {
@@ -119,6 +137,7 @@ BeadTable read_bead_table(const std::filesystem::path& file) {
   }
   if (stream.bad()) throw Error(file.string() + ": cannot be read to its end");
   if (table.rows.empty()) throw Error(file.string() + ": has no rows of beads");
+  require_one_row_per_bead(table);
   return table;
 }
 

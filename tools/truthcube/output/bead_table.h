@@ -25,7 +25,7 @@ struct BeadTable {
 /// Reads a CSV file. Its first line names the columns x, y, z, ux, uy, uz and, if there is one, compression, in any
 /// order; beads.csv is such a file. Empty lines are skipped.
 /// @throws Error naming the file and, where it is malformed, the line: a column missing, unknown or named twice, a row
-/// of another length, a value that is not a finite number; or no rows
+/// of another length, a value that is not a finite number, a bead that has two rows at one compression; or no rows
 [[nodiscard]] BeadTable read_bead_table(const std::filesystem::path& file);
 
 /// Where the rows' rest positions lie in a mesh: one location per row.

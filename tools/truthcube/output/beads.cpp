@@ -3,6 +3,7 @@
 #include <truthcube/output/beads.h>
 #include <truthcube/output/disk.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <string>
@@ -79,7 +80,12 @@ BeadFile BeadFile::append_to(std::filesystem::path path, int steps) {
     throw Error(path.string() + ": has fewer rows than the " + std::to_string(bead_count) + " of each of " +
                 std::to_string(steps) + " steps");
   }
-  write_text(path, std::string_view(text).substr(0, end));
+  const std::string_view kept = std::string_view(text).substr(0, end);
+  if (const std::size_t stray = kept.find_first_not_of("0123456789+-.e,\n", header.size()); stray != kept.npos) {
+    throw Error(path.string() + ":" + std::to_string(1 + std::ranges::count(kept.substr(0, stray), '\n')) +
+                ": is no row of numbers; the file is damaged: run anew, without --restart");
+  }
+  write_text(path, kept);
   return {std::move(path), Existing{}};
 }
 

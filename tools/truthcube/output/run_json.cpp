@@ -3,6 +3,7 @@
 #include <truthcube/output/disk.h>
 #include <truthcube/output/run_json.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -102,7 +103,10 @@ RunRecord read_run_json(const std::filesystem::path& file) {
     }
     return record;
   } catch (const Json::exception& error) {
-    throw Error(file.string() + ": this is not a run.json of truthcube: " + error.what());
+    std::string said = error.what();  // which quotes the file
+    std::ranges::replace_if(
+        said, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');  // as a terminal can show it
+    throw Error(file.string() + ": this is not a run.json of truthcube: " + said);
   }
 }
 

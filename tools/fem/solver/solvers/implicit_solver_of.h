@@ -79,12 +79,12 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
     return plain_velocities(inertia().velocities);
   }
   void set_positions(std::span<const Point> positions) override {
-    Parts::require_nodes(0, positions.size());
+    require_vectors("the position", positions, nodes());
     Parts::store(*arrays_.front(), positions);
     is_moved_ = true;
   }
   void set_velocities(std::span<const Point> velocities) override {
-    Parts::require_nodes(0, velocities.size());
+    require_vectors("the velocity", velocities, nodes());
     on_->wait();
     store_velocities(velocities, inertia().velocities);
   }
@@ -112,6 +112,7 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
     settings.nested = false;
     return settings;
   }
+  [[nodiscard]] std::size_t nodes() const { return static_cast<std::size_t>(arrays_.front()->nodes()); }
   [[nodiscard]] auto& inertia() const { return *linear_.front()->inertia; }
 
   double damping_;  ///< [1/s]

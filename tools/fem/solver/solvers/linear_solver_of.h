@@ -10,9 +10,10 @@
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/linear_body.h>
 #include <fem/solver/solvers/make_executor.h>
-#include <physgen/error.h>
+#include <fem/solver/solvers/require.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -68,14 +69,8 @@ class LinearSolverOf final : public EquilibriumSolver {
 
   [[nodiscard]] SolverState state() const override { return {load_, true, {positions()}}; }
   void restore(const SolverState& state) override {
-    if (state.positions.size() != 1) {
-      throw Error("a state of " + std::to_string(state.positions.size()) + " levels for a solver that solves on 1");
-    }
+    require_state(state, std::array{rest_.size()});
     std::vector<Point> u = state.positions[0];
-    if (u.size() != rest_.size()) {
-      throw Error("level 0 has " + std::to_string(rest_.size()) + " nodes, and " + std::to_string(u.size()) +
-                  " were given");
-    }
     for (std::size_t n = 0; n < u.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) u[n][k] -= rest_[n][k];
     }

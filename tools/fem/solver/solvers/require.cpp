@@ -64,11 +64,8 @@ void require_single_range(const MeshLevel& level, const SolverSettings& settings
 
 namespace {
 
-void require_vectors(const std::string& what, const std::vector<Point>& vectors, std::size_t nodes) {
-  if (vectors.size() != nodes) {
-    throw Error(what + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
-                " nodes: give one of each");
-  }
+/// @param what "the external force": of node 7 it is (nan, 0, 0)
+void require_finite(const std::string& what, std::span<const Point> vectors) {
   const auto stray = std::ranges::find_if_not(vectors, is_finite);
   if (stray == vectors.end()) return;
   throw Error(what + " of node " + std::to_string(stray - vectors.begin()) + " is " + vector_text(*stray) +
@@ -92,6 +89,14 @@ void require_planes(const std::vector<RigidPlane>& planes) {
 
 }  // namespace
 
+void require_vectors(const std::string& what, std::span<const Point> vectors, std::size_t nodes) {
+  if (vectors.size() != nodes) {
+    throw Error(what + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
+                " nodes: give one of each");
+  }
+  require_finite(what, vectors);
+}
+
 void require_loading(const MeshLevel& level, const Loading& loading) {
   const auto nodes = static_cast<std::size_t>(level.mesh.nodes);
   require_vectors("the motion of prescribed components", loading.motion, nodes);
@@ -113,10 +118,22 @@ void require_step(double length, double load) {
   }
 }
 
-void require_vectors_of(const char* what, std::size_t given, std::size_t nodes) {
-  if (given == nodes) return;
-  throw Error(std::to_string(given) + " " + what + " were given for " + std::to_string(nodes) +
-              " nodes: give one of each");
+void require_state(const SolverState& state, std::span<const std::size_t> nodes) {
+  if (!std::isfinite(state.load)) {
+    throw Error("the load of a state is " + number(state.load) + " and must be a finite number");
+  }
+  if (state.positions.size() != nodes.size()) {
+    throw Error("a state of " + std::to_string(state.positions.size()) + " levels for a solver that solves on " +
+                std::to_string(nodes.size()) + ": restore a state of the same levels and settings");
+  }
+  for (std::size_t l = 0; l < nodes.size(); ++l) {
+    const std::vector<Point>& given = state.positions[l];
+    if (given.size() != nodes[l]) {
+      throw Error("level " + std::to_string(l) + " has " + std::to_string(nodes[l]) + " nodes, and a state's " +
+                  std::to_string(given.size()) + ": restore a state of the same meshes");
+    }
+    require_finite("level " + std::to_string(l) + " of a state: the position", given);
+  }
 }
 
 void require_plain(const char* who, const MeshLevel& level, const Loading& loading) {

@@ -4,6 +4,7 @@
 #include <fem/solver/dynamic_solver.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 
 namespace physgen::fem {
@@ -24,8 +25,11 @@ void require_plain(const char* who, const MeshLevel& level, const Loading& loadi
 void require_motion(const DynamicSettings& settings);
 /// @throw Error when the length [s] of a time step is not a positive number, or the load at its end is not finite
 void require_step(double length, double load);
-/// @throw Error when there is not one vector per node. @param what "velocities"
-void require_vectors_of(const char* what, std::size_t given, std::size_t nodes);
+/// @throw Error when there is not one finite vector per node. @param what "the velocity"
+void require_vectors(const std::string& what, std::span<const Point> vectors, std::size_t nodes);
+/// @param nodes of each level on which equilibrium is solved
+/// @throw Error when the state has other levels or nodes, or a load or a position that is not finite
+void require_state(const SolverState& state, std::span<const std::size_t> nodes);
 
 /// @throw Error saying that this build has no CUDA
 [[noreturn]] void refuse_cuda();

@@ -5,6 +5,7 @@
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/measure_linear.h>
 #include <fem/solver/solvers/nested_newton.h>
+#include <fem/solver/solvers/require.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -33,7 +34,6 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
   using Nested::on_;
   using Nested::plane_contacts_of;
   using Nested::reached_;
-  using Nested::require_nodes;
   using Nested::settings_;
   using Nested::solved_;
   using Nested::state_now;
@@ -76,11 +76,9 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
     return state;
   }
   void restore(const SolverState& state) override {
-    if (state.positions.size() != arrays_.size()) {
-      throw Error("a state of " + std::to_string(state.positions.size()) + " levels for a solver that solves on " +
-                  std::to_string(arrays_.size()));
-    }
-    for (std::size_t l = 0; l < arrays_.size(); ++l) require_nodes(l, state.positions[l].size());
+    std::vector<std::size_t> counts;
+    for (const auto& a : arrays_) counts.push_back(static_cast<std::size_t>(a->nodes()));
+    require_state(state, counts);
     for (std::size_t l = 0; l < arrays_.size(); ++l) store(*arrays_[l], state.positions[l]);
     load_ = state.load;
     reached_ = state.is_equilibrium;
@@ -88,7 +86,7 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
     last_reaction_ = reached_ ? state_now().reaction : 0.0;
   }
   void set_positions(std::span<const Point> positions) override {
-    require_nodes(0, positions.size());
+    require_vectors("the position", positions, nodes());
     store(*arrays_.front(), positions);
     reached_ = false;
   }
@@ -110,12 +108,15 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
     if constexpr (is_of_scene<Types>) {
       throw Error("linear solves are measured of solvers over all arrays, and this one has those of a scene");
     } else {
-      require_nodes(0, force.size());
+      require_vectors("the force", force, nodes());
       (void)evaluate_now(0, load_);
       return fem::measure_linear(*on_, *arrays_.front(), linear_, *vectors_.front(), *evaluator_, settings_.newton,
                                  load_, task, force, step);
     }
   }
+
+ private:
+  [[nodiscard]] std::size_t nodes() const { return static_cast<std::size_t>(arrays_.front()->nodes()); }
 };
 
 }  // namespace physgen::fem

@@ -8,12 +8,10 @@
 #include <fem/solver/newton/newton.h>
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/make_executor.h>
-#include <physgen/error.h>
 
 #include <algorithm>
 #include <deque>
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -70,14 +68,6 @@ class SolverParts {
     copy(a.positions, host);
     copy(a.kept, host);
     synchronize();
-  }
-
-  void require_nodes(std::size_t level, std::size_t given) const {
-    const index_t nodes = arrays_[level]->nodes();
-    if (static_cast<index_t>(given) != nodes) {
-      throw Error("level " + std::to_string(level) + " has " + std::to_string(nodes) + " nodes, and " +
-                  std::to_string(given) + " were given");
-    }
   }
 
   SolverSettings settings_;

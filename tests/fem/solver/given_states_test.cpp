@@ -1,0 +1,66 @@
+// States and positions that are set from outside: which are refused.
+#include <gtest/gtest.h>
+#include <physgen/error.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bodies.h"
+
+namespace physgen::fem {
+namespace {
+
+TEST(State, of_other_meshes_or_with_numbers_that_are_not_finite_is_refused_and_changes_nothing) {
+  const Body body = make_truth_cube_body(8, true);
+  SolverSettings settings;
+  settings.coarsest_nested = 0;
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  ASSERT_EQ(solver->solve_to(0.05, {}).status, NewtonStatus::converged);
+  const SolverState good = solver->state();
+  ASSERT_GE(good.positions.size(), 2U);
+  const auto expect_refused = [&](const std::string& said, const auto& spoil) {
+    SolverState state = good;
+    spoil(state);
+    try {
+      solver->restore(state);
+      ADD_FAILURE() << "accepted: " << said;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(solver->load(), 0.05);
+    EXPECT_EQ(solver->state().positions, good.positions);
+  };
+  expect_refused("the load of a state is nan", [](SolverState& state) { state.load = NAN; });
+  expect_refused("the load of a state is inf", [](SolverState& state) { state.load = INFINITY; });
+  expect_refused("of a state: the position of node 7 is (", [](SolverState& state) { state.positions[0][7][1] = NAN; });
+  expect_refused("level 1 of a state: the position of node 3 is (inf",
+                 [](SolverState& state) { state.positions[1][3][0] = INFINITY; });
+  expect_refused("level 1 has 125 nodes, and a state's 124", [](SolverState& state) { state.positions[1].pop_back(); });
+  expect_refused("levels for a solver that solves on", [](SolverState& state) { state.positions.pop_back(); });
+  solver->restore(good);
+  EXPECT_EQ(solver->solve_to(0.1, {}).status, NewtonStatus::converged);
+}
+
+TEST(SetPositions, that_are_not_finite_or_not_one_of_each_node_is_refused_with_the_node) {
+  const Body body = make_truth_cube_body(2, false);
+  const auto solver = make_solver(body.levels, body.loading, SolverSettings{});
+  const auto refusal = [&](const std::vector<Point>& positions) -> std::string {
+    try {
+      solver->set_positions(positions);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  auto positions = body.levels[0].rest;
+  positions[5] = {0, NAN, 0.01};
+  EXPECT_NE(refusal(positions).find("the position of node 5 is (0, nan, 0.01): give finite components"),
+            std::string::npos);
+  positions.pop_back();
+  EXPECT_NE(refusal(positions).find("the position has 26 vectors for 27 nodes: give one of each"), std::string::npos);
+  EXPECT_EQ(solver->positions(), body.levels[0].rest);
+}
+
+}  // namespace
+}  // namespace physgen::fem
