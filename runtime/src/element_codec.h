@@ -145,7 +145,8 @@ PHYSGEN_FUNCTION inline void encode(std::byte* to, const FieldFormat& stored, S 
     return;
   }
   if (stored.scaled) {
-    value = format::detail::from_scale<S>(value, static_cast<S>(1 / stored.scale), static_cast<S>(stored.centre));
+    value = format::detail::from_scale<S>(value, stored.scale, static_cast<S>(stored.centre),
+                                          element_bytes(stored.type) > 2);
   }
   if (stored.type == ElementType::float32) {
     *reinterpret_cast<float*>(to) = static_cast<float>(value);

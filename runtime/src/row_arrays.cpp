@@ -119,7 +119,13 @@ ChosenRows choose_rows(std::span<const RowRange> rows, const UntypedArray& entri
   if (new_number) indices.emplace(entries, find_index_field(entries, field));
   const auto stays = [&](index_t k) {
     for (int e = 0; indices && e < indices->count; ++e) {
-      if ((*new_number)[static_cast<std::size_t>((*indices)(k, e))] < 0) return false;
+      const std::int32_t index = (*indices)(k, e);  // kernels may have written it
+      if (index < 0 || std::cmp_greater_equal(index, new_number->size())) {
+        refuse(entries.object, "entry " + text(k) + " has " + field + " = " + text(index) + ", of " +
+                                   text(static_cast<index_t>(new_number->size())) +
+                                   " objects, and so no new number; write numbers that there are, and check() them");
+      }
+      if ((*new_number)[static_cast<std::size_t>(index)] < 0) return false;
     }
     return true;
   };

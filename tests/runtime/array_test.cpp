@@ -1,4 +1,6 @@
 // Arrays: sizes, values, copies, addresses, and what is refused.
+#include <everything.physgen.h>
+
 #include <set>
 
 #include "format_checks.h"
@@ -160,6 +162,32 @@ TEST(Array, refuses_what_is_no_index) {
         << wrong;
   }
   EXPECT_EQ(tets.getdata(1, 2), 7);
+}
+
+struct DensityInSmallHalves : tissue::model::OptionsFormats<Host> {
+  using density = format::Half<-10>;  // up to 64; the initial value is 1060
+};
+struct DensityInOtherSteps : tissue::model::OptionsFormats<Host> {
+  using density = format::Snorm16<format::Interval{0, 100}>;
+};
+struct DensityInSteps : tissue::model::OptionsFormats<Host> {
+  using density = format::Snorm16<format::Interval{1000, 1100}>;
+};
+
+template <class Formats>
+std::string message_of_two_new_objects() {
+  return message_of([] { tissue::model::OptionsArray<float, Host, Soa, Formats> array(2); });
+}
+
+TEST(Array, refuses_initial_values_that_its_formats_cannot_hold) {
+  for (const std::string& message :
+       {message_of_two_new_objects<DensityInSmallHalves>(), message_of_two_new_objects<DensityInOtherSteps>()}) {
+    EXPECT_NE(message.find("Options[2] in host memory: the initial value 1060 of density is beyond the range"),
+              std::string::npos)
+        << message;
+  }
+  const tissue::model::OptionsArray<float, Host, Soa, DensityInSteps> array(2);
+  EXPECT_NEAR(array.getdata(1, 0), 1060, 1e-3);
 }
 
 TEST(Array, rotations_of_a_new_array_are_the_identity_in_every_format) {

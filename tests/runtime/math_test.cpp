@@ -106,5 +106,25 @@ TYPED_TEST(MathOf, split_gives_the_number_back_with_a_mantissa_next_to_1) {
   }
 }
 
+TYPED_TEST(MathOf, negative_zero_is_what_minus_makes_of_zero) {
+  using S = TypeParam;
+  using Real = typename ScalarTraits<S>::Real;
+  const S negative = -S(Real(0)), one = S(Real(1)) / negative;
+  for (int l = 0; l < ScalarTraits<S>::width; ++l) {
+    EXPECT_TRUE(std::signbit(lane(negative, l)));
+    EXPECT_EQ(lane(one, l), -INFINITY);
+    EXPECT_FALSE(std::signbit(lane(S(-negative), l)));
+  }
+}
+
+// A plain number beside integers is one that they can hold.
+template <class A, class B>
+concept HaveMax = requires(const A& a, const B& b) { math::max(a, b); };
+template <class A, class B>
+concept AreSelected = requires(const A& a, const B& b) { math::select(true, a, b); };
+static_assert(HaveMax<std::int32_t, short> && HaveMax<xsimd::batch<std::int32_t>, int> && HaveMax<float, unsigned>);
+static_assert(!HaveMax<std::int32_t, unsigned> && !HaveMax<xsimd::batch<std::int32_t>, unsigned> &&
+              !HaveMax<std::int32_t, std::int64_t> && !AreSelected<std::int32_t, unsigned>);
+
 }  // namespace
 }  // namespace physgen::test

@@ -95,6 +95,16 @@ TEST(RowArrays, are_checked_anew_when_a_kernel_has_written_them) {
   expect_said(message_of([&] { rows.check(); }), "entry 1 of row 0 has element = 5");
 }
 
+TEST(RowArrays, refuse_to_renumber_entries_that_name_nothing_since_a_kernel_wrote_them) {
+  for (const std::int32_t wrong : {5, 1000000, -1}) {
+    Rows rows = Rows::from_lists({"element", 5}, std::vector<std::vector<Entry>>{{{0, 0}, {4, 0}}});
+    rows.view().entries()[1].element() = wrong;
+    expect_said(message_of([&] { rows.renumber(std::vector<index_t>{4, 3, 2, 1, 0}, 5); }),
+                "entry 1 has element = " + std::to_string(wrong) + ", of 5 objects");
+    EXPECT_EQ(std::int32_t{rows.view().entries()[0].element()}, 0);
+  }
+}
+
 TEST(RowArrays, of_one_set_follow_its_order_on_both_sides) {
   // A ring of 50 objects, each a neighbour of two.
   Pairs pairs;

@@ -48,7 +48,8 @@ class Array {
 
   Array() = default;
   /// `size` objects with their fields' initial values (zero where the schema states none; a Rotation is the identity).
-  /// @throw Error when size is negative or the memory cannot be had
+  /// @throw Error when size is negative, the memory cannot be had, or a format cannot hold the initial value of its
+  /// field
   explicit Array(index_t size) { resize(size); }
   /// On CUDA and in pinned memory this works in the default stream. @pre work on `other` in other streams is done (see
   /// synchronize())

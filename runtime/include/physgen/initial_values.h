@@ -6,6 +6,7 @@
 namespace physgen {
 
 /// Sets objects begin .. end-1, whose memory is zero as a new Buffer's is, to their fields' initial values.
+/// @throw Error when a field's format cannot hold its initial value, unless that is zero
 /// @pre 0 <= begin <= end <= array.padded
 void initialize(const UntypedArray& array, index_t begin, index_t end);
 

@@ -65,10 +65,13 @@ template <class S>
 inline constexpr bool holds_integers<S> = std::is_integral_v<typename S::value_type>;
 }  // namespace detail
 
-/// A plain number beside numbers of another type, or beside packs: `max(m, 0)`, `max(m, 0.0)`.
+/// A plain number beside numbers of another type, or beside packs: `max(m, 0)`, `max(m, 0.0)`. Beside integers, one
+/// that they can hold: not `max(n, 3000000000U)`.
 template <class T, class S>
-concept PlainBeside = Number<T> && !std::is_same_v<T, S> &&
-                      ((std::is_integral_v<T> && sizeof(T) <= sizeof(int)) || !detail::holds_integers<S>);
+concept PlainBeside =
+    Number<T> && !std::is_same_v<T, S> &&
+    ((std::is_integral_v<T> && (sizeof(T) < sizeof(int) || (sizeof(T) == sizeof(int) && std::is_signed_v<T>))) ||
+     !detail::holds_integers<S>);
 
 // Templates, so that code which opens these namespaces in a CUDA file still means CUDA's own min and max by theirs.
 

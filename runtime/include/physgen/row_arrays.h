@@ -136,7 +136,8 @@ class RowArrays {
 
   /// After a change of the set that entries name: target v has become new_number[v], of `count`. Entries of a target
   /// that is gone (-1) are dropped, the others keep their order. See inverse() and new_numbers().
-  /// @throw Error when there is not a number for each target, or one is not below `count`
+  /// @throw Error when there is not a number for each target, one is not below `count`, or an entry names no target, as
+  /// a kernel may have written it
   void renumber(std::span<const index_t> new_number, index_t count) {
     detail::check_new_targets(entries_.untyped(), targets_, new_number, count);
     std::vector<index_t> same;

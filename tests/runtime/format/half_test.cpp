@@ -3,6 +3,10 @@
 
 #include "test_objects.h"
 
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
 namespace physgen::test {
 namespace {
 
@@ -57,6 +61,19 @@ TEST(Half, rounds_to_the_nearest_and_ties_to_even_from_float_and_from_double) {
     ASSERT_EQ(format::Half<>::encode<float>(-single), nearest(single) | 0x8000U) << single;
   }
 }
+
+#ifdef __SSE2__
+TEST(Half, keeps_its_smallest_numbers_where_subnormal_floats_are_flushed_to_zero) {
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | 0x8040U);  // flush results to zero, and take subnormal operands as zero
+  for (unsigned bits = 1; bits < 0x400; ++bits) {
+    const float value = half_to_float(static_cast<std::uint16_t>(bits));
+    EXPECT_EQ(value, static_cast<float>(bits) * 0x1p-24F);
+    EXPECT_EQ(float_to_half(-value), bits | 0x8000U);
+  }
+  _mm_setcsr(before);
+}
+#endif
 
 TEST(Half, with_an_exponent_moves_its_range_by_a_power_of_two) {
   using Scaled = format::Half<5>;

@@ -24,5 +24,48 @@ TEST(Scaled, keeps_temperatures_to_a_part_of_their_distance_from_the_centre) {
   EXPECT_EQ(Temperature::decode<double>(Temperature::encode<double>(300)), 300);
 }
 
+template <class Base, class Real>
+void check_stored_again(Real low, Real high) {
+  const auto check = [&]<format::Affine kOf>() {
+    using Format = format::Scaled<Base, kOf>;
+    std::mt19937 random(seed());
+    std::uniform_real_distribution<Real> number(low, high);
+    for (int sample = 0; sample < 20000; ++sample) {
+      const Real value = number(random);
+      const Real stored = Format::template decode<Real>(Format::template encode<Real>(value));
+      ASSERT_EQ(Format::template decode<Real>(Format::template encode<Real>(stored)), stored) << value;
+      ASSERT_LE(std::abs(stored - value), std::numeric_limits<Real>::epsilon() * std::abs(value));
+    }
+  };
+  check.template operator()<format::Affine{.scale = 1000}>();
+  check.template operator()<format::Affine{.scale = 0.3}>();
+  check.template operator()<format::Affine{.scale = 1e-6}>();
+}
+
+TEST(Scaled, numbers_that_are_read_and_stored_again_stay) {
+  check_stored_again<format::Float32>(1.0F, 4000.0F);
+  check_stored_again<format::Native>(1.0F, 4000.0F);
+  check_stored_again<format::Native>(1.0, 4000.0);
+}
+
+using Thousands = format::Scaled<format::Float32, format::Affine{.scale = 1000}>;
+struct PositionsInThousands : elasticity::NodePositionFormats<Host> {
+  using x = Thousands;
+};
+
+TEST(Scaled, copies_store_the_bits_that_accessors_store) {
+  constexpr index_t n = 1000;
+  elasticity::NodePositionArray<float> plain(n);
+  for (index_t i = 0; i < n; ++i) plain.view()[i].x() = Eigen::Vector3f(float(i) * 0.37F, 1.1F, float(i) / 7);
+  elasticity::NodePositionArray<float, Host, Soa, PositionsInThousands> copied(n);
+  copy(copied, plain);
+  for (index_t i = 0; i < n; ++i) {
+    const Eigen::Vector3f x = plain.view()[i].x();
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_EQ(copied.getdata(i, k), Thousands::decode<double>(Thousands::encode<float>(x[k]))) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace physgen::test

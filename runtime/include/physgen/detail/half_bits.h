@@ -16,12 +16,13 @@ namespace physgen::format::detail {
 #ifdef __CUDA_ARCH__
   return __half2float(__ushort_as_half(bits));
 #else
-  // The exponent and mantissa as the low part of a float are 2^-112 times the number, subnormal ones included.
+  // Exponent and mantissa are moved to their places in a float. A subnormal half is put behind 2^-14, which is then
+  // subtracted: no operation reads a subnormal float, so that programs which flush those to zero keep small halves.
   const std::uint32_t magnitude = static_cast<std::uint32_t>(bits & 0x7fffU) << 13;
-  const float scaled = std::bit_cast<float>(magnitude) * 0x1p112F;
-  const std::uint32_t infinite = magnitude >= 0x0f800000U ? 0x7f800000U : 0U;  // infinity and NaN keep their mantissa
-  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(scaled) | infinite |
-                              static_cast<std::uint32_t>(bits & 0x8000U) << 16);
+  const float small = std::bit_cast<float>(magnitude + 0x38800000U) - 0x1p-14F;
+  const std::uint32_t exponent = magnitude >= 0x0f800000U ? 0x70000000U : 0x38000000U;  // infinite and NaN; others
+  const std::uint32_t value = magnitude < 0x00800000U ? std::bit_cast<std::uint32_t>(small) : magnitude + exponent;
+  return std::bit_cast<float>(value | static_cast<std::uint32_t>(bits & 0x8000U) << 16);
 #endif
 }
 

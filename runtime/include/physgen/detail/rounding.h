@@ -21,14 +21,16 @@ namespace physgen::format::detail {
 }
 [[nodiscard]] PHYSGEN_FUNCTION inline float to_odd(float x) { return x; }
 
-/// centre + scale * value, and back with inverse = 1 / scale: the same bits in accessors, packs and copies.
+/// centre + scale * value, and back: the same bits in accessors, packs and copies.
 template <class S>
 [[nodiscard]] PHYSGEN_FUNCTION inline S to_scale(S value, S scale, S centre) {
   return centre == 0 ? value * scale : std::fma(value, scale, centre);
 }
+/// @param divided whether the result is stored as a float or double. Then it is the quotient: by 1 / scale, which is
+/// rounded, a number that is read and stored again and again would move each time. In 16 bits that is rounded away.
 template <class S>
-[[nodiscard]] PHYSGEN_FUNCTION inline S from_scale(S value, S inverse, S centre) {
-  return (value - centre) * inverse;
+[[nodiscard]] PHYSGEN_FUNCTION inline S from_scale(S value, double scale, S centre, bool divided) {
+  return divided ? (value - centre) / static_cast<S>(scale) : (value - centre) * static_cast<S>(1 / scale);
 }
 
 /// 2^exponent, for exponents of normal floats.

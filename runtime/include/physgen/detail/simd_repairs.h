@@ -66,6 +66,31 @@ PHYSGEN_UNEQUAL_IN_512_BITS(avx512bw)
 #undef PHYSGEN_UNEQUAL_IN_256_BITS
 #undef PHYSGEN_UNEQUAL
 
+// With AVX-512, xsimd's -x is 0 - x, which loses the sign of a zero: `atan2(-y, x)` would be off by a whole turn. These
+// are specialisations of its member functions. PHYSGEN_NEGATIVE is undefined below.
+#define PHYSGEN_NEGATIVE(A)                                              \
+  template <>                                                            \
+  inline batch<float, A> batch<float, A>::operator-() const noexcept {   \
+    return batch<float, A>(-data);                                       \
+  }                                                                      \
+  template <>                                                            \
+  inline batch<double, A> batch<double, A>::operator-() const noexcept { \
+    return batch<double, A>(-data);                                      \
+  }
+#if XSIMD_WITH_AVX512F
+PHYSGEN_NEGATIVE(avx512f)
+#endif
+#if XSIMD_WITH_AVX512CD
+PHYSGEN_NEGATIVE(avx512cd)
+#endif
+#if XSIMD_WITH_AVX512DQ
+PHYSGEN_NEGATIVE(avx512dq)
+#endif
+#if XSIMD_WITH_AVX512BW
+PHYSGEN_NEGATIVE(avx512bw)
+#endif
+#undef PHYSGEN_NEGATIVE
+
 #if defined(__AVX512VL__) && defined(__AVX512DQ__)
 /// With AVX512VL, g++ 12 drops the negation of a mask, `select(a != b, x, y)`, when it blends integers byte by byte, as
 /// xsimd does: the choice is inverted. Blends by a mask register are right.

@@ -45,7 +45,7 @@ struct Scaled {
   [[nodiscard]] PHYSGEN_FUNCTION static Stored<Real> encode(Real value) {
     using Work = Computed<Real>;
     return Base::template encode<Work>(
-        detail::from_scale<Work>(static_cast<Work>(value), static_cast<Work>(1 / scale), static_cast<Work>(centre)));
+        detail::from_scale<Work>(static_cast<Work>(value), scale, static_cast<Work>(centre), sizeof(Stored<Real>) > 2));
   }
 
  private:
