@@ -59,8 +59,9 @@ def unknown_words(text, known):
 def words_of_sources():
     """The words of headers that programs include, and of the files that name targets."""
     folders = ("runtime/include", "generated", "tools/fem", "generator/cmake", "tools/cmake")
-    files = [path for folder in folders for path in (ROOT / folder).rglob("*") if path.suffix in (".h", ".cmake", ".in", ".txt")]
-    return {word for path in files for word in re.findall(r"\w+", path.read_text(encoding="utf-8"))}
+    files = [path for folder in folders for path in (ROOT / folder).rglob("*")]
+    texts = [path.read_text(encoding="utf-8") for path in files if path.suffix in (".h", ".cmake", ".in", ".txt")]
+    return {word for text in texts for word in re.findall(r"\w+", text)}
 
 
 def table(heading):
