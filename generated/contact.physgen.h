@@ -15,14 +15,18 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_B526950FFDE04FA6
-#define PHYSGEN_CONTACT_H_B526950FFDE04FA6
+#ifndef PHYSGEN_CONTACT_H_1668A188A1B9CE54
+#define PHYSGEN_CONTACT_H_1668A188A1B9CE54
 
 #include <physgen/runtime.h>
 
 #if PHYSGEN_RUNTIME_VERSION != 6
 #error "contact.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
+#ifdef PHYSGEN_SCHEMA_H
+#error "a program includes contact.physgen.h in place of the schema: remove the #include of the schema"
+#endif
+#define PHYSGEN_GENERATED_HEADER
 
 namespace contact {
 
@@ -229,4 +233,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_B526950FFDE04FA6
+#endif  // PHYSGEN_CONTACT_H_1668A188A1B9CE54

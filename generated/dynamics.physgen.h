@@ -15,14 +15,18 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_DYNAMICS_H_389A0F3CB440825B
-#define PHYSGEN_DYNAMICS_H_389A0F3CB440825B
+#ifndef PHYSGEN_DYNAMICS_H_17233D7CB293D40F
+#define PHYSGEN_DYNAMICS_H_17233D7CB293D40F
 
 #include <physgen/runtime.h>
 
 #if PHYSGEN_RUNTIME_VERSION != 6
 #error "dynamics.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
+#ifdef PHYSGEN_SCHEMA_H
+#error "a program includes dynamics.physgen.h in place of the schema: remove the #include of the schema"
+#endif
+#define PHYSGEN_GENERATED_HEADER
 
 namespace dynamics {
 
@@ -227,4 +231,4 @@ static_assert(physgen::are_sound_records<MotionObject, physgen::Host>(
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_389A0F3CB440825B
+#endif  // PHYSGEN_DYNAMICS_H_17233D7CB293D40F

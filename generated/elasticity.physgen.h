@@ -15,14 +15,18 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_ELASTICITY_H_5BEF633084D1DD9F
-#define PHYSGEN_ELASTICITY_H_5BEF633084D1DD9F
+#ifndef PHYSGEN_ELASTICITY_H_3E8EB85E1E532E58
+#define PHYSGEN_ELASTICITY_H_3E8EB85E1E532E58
 
 #include <physgen/runtime.h>
 
 #if PHYSGEN_RUNTIME_VERSION != 6
 #error "elasticity.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
+#ifdef PHYSGEN_SCHEMA_H
+#error "a program includes elasticity.physgen.h in place of the schema: remove the #include of the schema"
+#endif
+#define PHYSGEN_GENERATED_HEADER
 
 namespace elasticity {
 
@@ -1895,4 +1899,4 @@ static_assert(physgen::are_sound_records<IncidenceObject, physgen::Host>({8, 4, 
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_5BEF633084D1DD9F
+#endif  // PHYSGEN_ELASTICITY_H_3E8EB85E1E532E58

@@ -15,14 +15,18 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D
-#define PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D
+#ifndef PHYSGEN_QUASISTATIC_H_9DE3D8CE2DC910B6
+#define PHYSGEN_QUASISTATIC_H_9DE3D8CE2DC910B6
 
 #include <physgen/runtime.h>
 
 #if PHYSGEN_RUNTIME_VERSION != 6
 #error "quasistatic.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
+#ifdef PHYSGEN_SCHEMA_H
+#error "a program includes quasistatic.physgen.h in place of the schema: remove the #include of the schema"
+#endif
+#define PHYSGEN_GENERATED_HEADER
 
 namespace quasistatic {
 
@@ -2111,4 +2115,4 @@ static_assert(physgen::are_sound_records<EquilibriumObject, physgen::Host>(
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_AAB84DC7612A570D
+#endif  // PHYSGEN_QUASISTATIC_H_9DE3D8CE2DC910B6

@@ -9,9 +9,11 @@ BUILT = {"build", ".git"}
 CODE = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", ".txt")  # endings of the files that pages name
 NAME = re.compile(r"(?<![\w<*./-])(?:\.\./)*((?:[\w.-]+/)*[A-Za-z][\w.-]*\.(?:h|cpp|cu|py|sh|cmake|in|txt))\b(?![\w*/(])")
 # Files of examples: a user's program and its schema, a scene, and those that one adds.
-EXAMPLES = re.compile(r"pressure\.cpp|(.*/)?derivatives\..*|(schemas|(physgen/)?(layout|format))/x\.h|groups/GROUP\.cpp")
+EXAMPLES = re.compile(
+    r"pressure\.cpp|(.*/)?derivatives\..*|(schemas|(physgen/)?(layout|format))/x\.h|groups/GROUP\.cpp|(.*/)?x\.physgen\.h"
+)
 LOOKED_FOR = (
-    *("schema", "layout", "format", "shape", "element type", "diagnostic", "emitter"),
+    *("schema", "field", "layout", "format", "shape", "element type", "diagnostic", "emitter", "scene"),
     *("material", "kernel", "benchmark row", "test"),
 )
 

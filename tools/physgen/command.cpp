@@ -190,10 +190,12 @@ void describe_layout(CLI::App& app, Arguments& arguments) {
       ->allow_extra_args(false)
       ->type_name("NAME");
   layout->add_option("--space", request.space, space_choices() + " (default)")->type_name("SPACE");
-  layout->add_option("--real", request.real, "float (default) or double")->type_name("TYPE");
+  layout->add_option("--real", request.real, "Precision where the schema says Scalar: float (default) or double")
+      ->type_name("TYPE");
   layout
       ->add_option("--layout", request.layout,
-                   layout_choices() + "; without: what the schema says, else " + standard_layouts())
+                   layout_choices() + "; aosoa: " + standard_layouts() +
+                       "; all: every layout, to compare; without: what the schema says, else " + standard_layouts())
       ->type_name("LAYOUT");
   layout->add_flag("--json", arguments.json, "Write JSON instead of text; tools/report/layout_picture.py draws it");
   layout->add_option("-o,--output", arguments.drawing, "File of the JSON; without: standard output")->type_name("FILE");
@@ -205,8 +207,8 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.require_subcommand(1);
   app.footer(
       "'physgen SCHEMA... -o DIR' is short for 'physgen generate SCHEMA... -o DIR'.\n"
-      "Exit status: 0 done; 1 errors in a schema, nothing was written; 2 wrong use, or a file that cannot be read or "
-      "written.");
+      "Exit status: 0 done; 1 errors in a schema, scene or program, nothing was written, or a stale file of --check;\n"
+      "2 wrong use, or a file that cannot be read or written.");
   auto* generate =
       add_command(app, "generate", "Write the accessor classes of schemas: x.h gives DIR/x.physgen.h", arguments);
   generate->add_option("SCHEMA", arguments.schemas, "Schema headers")->required();
@@ -216,9 +218,9 @@ void describe(CLI::App& app, Arguments& arguments) {
       ->type_name("DIR");
   generate
       ->add_option("--layout", arguments.layout_of_all,
-                   layout_choices_of_a_space() +
-                       ": of the arrays of every object in both spaces, in place of what the "
-                       "schema says; an array whose program names a layout keeps it")
+                   "Layout of every object in both spaces, in place of what the schema says; an array whose program "
+                   "names a layout keeps it: " +
+                       layout_choices_of_a_space() + " (" + standard_layouts() + ")")
       ->type_name("LAYOUT");
   generate->add_option("--emitter", arguments.emitter, emitter_choices())->type_name("NAME");
   auto* stamp = generate->add_option("--stamp", arguments.stamp, "File that is touched after all outputs are written")
@@ -254,7 +256,7 @@ void require_command_or_schema(const std::string& first) {
 
 int run(std::vector<std::string> arguments, std::ostream& out, std::ostream& err) {
   Arguments values;
-  CLI::App app("physgen writes accessor classes for physics objects from a schema, an annotated C++ header.",
+  CLI::App app("physgen writes classes for arrays of physics objects from schemas, and of the fields that scenes need.",
                "physgen");
   describe(app, values);
   if (!arguments.empty() && (arguments.front() == "scene" || arguments.front() == "usage")) {

@@ -14,10 +14,10 @@ using model::Space;
 using plan::LayoutMap;
 using plan::Precision;
 
-/// The layout that a word names. @param choices for the error
-model::Layout read(const std::string& word, const std::string& choices) {
+/// The layout that a word names in a space. @param choices for the error
+model::Layout read(const std::string& word, Space space, const std::string& choices) {
   for (const model::LayoutFacts& row : model::layouts()) {
-    if (!row.tiled && word == row.word) return {row.key, 0};
+    if (word == row.word) return {row.key, row.tiled ? model::facts(space).standard.tile : 0};
     const std::string name(row.word), begin = name + "(";
     if (!row.tiled || !word.starts_with(begin) || !word.ends_with(')')) continue;
     const std::string tile = word.substr(begin.size(), word.size() - begin.size() - 1);
@@ -32,11 +32,13 @@ model::Layout read(const std::string& word, const std::string& choices) {
   throw LayoutError("there is no layout '" + word + "'; write " + choices);
 }
 
-/// The layouts as they are written on a command line, the tile in quotes for the shell.
+/// The layouts as they are written on a command line: with a tile, in quotes for the shell, and without one.
 std::vector<std::string> words_of_layouts() {
   std::vector<std::string> words = model::layout_words("32");
   for (std::string& word : words)
     if (word.ends_with(')')) word.insert(0, 1, '\'').push_back('\'');
+  for (const model::LayoutFacts& row : model::layouts())
+    if (row.tiled) words.emplace_back(row.word);
   return words;
 }
 
@@ -83,7 +85,7 @@ std::vector<const model::Object*> objects_of(const model::Schema& schema, const 
 std::vector<model::Layout> layouts_of(const std::string& word, const model::Object& object, Space space) {
   const model::Layout own = object.layout(space);
   if (word.empty()) return {own};
-  if (word != "all") return {read(word, layout_choices())};
+  if (word != "all") return {read(word, space, layout_choices())};
   std::vector<model::Layout> all;
   const int tile = own.tile != 0 ? own.tile : model::facts(space).standard.tile;
   for (const model::LayoutFacts& row : model::layouts()) all.push_back({row.key, row.tiled ? tile : 0});
@@ -102,9 +104,7 @@ bool same_but_for_space(const LayoutMap& a, const LayoutMap& b) {
 }  // namespace
 
 model::Layout read_layout(const std::string& word, model::Space space) {
-  const model::Layout standard = model::facts(space).standard;
-  if (model::facts(standard.kind).word == word) return standard;
-  return read(word, layout_choices_of_a_space());
+  return read(word, space, layout_choices_of_a_space());
 }
 
 std::string layout_choices() {
@@ -113,12 +113,7 @@ std::string layout_choices() {
   return model::joined(words, " or ");
 }
 
-std::string layout_choices_of_a_space() {
-  std::vector<std::string> words = words_of_layouts();
-  for (const model::LayoutFacts& row : model::layouts())
-    if (row.tiled) words.emplace_back(row.word);
-  return model::joined(words, " or ");
-}
+std::string layout_choices_of_a_space() { return model::joined(words_of_layouts(), " or "); }
 
 std::string space_choices() {
   std::vector<std::string> words;

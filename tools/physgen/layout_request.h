@@ -19,7 +19,7 @@ struct LayoutRequest {
   std::vector<std::string> objects;  ///< with or without namespaces; empty: all of the schema's own
   std::string space = "both";        ///< host, cuda or both
   std::string real = "float";        ///< float or double
-  std::string layout;                ///< empty: the object's own; all; or a layout
+  std::string layout;                ///< empty: the object's own; all; or a word of read_layout()
 };
 
 /// One map per object, layout and space; one for both spaces where they are the same.
@@ -33,7 +33,7 @@ struct LayoutRequest {
 /// The words that read_layout() takes, for messages: "aos, aos_padded, soa, 'aosoa(32)' or aosoa".
 [[nodiscard]] std::string layout_choices_of_a_space();
 
-/// The words of LayoutRequest::layout, for messages: "aos, aos_padded, soa, 'aosoa(32)' or all".
+/// The words of LayoutRequest::layout, for messages: "aos, aos_padded, soa, 'aosoa(32)', aosoa or all".
 [[nodiscard]] std::string layout_choices();
 
 /// "host, cuda or both".

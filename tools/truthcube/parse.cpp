@@ -175,7 +175,7 @@ Options parse(const std::vector<std::string>& arguments) {
       "the tets of each, which takes more memory and is less accurate");
   add_choice(app, "--top", options.top, tops, "plate", "how the upper plate holds the body; the lower is bonded");
   add_choice(app, "--plates", options.plates, plate_kinds, "kind of plates",
-             "held: they act on the nodes that they hold alone; contact: they also push back sides that reach them");
+             "held: they act only on the nodes that they hold; contact: they also push back sides that reach them");
   const auto* plate_stiffness =
       app.add_option("--plate-stiffness", options.solver.plane_stiffness,
                      "with --plates contact: stiffness per area, in E over the mean spacing of nodes")
@@ -187,8 +187,7 @@ Options parse(const std::vector<std::string>& arguments) {
       ->type_name("T");
   app.add_option("--time-step", options.motion.time_step,
                  "largest time step [s]; 0: implicit-dynamics takes a hundredth of the duration, explicit-dynamics "
-                 "half of what is "
-                 "stable")
+                 "half of the stable one")
       ->type_name("DT");
   app.add_option("--frames", options.motion.frames, "number of states of a motion that are written, evenly in time")
       ->check(whole_number(1, 100000))

@@ -41,6 +41,11 @@ void head(Printer& out, const model::Schema& schema) {
   out.line("#error \"" + file_name(schema.file, ending) + " is for version " + version +
            " of the physgen runtime: generate it again with the installed physgen\"");
   out.line("#endif");
+  out.line("#ifdef PHYSGEN_SCHEMA_H");
+  out.line("#error \"a program includes " + file_name(schema.file, ending) +
+           " in place of the schema: remove the #include of the schema\"");
+  out.line("#endif");
+  out.line("#define PHYSGEN_GENERATED_HEADER");
   out.line();
   std::set<std::string> headers;
   for (const model::Object& object : schema.imported) {

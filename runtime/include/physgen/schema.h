@@ -1,6 +1,7 @@
 // The words a schema is written in: element types for the fields of an object, and options for objects and fields.
 // A schema is an ordinary C++20 header of structs; physgen reads it and writes the accessor classes. To other compilers
-// the macros are empty and the types are plain markers, so editors understand a schema and it costs nothing to include.
+// the macros are empty and the types are plain markers, so editors understand a schema. Programs include the generated
+// header in its place: the two declare the same names.
 //
 // Objects stand in a namespace:
 //
@@ -19,6 +20,10 @@
 // `Index` to refer to an object of another array.
 #ifndef PHYSGEN_SCHEMA_H
 #define PHYSGEN_SCHEMA_H
+
+#ifdef PHYSGEN_GENERATED_HEADER
+#error "a program includes a generated header in place of the schema: remove the #include of the schema"
+#endif
 
 #if defined(__clang__) && !defined(__CUDACC__)
 /// Marks a struct as an object type: `struct PHYSGEN_OBJECT() Name { ... };`. Options: layout(...), once per memory

@@ -8,16 +8,16 @@
 
 namespace physgen::fem {
 
-/// Each block at its two places: as it is for m, transposed for n.
+/// Each block at its two entries: as it is for m, transposed for n.
 template <class FromView, class ToView>
 struct CopyEdgeStiffness {
   using Scalar = typename ToView::Precision;
   FromView from;
   ToView to;
-  PHYSGEN_FUNCTION void operator()(index_t edge, index_t place, int side) const {
+  PHYSGEN_FUNCTION void operator()(index_t edge, index_t entry, int side) const {
     Matrix3<Scalar> E = from[edge].E();
     if (side != 0) E = Matrix3<Scalar>(E.transpose());
-    to[place].E() = E;
+    to[entry].E() = E;
   }
 };
 template <class... Views>
@@ -50,7 +50,7 @@ void check_products_by_rows(On& on) {
     const PackedRows<Space> entries(packed_rows<NodeEdgeEntry>(scene.mesh.node_edges, edges, "edges"));
     Array<elasticity::EdgeStiffnessObject, Real, Space, Aosoa<32>> blocks(2 * edges);
     const CopyEdgeStiffness copy{scene.edge_stiffness.const_view(), blocks.view()};
-    on.run(2 * edges, AtPlaces{copy, entries.const_view().entries()});
+    on.run(2 * edges, AtEntries{copy, entries.const_view().entries()});
     const auto x = scene.displacements.const_view();
     const auto y = scene.differentials.view();
     const auto multiply = [&] {

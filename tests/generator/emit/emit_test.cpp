@@ -58,6 +58,13 @@ TEST(Emitter, refuses_another_runtime_by_an_error) {
   expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 6\n#error \"test.physgen.h is for version 6 of the physgen");
 }
 
+TEST(Emitter, refuses_a_schema_before_it_by_an_error) {
+  const std::string text = accessor_header(schema({object("A", {scalar("x")})}));
+  expect_contains(text,
+                  "#ifdef PHYSGEN_SCHEMA_H\n#error \"a program includes test.physgen.h in place of the schema: remove "
+                  "the #include of the schema\"\n#endif\n#define PHYSGEN_GENERATED_HEADER\n");
+}
+
 TEST(Emitter, writes_the_same_text_for_the_same_model) {
   const auto all = schema({object("A", {scalar("x"), field("F", Shape::matrix, 3, 3)}), object("B", {scalar("y")})});
   EXPECT_EQ(accessor_header(all), accessor_header(all));

@@ -15,14 +15,18 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_EVERYTHING_H_88BC4A0D8170971C
-#define PHYSGEN_EVERYTHING_H_88BC4A0D8170971C
+#ifndef PHYSGEN_EVERYTHING_H_B285F6FB342D9DFB
+#define PHYSGEN_EVERYTHING_H_B285F6FB342D9DFB
 
 #include <physgen/runtime.h>
 
 #if PHYSGEN_RUNTIME_VERSION != 6
 #error "everything.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
+#ifdef PHYSGEN_SCHEMA_H
+#error "a program includes everything.physgen.h in place of the schema: remove the #include of the schema"
+#endif
+#define PHYSGEN_GENERATED_HEADER
 
 #include "materials.physgen.h"
 
@@ -1466,4 +1470,4 @@ static_assert(physgen::are_sound_records<StoredObject, physgen::Cuda>(
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_88BC4A0D8170971C
+#endif  // PHYSGEN_EVERYTHING_H_B285F6FB342D9DFB

@@ -15,14 +15,18 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_MATERIALS_H_28797DA79750F906
-#define PHYSGEN_MATERIALS_H_28797DA79750F906
+#ifndef PHYSGEN_MATERIALS_H_DC2EE0D269041852
+#define PHYSGEN_MATERIALS_H_DC2EE0D269041852
 
 #include <physgen/runtime.h>
 
 #if PHYSGEN_RUNTIME_VERSION != 6
 #error "materials.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
 #endif
+#ifdef PHYSGEN_SCHEMA_H
+#error "a program includes materials.physgen.h in place of the schema: remove the #include of the schema"
+#endif
+#define PHYSGEN_GENERATED_HEADER
 
 namespace material {
 
@@ -160,4 +164,4 @@ static_assert(physgen::are_sound_records<FibreObject, physgen::Host>({20, 8, {8,
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_28797DA79750F906
+#endif  // PHYSGEN_MATERIALS_H_DC2EE0D269041852

@@ -47,13 +47,18 @@ TEST(LayoutMaps, are_the_objects_own_layouts_and_one_where_both_spaces_agree) {
                                       "model::Stress aosoa(32) cuda", "model::Stress soa cuda"}));
 }
 
+TEST(LayoutMaps, of_tiles_without_their_size_have_the_standard_tiles_of_each_space) {
+  EXPECT_EQ(titles(layout_maps(stress(), {{"Stress"}, "both", "float", "aosoa"})),
+            (std::vector<std::string>{"model::Stress aosoa(16) host", "model::Stress aosoa(32) cuda"}));
+}
+
 TEST(LayoutMaps, say_what_to_write_instead_of_a_wrong_word) {
   EXPECT_EQ(error_of({{"Strain"}, "both", "float", ""}),
             "there is no object 'Strain' in test.h; it declares Node, Stress");
   EXPECT_EQ(error_of({{}, "gpu", "float", ""}), "there is no space 'gpu'; write host, cuda or both");
   EXPECT_EQ(error_of({{}, "both", "half", ""}), "Real cannot be 'half'; write float or double");
   EXPECT_EQ(error_of({{}, "both", "float", "tiles"}),
-            "there is no layout 'tiles'; write aos, aos_padded, soa, 'aosoa(32)' or all");
+            "there is no layout 'tiles'; write aos, aos_padded, soa, 'aosoa(32)', aosoa or all");
   for (const char* tile : {"0", "1", "12", "2048", "", "-2", "99999999999", "3x"})
     EXPECT_EQ(error_of({{}, "both", "float", std::string("aosoa(") + tile + ")"}),
               std::string("the tile of 'aosoa(") + tile +

@@ -72,6 +72,17 @@ class LayoutPictureTest(unittest.TestCase):
         self.assertEqual(boxes.count("sector"), 4)  # of volume, which is a float, in front
         self.assertEqual(boxes.count("padding"), 0)
 
+    def test_every_key_of_the_json_stands_on_the_page_of_the_command(self):
+        def keys(value):
+            members = value.values() if isinstance(value, dict) else value if isinstance(value, list) else []
+            return {*(value if isinstance(value, dict) else ())}.union(*map(keys, members))
+
+        page = (ROOT / "tools" / "physgen" / "README.md").read_text(encoding="utf-8")
+        described = page.split("## The JSON of `physgen layout`\n")[1].split("\n## ")[0]
+        found = keys(json.loads(self.layout("--layout", "all").read_text()))
+        self.assertGreater(len(found), 25)
+        self.assertEqual(sorted(key for key in found if f"`{key}`" not in described), [])
+
     def test_an_array_per_object_space_and_layout(self):
         texts, _ = self.picture("--layout", "all", "--real", "double")
         self.assertEqual(texts.count("m::Node"), 5)  # aosoa(16) and aosoa(32), and three that are the same in both spaces

@@ -1,4 +1,4 @@
-// The edges of a mesh of few nodes, each at both of its nodes: with a block for each place of these rows, a product is
+// The edges of a mesh of few nodes, each at both of its nodes: with a block for each entry of these rows, a product is
 // a sum over the row of each node, in a fixed order and without atomics. It reads twice the bytes of the symmetric
 // half.
 #pragma once
@@ -14,11 +14,11 @@ class EdgeRows {
   /// With so few nodes a product waits longer for its reads than the reading itself takes.
   static constexpr Index most_nodes = 1000;
 
-  /// The view that kernels are given. Places of rows are numbered as the entries of TetMesh::node_edges are.
+  /// The view that kernels are given. Entries are numbered as those of TetMesh::node_edges are.
   struct View {
     Index nodes;
     const Index* first;   ///< per node: where its row begins (and one past the last node)
-    const Index* others;  ///< per place: the node at the edge's other end
+    const Index* others;  ///< per entry: the node at the edge's other end
   };
 
   /// For no mesh.

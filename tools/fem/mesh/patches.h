@@ -18,7 +18,7 @@ struct VolumePatches {
   std::vector<Index> node_counts;                      ///< per patch: 4 .. 8 slots in use
   std::vector<Index> tet_patch;                        ///< per tet
   std::vector<std::array<std::uint8_t, 4>> tet_slots;  ///< per tet: nodes[tet_patch[t]][tet_slots[t][c]] is corner c
-  IncidenceList patch_tets;                            ///< per patch: tet, its place in the patch (0, 1, ...)
+  IncidenceList patch_tets;                            ///< per patch: tet, its number in the patch (0, 1, ...)
 };
 
 /// The cells of a mesh of make_box_mesh(): patch c has tets 6 c .. 6 c + 5 and the 8 corners of cell c, slot

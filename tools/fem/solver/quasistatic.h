@@ -89,7 +89,7 @@ class EquilibriumSolver {
 /// Solves by Newton's method.
 class QuasistaticSolver : public EquilibriumSolver {
  public:
-  /// Moves the free nodes of the finest mesh, such as to random places. The next solve begins there; where tets are
+  /// Moves the free nodes of the finest mesh, such as to random positions. The next solve begins there; where tets are
   /// inverted or flat there, on the straight way from rest, before the first of them is flat.
   /// @throw Error when sizes differ
   virtual void set_positions(std::span<const Point> positions) = 0;

@@ -105,14 +105,15 @@ LinearOptions parse_linear(const std::vector<std::string>& arguments) {
               "half: in float, the matrices of multigrid and Schwarz blocks in half; other methods have nothing in "
               "half, and are "
               "then in float");
-  add_choices(app, "--norm", options.norms, norms, "norm", "that the tolerance is of");
-  app.add_option("--tolerance", options.tolerance, "of the norm over its first value, 1e-14 to 0.1")->type_name("T");
+  add_choices(app, "--norm", options.norms, norms, "norm", "the norm of the residual that --tolerance bounds");
+  app.add_option("--tolerance", options.tolerance, "largest norm of the residual over its first value, 1e-14 to 0.1")
+      ->type_name("T");
   app.add_option("--repeat", options.repeats, "solves behind the first, which is not counted; times are their medians")
       ->check(whole_number(1, 1000))
       ->type_name("N");
   app.add_flag("--copies", options.copies,
                "compare a product of the stiffness, and an iteration, with the device's copy of as many bytes");
-  add_choice(app, "--device", options.device, devices, "device", "where it is solved");
+  add_choice(app, "--device", options.device, devices, "device", "device that solves");
   app.add_option("--output", options.output, "JSON file of the rows")->type_name("FILE");
   app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
       ->check(whole_number(0, 4096))

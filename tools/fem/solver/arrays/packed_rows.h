@@ -57,7 +57,7 @@ template <class Packing>
   entries.reserve(list.entries.size());
   for (const auto [element, local] : list.entries) {
     if (local < 0 || local >= 1 << Packing::bits) {
-      throw Error("an entry of a list of " + std::string(name) + " has the place " + std::to_string(local) +
+      throw Error("an entry of a list of " + std::string(name) + " has the local number " + std::to_string(local) +
                   " in its element; it is packed into " + std::to_string(Packing::bits) + " bits");
     }
     entries.push_back({static_cast<Index>(element << Packing::bits | local)});

@@ -51,7 +51,7 @@ struct EvaluateNodeVolumes {
     const auto entries = rings.entries();
     const auto range = rings.ranges()[node];
     const index_t begin = range.begin(), end = range.end();
-    for (index_t place = begin; place < end; ++place) entries[place].g().setZero();
+    for (index_t entry = begin; entry < end; ++entry) entries[entry].g().setZero();
     Scalar volume = 0, current = 0;
     node_tets.for_each(node, [&](const auto& entry, bool /*active*/) {
       const index_t t = NodeTetEntry::element(entry);

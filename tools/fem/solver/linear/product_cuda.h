@@ -48,13 +48,13 @@ void multiply_scaled(On& on, Level& level, const DisplacementView& x, const Diff
   detail::add_scaled_edges(on, level, x, y);
 }
 
-/// At each place of rows, where a level has them.
+/// At each entry of rows, where a level has them.
 template <PerformsIn<Cuda> On, class Level, class Kernel>
 void scale_edges(On& on, Level& level, const Kernel& kernel) {
   if (level.rows.is_empty()) {
     on.run(level.edge_count(), kernel);
   } else {
-    on.run(level.scaled_edges.size(), AtPlaces{kernel, level.node_edges.const_view().entries()});
+    on.run(level.scaled_edges.size(), AtEntries{kernel, level.node_edges.const_view().entries()});
   }
 }
 

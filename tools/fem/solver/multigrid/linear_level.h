@@ -40,7 +40,7 @@ struct LevelOver : Group {
   bool assembled = true;  ///< else there are no edges, and what else MatrixFree does not ask for
   bool is_grid = false;   ///< a level of a background grid
   EdgeSums sums;
-  EdgeRows rows;              ///< on CUDA, of few nodes: scaled_edges then has a block for each place in them
+  EdgeRows rows;              ///< on CUDA, of few nodes: scaled_edges then has a block for each of their entries
   Optional<Schwarz> schwarz;  ///< where that preconditioner is used
   Optional<Planes> planes;    ///< where the body may touch some
   Optional<Inertia> inertia;  ///< where it moves

@@ -14,7 +14,7 @@ template <class EdgeStiffnessView, class DisplacementView, class DifferentialVie
 struct AddRowProduct {
   using Scalar = typename DifferentialView::Precision;
   EdgeRows::View rows;
-  EdgeStiffnessView edge_stiffness;  ///< elasticity::EdgeStiffness of each place, seen from the row's node
+  EdgeStiffnessView edge_stiffness;  ///< elasticity::EdgeStiffness of each entry, seen from the row's node
   DisplacementView displacements;    ///< elasticity::NodeDisplacement
   DifferentialView differentials;    ///< elasticity::NodeForceDifferential
 
@@ -31,9 +31,9 @@ struct AddRowProduct {
       Vector dx[at_once];
       PHYSGEN_UNROLL
       for (int t = 0; t < at_once; ++t) {
-        const Index place = first + t * lane.count < end ? first + t * lane.count : first;
-        E[t] = edge_stiffness[index_t{place}].E();
-        dx[t] = displacements[index_t{rows.others[place]}].dx();
+        const Index entry = first + t * lane.count < end ? first + t * lane.count : first;
+        E[t] = edge_stiffness[index_t{entry}].E();
+        dx[t] = displacements[index_t{rows.others[entry]}].dx();
       }
       PHYSGEN_UNROLL
       for (int t = 0; t < at_once; ++t) {
@@ -48,19 +48,19 @@ struct AddRowProduct {
 template <class... Views>
 AddRowProduct(EdgeRows::View, Views...) -> AddRowProduct<Views...>;
 
-/// Runs a kernel over edges once for each place of rows: kernel(edge, place, side).
+/// Runs a kernel over edges once for each entry of rows: kernel(edge, entry, side).
 template <class Kernel, class EntryView>
-struct AtPlaces {
+struct AtEntries {
   using Scalar = typename Kernel::Scalar;
   Kernel kernel;
   EntryView entries;  ///< of a level's node_edges: NodeEdgeEntry
 
-  PHYSGEN_FUNCTION void operator()(index_t place) const {
-    const auto entry = entries[place];
-    kernel(NodeEdgeEntry::element(entry), place, NodeEdgeEntry::local(entry));
+  PHYSGEN_FUNCTION void operator()(index_t entry) const {
+    const auto value = entries[entry];
+    kernel(NodeEdgeEntry::element(value), entry, NodeEdgeEntry::local(value));
   }
 };
 template <class... Arguments>
-AtPlaces(Arguments...) -> AtPlaces<Arguments...>;
+AtEntries(Arguments...) -> AtEntries<Arguments...>;
 
 }  // namespace physgen::fem

@@ -95,9 +95,9 @@ struct ScaleEdges {
   ScaledView scaled;            ///< elasticity::EdgeStiffness, written
 
   PHYSGEN_FUNCTION void operator()(index_t edge) const { (*this)(edge, edge, 0); }
-  /// @param place of the scaled block
+  /// @param block the number of the scaled one
   /// @param side from which it is seen: 0, df(m)/dx(n); 1, df(n)/dx(m)
-  PHYSGEN_FUNCTION void operator()(index_t edge, index_t place, int side) const {
+  PHYSGEN_FUNCTION void operator()(index_t edge, index_t block, int side) const {
     const auto ends = edges[edge].nodes();
     const index_t m = ends[0], n = ends[1];
     const Scalar factor = Scalar(scales[m].scale()) * Scalar(scales[n].scale());
@@ -106,7 +106,7 @@ struct ScaleEdges {
     E *= factor;
     if ((of_m | of_n) != 0) E = detail::free_block<Scalar>(E, of_m, of_n);
     if (side != 0) E = Matrix3<Scalar>(E.transpose());
-    scaled[place].E() = E;
+    scaled[block].E() = E;
   }
 };
 template <class... Views>
