@@ -53,6 +53,19 @@ def unknown_files(text, known):
     return unknown
 
 
+def unknown_words(text, known):
+    """Words behind physgen:: on a page that no header and no file of CMake has."""
+    return sorted({word for words in re.findall(r"\bphysgen::(\w+(?:::\w+)*)", text) for word in words.split("::")} - known)
+
+
+def words_of_sources():
+    """The words of headers that programs include, and of the files that name targets."""
+    folders = ("runtime/include", "generated", "tools/fem", "generator/cmake", "tools/cmake")
+    files = [path for folder in folders for path in (ROOT / folder).rglob("*")]
+    texts = [path.read_text(encoding="utf-8") for path in files if path.suffix in (".h", ".cmake", ".in", ".txt")]
+    return {word for text in texts for word in re.findall(r"\w+", text)}
+
+
 def table(heading):
     """The rows of README.md's first table below a heading, as lists of cells."""
     section = (ROOT / "README.md").read_text(encoding="utf-8").split(f"## {heading}\n")[1].split("\n## ")[0]
@@ -99,6 +112,15 @@ class PagesTest(unittest.TestCase):
     def test_a_file_that_is_gone_is_found_in_prose_and_in_pictures(self):
         text = "`kernels/absent.h` and `stress.h`\n```\nkernels/stress.h\n  |\n  v\nreport/absent_session\n```\n"
         self.assertEqual(unknown_files(text, code(ROOT)), ["kernels/absent.h", "report/absent_session"])
+
+    def test_words_of_the_namespace_on_pages_exist(self):
+        known = words_of_sources()
+        named = {page: unknown_words(page.read_text(encoding="utf-8"), known) for page in pages()}
+        self.assertEqual({str(page): words for page, words in named.items() if words}, {})
+
+    def test_a_word_that_the_namespace_has_not_is_found(self):
+        text = "`parallel_for(physgen::AbsentSpace, n)` and `physgen::fem::svd(F, U, s, V)`"
+        self.assertEqual(unknown_words(text, words_of_sources()), ["AbsentSpace"])
 
     def test_the_walks_of_a_field_and_of_a_row_are_drawn(self):
         walks = {"generator": ("schemas/x.h", "object.cpp"), "tools/physbench": ("kernels/stress.h", "tools/report")}

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Holds the figures of READMEs to the checked-in results, and the table of Debian packages to their list:
 readme_numbers.py --check | --write [CHECKOUT]"""
 import argparse

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Makes a page of plots from physbench's results: report.py RESULTS.json... -o DIR"""
 import argparse
 import os

@@ -46,6 +46,11 @@ class ReportTest(unittest.TestCase):
         cls.temporary.cleanup()
 
     # ---- The page ------------------------------------------------------------------------------------------------
+    def test_commands_that_draw_run_the_python_that_has_the_packages_of_debian(self):
+        for name in ("report", "readme_numbers", "truthcube_pictures", "layout_picture"):
+            first = (TOOL / f"{name}.py").read_text(encoding="utf-8").splitlines()[0]
+            self.assertEqual(first, "#!/usr/bin/python3", name)
+
     def test_every_section_is_there_in_order(self):
         self.assertEqual(list(self.all.text), SECTIONS)
         self.assertEqual(list(self.measured.text), SECTIONS)
