@@ -10,6 +10,17 @@
 namespace physgen::scenes {
 namespace {
 
+/// "fields U and V of body.svds are"
+std::string these(const std::string& array, const std::vector<std::string>& fields) {
+  return (fields.size() == 1 ? "field " : "fields ") + model::joined(fields, " and ") + " of " + array +
+         (fields.size() == 1 ? " is" : " are");
+}
+
+std::string quoted(std::vector<std::string> fields) {
+  for (std::string& field : fields) field = '"' + field + '"';
+  return model::joined(fields);
+}
+
 /// Decides the fate of each field, and collects what is to be said about it.
 class NeedsFinder {
  public:
@@ -48,6 +59,7 @@ class NeedsFinder {
                                         " is written by no step; run the step that computes it, or "
                                         "take output() away");
     say_of_fields();
+    read_too_early(name, array, need);
     if (need.left_out()) note(array.location, "array " + name + " is left out: no field of it is needed");
     needs_.arrays.push_back(std::move(need));
   }
@@ -56,32 +68,48 @@ class NeedsFinder {
   void say_of_fields() {
     for (const auto& [key, fields] : unwritten_) {
       const char* them = fields.size() == 1 ? "it" : "them";
-      error(fields.front().first, these(key.first, fields) + " read by " + key.second + ", and no step writes " + them +
-                                      "; declare input(" + quoted(fields) + ") where " + key.first +
-                                      " is declared, or run the step that computes " + them);
+      error(fields.front().first, these(key.first, names_of(fields)) + " read by " + key.second +
+                                      ", and no step writes " + them + "; declare input(" + quoted(names_of(fields)) +
+                                      ") where " + key.first + " is declared, or run the step that computes " + them);
     }
     for (const auto& [key, fields] : pruned_) {
       const char* them = fields.size() == 1 ? "it" : "them";
-      note(fields.front().first,
-           these(key.first, fields) + " pruned: " + key.second + " writes " + them + ", and nothing reads " + them);
+      note(fields.front().first, these(key.first, names_of(fields)) + " pruned: " + key.second + " writes " + them +
+                                     ", and nothing reads " + them);
     }
     unwritten_.clear();
     pruned_.clear();
   }
 
+  /// Steps are not known to be in order where they do not stand in the program's own text; it is as they are called.
+  void read_too_early(const std::string& name, const Array& array, const ArrayNeed& need) {
+    if (array.uniform || std::ranges::any_of(usage_.unknown, [&](const auto& use) { return use.array == name; }))
+      return;
+    std::vector<ReadTooEarly> found;
+    for (const usage::EarlyRead& early : usage_.early_reads) {
+      // A get() of all fields tells what is needed where there is but one.
+      if (early.array != name || (early.whole_object && array.fields.size() > 1)) continue;
+      const auto& of = std::ranges::find(need.fields, early.field, [](const auto& one) { return one.field.name; });
+      if (of == need.fields.end() || !of->kept || !live_.written.contains({name, early.field}) ||
+          array.is_input(early.field) || of->field.initial)
+        continue;
+      const std::string step = early.step.kernel.empty() ? "code outside of steps" : scenes::name_of(early.step);
+      auto same = std::ranges::find(found, step, &ReadTooEarly::step);
+      if (same == found.end()) same = found.insert(same, {name, {}, step, early.place});
+      if (std::ranges::find(same->fields, early.field) == same->fields.end()) same->fields.push_back(early.field);
+    }
+    for (const ReadTooEarly& read : found) {
+      note(read.place == usage::Place() ? array.location : location(read.place), text_of(read));
+      needs_.read_too_early.push_back(read);
+    }
+  }
+
   using Places = std::vector<std::pair<Location, std::string>>;  // of fields
 
-  /// "fields U and V of body.svds are"
-  static std::string these(const std::string& array, const Places& fields) {
+  static std::vector<std::string> names_of(const Places& fields) {
     std::vector<std::string> names;
     for (const auto& [place, field] : fields) names.push_back(field);
-    return (names.size() == 1 ? "field " : "fields ") + model::joined(names, " and ") + " of " + array +
-           (names.size() == 1 ? " is" : " are");
-  }
-  static std::string quoted(const Places& fields) {
-    std::vector<std::string> names;
-    for (const auto& [place, field] : fields) names.push_back("\"" + field + "\"");
-    return model::joined(names);
+    return names;
   }
 
   FieldNeed field(const std::string& array_name, const Array& array, const Field& field) {
@@ -99,8 +127,8 @@ class NeedsFinder {
 
   static void uses(const usage::FieldUse& use, const FieldName& name, const std::string& step, FieldNeed& need) {
     if (name_of(use) != name) return;
-    if (writes(use)) need.writers.push_back({step, use.places});
-    if (reads(use)) need.readers.push_back({step, use.places});
+    if (writes(use)) need.writers.push_back({step, use.written_places});
+    if (reads(use)) need.readers.push_back({step, use.read_places});
   }
 
   void problems(const FieldName& name, const Array& array, const FieldNeed& need) {
@@ -185,6 +213,13 @@ const ArrayNeed& Needs::of(const std::string& array) const {
   for (const ArrayNeed& need : arrays)
     if (need.array == array) return need;
   throw std::logic_error("no needs of the array " + array);
+}
+
+std::string text_of(const ReadTooEarly& read) {
+  const char* them = read.fields.size() == 1 ? "it" : "them";
+  return these(read.array, read.fields) + " read by " + read.step + " before any step has written " + them +
+         "; declare input(" + quoted(read.fields) + ") where " + read.array +
+         " is declared, or run a step before it that " + "writes " + them;
 }
 
 Needs find_needs(const Scene& scene, const usage::Usage& usage) { return NeedsFinder(scene, usage).find(); }

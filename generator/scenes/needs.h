@@ -33,11 +33,31 @@ struct FieldNeed {
   bool operator==(const FieldNeed&) const = default;
 };
 
+/// Fields of an array that a step reads before any step has written them: what is read there is no input, and the
+/// schema gives it no value.
+struct ReadTooEarly {
+  std::string array;                ///< "body.velocities"
+  std::vector<std::string> fields;  ///< one at least
+  std::string step;                 ///< or "code outside of steps"
+  usage::Place place;               ///< of the first of them
+  bool operator==(const ReadTooEarly&) const = default;
+};
+
+/// The record of an array's objects in the memory of a space, with its padding.
+struct Record {
+  std::string space;   ///< "host" or "cuda"
+  std::string layout;  ///< that the schema chooses there: "aos_padded"
+  int bytes = 0;       ///< with the fields that are kept
+  int all_bytes = 0;   ///< with all fields
+  bool operator==(const Record&) const = default;
+};
+
 struct ArrayNeed {
   std::string array;  ///< "body.svds"
   std::vector<FieldNeed> fields;
-  bool read_only = false;  ///< no step writes it
-  int group = -1;          ///< of steps that it is local to, as index of Needs::groups; -1: it is stored
+  bool read_only = false;       ///< no step writes it
+  std::vector<Record> records;  ///< in each space; none: nobody looked
+  int group = -1;               ///< of steps that it is local to, as index of Needs::groups; -1: it is stored
   bool operator==(const ArrayNeed&) const = default;
 
   [[nodiscard]] bool local() const { return group >= 0; }
@@ -67,6 +87,7 @@ struct StepsApart {
 struct Needs {
   std::vector<ArrayNeed> arrays;  ///< in order of declaration, as are the fields of each
   std::vector<Issue> issues;      ///< errors first
+  std::vector<ReadTooEarly> read_too_early;
   // Found by join_steps().
   std::vector<StepGroup> groups;
   std::vector<StepsApart> apart;
@@ -77,6 +98,9 @@ struct Needs {
   /// @pre there is an array of this full name
   [[nodiscard]] const ArrayNeed& of(const std::string& array) const;
 };
+
+/// The sentence that says so, with the remedy and without a full stop.
+[[nodiscard]] std::string text_of(const ReadTooEarly& read);
 
 /// @param usage of the scene's program; its arrays have the scene's full names
 [[nodiscard]] Needs find_needs(const Scene& scene, const usage::Usage& usage);

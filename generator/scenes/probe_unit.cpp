@@ -20,6 +20,29 @@ void instantiation(const Scene& scene, const std::string& name, const std::strin
   out.line("template void instantiate<" + name + ">(physgen::ProbeExecutor<Space>&" + types + ");");
 }
 
+/// What read_records() looks for: the records of all arrays, as the compiler has them.
+void records(const Scene& scene, emit::Printer& out) {
+  out.line("template <class Array>");
+  out.line("struct OneOf { using Type = Array; };");
+  out.line("template <class Array>");
+  out.line("  requires requires { typename Array::Record; }");
+  out.line("struct OneOf<Array> { using Type = typename Array::Record; };");
+  out.line("struct Records { const char* layout; int needed, all; };");
+  for (const auto& [variable, space] : {std::pair("records_host", "Host"), std::pair("records_cuda", "Cuda")}) {
+    std::vector<std::string> rows;
+    for (const Group& group : scene.groups)
+      for (const Array& array : group.arrays) {
+        const auto type = [&](const char* suffix) {
+          return "OneOf<decltype(::" + scene.qualified_name() + suffix + "::" + group.name + "<physgen::" + space +
+                 ">::" + array.name + ")>::Type::";
+        };
+        rows.push_back("{" + type("_all") + "Layout::name, " + type("_needed") + "record_bytes, " + type("_all") +
+                       "record_bytes}");
+      }
+    out.list(std::string("inline constexpr Records ") + variable + "[] = {", rows, "};");
+  }
+}
+
 /// The arrays as text in a unit, which is no file that could be included once.
 std::string arrays(const Scene& scene, const Needs& needs, const std::string& suffix) {
   static const std::string once = "#pragma once\n";
@@ -117,6 +140,7 @@ std::string rest_of_unit(const Scene& declared, const usage::Usage& usage) {
   out.line("namespace physgen_probe_unit {");
   instantiation(scene, "AllFields", scene.qualified_name() + "_all", out);
   instantiation(scene, "Needed", scene.qualified_name() + "_needed", out);
+  records(scene, out);
   out.line("}  // namespace physgen_probe_unit");
   return arrays(scene, everything(needs), "_all") + arrays(scene, needs, "_needed") + std::move(out).text();
 }

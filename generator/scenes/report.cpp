@@ -12,6 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int format = 2;  // counts up when an old reader would misread a new file; the first had no number
+
 /// Bytes and elements of one object of each array of a set, together.
 struct Sum {
   std::string set;  ///< "per tet"; "1 object"
@@ -119,14 +121,41 @@ bool contains(const std::vector<StepOfField>& uses, const StepOfField& use) {
   return std::ranges::find(uses, use) != uses.end();
 }
 
-/// Who writes the field, who does both, and who reads it. The places of a step are those of all that it does with the
-/// field, so a step that does both is named once.
+/// Who writes the field, and who reads it; a step that does both at the same places is named once.
 std::string lines(const FieldNeed& field) {
   std::vector<StepOfField> writers, both, readers;
   for (const StepOfField& use : field.writers) (contains(field.readers, use) ? both : writers).push_back(use);
   for (const StepOfField& use : field.readers)
     if (!contains(field.writers, use)) readers.push_back(use);
   return lines("written", writers) + lines("read and written", both) + lines("read", readers);
+}
+
+/// The records that pruning changes, or fails to change: an array with some fields that is stored without others.
+std::string records_text(const Scene& scene, const Needs& needs) {
+  std::vector<std::vector<std::string>> rows = {{"  array", "layout", "bytes", "of", ""}};
+  for_each_array(scene, needs, [&](const Group& group, const Array& array, const ArrayNeed& need) {
+    if (need.left_out() || need.local() || std::ranges::all_of(need.fields, &FieldNeed::kept)) return;
+    const bool is_same = std::ranges::all_of(need.records, [&](const Record& record) {
+      const Record& first = need.records.front();
+      return record.layout == first.layout && record.bytes == first.bytes && record.all_bytes == first.all_bytes;
+    });
+    for (const Record& record : need.records) {
+      rows.push_back({"  " + group.full_name(array), record.layout + (is_same ? "" : " (" + record.space + ")"),
+                      std::to_string(record.bytes), std::to_string(record.all_bytes),
+                      record.bytes == record.all_bytes ? "padding takes what pruning saves" : ""});
+      if (is_same) break;
+    }
+  });
+  return rows.size() == 1 ? std::string()
+                          : "\nRecords without the fields that are pruned, with padding:\n" + columns(rows);
+}
+
+/// "force.h:7:3: field v of ..."
+std::string too_early_text(const Needs& needs) {
+  std::string text;
+  for (const ReadTooEarly& read : needs.read_too_early)
+    text += "  " + (read.place == usage::Place() ? "" : usage::text_of(read.place) + ": ") + text_of(read) + "\n";
+  return text.empty() ? text : "\nRead before written:\n" + text;
 }
 
 /// "is kept: written by ..."
@@ -164,7 +193,7 @@ std::string report_text(const Scene& scene, const Needs& needs) {
   for (const Sum& sum : sums(scene, needs))
     text += sum.set + ": " + std::to_string(sum.kept_bytes) + " of " + std::to_string(sum.all_bytes) + " bytes, " +
             std::to_string(sum.kept_elements) + " of " + std::to_string(sum.all_elements) + " numbers\n";
-  text += groups_text(scene, needs) + "\nWhy:\n";
+  text += records_text(scene, needs) + too_early_text(needs) + groups_text(scene, needs) + "\nWhy:\n";
   for_each_array(scene, needs, [&](const Group& group, const Array& array, const ArrayNeed& need) {
     for (const FieldNeed& field : need.fields)
       text += "  " + group.full_name(array) + "." + field.field.name + " " + fate_and_why(needs, need, field) + "\n";
@@ -173,7 +202,7 @@ std::string report_text(const Scene& scene, const Needs& needs) {
 }
 
 std::string report_json(const Scene& scene, const Needs& needs) {
-  Json json = {{"scene", scene.qualified_name()}};
+  Json json = {{"format", format}, {"scene", scene.qualified_name()}};
   json["arrays"] = Json::array();
   for_each_array(scene, needs, [&](const Group& group, const Array& array, const ArrayNeed& need) {
     Json written = {{"array", group.full_name(array)},
@@ -193,6 +222,12 @@ std::string report_json(const Scene& scene, const Needs& needs) {
                                    {"why", field.why},
                                    {"written_by", write(field.writers)},
                                    {"read_by", write(field.readers)}});
+    written["records"] = Json::array();
+    for (const Record& record : need.records)
+      written["records"].push_back({{"space", record.space},
+                                    {"layout", record.layout},
+                                    {"bytes", need.local() ? 0 : record.bytes},
+                                    {"all_bytes", record.all_bytes}});
     json["arrays"].push_back(std::move(written));
   });
   json["sums"] = Json::array();
@@ -202,6 +237,13 @@ std::string report_json(const Scene& scene, const Needs& needs) {
                             {"all_bytes", sum.all_bytes},
                             {"kept_elements", sum.kept_elements},
                             {"all_elements", sum.all_elements}});
+  json["read_too_early"] = Json::array();
+  for (const ReadTooEarly& read : needs.read_too_early)
+    json["read_too_early"].push_back({{"array", read.array},
+                                      {"fields", read.fields},
+                                      {"step", read.step},
+                                      {"place", read.place == usage::Place() ? "" : usage::text_of(read.place)},
+                                      {"note", text_of(read)}});
   add_groups(scene, needs, json);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -8,7 +8,7 @@
 
 namespace physgen::scenes {
 
-/// For people: a table, sums for each set of objects, and the notes.
+/// For people: a table, sums for each set of objects, records, what is read too early, groups, and why.
 [[nodiscard]] std::string report_text(const Scene& scene, const Needs& needs);
 
 /// The same as indented JSON, with the places of all uses.

@@ -40,6 +40,7 @@ class Attribution {
     }
     unattributed(steps_lead_to, result);
     result.unknown = graph_.unknown;
+    result.early_reads = early_reads(graph_);
     sort(result);
     return result;
   }
@@ -154,6 +155,8 @@ class Attribution {
           FieldUse use = use_of(reached.function, others);
           use.places = {call.place};
           use.whole_object = reached.whole_object;
+          if (use.read || use.address_taken) use.read_places = use.places;
+          if (use.written || use.address_taken) use.written_places = use.places;
           if (use.whole_object) use.whole_places = use.places;
           add(result, use);
         }

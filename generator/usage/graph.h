@@ -16,6 +16,8 @@ enum class Access { none, read, write, address };
 struct Call {
   int to = 0;  ///< index of a function
   Place place;
+  bool is_certain = false;  ///< called here under no condition, not by whoever gets an address or ends an object's life
+  int order = 0;            ///< among those of a function, which stand in the order in which they are evaluated
 };
 
 /// Something that code consists of, or the value of something constant in it.
@@ -59,12 +61,17 @@ struct Graph {
   std::vector<Part> parts;
   std::vector<int> entries;  ///< functions of the program, for places of accesses that no step leads to
   std::vector<UnknownUse> unknown;
+  int program = -1;           ///< the function that runs a scene's program over probes; -1: there is none
   std::vector<int> variants;  ///< functions that run the program over probes, and then over other arrays; or none
 };
 
 /// Gives every access to the steps that lead to it. Its places are those calls in the step's own files that lead to it
 /// through functions of other files alone.
 [[nodiscard]] Usage attribute(const Graph& graph);
+
+/// What a scene's program reads before it writes it: calls are followed in the order of evaluation, each function once,
+/// and statements in the order of the text. Writes count whatever their conditions, reads only without conditions.
+[[nodiscard]] std::vector<EarlyRead> early_reads(const Graph& graph);
 
 /// Where the program's code is another over other arrays than over probes. Functions are compared with those that the
 /// same calls lead to, so that what a kernel does to one array is not taken for what it does to another.

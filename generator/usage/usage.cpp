@@ -37,6 +37,8 @@ void add(std::vector<FieldUse>& uses, const FieldUse& use) {
   to.added = to.added || use.added;
   to.whole_object = to.whole_object || use.whole_object;
   merge(to.places, use.places);
+  merge(to.read_places, use.read_places);
+  merge(to.written_places, use.written_places);
   merge(to.whole_places, use.whole_places);
 }
 
@@ -76,6 +78,8 @@ Usage unite(const Usage& a, const Usage& b) {
   result.unknown.insert(result.unknown.end(), b.unknown.begin(), b.unknown.end());
   result.races.insert(result.races.end(), b.races.begin(), b.races.end());
   result.dependences.insert(result.dependences.end(), b.dependences.begin(), b.dependences.end());
+  for (const EarlyRead& early : b.early_reads)
+    if (std::ranges::find(result.early_reads, early) == result.early_reads.end()) result.early_reads.push_back(early);
   sort(result);
   return result;
 }

@@ -21,12 +21,13 @@ struct FieldUse {
   bool read = false, written = false;
   bool address_taken = false;  ///< by `&` of an element or an atomic operation
   // The objects that are meant. None: types do not tell, where a kernel takes single objects alone or makes an index.
-  bool own = false;                 ///< of those that the step is called for
-  bool gathered = false;            ///< of others, which it finds by indices of its own making
-  bool added = false;               ///< of others, by add()
-  bool whole_object = false;        ///< by a get() or put() of all fields, too, at `whole_places`
-  std::vector<Place> places;        ///< in the kernel's own source, in ascending order, each once
-  std::vector<Place> whole_places;  ///< those of them where all fields are read or written at once
+  bool own = false;                                ///< of those that the step is called for
+  bool gathered = false;                           ///< of others, which it finds by indices of its own making
+  bool added = false;                              ///< of others, by add()
+  bool whole_object = false;                       ///< by a get() or put() of all fields, too, at `whole_places`
+  std::vector<Place> places;                       ///< in the kernel's own source, in ascending order, each once
+  std::vector<Place> read_places, written_places;  ///< those of them where it is read, and where it is written
+  std::vector<Place> whole_places;                 ///< those of them where all fields are read or written at once
   bool operator==(const FieldUse&) const = default;
 };
 
@@ -64,12 +65,22 @@ struct Dependence {
   auto operator<=>(const Dependence&) const = default;
 };
 
+/// A field that a program may read before any of its steps has written it, in the order in which it calls them.
+struct EarlyRead {
+  std::string array, field;
+  StepUse step;               ///< without its fields; no kernel: code outside of steps
+  Place place;                ///< in the step's own source
+  bool whole_object = false;  ///< by a get() of all fields, which tells of none that it is needed
+  bool operator==(const EarlyRead&) const = default;
+};
+
 struct Usage {
   std::vector<StepUse> steps;           ///< by kernel, arrays and place, in ascending order
   std::vector<FieldUse> unattributed;   ///< by no step that the analysis can name: these are wanted
   std::vector<UnknownUse> unknown;      ///< errors, but where the program declares the arrays' fields
   std::vector<Race> races;              ///< errors
   std::vector<Dependence> dependences;  ///< errors
+  std::vector<EarlyRead> early_reads;   ///< of a scene's program: of each field the first by itself, and by a get()
   bool operator==(const Usage&) const = default;
 };
 

@@ -10,8 +10,8 @@
 
 #include "usage/expressions.h"
 #include "usage/facts.h"
+#include "usage/in_order.h"
 #include "usage/names.h"
-#include "usage/running_code.h"
 #include "usage/unknown.h"
 
 namespace physgen::usage {
@@ -30,6 +30,7 @@ class Walk {
       step.function = number(function);
       graph_.steps.push_back(std::move(step));
     }
+    if (const auto programs = names_.variants(); !programs.empty()) graph_.program = number(programs.front());
     follow();
     for (const FunctionDecl* function : functions)
       if (!names_.is_library(function->getLocation())) graph_.entries.push_back(number(function));
@@ -140,8 +141,8 @@ class Walk {
   std::vector<const clang::CXXMethodDecl*> runs_;         // of steps of fused kernels
 };
 
-/// Finds what one body calls, constructs, destroys or takes the address of.
-class Walk::Body : public RunningCode<Walk::Body> {
+/// Finds what one body calls, constructs, destroys or takes the address of: arguments before what takes them.
+class Walk::Body : public InOrder<Walk::Body> {
  public:
   Body(Walk& walk, int function)
       : walk_(walk), function_(function), is_users_(!walk.graph_.functions[index()].of_library) {}
@@ -150,7 +151,7 @@ class Walk::Body : public RunningCode<Walk::Body> {
   static bool TraverseUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* /*expression*/) { return true; }
 
   bool VisitCallExpr(clang::CallExpr* call) {
-    places_[call->getCallee()->IgnoreParenImpCasts()] = place_of(*call);
+    callees_[call->getCallee()->IgnoreParenImpCasts()] = {call, place_of(*call)};
     return true;
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) {
@@ -166,7 +167,7 @@ class Walk::Body : public RunningCode<Walk::Body> {
     const auto location = construction->getLocation();
     const auto* record = construction->getConstructor()->getParent();
     if (!construction->getConstructor()->isCopyOrMoveConstructor()) index_of(construction->getType());
-    leads_to(construction->getConstructor(), location);
+    leads_to(construction->getConstructor(), location, construction);
     destroys(construction->getType(), location);
     if (record->isPolymorphic()) overriders(*record, location);
     return true;
@@ -176,7 +177,7 @@ class Walk::Body : public RunningCode<Walk::Body> {
     return true;
   }
   bool VisitCXXInheritedCtorInitExpr(clang::CXXInheritedCtorInitExpr* construction) {
-    leads_to(construction->getConstructor(), construction->getLocation());
+    leads_to(construction->getConstructor(), construction->getLocation(), construction);
     return true;
   }
   bool VisitVarDecl(clang::VarDecl* variable) {
@@ -197,6 +198,9 @@ class Walk::Body : public RunningCode<Walk::Body> {
     return true;
   }
 
+  [[nodiscard]] std::vector<Call>& calls() { return walk_.graph_.functions[index()].calls; }
+  void set_order(std::size_t call, int order) { calls()[call].order = order; }
+
   /// Follows the end of an object's life behind the body of its destructor.
   void members_of(const clang::CXXDestructorDecl& destructor) {
     for (const auto& base : destructor.getParent()->bases()) destroys(base.getType(), destructor.getLocation());
@@ -204,17 +208,22 @@ class Walk::Body : public RunningCode<Walk::Body> {
   }
 
  private:
-  [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(function_); }
+  using Callee = std::pair<const clang::CallExpr*, clang::SourceLocation>;
 
-  void leads_to(const clang::Decl* declaration, clang::SourceLocation location) {
-    if (declaration == nullptr) return;
-    if (const auto* conversion = llvm::dyn_cast<clang::CXXConversionDecl>(declaration);
-        conversion != nullptr && conversion->getParent()->isLambda())
+  [[nodiscard]] std::size_t index() const { return static_cast<std::size_t>(function_); }
+  /// @param call of the declaration; null: it is called elsewhere, if at all
+  void leads_to(const clang::Decl* declaration, clang::SourceLocation location, const clang::Stmt* call = nullptr) {
+    if (const auto* conversion = llvm::dyn_cast_or_null<clang::CXXConversionDecl>(declaration);
+        conversion != nullptr && conversion->getParent()->isLambda()) {
       declaration = conversion->getParent()->getLambdaCallOperator();  // Clang gives the function pointer no body
+      call = nullptr;
+    }
     if (declaration == nullptr) return;
     const int to = walk_.number(declaration);
     Place place = is_users_ ? walk_.names_.place(location) : Place{};  // places are wanted of the program's files
-    walk_.graph_.functions[index()].calls.push_back({to, std::move(place)});
+    if (call != nullptr) at_end_of(call, calls().size());
+    // Conditions of a library, such as those of loops over packs, hold for some object.
+    calls().push_back({to, std::move(place), call != nullptr && !(is_users_ && is_conditional()), next()});
   }
   /// Whoever looks into one may change it: its type then says no more that it is the kernel's own.
   void index_of(clang::QualType type) {
@@ -232,8 +241,9 @@ class Walk::Body : public RunningCode<Walk::Body> {
   }
   bool function(const clang::Decl* declaration, const clang::Expr* expression, clang::SourceLocation location) {
     if (!llvm::isa<FunctionDecl>(declaration)) return true;
-    const auto place = places_.find(expression);
-    leads_to(declaration, place == places_.end() ? location : place->second);
+    const auto known = callees_.find(expression);
+    const auto [call, place] = known == callees_.end() ? Callee(nullptr, location) : known->second;
+    leads_to(declaration, place, call);
     return true;
   }
   void destroys(clang::QualType type, clang::SourceLocation location) {
@@ -252,7 +262,7 @@ class Walk::Body : public RunningCode<Walk::Body> {
   Walk& walk_;
   int function_;
   bool is_users_;
-  std::map<const clang::Expr*, clang::SourceLocation> places_;  // of callees
+  std::map<const clang::Expr*, Callee> callees_;
 };
 
 void Walk::follow() {
@@ -268,6 +278,7 @@ void Walk::follow() {
     Body body(*this, function);
     if (const auto* destructor = llvm::dyn_cast<clang::CXXDestructorDecl>(declaration)) body.members_of(*destructor);
     body.look_through(*declaration);
+    std::ranges::stable_sort(body.calls(), {}, &Call::order);
   }
 }
 

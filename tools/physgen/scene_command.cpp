@@ -16,6 +16,7 @@
 #include "scenes/program_text.h"
 #include "scenes/read.h"
 #include "scenes/read_program.h"
+#include "scenes/records.h"
 #include "scenes/report.h"
 #include "usage/json.h"
 
@@ -57,6 +58,7 @@ class SceneCommand {
     for (const scenes::Issue& issue : needs.issues)  // notes are of needs that hold
       if (needs.sound() || issue.kind == scenes::Issue::Kind::error) err_ << scenes::text_of(issue);
     if (!needs.sound()) return errors;
+    scenes::add_records(records_, needs);
     if (!request_.no_fuse) scenes::join_steps(scene, *usage, program_, needs);
     if (!request_.why.empty()) out_ << scenes::report_why(scene, needs, request_.why);
     if (request_.output_dir.empty() && request_.why.empty()) out_ << scenes::report_text(scene, needs);
@@ -72,6 +74,7 @@ class SceneCommand {
     auto analysis = scenes::analyse(scene, path, request_.flags, sides,
                                     [&](clang::ASTContext& context, const std::vector<std::string>& folders) {
                                       program_ = scenes::read_program(context, scene, folders);
+                                      records_ = scenes::read_records(context);
                                     });
     for (std::size_t i = 0; i < sides.size(); ++i) {
       err_ << analysis.diagnostics[i].text;
@@ -107,6 +110,7 @@ class SceneCommand {
   std::vector<std::string> dependencies_;
   std::string times_;
   scenes::ProgramText program_;
+  scenes::Records records_;
 };
 
 }  // namespace

@@ -50,6 +50,7 @@ inline usage::FieldUse use(const std::string& array, const std::string& field, b
   use.field = field;
   use.read = read;
   use.written = !read;
+  (read ? use.read_places : use.written_places) = places;
   use.places = std::move(places);
   return use;
 }

@@ -166,6 +166,32 @@ template <class... V> CopyNext(V...) -> CopyNext<V...>;
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
+TEST_F(SceneCommand, notes_a_field_that_a_step_reads_before_any_step_has_written_it) {
+  folder.write("scenes/particles.h",
+               scene_of("    on.run(body.first.size(), CopyFields{body.last.view(), body.last.view()});\n"));
+  const auto outcome = scene("");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string note =
+      "field a of body.last is read by CopyFields(body.last) before any step has written it; declare input(\"a\") "
+      "where body.last is declared, or run a step before it that writes it\n";
+  EXPECT_NE(outcome.err.find("kernel.h:11:"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(": note: " + note), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find(": " + note), std::string::npos) << outcome.out;
+}
+
+TEST_F(SceneCommand, says_how_many_bytes_the_compiler_gives_a_record_without_its_pruned_fields) {
+  std::string padded = schema;
+  padded.replace(padded.find("PHYSGEN_OBJECT()"), 16, "PHYSGEN_OBJECT(layout(host, aos_padded), layout(cuda, aos))");
+  folder.write("particles.h", padded);
+  ASSERT_EQ(run("generate particles.h -o generated").status, 0);
+  const auto outcome = scene("--no-fuse");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("  body.last     aos_padded (host)  16     16  padding takes what pruning saves\n"
+                             "  body.last     aos (cuda)         4      12\n"),
+            std::string::npos)
+      << outcome.out;
+}
+
 TEST_F(SceneCommand, explains_fields_and_refuses_names_and_files_that_there_are_not) {
   const auto why = scene("--why between.a");
   EXPECT_EQ(why.status, 0) << why.err;

@@ -45,16 +45,74 @@ TEST(SceneNeeds, keep_what_outputs_depend_on_and_prune_what_is_written_in_vain) 
             "chain.h:10:3: note: array body.extra is left out: no field of it is needed\n");
 }
 
-TEST(SceneNeeds, name_a_step_once_that_reads_and_writes_a_field) {
+TEST(SceneNeeds, name_a_step_once_that_reads_and_writes_a_field_at_the_same_places) {
   Usage usage = chain_usage();
   usage.steps.push_back(step("Scale", {use("body.svd", "s", true, {{"scale.h", 2, 5}, {"scale.h", 3, 5}})}));
   usage.steps.back().fields.front().written = true;
+  usage.steps.back().fields.front().written_places = {{"scale.h", 2, 5}, {"scale.h", 3, 5}};
   EXPECT_EQ(report_why(chain(), find_needs(chain(), usage), "svd.s"),
             "body.svd.s of m::Svd is kept: written by Svd(body.x, body.svd) and Scale(body.svd); read by "
             "Force(body.svd, body.f) and Scale(body.svd)\n"
             "  written by Svd(body.x, body.svd)\n    at svd.h:5:9\n"
             "  read and written by Scale(body.svd)\n    at scale.h:2:5\n    at scale.h:3:5\n"
             "  read by Force(body.svd, body.f)\n    at force.h:6:1\n");
+}
+
+TEST(SceneNeeds, keep_apart_where_a_step_reads_a_field_and_where_it_writes_it) {
+  Usage usage = chain_usage();
+  usage.steps.push_back(step("Scale", {use("body.svd", "s", true, {{"scale.h", 2, 5}})}));
+  add(usage.steps.back().fields, use("body.svd", "s", false, {{"scale.h", 3, 5}}));
+  const Needs needs = find_needs(chain(), usage);
+  const auto json = nlohmann::json::parse(scenes::report_json(chain(), needs));
+  EXPECT_EQ(json.at("format"), 2);
+  const auto& s = json.at("arrays").at(1).at("fields").at(1);
+  EXPECT_EQ(s.at("read_by").at(1).at("places"), nlohmann::json({"scale.h:2:5"}));
+  EXPECT_EQ(s.at("written_by").at(1).at("places"), nlohmann::json({"scale.h:3:5"}));
+  const std::string why = report_why(chain(), needs, "svd.s");
+  EXPECT_NE(why.find("  written by Scale(body.svd)\n    at scale.h:3:5\n"), std::string::npos) << why;
+  EXPECT_NE(why.find("  read by Scale(body.svd)\n    at scale.h:2:5\n"), std::string::npos) << why;
+}
+
+/// The chain with a step that advances `s` of svd before Svd writes it, as far as the analysis is told.
+Usage with_early_read(bool whole_object) {
+  Usage usage = chain_usage();
+  usage.early_reads.push_back(
+      {"body.svd", "s", step("Scale", {reads("body.svd", "s")}), {"scale.h", 2, 5}, whole_object});
+  usage.early_reads.back().step.fields.clear();
+  return usage;
+}
+
+TEST(SceneNeeds, note_a_field_that_a_step_reads_before_any_step_has_written_it) {
+  const std::string note =
+      "field s of body.svd is read by Scale(body.svd) before any step has written it; declare input(\"s\") where "
+      "body.svd is declared, or run a step before it that writes it";
+  const Needs needs = find_needs(chain(), with_early_read(false));
+  EXPECT_TRUE(needs.sound());
+  const std::string said = issues(chain(), with_early_read(false));
+  EXPECT_NE(said.find("scale.h:2:5: note: " + note + "\n"), std::string::npos) << said;
+  const std::string text = scenes::report_text(chain(), needs);
+  EXPECT_NE(text.find("\nRead before written:\n  scale.h:2:5: " + note + "\n"), std::string::npos) << text;
+  const auto json = nlohmann::json::parse(scenes::report_json(chain(), needs));
+  EXPECT_EQ(json.at("read_too_early"), nlohmann::json::array({{{"array", "body.svd"},
+                                                               {"fields", {"s"}},
+                                                               {"step", "Scale(body.svd)"},
+                                                               {"place", "scale.h:2:5"},
+                                                               {"note", note}}}));
+}
+
+TEST(SceneNeeds, note_no_early_read_of_what_has_a_value_or_of_whole_objects_with_several_fields) {
+  Scene scene = chain();
+  scene.groups[0].arrays[1].input = scenes::Selection{false, {"s"}, {"chain.h", 5, 5}};
+  EXPECT_TRUE(find_needs(scene, with_early_read(false)).read_too_early.empty());
+  scene = chain();
+  scene.groups[0].arrays[1].fields[1].initial = true;
+  EXPECT_TRUE(find_needs(scene, with_early_read(false)).read_too_early.empty());
+  EXPECT_TRUE(find_needs(chain(), with_early_read(true)).read_too_early.empty());
+  Usage usage = chain_usage();
+  usage.early_reads.push_back({"body.f", "f", {}, {}, true});
+  const Needs needs = find_needs(chain(), usage);
+  ASSERT_EQ(needs.read_too_early.size(), 1U) << "a get() of an object's only field";
+  EXPECT_EQ(needs.read_too_early[0].step, "code outside of steps");
 }
 
 TEST(SceneNeeds, do_not_depend_on_the_order_of_steps) {
@@ -195,65 +253,6 @@ TEST(SceneNeeds, refuse_arrays_and_fields_that_the_scene_has_not) {
 }
 
 // ---- The report -----------------------------------------------------------------------------------------------------
-
-TEST(NeedReport, has_a_row_for_every_field_and_sums_for_every_set) {
-  const std::string text = scenes::report_text(chain(), find_needs(chain(), chain_usage()));
-  for (const char* line :
-       {"body.x      x      12     kept      (input)     Svd\n", "body.svd    U      36     pruned    Svd         -\n",
-        "            s      12     kept      Svd         Force\n",
-        "body.f      f      12     kept      Force       (output)\n",
-        "body.extra  a      4      left out  -           -\n", "per node: 24 of 24 bytes, 6 of 6 numbers\n",
-        "per tet: 12 of 56 bytes, 3 of 14 numbers\n",
-        "  body.svd.U is not kept: written by Svd(body.x, body.svd); nothing reads it\n"})
-    EXPECT_NE(text.find(line), std::string::npos) << line << "in\n" << text;
-}
-
-TEST(NeedReport, names_kernels_without_namespaces_in_its_table_and_fused_ones_by_their_parts) {
-  Usage usage = chain_usage();
-  usage.steps[0].kernel = "physgen::Fused<physgen::fem::Svd, my_own::Turn_2>";
-  const std::string text = scenes::report_text(chain(), find_needs(chain(), usage));
-  EXPECT_NE(text.find("            s      12     kept      Fused<Svd, Turn_2>  Force\n"), std::string::npos) << text;
-}
-
-TEST(NeedReport, has_all_of_it_as_json_with_the_places_of_uses) {
-  const auto json = nlohmann::json::parse(scenes::report_json(chain(), find_needs(chain(), chain_usage())));
-  EXPECT_EQ(json.at("scene"), "scenes::chain");
-  const auto& svd = json.at("arrays").at(1);
-  EXPECT_EQ(svd.at("array"), "body.svd");
-  EXPECT_EQ(svd.at("of"), "per tet");
-  EXPECT_EQ(svd.at("read_only"), false);
-  EXPECT_EQ(svd.at("fields").at(0).at("fate"), "pruned");
-  EXPECT_EQ(svd.at("fields").at(1).at("fate"), "kept");
-  EXPECT_EQ(svd.at("fields").at(1).at("read_by").at(0).at("places"), nlohmann::json({"force.h:6:1"}));
-  EXPECT_EQ(json.at("sums").at(1).at("kept_bytes"), 12);
-  EXPECT_EQ(json.at("sums").at(1).at("all_bytes"), 56);
-}
-
-TEST(NeedReport, explains_a_field_by_every_name_that_it_has) {
-  const Scene scene = chain();
-  const Needs needs = find_needs(scene, chain_usage());
-  const std::string expected =
-      "body.svd.s of m::Svd is kept: written by Svd(body.x, body.svd); read by Force(body.svd, body.f)\n"
-      "  written by Svd(body.x, body.svd)\n    at svd.h:5:9\n"
-      "  read by Force(body.svd, body.f)\n    at force.h:6:1\n";
-  for (const char* name : {"body.svd.s", "svd.s", "Svd.s", "m::Svd.s"})
-    EXPECT_EQ(scenes::report_why(scene, needs, name), expected) << name;
-  const std::string array = scenes::report_why(scene, needs, "svd");
-  EXPECT_NE(array.find("body.svd.U of m::Svd is not kept"), std::string::npos);
-  EXPECT_NE(array.find("body.svd.s of m::Svd is kept"), std::string::npos);
-}
-
-TEST(NeedReport, names_the_nearest_where_there_is_no_such_field) {
-  const Scene scene = chain();
-  const Needs needs = find_needs(scene, chain_usage());
-  try {
-    (void)scenes::report_why(scene, needs, "body.sdv.s");
-    FAIL();
-  } catch (const scenes::UnknownName& error) {
-    EXPECT_STREQ(error.what(),
-                 "in the scene chain there is no array or field 'body.sdv.s'; did you mean 'body.svd.s'?");
-  }
-}
 
 }  // namespace
 }  // namespace physgen::test
