@@ -10,7 +10,7 @@ CODE = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", ".txt")  # endings o
 NAME = re.compile(r"(?<![\w<*./-])(?:\.\./)*((?:[\w.-]+/)*[A-Za-z][\w.-]*\.(?:h|cpp|cu|py|sh|cmake|in|txt))\b(?![\w*/(])")
 # Files of examples: a user's program and its schema, a scene, and those that one adds.
 EXAMPLES = re.compile(
-    r"pressure\.cpp|(.*/)?derivatives\..*|(schemas|(physgen/)?(layout|format))/x\.h|groups/GROUP\.cpp|(.*/)?x\.physgen\.h"
+    r"pressure\.cpp|integrate\.h|(.*/)?derivatives\..*|(schemas|(physgen/)?(layout|format))/x\.h|groups/GROUP\.cpp|(.*/)?x\.physgen\.h"
 )
 LOOKED_FOR = (
     *("schema", "field", "layout", "format", "shape", "element type", "diagnostic", "emitter", "scene"),
