@@ -1,4 +1,5 @@
 // Estimates of what a finer mesh would give, on results whose error is known.
+#include <fem/solver/hierarchy/hierarchy.h>
 #include <gtest/gtest.h>
 #include <truthcube/estimates.h>
 
