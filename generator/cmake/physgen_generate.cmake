@@ -14,8 +14,9 @@
 # needs LLVM), the headers in CHECKED_IN are used as they are, whose layouts cannot be changed.
 #
 # Of scenes it is the headers s.scene.h and s.program.h, t.scene.h and t.program.h, with reports beside them. LIBRARIES are those whose headers the
-# scenes include, and `name` links them, and programs are read with their folders and definitions; FLAGS are further
-# options of the compiler with which programs are read, such as -march=x86-64-v3.
+# scenes include, and `name` links them, and programs are read with their folders and definitions, which must not depend on the
+# language (COMPILE_LANGUAGE); FLAGS are further options of the compiler with which programs are read, such as
+# -march=x86-64-v3.
 # With DEVICE what programs do on CUDA is looked at, too: needs a toolkit, that of the project where it enables CUDA.
 # With EVERYTHING there is s.everything.h, too, the same arrays with all fields. With NO_FUSE the steps of their programs
 # stay apart.
@@ -199,6 +200,11 @@ function(_physgen_remove_former record files)
   get_property(written GLOBAL PROPERTY PHYSGEN_WRITTEN_HEADERS)
   foreach(file IN LISTS former)
     cmake_path(IS_PREFIX CMAKE_BINARY_DIR "${file}" is_built)
+    cmake_path(IS_PREFIX CMAKE_CURRENT_SOURCE_DIR "${file}" in_source)
+    cmake_path(IS_PREFIX CMAKE_CURRENT_BINARY_DIR "${file}" in_binary)
+    if(in_source AND (NOT in_binary OR CMAKE_CURRENT_SOURCE_DIR STREQUAL CMAKE_CURRENT_BINARY_DIR))
+      set(is_built FALSE)  # a build in the source folder, or a source folder within that of the build
+    endif()
     if(is_built AND NOT file IN_LIST files AND NOT file IN_LIST written)
       file(REMOVE "${file}")
     endif()

@@ -59,7 +59,7 @@ class NeedsFinder {
                                         " is written by no step; run the step that computes it, or "
                                         "take output() away");
     say_of_fields();
-    read_too_early(name, array, need);
+    note_early_reads(name, array, need);
     if (need.left_out()) note(array.location, "array " + name + " is left out: no field of it is needed");
     needs_.arrays.push_back(std::move(need));
   }
@@ -81,15 +81,16 @@ class NeedsFinder {
     pruned_.clear();
   }
 
-  /// Steps are not known to be in order where they do not stand in the program's own text; it is as they are called.
-  void read_too_early(const std::string& name, const Array& array, const ArrayNeed& need) {
+  /// Notes fields that a step reads before any step has written them. Not of arrays with uses that cannot be followed,
+  /// nor of uniform ones, which the caller fills.
+  void note_early_reads(const std::string& name, const Array& array, const ArrayNeed& need) {
     if (array.uniform || std::ranges::any_of(usage_.unknown, [&](const auto& use) { return use.array == name; }))
       return;
     std::vector<ReadTooEarly> found;
     for (const usage::EarlyRead& early : usage_.early_reads) {
       // A get() of all fields tells what is needed where there is but one.
       if (early.array != name || (early.whole_object && array.fields.size() > 1)) continue;
-      const auto& of = std::ranges::find(need.fields, early.field, [](const auto& one) { return one.field.name; });
+      const auto of = std::ranges::find(need.fields, early.field, [](const auto& one) { return one.field.name; });
       if (of == need.fields.end() || !of->kept || !live_.written.contains({name, early.field}) ||
           array.is_input(early.field) || of->field.initial)
         continue;
@@ -219,7 +220,7 @@ std::string text_of(const ReadTooEarly& read) {
   const char* them = read.fields.size() == 1 ? "it" : "them";
   return these(read.array, read.fields) + " read by " + read.step + " before any step has written " + them +
          "; declare input(" + quoted(read.fields) + ") where " + read.array +
-         " is declared, or run a step before it that " + "writes " + them;
+         " is declared, or run a step before it that writes " + them;
 }
 
 Needs find_needs(const Scene& scene, const usage::Usage& usage) { return NeedsFinder(scene, usage).find(); }

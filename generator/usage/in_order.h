@@ -29,6 +29,15 @@ class InOrder : public RunningCode<Derived> {
     return true;
   }
 
+  /// Clang keeps the increment before the body.
+  bool TraverseForStmt(clang::ForStmt* loop) {
+    clang::Stmt* const parts[] = {loop->getInit(), loop->getConditionVariableDeclStmt(), loop->getCond(),
+                                  loop->getBody(), loop->getInc()};
+    for (clang::Stmt* part : parts)
+      if (!this->getDerived().TraverseStmt(part)) return false;
+    return true;
+  }
+
   bool dataTraverseStmtPre(clang::Stmt* statement) {
     if (conditional_.contains(statement)) ++conditions_;
     return true;

@@ -100,7 +100,9 @@ void touch(const std::string& path, fs::file_time_type time) {
 bool are_one_file(const std::string& a, const std::string& b) {
   std::error_code error;
   const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+  if (error) return false;  // reading or writing it says why
   const fs::path second = fs::weakly_canonical(fs::absolute(b, error), error);
+  if (error) return false;
   if (first != second && !fs::equivalent(first, second, error)) return false;
   return fs::is_regular_file(first, error) || !fs::exists(first, error);
 }

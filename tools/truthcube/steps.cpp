@@ -206,7 +206,7 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
   if (tolerance_ > 0 && result.residual > tolerance_) {
     terminal_.warning(
         "at a compression of %g, rounding ended the solve at a residual of %.2e, above the tolerance of %.2e: "
-        "displacements and reaction may be as far off. Try a larger --compress or --tolerance.",
+        "the result is less accurate than was asked for. Try a larger --compress or --tolerance.",
         compression, result.residual, tolerance_);
   }
   if (result.smallest_J > 0) return;

@@ -10,12 +10,12 @@
 namespace physgen::truthcube {
 
 SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
-                        std::span<const fem::Point> positions, std::span<const std::array<double, 9>> first_piola) {
+                        std::span<const fem::Point> positions, std::span<const std::array<double, 9>> stresses) {
   SuspectTet suspect;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const Eigen::Matrix3d F = deformation_gradient(mesh.tets[t], rest, positions);
     const double J = F.determinant();
-    const bool finite = F.allFinite() && std::ranges::all_of(first_piola[t], [](double p) { return std::isfinite(p); });
+    const bool finite = F.allFinite() && std::ranges::all_of(stresses[t], [](double p) { return std::isfinite(p); });
     if (finite && J <= 0) ++suspect.inverted;
     if (finite && t > 0 && !(J < suspect.J)) continue;
     suspect.tet = static_cast<fem::Index>(t);

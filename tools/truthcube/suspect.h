@@ -20,10 +20,10 @@ struct SuspectTet {
 };
 
 /// The first tet whose deformation gradient or stress is not finite; where all are, that of the smallest J.
-/// @param first_piola per tet, by columns [Pa]
+/// @param stresses of the solver, per tet, by columns [Pa]
 [[nodiscard]] SuspectTet find_suspect(const fem::TetMesh& mesh, std::span<const fem::Point> rest,
                                       std::span<const fem::Point> positions,
-                                      std::span<const std::array<double, 9>> first_piola);
+                                      std::span<const std::array<double, 9>> stresses);
 
 /// "tet 7 is deformed most: J 0.31, F = [...; ...; ...]", or what else is wrong with it. @param scene names its tets
 [[nodiscard]] std::string describe(const SuspectTet& suspect, const Scene& scene);

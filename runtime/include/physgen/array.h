@@ -86,7 +86,7 @@ class Array {
   /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
   /// On CUDA and in pinned memory this works in the default stream. @pre work on this array in other streams is done
   /// (see synchronize())
-  /// @throw Error when size is negative or the memory cannot be had; the array is then unchanged
+  /// @throw Error as the constructor does; the array is then unchanged
   void resize(index_t size) {
     if (size == size_) return;
     Array resized;

@@ -58,7 +58,8 @@ TEST(SetPositions, that_are_not_finite_or_not_one_of_each_node_is_refused_with_t
   EXPECT_NE(refusal(positions).find("the position of node 5 is (0, nan, 0.01): give finite components"),
             std::string::npos);
   positions.pop_back();
-  EXPECT_NE(refusal(positions).find("the position has 26 vectors for 27 nodes: give one of each"), std::string::npos);
+  EXPECT_NE(refusal(positions).find("the position is given for 26 nodes of 27: give one vector for each node"),
+            std::string::npos);
   EXPECT_EQ(solver->positions(), body.levels[0].rest);
 }
 

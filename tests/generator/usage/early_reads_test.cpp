@@ -37,6 +37,7 @@ TEST(EarlyReads, are_those_of_a_step_that_reads_what_it_alone_writes) {
 }
 
 TEST(EarlyReads, follow_the_order_in_which_steps_are_called) {
+  EXPECT_EQ(too_early("for (int s = 0; s < 2; run(Advance{a}), ++s) run(Clear{a});"), "");
   EXPECT_EQ(too_early("run(Clear{a}); run(Advance{a});"), "");
   EXPECT_EQ(too_early("run(Advance{a}); run(Clear{a});"), "a Advance 2:63");
   EXPECT_EQ(too_early("advance(cleared(a));",

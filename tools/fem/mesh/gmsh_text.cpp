@@ -181,8 +181,9 @@ class Reader {
       const auto k = static_cast<std::int64_t>(count++);
       if (k == 0) static_cast<void>(is_number(word, number));
       if (!are_nodes && version_ >= 2 && k == 2) static_cast<void>(is_number(word, groups));
-      const std::int64_t first = are_nodes ? 1 : (version_ >= 2 ? 3 + groups : 2 + groups);
-      if (k >= first || (k == 1 && !are_nodes)) content_.append(word).append(" ");
+      const std::int64_t before = are_nodes ? 1 : (version_ >= 2 ? 3 : 2);  // the groups
+      const bool is_content = k >= before && k - before >= (are_nodes ? 0 : groups);
+      if (is_content || (k == 1 && !are_nodes)) content_.append(word).append(" ");
     });
     numbers.add(number, content_, number_);
   }

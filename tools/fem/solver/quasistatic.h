@@ -76,8 +76,8 @@ class EquilibriumSolver {
   [[nodiscard]] virtual std::optional<NodeState> coarser_equilibrium() { return std::nullopt; }
   /// The contact of each plane with the finest mesh at its positions.
   [[nodiscard]] virtual std::vector<PlaneContact> plane_contacts() { return {}; }
-  /// Per tet of the finest mesh: first Piola-Kirchhoff stress by columns [Pa], with the pressure of its patch or of its
-  /// nodes where volumes are averaged.
+  /// Per tet of the finest mesh, by columns [Pa]: first Piola-Kirchhoff stress, with the pressure of its patch or of
+  /// its nodes where volumes are averaged; of make_linear_solver() the stress of small strain.
   [[nodiscard]] virtual std::vector<std::array<double, 9>> stresses() = 0;
   [[nodiscard]] virtual index_t bytes() const = 0;  ///< of arrays in the memory of the device that is used
 

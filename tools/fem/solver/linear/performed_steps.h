@@ -1,4 +1,4 @@
-// The steps that executors do in ways of their own: on CUDA, where the file is compiled for it, and else on the CPU. So
+// The steps that executors do in ways of their own: on CUDA, where the file is compiled for it, and else on the CPU, so
 // that one source is the program of both.
 #pragma once
 

@@ -91,8 +91,8 @@ void require_planes(const std::vector<RigidPlane>& planes) {
 
 void require_vectors(const std::string& what, std::span<const Point> vectors, std::size_t nodes) {
   if (vectors.size() != nodes) {
-    throw Error(what + " has " + std::to_string(vectors.size()) + " vectors for " + std::to_string(nodes) +
-                " nodes: give one of each");
+    throw Error(what + " is given for " + std::to_string(vectors.size()) + " nodes of " + std::to_string(nodes) +
+                ": give one vector for each node");
   }
   require_finite(what, vectors);
 }
