@@ -207,9 +207,8 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.require_subcommand(1);
   app.footer(
       "'physgen SCHEMA... -o DIR' is short for 'physgen generate SCHEMA... -o DIR'.\n"
-      "Exit status: 0: done; 1: a schema, scene or program has errors and nothing was written, or the file of --check "
-      "is\n"
-      "stale; 2: the use is wrong, or a file cannot be read or written.");
+      "Exit status: 0: done; 1: a schema, scene or program has errors and nothing was written, or a --check failed;\n"
+      "2: the use is wrong, or a file cannot be read or written.");
   auto* generate =
       add_command(app, "generate", "Write the accessor classes of schemas: x.h gives DIR/x.physgen.h", arguments);
   generate->add_option("SCHEMA", arguments.schemas, "Schema headers")->required();
