@@ -1,8 +1,8 @@
 // The words of kernels on a CUDA device.
 #include <physgen/cuda/parallel_for.h>
 
-#include "gpu_fixture.h"
 #include "function_checks.h"
+#include "gpu_fixture.h"
 
 namespace physgen::test {
 namespace {

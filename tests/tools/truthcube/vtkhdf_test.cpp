@@ -160,7 +160,8 @@ TEST_F(VtkHdf, restart_refuses_what_it_cannot_continue) {
   expect_error([&] { static_cast<void>(scene.append_to(path, 3)); }, path.string(), "has 2 steps", "after step 3");
   hid_t other = H5Fcreate(in_folder("other.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(other);
-  expect_error([&] { static_cast<void>(scene.append_to(in_folder("other.h5"), 1)); }, "truthcube did not write this file");
+  expect_error([&] { static_cast<void>(scene.append_to(in_folder("other.h5"), 1)); },
+               "truthcube did not write this file");
   scene.expect_only_steps(path, 2);
 }
 

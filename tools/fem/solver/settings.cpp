@@ -1,6 +1,5 @@
-#include <fem/solver/settings.h>
-
 #include <fem/solver/material_names.h>
+#include <fem/solver/settings.h>
 #include <physgen/error.h>
 
 namespace physgen::fem {

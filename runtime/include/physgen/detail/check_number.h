@@ -20,7 +20,7 @@ namespace physgen::detail {
 PHYSGEN_FUNCTION inline void check_number(index_t last) {
   if (last <= std::numeric_limits<std::int32_t>::max()) return;
 #ifdef __CUDA_ARCH__
-  printf("physgen: numbers(i) of object %lld: it gives 32-bit numbers, up to 2147483647; run the kernel over parts of the array\n",
+  printf("physgen: numbers(i) of object %lld is above 2147483647; run on parts of the array, or on single objects\n",
          static_cast<long long>(last));
   __trap();
 #else
