@@ -9,6 +9,8 @@
 namespace physgen::frontend {
 
 void Report::error(clang::SourceRange range, std::string message, std::optional<Note> note) {
+  const auto is_said = [&](const Entry& entry) { return entry.range == range && entry.message == message; };
+  if (std::any_of(entries_.begin(), entries_.end(), is_said)) return;  // two options may name one constant
   entries_.push_back({range, std::move(message), std::move(note)});
 }
 

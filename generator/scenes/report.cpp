@@ -132,7 +132,7 @@ std::string lines(const FieldNeed& field) {
 
 /// The records that pruning changes, or fails to change: an array with some fields that is stored without others.
 std::string records_text(const Scene& scene, const Needs& needs) {
-  std::vector<std::vector<std::string>> rows = {{"  array", "layout", "bytes", "of", ""}};
+  std::vector<std::vector<std::string>> rows = {{"  array", "layout", "bytes", "with all fields", ""}};
   for_each_array(scene, needs, [&](const Group& group, const Array& array, const ArrayNeed& need) {
     if (need.left_out() || need.local() || std::ranges::all_of(need.fields, &FieldNeed::kept)) return;
     const bool is_same = std::ranges::all_of(need.records, [&](const Record& record) {
@@ -146,8 +146,9 @@ std::string records_text(const Scene& scene, const Needs& needs) {
       if (is_same) break;
     }
   });
-  return rows.size() == 1 ? std::string()
-                          : "\nRecords without the fields that are pruned, with padding:\n" + columns(rows);
+  return rows.size() == 1
+             ? std::string()
+             : "\nBytes that records take without the fields that are pruned, padding included:\n" + columns(rows);
 }
 
 /// "force.h:7:3: field v of ..."

@@ -106,8 +106,7 @@ Options parse(const std::vector<std::string>& arguments) {
             [&](index_t n) { options.threads = static_cast<int>(n); });
   on_number("--objects", 100000000,
             "number of tets (default: 1048576 on the CPU and for sets, 8388608 on the GPU); kernels over nodes and "
-            "edges run over "
-            "all of the smallest cube with at least N tets",
+            "edges run over all of the smallest cube with at least N tets",
             [&](index_t n) { options.sizes = {n, n, n, true}; });
   app.add_flag("--table", options.table, "print the table in any case");
   app.add_option("--json", json, "also write all results and the machine to FILE; short for --benchmark_out=FILE")

@@ -186,7 +186,7 @@ TEST_F(SceneCommand, says_how_many_bytes_the_compiler_gives_a_record_without_its
   ASSERT_EQ(run("generate particles.h -o generated").status, 0);
   const auto outcome = scene("--no-fuse");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("  body.last     aos_padded (host)  16     16  padding takes what pruning saves\n"
+  EXPECT_NE(outcome.out.find("  body.last     aos_padded (host)  16     16               padding takes what pruning saves\n"
                              "  body.last     aos (cuda)         4      12\n"),
             std::string::npos)
       << outcome.out;

@@ -56,9 +56,9 @@ TEST(NeedReport, says_what_pruning_saves_of_records_with_their_padding) {
   const std::vector<scenes::Record> whole = {{"host", "soa", 12, 12}, {"cuda", "soa", 12, 12}};
   add_records({whole, {{"host", "aos_padded", 48, 48}, {"cuda", "aos", 12, 48}}, whole, whole}, needs);
   const std::string text = scenes::report_text(scene, needs);
-  EXPECT_NE(text.find("\nRecords without the fields that are pruned, with padding:\n"
-                      "  array     layout             bytes  of\n"
-                      "  body.svd  aos_padded (host)  48     48  padding takes what pruning saves\n"
+  EXPECT_NE(text.find("\nBytes that records take without the fields that are pruned, padding included:\n"
+                      "  array     layout             bytes  with all fields\n"
+                      "  body.svd  aos_padded (host)  48     48               padding takes what pruning saves\n"
                       "  body.svd  aos (cuda)         12     48\n\n"),
             std::string::npos)
       << text;
