@@ -31,11 +31,10 @@ struct RotationMove {
     return decode_rotation<S>(first.from, !to_quaternion,
                               [&](int k) { return from.address(i, first.from_offset + k * size, size); });
   }
-  /// Computed in double if one of the sides is.
   PHYSGEN_FUNCTION void apply(const Addressing& to, const Addressing& from, index_t i) const {
     const int size = element_bytes(first.to.type);
     const auto at = [&](int k) { return to.address(i, first.to_offset + k * size, size); };
-    if (size == 8 || element_bytes(first.from.type) == 8) {
+    if (converts_in_double(first.to, first.from)) {
       encode_rotation<double>(first.to, to_quaternion, at, read<double>(from, i));
     } else {
       encode_rotation<float>(first.to, to_quaternion, at, read<float>(from, i));
@@ -119,13 +118,21 @@ struct Fill {
   return nullptr;
 }
 
-/// Counts what `move` could not hold of object i.
-PHYSGEN_FUNCTION inline void count_element(Losses& losses, const ElementMove& move, const Addressing& from, index_t i) {
-  if (move.to.own != nullptr && move.to == move.from) return;  // it moves as it is
+/// Counts what `move` could not hold of object i, computed in S as convert_element() does.
+template <class S>
+PHYSGEN_FUNCTION inline void count_element_in(Losses& losses, const ElementMove& move, const Addressing& from,
+                                              index_t i) {
   alignas(8) std::byte stored[8];
-  const double value = decode<double>(from.address(i, move.from_offset, element_bytes(move.from.type)), move.from);
-  encode(stored, move.to, value);
-  count_loss(losses, move.to.type, move.to.scale, value, decode<double>(stored, move.to), i, move.to_offset);
+  const S value = decode<S>(from.address(i, move.from_offset, element_bytes(move.from.type)), move.from);
+  encode<S>(stored, move.to, value);
+  count_loss(losses, move.to.type, move.to.scale, static_cast<double>(value),
+             static_cast<double>(decode<S>(stored, move.to)), i, move.to_offset);
+}
+PHYSGEN_FUNCTION inline void count_element(Losses& losses, const ElementMove& move, const Addressing& from, index_t i) {
+  if (move.to.type == ElementType::int32) return;
+  if (move.to.own != nullptr && move.to == move.from) return;  // it moves as it is
+  if (converts_in_double(move.to, move.from)) return count_element_in<double>(losses, move, from, i);
+  count_element_in<float>(losses, move, from, i);
 }
 PHYSGEN_FUNCTION inline void count_rotation(Losses& losses, const RotationMove& move, const Addressing& from,
                                             index_t i) {

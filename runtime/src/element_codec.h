@@ -15,6 +15,7 @@ struct FieldFormat {
   ElementType type = ElementType::float32;
   bool scaled = false;     ///< scale is not 1 or centre not 0
   bool has_codec = false;  ///< with_codec() knows it
+  bool in_double = false;  ///< kernels compute with it in double
   double scale = 1;
   double centre = 0;
   const OwnCodec* own = nullptr;  ///< called on the host alone
@@ -23,6 +24,7 @@ struct FieldFormat {
   explicit FieldFormat(const FieldInfo& field)
       : type(field.type),
         scaled(field.scale != 1 || field.centre != 0),
+        in_double(field.in_double || element_bytes(field.type) == 8),
         scale(field.scale),
         centre(field.centre),
         own(field.own) {
@@ -32,7 +34,10 @@ struct FieldFormat {
   }
   /// Whether memory holds the very numbers, of this type.
   [[nodiscard]] PHYSGEN_FUNCTION bool is_plain(ElementType of) const { return type == of && !scaled && own == nullptr; }
-  bool operator==(const FieldFormat&) const = default;
+  /// Whether memory holds the same bits for the same value, whatever is computed with.
+  [[nodiscard]] PHYSGEN_FUNCTION bool operator==(const FieldFormat& other) const {
+    return type == other.type && scale == other.scale && centre == other.centre && own == other.own;
+  }
 };
 
 // Codecs convert elements of 16 bits to and from S in loops over many elements. There is one for each stored type.
@@ -171,15 +176,26 @@ PHYSGEN_FUNCTION inline void move_bits(std::byte* to, const std::byte* from, int
   move_word<2>(to, from);
 }
 
+/// Whether a conversion computes in double: where kernels do so with one of the two.
+[[nodiscard]] PHYSGEN_FUNCTION inline bool converts_in_double(const FieldFormat& to, const FieldFormat& from) {
+  return to.in_double || from.in_double;
+}
+/// Whether computing in float gives the bits of the stated precision: in double only where elements are no sums or
+/// products, but numbers that float has. @pre neither has 8 bytes
+[[nodiscard]] inline bool float_suffices(const FieldFormat& to, const FieldFormat& from) {
+  const auto plain = [](const FieldFormat& stored) { return !stored.scaled && stored.type != ElementType::snorm16; };
+  return !converts_in_double(to, from) || (plain(to) && plain(from));
+}
+
 /// Converts one element from one format to another; keeps the very bits where both are the same.
 PHYSGEN_FUNCTION inline void convert_element(std::byte* to, const FieldFormat& to_format, const std::byte* from,
                                              const FieldFormat& from_format) {
   if (to_format == from_format) {
     move_bits(to, from, element_bytes(to_format.type));
-  } else if (element_bytes(to_format.type) < 8 && element_bytes(from_format.type) < 8) {
-    encode(to, to_format, decode<float>(from, from_format));
-  } else {
+  } else if (converts_in_double(to_format, from_format)) {
     encode(to, to_format, decode<double>(from, from_format));
+  } else {
+    encode(to, to_format, decode<float>(from, from_format));
   }
 }
 

@@ -50,6 +50,22 @@ void move_strided(StridedElements to, StridedElements from, index_t count) {
   convert_strided<T, T>(to, from, count, [](T value) { return value; });
 }
 
+// Between floats and 16 bits, computed in S: to 16 bits where `narrow` is true, else from them.
+template <class S>
+void convert_by_codec(const ElementMove& move, bool narrow, StridedElements to, StridedElements from, index_t count) {
+  if (narrow) {
+    with_codec<S>(move.to, [&](const auto& codec) {
+      convert_strided<std::uint16_t, float>(to, from, count,
+                                            [&codec](float value) { return codec.encode(static_cast<S>(value)); });
+    });
+  } else {
+    with_codec<S>(move.from, [&](const auto& codec) {
+      convert_strided<float, std::uint16_t>(
+          to, from, count, [&codec](std::uint16_t bits) { return static_cast<float>(codec.decode(bits)); });
+    });
+  }
+}
+
 void convert_strided(const ElementMove& move, StridedElements to, StridedElements from, index_t count) {
   if (move.to == move.from) {
     const int size = element_bytes(move.to.type);
@@ -63,16 +79,11 @@ void convert_strided(const ElementMove& move, StridedElements to, StridedElement
   if (move.to.is_plain(ElementType::float64) && move.from.is_plain(ElementType::float32)) {
     return convert_strided<double, float>(to, from, count, [](float value) { return static_cast<double>(value); });
   }
-  if (move.from.is_plain(ElementType::float32) && move.to.has_codec) {
-    return with_codec<float>(move.to, [&](const auto& codec) {
-      convert_strided<std::uint16_t, float>(to, from, count, [&codec](float value) { return codec.encode(value); });
-    });
-  }
-  if (move.to.is_plain(ElementType::float32) && move.from.has_codec) {
-    return with_codec<float>(move.from, [&](const auto& codec) {
-      convert_strided<float, std::uint16_t>(to, from, count,
-                                            [&codec](std::uint16_t bits) { return codec.decode(bits); });
-    });
+  const bool narrow = move.from.is_plain(ElementType::float32) && move.to.has_codec;
+  const bool widen = move.to.is_plain(ElementType::float32) && move.from.has_codec;
+  if (narrow || widen) {
+    return float_suffices(move.to, move.from) ? convert_by_codec<float>(move, narrow, to, from, count)
+                                              : convert_by_codec<double>(move, narrow, to, from, count);
   }
   for (index_t l = 0; l < count; ++l) {
     convert_element(to.first + l * to.stride, move.to, from.first + l * from.stride, move.from);

@@ -25,6 +25,7 @@ struct FieldInfo {
   bool quaternion;                ///< rotations, stored as w, x, y, z
   const OwnCodec* own = nullptr;  ///< where the format is not the library's
   bool pruned = false;            ///< of type none, and copies to the array leave it out
+  bool in_double = false;         ///< kernels compute with it in double, however it is stored
 
   /// Elements that code sees: 9 for a rotation, however it is stored.
   [[nodiscard]] PHYSGEN_FUNCTION constexpr int visible_count() const { return quaternion ? count / 4 * 9 : count; }
@@ -52,7 +53,8 @@ template <class Shape, class Format, class T>
           std::is_same_v<Shape, shape::Rotation>,
           format::is_quaternion<Format>,
           detail::own_codec<Element, T>(),
-          format::is_pruned<Element>};
+          format::is_pruned<Element>,
+          std::is_same_v<T, double>};
 }
 
 /// Whether something is stored of every field.

@@ -169,8 +169,9 @@ __global__ void convert_rotations(const Addressing to, const Addressing from, co
   };
   if (all_moved(4)) return Kind::words4;
   if (all_moved(2)) return Kind::words2;
-  if (uniform && from.is_plain(ElementType::float32) && to.has_codec) return Kind::narrow;
-  if (uniform && to.is_plain(ElementType::float32) && from.has_codec) return Kind::widen;
+  const bool in_float = uniform && detail::float_suffices(to, from);
+  if (in_float && from.is_plain(ElementType::float32) && to.has_codec) return Kind::narrow;
+  if (in_float && to.is_plain(ElementType::float32) && from.has_codec) return Kind::widen;
   return Kind::any;
 }
 
