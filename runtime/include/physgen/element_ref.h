@@ -6,6 +6,7 @@
 #pragma once
 
 #include <physgen/detail/reference_rules.h>
+#include <physgen/detail/stored_copy.h>
 #include <physgen/format/probe.h>
 
 #include <type_traits>
@@ -53,16 +54,31 @@ class ElementRef {
   operator Value() const& = delete;
 
   PHYSGEN_FUNCTION const ElementRef& operator=(const Value& value) const& { return write(value); }
-  /// Copies the element.
-  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef&& other) const& { return write(other.read()); }
+  /// Copies the element, with the bits that are stored.
+  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef&& other) const& {
+    if constexpr (detail::field_assigns_stored<Format, T, Cursor, Cursor>) return copy(other);
+    return write(other.read());
+  }
+  template <class Other>
+    requires(detail::field_assigns_stored<Format, T, Cursor, Other> &&
+             std::is_same_v<typename Other::template Lanes<T>, Value>)
+  PHYSGEN_FUNCTION const ElementRef& operator=(const ElementRef<Format, T, Other>&& other) const& {
+    return copy(other);
+  }
   PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, +, Value, !Cursor::gathered)
   PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, -, Value, !Cursor::gathered)
   PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, *, Value, !Cursor::gathered)
   PHYSGEN_COMPOUND_ASSIGNMENT(ElementRef, /, Value, !Cursor::gathered)
   PHYSGEN_FUNCTION friend void swap(const ElementRef& a, const ElementRef& b) {
-    const Value old = a.read();
-    a.write(b.read());
-    b.write(old);
+    if constexpr (detail::field_assigns_stored<Format, T, Cursor, Cursor>) {
+      const auto old = a.stored(), other = b.stored();
+      a.at_.template store_stored<Format, T>(a.offset_, a.k_, other);
+      b.at_.template store_stored<Format, T>(b.offset_, b.k_, old);
+    } else {
+      const Value old = a.read();
+      a.write(b.read());
+      b.write(old);
+    }
   }
 
   ElementRef& operator=(const ElementRef&) & = delete;
@@ -94,6 +110,14 @@ class ElementRef {
   }
 
  private:
+  template <class, class, class>
+  friend class ElementRef;
+  [[nodiscard]] PHYSGEN_FUNCTION auto stored() const { return at_.template load_stored<Format, T>(offset_, k_); }
+  template <class Other>
+  PHYSGEN_FUNCTION const ElementRef& copy(const ElementRef<Format, T, Other>& other) const {
+    at_.template store_stored<Format, T>(offset_, k_, other.stored());
+    return *this;
+  }
   [[nodiscard]] PHYSGEN_FUNCTION Value read() const { return at_.template load<Format, T>(offset_, k_); }
   PHYSGEN_FUNCTION const ElementRef& write(const Value& value) const {
     at_.template store<Format, T>(offset_, k_, value);

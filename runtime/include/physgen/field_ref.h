@@ -38,8 +38,17 @@ class FieldRef {
 
   /// Stores `value`.
   PHYSGEN_FUNCTION const FieldRef& operator=(const Value& value) const& { return write(value); }
-  /// Copies the field.
-  PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef&& other) const& { return write(other.read()); }
+  /// Copies the field, with the bits that are stored.
+  PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef&& other) const& {
+    if constexpr (detail::field_assigns_stored<Format, T, Cursor, Cursor>) return copy(other.at_);
+    return write(other.read());
+  }
+  template <class Other>
+    requires(detail::field_assigns_stored<Format, T, Cursor, Other> &&
+             std::is_same_v<typename Other::template Lanes<T>, Scalar>)
+  PHYSGEN_FUNCTION const FieldRef& operator=(const FieldRef<Shape, Format, T, Other>&& other) const& {
+    return copy(other.at_);
+  }
   PHYSGEN_COMPOUND_ASSIGNMENT(FieldRef, +, Value, calculates)
   PHYSGEN_COMPOUND_ASSIGNMENT(FieldRef, -, Value, calculates)
   PHYSGEN_COMPOUND_ASSIGNMENT(FieldRef, *, Scalar, calculates)
@@ -58,9 +67,13 @@ class FieldRef {
     return write(identity);
   }
   PHYSGEN_FUNCTION friend void swap(const FieldRef& a, const FieldRef& b) {
-    const Value old = a.read();
-    a.write(b.read());
-    b.write(old);
+    if constexpr (detail::field_assigns_stored<Format, T, Cursor, Cursor>) {
+      detail::move_stored(detail::SwapStored<Cursor>{a.at_, b.at_}, 0, 0, StoredAs<Shape, Format, T>());
+    } else {
+      const Value old = a.read();
+      a.write(b.read());
+      b.write(old);
+    }
   }
 
   /// `= {}` would store an Eigen value that nothing has initialised.
@@ -117,6 +130,8 @@ class FieldRef {
   }
 
  private:
+  template <class, class, class, class>
+  friend class FieldRef;
   using Element = format::ElementFormat<Format>;
   static constexpr bool joins_words = format::is_plain<Format, T> && Cursor::template joins_words<T, Shape::count>;
   static constexpr int whole_words = align_up(Shape::count * int{sizeof(T)}, 16) / int{sizeof(T)};
@@ -146,6 +161,12 @@ class FieldRef {
       }
       return Shape::template value<Scalar>(Elements{at_});
     }
+  }
+
+  template <class Other>
+  PHYSGEN_FUNCTION const FieldRef& copy(const Other& from) const {
+    detail::move_stored(detail::CopyStored<Cursor, Other>{at_, from}, 0, 0, StoredAs<Shape, Format, T>());
+    return *this;
   }
 
   PHYSGEN_FUNCTION const FieldRef& write(const Value& value) const {

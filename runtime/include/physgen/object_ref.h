@@ -1,7 +1,7 @@
 // The common part of all references to objects of an array. Generated code adds the accessors of the fields.
 #pragma once
 
-#include <physgen/config.h>
+#include <physgen/detail/stored_copy.h>
 
 #include <concepts>
 #include <type_traits>
@@ -14,12 +14,12 @@ concept ReadsAs = requires(const Ref& ref) {
   { ref.get() } -> std::same_as<const Value>;
 };
 
-/// A type that says how a field is stored: with this shape, in this format, computed with as T.
-template <class Shape, class Format, class T>
-struct StoredAs {};
-/// The same of a nested object. @tparam Object its generated tag
-template <class Object, class Formats, class Real>
-struct NestedAs {};
+namespace detail {
+
+/// The cursors that references to objects stand on.
+struct CursorOf;
+
+}  // namespace detail
 
 /// The base of generated accessors, which stands on their object(s).
 template <class Cursor_>
@@ -41,12 +41,31 @@ class OnCursor {
   }
 
  private:
+  friend detail::CursorOf;
   Cursor at_;
 };
 
+namespace detail {
+
+struct CursorOf {
+  template <class Ref>
+  [[nodiscard]] PHYSGEN_FUNCTION static const typename Ref::Cursor& reference(const Ref& ref) {
+    return static_cast<const OnCursor<typename Ref::Cursor>&>(ref).at_;
+  }
+};
+
+/// References to objects whose assignment moves what is stored.
+template <class To, class From>
+concept StoredAlike = requires {
+  requires assigns_stored<typename To::Cursor, typename From::Cursor, typename To::Record::fields_,
+                          typename From::Record::fields_>();
+};
+
+}  // namespace detail
+
 /// A reference to one object of an array, or to those under a SIMD index. Assignment copies objects, as
-/// `view[i] = view[j]` looks; a named reference that is not const is not assigned, because std::swap and algorithms
-/// would take it for a value.
+/// `view[i] = view[j]` looks, with the bits that are stored where both have the same formats; a named reference that is
+/// not const is not assigned, because std::swap and algorithms would take it for a value.
 /// @tparam Accessors a generated class such as elasticity::StressRef<float, Formats, Cursor>: a function for each
 /// field,
 ///         and get() and put() for all of them
@@ -68,7 +87,14 @@ class ObjectRef : public Accessors {
  private:
   template <class Other>
   PHYSGEN_FUNCTION const ObjectRef& assign_(const Other& other) const {
-    this->put(other.get());
+    if constexpr (detail::StoredAlike<ObjectRef, Other>) {
+      using detail::CursorOf;
+      const detail::CopyStored<typename Accessors::Cursor, typename Other::Cursor> copy{CursorOf::reference(*this),
+                                                                                        CursorOf::reference(other)};
+      detail::move_all_stored(copy, 0, 0, typename Accessors::Record::fields_(), typename Other::Record::fields_());
+    } else {
+      this->put(other.get());
+    }
     return *this;
   }
 };
@@ -77,9 +103,15 @@ class ObjectRef : public Accessors {
 template <class Ref>
   requires ReadsAs<Ref, typename Ref::Value>
 PHYSGEN_FUNCTION void swap(const Ref& a, const Ref& b) {
-  const auto before = a.get();
-  a.put(b.get());
-  b.put(before);
+  if constexpr (detail::StoredAlike<Ref, Ref>) {
+    using Fields = typename Ref::Record::fields_;
+    const detail::SwapStored<typename Ref::Cursor> swap{detail::CursorOf::reference(a), detail::CursorOf::reference(b)};
+    detail::move_all_stored(swap, 0, 0, Fields(), Fields());
+  } else {
+    const auto before = a.get();
+    a.put(b.get());
+    b.put(before);
+  }
 }
 
 /// Elements that are stored as they are computed, of single objects: `swap(view[i].m(), view[j].m())`.

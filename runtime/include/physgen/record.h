@@ -87,6 +87,7 @@ struct SizedRecord : Generated {
 /// @tparam kEntries of a fixed array; 1 for others
 template <class Record, int kNumber, class Shape, class Format, class T, int kEntries = 1>
 struct StoredField : StoredAs<Shape, Format, T> {
+  using As = StoredAs<Shape, Format, T>;
   static constexpr Slot slot = physgen::slot<Shape, Format, T>(kEntries);
   static constexpr int offset = Record::fields_::plan.offset[kNumber];  ///< [bytes]
   static constexpr int stride = Record::fields_::plan.stride[kNumber];  ///< from one entry to the next [bytes]
@@ -96,6 +97,7 @@ struct StoredField : StoredAs<Shape, Format, T> {
 /// @tparam Object the generated tag of the nested object
 template <class Record, int kNumber, class Object, class Formats, class Real, int kEntries = 1>
 struct NestedField : NestedAs<Object, Formats, Real> {
+  using As = NestedAs<Object, Formats, Real>;
   using Inner = typename Object::template Record<Real, Formats>;
   static constexpr int inner_alignment = Inner::fields_::plan.alignment;
   static constexpr Slot slot = {align_up(Inner::bytes, inner_alignment), inner_alignment, kEntries};

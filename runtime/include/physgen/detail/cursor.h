@@ -113,6 +113,7 @@ class Cursor : private LossSink {
   using Lanes = T;
   /// Whether two lanes may stand on one object.
   static constexpr bool gathered = false;
+  static constexpr bool gives_stored = true;
   /// Whether it stands on a local of a fused kernel.
   static constexpr bool of_a_local = requires { Layout::of_locals; };
 
@@ -155,13 +156,23 @@ class Cursor : private LossSink {
   }
   template <class Format, class T>
   PHYSGEN_FUNCTION void store(int offset, int k, const T& value) const {
-    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+    refuse_read_only();
     if constexpr (!format::StoresNothing<Format>) {
       using Stored = typename Format::template Stored<T>;
       const Stored stored = Format::template encode<T>(value);
       this->template count<Format, T>(offset + k * int{sizeof(Stored)}, value, stored);
       address<Stored>(offset)[law::channel_begin(k, pitch_.value())] = stored;
     }
+  }
+  /// Reads and writes what memory holds of an element.
+  template <class Format, class T>
+  [[nodiscard]] PHYSGEN_FUNCTION typename Format::template Stored<T> load_stored(int offset, int k) const {
+    return address<typename Format::template Stored<T>>(offset)[law::channel_begin(k, pitch_.value())];
+  }
+  template <class Format, class T>
+  PHYSGEN_FUNCTION void store_stored(int offset, int k, const typename Format::template Stored<T>& stored) const {
+    refuse_read_only();
+    address<typename Format::template Stored<T>>(offset)[law::channel_begin(k, pitch_.value())] = stored;
   }
   /// Adds to kCount elements, from the k-th on, to which other threads may add at the same time.
   template <class Format, class T, int kCount>
@@ -258,6 +269,9 @@ class Cursor : private LossSink {
 #endif
 
  private:
+  PHYSGEN_FUNCTION static constexpr void refuse_read_only() {
+    static_assert(!std::is_const_v<Byte>, "this array is read-only here");
+  }
   /// A T as code sees it: const in a read-only array.
   template <class T>
   using Element = std::conditional_t<std::is_const_v<Byte>, const T, T>;

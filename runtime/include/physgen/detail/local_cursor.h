@@ -138,6 +138,7 @@ class OnCursor<Cursor_> {
   }
 
  private:
+  friend detail::CursorOf;
   /// The number of a record's field among all fields of the local.
   template <class Record>
   [[nodiscard]] static constexpr int number(int field) {

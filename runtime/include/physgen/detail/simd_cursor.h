@@ -86,6 +86,12 @@ class RunLanes {
   RunningLanes before_;
 };
 
+/// What memory holds of an element of W objects.
+template <class Stored, int W>
+struct alignas(64) StoredLanes {
+  std::array<Stored, W> lanes;
+};
+
 /// Makes references to fields and elements, and applies their formats, by read and write of the derived cursor.
 template <class Derived, int W>
 class SimdCursor : protected LossSink {
@@ -94,6 +100,7 @@ class SimdCursor : protected LossSink {
   using Lanes = batch_t<T, W>;
   template <class T, int kCount>
   static constexpr bool joins_words = false;
+  static constexpr bool gives_stored = true;
   /// Bits of all W lanes.
   static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
 
@@ -136,6 +143,26 @@ class SimdCursor : protected LossSink {
       store_nothing<Format, T>();
     } else {
       store_encoded<Format, T>(offset, k, value, self().written(), std::bool_constant<Derived::whole>());
+    }
+  }
+  /// Reads and writes what memory holds of an element.
+  template <class Format, class T>
+  [[nodiscard]] auto load_stored(int offset, int k) const {
+    using Stored = typename Format::template Stored<T>;
+    const int at = offset + k * int{sizeof(Stored)};
+    note_read(at);
+    StoredLanes<Stored, W> stored;
+    self().read_lanes(at, stored.lanes);
+    return stored;
+  }
+  template <class Format, class T, class Stored>
+  void store_stored(int offset, int k, const StoredLanes<Stored, W>& stored) const {
+    note_write<Format, T>(offset, k, all_lanes);
+    const int at = offset + k * int{sizeof(Stored)};
+    if constexpr (Derived::whole) {
+      self().write_lanes(at, stored.lanes);
+    } else {
+      self().write_some_lanes(at, stored.lanes, self().written());
     }
   }
   /// Stores the lanes whose bits are set in `lanes`.
