@@ -74,7 +74,7 @@ index_t copy_range(const UntypedArray& to, const UntypedArray& from, index_t beg
 
 void copy(const UntypedArray& to, const UntypedArray& from, Stream stream) {
   require_two_arrays_of_one_type(to, from);
-  if (to.size != from.size) detail::refuse_copy(to, from, "resize the target first");
+  if (to.size != from.size) detail::refuse_copy(to, from, "resize the target, which comes first in copy(to, from)");
   copy_range(to, from, 0, from.size, stream);
 }
 

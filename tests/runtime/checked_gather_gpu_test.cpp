@@ -17,7 +17,7 @@ TEST_F(CheckedGather, refuses_what_formats_cannot_hold_by_its_number_and_keeps_t
     if (i == 250000) object.x1111 = 1e6F;
     return object;
   };
-  const std::string message = message_of([&] { gather_by(array.size(), array, object_of); });
+  const std::string message = message_of([&] { gather_by(array, array.size(), object_of); });
   EXPECT_NE(message.find("cannot hold 1 values"), std::string::npos) << message;
   EXPECT_NE(message.find("the first is 1e+06 Pa in x1111 of object 250000"), std::string::npos) << message;
   EXPECT_EQ(array.getdata(3, 0), 5);

@@ -186,11 +186,11 @@ TEST(CheckedScatter, refuses_a_pointer_that_is_there_twice) {
   std::vector<elasticity::NodePosition<float>*> pointers;
   for (auto& object : objects) pointers.push_back(&object);
   const auto write = [](auto& object, const auto& value) { object.x = value.x + Eigen::Vector3f::Ones(); };
-  scatter(array, pointers, write);
+  scatter(pointers, array, write);
   EXPECT_EQ(objects[3].x[0], 1);
   pointers[4] = pointers[1];
   pointers[3] = pointers[2];
-  EXPECT_EQ(message_of([&] { scatter(array, pointers, write); }),
+  EXPECT_EQ(message_of([&] { scatter(pointers, array, write); }),
             "physgen: elasticity::NodePosition: pointers 2 and 3 of 5 are the same; an object is scattered to once");
   EXPECT_EQ(objects[0].x[0], 1) << "nothing was written";
 }
@@ -255,7 +255,7 @@ TEST(CheckedFormats, refuse_values_that_they_cannot_hold_and_change_nothing) {
   for (auto& object : objects) pointers.push_back(&(object = wrong.view().get(0)));
   objects[11].x1111 = std::numeric_limits<float>::quiet_NaN();
   said(message_of([&] {
-         gather(std::span<elasticity::StressDerivative<float>* const>(pointers), array,
+         gather(array, std::span<elasticity::StressDerivative<float>* const>(pointers),
                 [](const auto& object) { return object; });
        }),
        "the first is nan Pa in x1111 of object 11");

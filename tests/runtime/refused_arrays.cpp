@@ -1,17 +1,20 @@
 // Sets of arrays and arrays of scenes that a compiler must refuse, with words that say what is wrong. refused.py
 // compares them with what it reports.
 #include <elasticity.physgen.h>
+#include <physgen/gather.h>
 #include <physgen/row_arrays.h>
 #include <physgen/scene.h>
 #include <physgen/topology.h>
 
 #include <array>
 #include <utility>
+#include <vector>
 
 using namespace physgen;
 
 namespace {
 
+using Range = elasticity::IncidenceRange<float>;
 using Ranges = elasticity::IncidenceRangeArray<float>;
 using Entries = elasticity::IncidenceArray<float>;
 using PinnedEntries = elasticity::IncidenceArray<float, PinnedHost>;
@@ -30,7 +33,29 @@ const RowArrays<Ranges, PinnedEntries> rows_in_two_spaces;
 const ArraySet<> a_set_of_no_arrays;
 /// refused more_names_than_an_input_has: no array has more than 32 fields named one by one
 const auto more_names_than_an_input_has = named(std::make_index_sequence<33>());
+/// refused a_copy_to_a_const_array: copy(to, from): the array that is written comes first, and this one is const
+void a_copy_to_a_const_array(const Ranges& from, Ranges& to) { copy(from, to); }
+/// refused a_copy_to_a_read_only_view: copy(to, from): what is written comes first, and it is an array, not a view
+void a_copy_to_a_read_only_view(const Ranges& from, Ranges& to) { copy(from.const_view(), to); }
+/// refused objects_appended_to_a_const_array: append(array, other): the array that grows comes first
+void objects_appended_to_a_const_array(const Ranges& from, Ranges& to) { append(from, to); }
+/// refused gathering_to_pointers: gather(array, pointers, to_value): the array, which is written, comes first
+void gathering_to_pointers(const std::vector<Range*>& from, Ranges& to) {
+  gather(from, to, [](const Range& range) { return range; });
+}
+/// refused scattering_to_an_array: scatter(pointers, array, from_value): the pointers to what is written come first
+void scattering_to_an_array(const Ranges& from, const std::vector<Range*>& to) {
+  scatter(from, to, [](Range& range, const Range& value) { range = value; });
+}
 
 // ---- What is not refused ----
+void accepted_order(const Ranges& from, Ranges& to, const std::vector<Range*>& pointers) {
+  copy(to, from);
+  copy(to, from.const_view());
+  copy(to, to.const_view());
+  append(to, from);
+  gather(to, pointers, [](const Range& range) { return range; });
+  scatter(pointers, from, [](Range& range, const Range& value) { range = value; });
+}
 const RowArrays<Ranges, Entries> accepted_rows;
 const auto accepted_names = named(std::make_index_sequence<32>());

@@ -87,10 +87,10 @@ TEST_F(CudaArray, gathers_from_and_scatters_to_scattered_host_objects) {
   }
   const std::span<elasticity::NodePosition<float>* const> all(pointers);
   Array<elasticity::NodePositionObject, float, Cuda, Soa> array;
-  gather(all, array, [](const auto& object) { return object; });
+  gather(array, all, [](const auto& object) { return object; });
   EXPECT_EQ(array.getdata(0, 0), 1002);
   array.putdata(5, 1, -7);
-  scatter(array, all, [](auto& object, const auto& value) { object = value; });
+  scatter(all, array, [](auto& object, const auto& value) { object = value; });
   EXPECT_EQ(objects[997].x, Eigen::Vector3f(997, -7, 2));
   EXPECT_EQ(objects[996].x, Eigen::Vector3f(996, 1, 2));
 }

@@ -48,6 +48,8 @@ class Array {
 
   Array() = default;
   /// `size` objects with their fields' initial values (zero where the schema states none; a Rotation is the identity).
+  /// Where the schema states none and Formats of a program's own have a range without zero, which a schema is refused
+  /// for, new objects hold the end of the range that is nearest to it.
   /// @throw Error when size is negative, the memory cannot be had, or a format cannot hold the initial value of its
   /// field
   explicit Array(index_t size) { resize(size); }
@@ -158,6 +160,8 @@ template <class... Arrays>
 /// Copies all objects between any two arrays of one object type: layouts, storage formats, precisions and spaces may
 /// differ. Fields that `to` prunes are left out; where `from` does not store a field that `to` has, or `to` stores
 /// nothing of one without pruning it (format/nothing.h), this does not compile.
+/// What is written comes first; a const array is read alone, and so is a read-only view, copy(to, from.const_view()),
+/// which makes a swapped call an error of the compiler.
 /// See copy(const UntypedArray&, const UntypedArray&, Stream) for order and errors.
 template <class Object, class RealTo, class SpaceTo, class LayoutTo, class FormatsTo, class RealFrom, class SpaceFrom,
           class LayoutFrom, class FormatsFrom>
@@ -165,6 +169,26 @@ void copy(Array<Object, RealTo, SpaceTo, LayoutTo, FormatsTo>& to,
           const Array<Object, RealFrom, SpaceFrom, LayoutFrom, FormatsFrom>& from, Stream stream = nullptr) {
   detail::require_copied_fields<Object, FormatsTo, FormatsFrom>();
   copy(to.untyped(), from.untyped(), stream);
+}
+template <class Object, class RealTo, class SpaceTo, class LayoutTo, class FormatsTo, class RealFrom, class SpaceFrom,
+          class LayoutFrom, class FormatsFrom>
+void copy(Array<Object, RealTo, SpaceTo, LayoutTo, FormatsTo>& to,
+          const View<Object, const RealFrom, LayoutFrom, FormatsFrom, SpaceFrom>& from, Stream stream = nullptr) {
+  detail::require_copied_fields<Object, FormatsTo, FormatsFrom>();
+  copy(to.untyped(), from.untyped(), stream);
+}
+
+// To what is read only they do not compile.
+template <class Object, class RealTo, class SpaceTo, class LayoutTo, class FormatsTo, class From>
+void copy(const Array<Object, RealTo, SpaceTo, LayoutTo, FormatsTo>& /*to*/, const From& /*from*/,
+          Stream /*stream*/ = nullptr) {
+  static_assert(std::is_void_v<From>,
+                "copy(to, from): the array that is written comes first, and this one is const or a temporary");
+}
+template <class Object, class RealTo, class SpaceTo, class LayoutTo, class FormatsTo, class From>
+void copy(const View<Object, RealTo, LayoutTo, FormatsTo, SpaceTo>& /*to*/, const From& /*from*/,
+          Stream /*stream*/ = nullptr) {
+  static_assert(std::is_void_v<From>, "copy(to, from): what is written comes first, and it is an array, not a view");
 }
 
 }  // namespace physgen

@@ -6,8 +6,9 @@
 
 namespace physgen {
 
-/// Copies all objects of `from` to `to`. Where both lie on the host, pinned or not, or one lies in host memory that is
-/// not pinned, it is done when this returns; else only ordered in `stream`. A field that `to` prunes is left out.
+/// Copies all objects of `from` to `to`, which comes first wherever the library copies. Where both lie on the host,
+/// pinned or not, or one lies in host memory that is not pinned, it is done when this returns; else only ordered in
+/// `stream`. A field that `to` prunes is left out.
 /// @throw Error when the sizes or the object types differ, an array is null, or they share memory; when `from` does not
 /// store a field that `to` has, or `to` stores nothing of one without pruning it (format/nothing.h); in checked builds
 /// also when a format cannot hold a value (losses_of_copy() of array_losses.h falsifies one). `to` is then unchanged

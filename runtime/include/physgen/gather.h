@@ -1,4 +1,5 @@
-// Between arrays and objects that a simulator allocated one by one: gather builds an array, scatter writes back.
+// Between arrays and objects that a simulator allocated one by one: gather builds an array, scatter writes back. What
+// is written comes first, as in copy(to, from).
 #pragma once
 
 #include <physgen/array.h>
@@ -23,7 +24,7 @@ namespace physgen {
 ///        throws. The array is then unchanged; only where it is filled in place and CUDA fails can some of its
 ///        objects be new
 template <class Object, class Real, class Space, class Layout, class Formats, class ObjectOf>
-void gather_by(index_t size, Array<Object, Real, Space, Layout, Formats>& array, const ObjectOf& object_of,
+void gather_by(Array<Object, Real, Space, Layout, Formats>& array, index_t size, const ObjectOf& object_of,
                Stream stream = nullptr) {
   detail::require_copied_fields<Object, Formats, FormatsOf<Object, Space>>();
   using Gathered = Array<Object, Real, Space, Layout, Formats>;
@@ -62,16 +63,16 @@ template <class Pointers>
 concept PointerRange =
     std::ranges::contiguous_range<Pointers> && std::is_pointer_v<std::ranges::range_value_t<Pointers>>;
 
-/// Makes `array` hold the objects pointed to, in this order, resized to fit; otherwise as gather_by().
+/// Makes `array` hold the objects that `pointers` point to, in this order, resized to fit; otherwise as gather_by().
 /// @param to_value const T& -> Value of one object; called on several threads at once
 /// @throw Error when a pointer is null, and as gather_by(); the array is then unchanged
 template <PointerRange Pointers, class Object, class Real, class Space, class Layout, class Formats, class ToValue>
-void gather(const Pointers& pointers, Array<Object, Real, Space, Layout, Formats>& array, const ToValue& to_value,
+void gather(Array<Object, Real, Space, Layout, Formats>& array, const Pointers& pointers, const ToValue& to_value,
             Stream stream = nullptr) {
   const std::span<const std::ranges::range_value_t<Pointers>> objects(pointers);
   detail::check_not_null(objects, Object::name);
   gather_by(
-      static_cast<index_t>(objects.size()), array,
+      array, static_cast<index_t>(objects.size()),
       [&](index_t i) noexcept(noexcept(to_value(*objects[0]))) {
         return to_value(*objects[static_cast<std::size_t>(i)]);
       },
@@ -98,23 +99,36 @@ void scatter_by(const Array<Object, Real, Space, Layout, Formats>& array, const 
   }
 }
 
-/// Writes the array's objects back to the objects pointed to, in this order; otherwise as scatter_by().
+/// Writes to the objects that `pointers` point to, in this order, those of `array`; otherwise as scatter_by().
 /// @param from_value (T&, const Value&); called on several threads at once
 /// @pre no two pointers are the same: two threads would write one object
 /// @throw Error when a pointer is null or there are not as many pointers as objects, and in checked builds when two
 ///        pointers are the same; no object is then changed
 template <PointerRange Pointers, class Object, class Real, class Space, class Layout, class Formats, class FromValue>
-void scatter(const Array<Object, Real, Space, Layout, Formats>& array, const Pointers& pointers,
+void scatter(const Pointers& pointers, const Array<Object, Real, Space, Layout, Formats>& array,
              const FromValue& from_value, Stream stream = nullptr) {
   const std::span<const std::ranges::range_value_t<Pointers>> objects(pointers);
   if (static_cast<index_t>(objects.size()) != array.size()) {
-    throw Error(std::string(Object::name) + ": cannot scatter an array of " + std::to_string(array.size()) + " to " +
-                std::to_string(objects.size()) + " objects; give one pointer for each object");
+    throw Error(std::string(Object::name) + ": cannot scatter to " + std::to_string(objects.size()) +
+                " objects an array of " + std::to_string(array.size()) + "; give one pointer for each object");
   }
   detail::check_not_null(objects, Object::name);
   if (checked_build) detail::check_different(objects, Object::name);
   scatter_by(
       array, [&](index_t i, const auto& value) { from_value(*objects[static_cast<std::size_t>(i)], value); }, stream);
+}
+
+// In another order they do not compile.
+template <PointerRange Pointers, class Object, class Real, class Space, class Layout, class Formats, class ToValue>
+void gather(const Pointers& /*pointers*/, const Array<Object, Real, Space, Layout, Formats>& /*array*/,
+            const ToValue& /*to_value*/, Stream /*stream*/ = nullptr) {
+  static_assert(std::is_void_v<Object>, "gather(array, pointers, to_value): the array, which is written, comes first");
+}
+template <PointerRange Pointers, class Object, class Real, class Space, class Layout, class Formats, class FromValue>
+void scatter(const Array<Object, Real, Space, Layout, Formats>& /*array*/, const Pointers& /*pointers*/,
+             const FromValue& /*from_value*/, Stream /*stream*/ = nullptr) {
+  static_assert(std::is_void_v<Object>,
+                "scatter(pointers, array, from_value): the pointers to what is written come first");
 }
 
 }  // namespace physgen

@@ -117,6 +117,8 @@ void append(Array<Object, Real, Space, Layout, Formats>& array, index_t count) {
 template <class Array, class Other>
   requires detail::SameObject<Array, Other>
 void append(Array& array, const Other& other) {
+  static_assert(!std::is_const_v<Array>,
+                "append(array, other): the array that grows comes first, and this one is const");
   ArraySet(array).append(other);
 }
 template <class Object, class Real, class Space, class Layout, class Formats>

@@ -6,6 +6,7 @@
 #include <physgen/layout.h>
 #include <physgen/object_ref.h>
 #include <physgen/space.h>
+#include <physgen/untyped_array.h>
 
 #include <cstdio>
 #include <string>
@@ -97,6 +98,17 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
     return base_;
   }
   [[nodiscard]] PHYSGEN_FUNCTION index_t pitch() const { return Pitch::value(); }
+  /// The objects without their types, which copy() reads.
+  [[nodiscard]] UntypedArray untyped() const {
+    return {const_cast<std::byte*>(static_cast<const std::byte*>(base_)),
+            size_,
+            Layout::padded(size_),
+            pitch(),
+            record_bytes,
+            Space::kind,
+            Object::name,
+            Object::template fields<Precision, Formats>};
+  }
   /// The space in which the objects lie.
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr SpaceKind space() { return Space::kind; }
 

@@ -28,13 +28,13 @@ double round_trip(std::vector<Mine> mine, const Change& change) {
   std::vector<Mine*> pointers;
   for (Mine& spring : mine) pointers.push_back(&spring);
   network::SpringArray<float, Space> springs;
-  physgen::gather(pointers, springs, [](const Mine& spring) {
+  physgen::gather(springs, pointers, [](const Mine& spring) {
     network::Spring<float> value{};
     value.stiffness = spring.stiffness;
     return value;
   });
   change(springs);
-  physgen::scatter(springs, pointers,
+  physgen::scatter(pointers, springs,
                    [](Mine& spring, const network::Spring<float>& value) { spring.stiffness = value.stiffness; });
   physgen::append(springs, 2);
   double sum = springs.size() == physgen::index_t(mine.size()) + 2 ? 0.0 : 1.0;

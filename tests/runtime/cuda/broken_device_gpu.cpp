@@ -62,7 +62,7 @@ int run() {
   expect_refused("getdata of pinned memory", [&] { (void)pinned.getdata(0, 0); });
   expect_refused("losses", [&] { (void)losses_of_copy(host.untyped(), device.untyped()); });
   const auto object = [](index_t) noexcept { return elasticity::NodePosition<float>{}; };
-  expect_refused("gather", [&] { gather_by(n, device, object); });
+  expect_refused("gather", [&] { gather_by(device, n, object); });
   expect_refused("scatter", [&] { scatter_by(device, [](index_t, const auto&) {}); });
   expect_refused("a mirror", [&] { (void)mirror.read_host(); });
   if (device.size() != n || other.size() != n) ++failures;

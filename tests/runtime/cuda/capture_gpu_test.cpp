@@ -42,8 +42,8 @@ TEST_F(InACapturedStream, what_must_wait_or_allocate_is_refused_and_the_rest_is_
   refused([&] { (void)losses_of_copy(halves.untyped(), device.untyped(), stream); }, "losses");
   refused([&] { (void)mirror.read_host(stream); }, "a mirror");
   const auto object = [](index_t) noexcept { return elasticity::NodePosition<float>{}; };
-  refused([&] { gather_by(n, pinned, object, stream); }, "gathering to pinned memory");
-  refused([&] { gather_by(n, device, object, stream); }, "gathering to the device");
+  refused([&] { gather_by(pinned, n, object, stream); }, "gathering to pinned memory");
+  refused([&] { gather_by(device, n, object, stream); }, "gathering to the device");
   refused([&] { scatter_by(pinned, [](index_t, const auto&) {}, stream); }, "scattering from pinned memory");
   refused([&] { scatter_by(device, [](index_t, const auto&) {}, stream); }, "scattering from the device");
   EXPECT_NO_THROW(copy(second, device, stream));

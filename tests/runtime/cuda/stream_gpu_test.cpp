@@ -138,7 +138,7 @@ TEST_P(InAStream, scattered_objects_are_those_of_the_stream) {
   for (auto& object : objects) pointers.push_back(&object);
   number(device, 9);
   download_later();
-  scatter(pinned, pointers, [](auto& object, const auto& value) { object = value; }, stream);
+  scatter(pointers, pinned, [](auto& object, const auto& value) { object = value; }, stream);
   for (index_t i = 0; i < n; ++i) seen[static_cast<std::size_t>(i)] = objects[static_cast<std::size_t>(i)].x[2];
   EXPECT_EQ(missed(9), 0) << "to pointers";
 }
@@ -148,11 +148,11 @@ TEST_P(InAStream, objects_are_gathered_after_what_was_ordered_before) {
     return elasticity::NodePosition<float>{Eigen::Vector3f::Constant(static_cast<float>(900 + i % 1000))};
   };
   upload_later();
-  gather_by(n, pinned, object, stream);
+  gather_by(pinned, n, object, stream);
   EXPECT_EQ(wrong(pinned, 900), 0);
   EXPECT_EQ(wrong_later(device, 1, stream), 0) << "the upload took what was there before";
   download_later();
-  gather_by(n, device, object, stream);
+  gather_by(device, n, object, stream);
   EXPECT_EQ(wrong_later(pinned, 1, stream), 0) << "the download took what was there before";
   EXPECT_EQ(wrong_later(device, 900, stream), 0);
 }
@@ -288,7 +288,7 @@ class Transfers : public GpuTest {};
 
 TEST_F(Transfers, of_no_objects_need_no_memory) {
   elasticity::NodePositionArray<float, Cuda> none;
-  EXPECT_NO_THROW(gather_by(0, none, [](index_t) { return elasticity::NodePosition<float>{}; }));
+  EXPECT_NO_THROW(gather_by(none, 0, [](index_t) { return elasticity::NodePosition<float>{}; }));
   EXPECT_NO_THROW(scatter_by(none, [](index_t, const auto&) {}));
   EXPECT_EQ(none.size(), 0);
 }

@@ -94,9 +94,9 @@ TYPED_TEST(CudaFormatsOver, objects_gathered_from_pointers_come_back_scattered_w
       back_pointers.push_back(&back[i]);
     }
     elasticity::StressDerivativeArray<float, Cuda, TypeParam> array;
-    gather(std::span<Value* const>(pointers), array, [](const Value& object) { return object; });
+    gather(array, std::span<Value* const>(pointers), [](const Value& object) { return object; });
     ASSERT_EQ(array.size(), static_cast<index_t>(n));
-    scatter(array, std::span<Value* const>(back_pointers), [](Value& object, const Value& read) { object = read; });
+    scatter(std::span<Value* const>(back_pointers), array, [](Value& object, const Value& read) { object = read; });
     for (std::size_t i = 0; i < n; ++i) {
       ASSERT_EQ(back[i].x1111, objects[i].x1111) << i << " of " << n;
       ASSERT_EQ(back[i].x3223, objects[i].x3223) << i << " of " << n;
@@ -122,7 +122,7 @@ TEST_F(CudaFormats, objects_are_gathered_again_and_again_into_one_array) {
   const auto read = [](const Value& object) noexcept { return object; };
   for (int round = 0; round < 3; ++round) {
     for (Value& object : objects) object.x = {value(random), value(random), value(random)};
-    gather(all, array, read);
+    gather(array, all, read);
     elasticity::NodePositionArray<float, Host, Aos> back(array.size());
     copy(back, array);
     for (std::size_t i = 0; i < n; i += 997) ASSERT_EQ(back.view().get(static_cast<index_t>(i)).x, objects[i].x) << i;
@@ -132,10 +132,10 @@ TEST_F(CudaFormats, objects_are_gathered_again_and_again_into_one_array) {
     if (&object == pointers[n - 1]) throw std::runtime_error("the last object is broken");
     return Value{2 * object.x};
   };
-  EXPECT_THROW(gather(all, array, failing), std::runtime_error);
+  EXPECT_THROW(gather(array, all, failing), std::runtime_error);
   pointers[n / 2] = nullptr;
-  EXPECT_NE(message_of([&] { gather(all, array, read); }).find("pointer 750000 of 1500001 is null"), std::string::npos);
-  EXPECT_THROW(gather_by(index_t{1} << 40, array, [](index_t) { return Value{}; }), Error) << "no such memory";
+  EXPECT_NE(message_of([&] { gather(array, all, read); }).find("pointer 750000 of 1500001 is null"), std::string::npos);
+  EXPECT_THROW(gather_by(array, index_t{1} << 40, [](index_t) { return Value{}; }), Error) << "no such memory";
   ASSERT_EQ(array.size(), static_cast<index_t>(n));
   for (const index_t i : {index_t{0}, index_t{1000000}, index_t{n - 1}}) {
     for (int k = 0; k < 3; ++k) ASSERT_EQ(array.getdata(i, k), objects[static_cast<std::size_t>(i)].x[k]);

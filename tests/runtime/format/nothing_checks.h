@@ -157,7 +157,7 @@ void check_only_pruned_fields() {
   const std::vector<index_t> erased{3, 139};
   erase(duplicate, erased);
   EXPECT_EQ(duplicate.size(), 138);
-  gather_by(33, duplicate, [&](index_t i) noexcept { return svds.const_view().get(i); });
+  gather_by(duplicate, 33, [&](index_t i) noexcept { return svds.const_view().get(i); });
   EXPECT_EQ(duplicate.size(), 33);
   EXPECT_NE(message_of([&] { (void)empty.getdata(0, 20); }).find("nothing is stored of s:"), std::string::npos);
   EXPECT_NE(message_of([&] { (void)empty.getdata(1000, 0); }).find("there is no object 1000"), std::string::npos);
@@ -198,9 +198,9 @@ void check_gather() {
   std::mt19937 random(seed());
   const auto full = random_objects<Object, float, elasticity::DeformationSvdFormats<Host>>(1003, random);
   Array<Object, float, Space, Layout, StretchesOnly> part;
-  gather_by(full.size(), part, [&](index_t i) noexcept { return full.const_view().get(i); });
+  gather_by(part, full.size(), [&](index_t i) noexcept { return full.const_view().get(i); });
   expect_part_of(part, full);
-  gather_by(full.size(), part, [&](index_t i) noexcept { return full.const_view().get(full.size() - 1 - i); });
+  gather_by(part, full.size(), [&](index_t i) noexcept { return full.const_view().get(full.size() - 1 - i); });
   std::vector<index_t> backwards(1003);
   for (std::size_t i = 0; i < backwards.size(); ++i) backwards[i] = 1002 - static_cast<index_t>(i);
   auto turned = full;

@@ -222,7 +222,7 @@ void copying_to_an_array_that_would_lose_it(Svds<WouldLose<copying_to_an_array_t
 /// refused on the host gathering_into_an_array_that_would_lose_it: this field would be lost
 struct gathering_into_an_array_that_would_lose_it_;
 void gathering_into_an_array_that_would_lose_it(Svds<WouldLose<gathering_into_an_array_that_would_lose_it_>>& lost) {
-  gather_by(5, lost, [](index_t) { return elasticity::DeformationSvd<float>(); });
+  gather_by(lost, 5, [](index_t) { return elasticity::DeformationSvd<float>(); });
 }
 
 /// refused on the host scattering_from_an_array_without_it: no kernel of the scene reads it
@@ -237,7 +237,7 @@ void only_copying(Svds<Svd<only_copying_>>& part, Svds<WouldLose<only_copying_>>
   copy(part, full);
   copy(lost, part);
   append(part, full);
-  gather_by(5, part, [](index_t) { return elasticity::DeformationSvd<float>(); });
+  gather_by(part, 5, [](index_t) { return elasticity::DeformationSvd<float>(); });
 }
 
 /// refused on the host reading_a_field_of_Nothing: its format is Nothing, so it cannot be read

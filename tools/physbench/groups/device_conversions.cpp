@@ -103,11 +103,11 @@ Case scattered_case(index_t objects) {
   for (index_t i = 0; i < objects; ++i) {
     state->pointers[static_cast<std::size_t>(i)]->value = state->expected.view().get(i);
   }
-  gather(std::span<Item* const>(state->pointers), state->target, value_of);
+  gather(state->target, std::span<Item* const>(state->pointers), value_of);
   Case made;
   made.bytes = 2.0 * static_cast<double>(objects) * Array<Object, float, Cuda, Layout>::record_bytes;
   made.run = [state, value_of] {
-    return Between::time([&] { gather(std::span<Item* const>(state->pointers), state->target, value_of); });
+    return Between::time([&] { gather(state->target, std::span<Item* const>(state->pointers), value_of); });
   };
   made.copy = [state, value_of] {
     const auto view = state->packed.view();
