@@ -47,6 +47,11 @@ void check_format(Aspect aspect, const Field& field, const Format& format, const
   else if (in_steps && !(field.range->low < field.range->high))
     report(aspect,
            word + " has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
+  else if (in_steps && !field.initial && (field.range->low > 0 || field.range->high < 0))
+    report(aspect, "new objects hold 0 where no initial() is stated, which " + word + " over range(" +
+                       number(field.range->low) + ", " + number(field.range->high) + ") does not hold; add initial(" +
+                       number(field.range->low > 0 ? field.range->low : field.range->high) +
+                       ") or another value of the range to " + quoted(field.name) + ", or widen the range to 0");
   else if (encoding.scaling == Scaling::exponent && field.initial && std::abs(*field.initial) > encoding.largest &&
            !field.range)
     report(aspect, "initial(" + number(*field.initial) + ") does not fit " + word + ", whose largest number is " +

@@ -7,10 +7,11 @@
 #include <clang/Basic/SourceManager.h>
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <set>
 
 #include "frontend/constants.h"
+#include "model/facts.h"
 
 namespace physgen::scenes {
 namespace {
@@ -28,11 +29,15 @@ std::string option_name(clang::QualType type) {
   return name.starts_with(scope) ? name.substr(scope.size()) : std::string();
 }
 
-int bytes_of(const std::string& type) {
-  static const std::map<std::string, int> bytes = {{"float32", 4}, {"float64", 8},  {"int32", 4},
-                                                   {"half", 2},    {"bfloat16", 2}, {"snorm16", 2}};
-  const auto known = bytes.find(type);
-  return known == bytes.end() ? 0 : known->second;
+/// Bytes of a stored element whose type has this name in the runtime: an encoding's word, or that of a type of
+/// integers.
+std::optional<int> bytes_of(const std::string& type) {
+  if (type == "none") return 0;
+  if (const auto* encoding = model::find_word(model::encodings(), type); encoding != nullptr && encoding->bytes > 0)
+    return encoding->bytes;
+  if (const auto* element = model::find_word(model::elements(), type); element != nullptr && element->integer)
+    return element->bytes_with_float;
+  return std::nullopt;
 }
 
 /// The text of a std::string_view: its one member that is a pointer, to at least as many letters as the other says.
@@ -68,7 +73,9 @@ std::optional<Field> field_of(const Constant& info) {
   field.name = without_entries(*name);
   field.type = *type_name;
   field.elements = static_cast<int>(info.member("count").value.getInt().getExtValue());
-  field.bytes = field.elements * bytes_of(field.type);
+  const auto bytes = bytes_of(field.type);
+  if (!bytes) return std::nullopt;
+  field.bytes = field.elements * *bytes;
   field.initial = !info.member("initial").value.getFloat().isZero();
   return field;
 }
@@ -212,8 +219,14 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
     if (value == nullptr) break;
     const auto* array_type = fields->getType()->getAsCXXRecordDecl();  // std::array: its one member
     const Constant rows{value->getStructField(0), array_type->field_begin()->getType()};
-    for (unsigned i = 0; i < rows.value.getArraySize(); ++i)
-      if (auto field = field_of(rows.element(i))) add(array.fields, std::move(*field));
+    for (unsigned i = 0; i < rows.value.getArraySize(); ++i) {
+      auto field = field_of(rows.element(i));
+      if (!field)
+        return wrong("holds " + array.object +
+                     ", of which a field is stored as this physgen does not know; generate "
+                     "its header with the physgen that reads the scene");
+      add(array.fields, std::move(*field));
+    }
   }
   if (array.fields.empty()) return wrong("holds objects whose fields could not be read");
   return true;

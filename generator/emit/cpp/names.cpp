@@ -49,6 +49,7 @@ std::string name_problem(std::string_view name, NameOf of) {
     return "ends with an underscore, which generated code keeps for its own members; write the name without it";
   if (name.find("__") != std::string_view::npos)
     return "contains two underscores in a row, which is reserved for compilers; write one";
+  if (is_word_of_the_language(name)) return "is a keyword of C++20; choose another name";
   if (is_written_as_a_macro(name))
     return "is written as the macros of system headers are, in capitals with an underscore; write '" +
            with_small_letters(name) + "' or another name with a small letter";

@@ -1,154 +1,8 @@
-// See taken_names.h. The tables are what g++ and clang++ on Linux and nvcc define after the headers of C, C++, POSIX,
-// Eigen, xsimd and CUDA, without what the rules below tell by its form.
+// See taken_names.h: the words of C++, and names of the C library.
 #include "emit/cpp/taken_names.h"
-
-#include <algorithm>
-#include <cctype>
-#include <span>
 
 namespace physgen::emit::cpp {
 namespace {
-
-// Numbers of errors, <cerrno>.
-constexpr std::string_view error_numbers[] = {
-    "E2BIG",           "EACCES",       "EADDRINUSE",   "EADDRNOTAVAIL",   "EADV",
-    "EAFNOSUPPORT",    "EAGAIN",       "EALREADY",     "EBADE",           "EBADF",
-    "EBADFD",          "EBADMSG",      "EBADR",        "EBADRQC",         "EBADSLT",
-    "EBFONT",          "EBUSY",        "ECANCELED",    "ECHILD",          "ECHRNG",
-    "ECOMM",           "ECONNABORTED", "ECONNREFUSED", "ECONNRESET",      "EDEADLK",
-    "EDEADLOCK",       "EDESTADDRREQ", "EDOM",         "EDOTDOT",         "EDQUOT",
-    "EEXIST",          "EFAULT",       "EFBIG",        "EHOSTDOWN",       "EHOSTUNREACH",
-    "EHWPOISON",       "EIDRM",        "EILSEQ",       "EINPROGRESS",     "EINTR",
-    "EINVAL",          "EIO",          "EISCONN",      "EISDIR",          "EISNAM",
-    "EKEYEXPIRED",     "EKEYREJECTED", "EKEYREVOKED",  "EL2HLT",          "EL2NSYNC",
-    "EL3HLT",          "EL3RST",       "ELIBACC",      "ELIBBAD",         "ELIBEXEC",
-    "ELIBMAX",         "ELIBSCN",      "ELNRNG",       "ELOOP",           "EMEDIUMTYPE",
-    "EMFILE",          "EMLINK",       "EMSGSIZE",     "EMULTIHOP",       "ENAMETOOLONG",
-    "ENAVAIL",         "ENETDOWN",     "ENETRESET",    "ENETUNREACH",     "ENFILE",
-    "ENOANO",          "ENOBUFS",      "ENOCSI",       "ENODATA",         "ENODEV",
-    "ENOENT",          "ENOEXEC",      "ENOKEY",       "ENOLCK",          "ENOLINK",
-    "ENOMEDIUM",       "ENOMEM",       "ENOMSG",       "ENONET",          "ENOPKG",
-    "ENOPROTOOPT",     "ENOSPC",       "ENOSR",        "ENOSTR",          "ENOSYS",
-    "ENOTBLK",         "ENOTCONN",     "ENOTDIR",      "ENOTEMPTY",       "ENOTNAM",
-    "ENOTRECOVERABLE", "ENOTSOCK",     "ENOTSUP",      "ENOTTY",          "ENOTUNIQ",
-    "ENXIO",           "EOPNOTSUPP",   "EOVERFLOW",    "EOWNERDEAD",      "EPERM",
-    "EPFNOSUPPORT",    "EPIPE",        "EPROTO",       "EPROTONOSUPPORT", "EPROTOTYPE",
-    "ERANGE",          "EREMCHG",      "EREMOTE",      "EREMOTEIO",       "ERESTART",
-    "ERFKILL",         "EROFS",        "ESHUTDOWN",    "ESOCKTNOSUPPORT", "ESPIPE",
-    "ESRCH",           "ESRMNT",       "ESTALE",       "ESTRPIPE",        "ETIME",
-    "ETIMEDOUT",       "ETOOMANYREFS", "ETXTBSY",      "EUCLEAN",         "EUNATCH",
-    "EUSERS",          "EWOULDBLOCK",  "EXDEV",        "EXFULL"};
-
-// From <csignal>, <sys/wait.h> and <cmath>.
-constexpr std::string_view signals_and_states[] = {
-    "SIGABRT",     "SIGALRM",      "SIGBUS",    "SIGCHLD",     "SIGCLD",     "SIGCONT",    "SIGFPE",   "SIGHUP",
-    "SIGILL",      "SIGINT",       "SIGIO",     "SIGIOT",      "SIGKILL",    "SIGPIPE",    "SIGPOLL",  "SIGPROF",
-    "SIGPWR",      "SIGQUIT",      "SIGRTMAX",  "SIGRTMIN",    "SIGSEGV",    "SIGSTKFLT",  "SIGSTKSZ", "SIGSTOP",
-    "SIGSYS",      "SIGTERM",      "SIGTRAP",   "SIGTSTP",     "SIGTTIN",    "SIGTTOU",    "SIGURG",   "SIGUSR1",
-    "SIGUSR2",     "SIGVTALRM",    "SIGWINCH",  "SIGXCPU",     "SIGXFSZ",    "SNAN",       "SNANF",    "SNANF128",
-    "SNANF32",     "SNANF32X",     "SNANF64",   "SNANF64X",    "SNANL",      "WCONTINUED", "WEOF",     "WEXITED",
-    "WEXITSTATUS", "WIFCONTINUED", "WIFEXITED", "WIFSIGNALED", "WIFSTOPPED", "WNOHANG",    "WNOWAIT",  "WSTOPPED",
-    "WSTOPSIG",    "WTERMSIG",     "WUNTRACED"};
-
-constexpr std::string_view other_macros[] = {"BUFSIZ",
-                                             "CSIGNAL",
-                                             "EOF",
-                                             "INFINITY",
-                                             "L_ctermid",
-                                             "L_cuserid",
-                                             "L_tmpnam",
-                                             "MAXFLOAT",
-                                             "MINSIGSTKSZ",
-                                             "NAN",
-                                             "NFDBITS",
-                                             "NGREG",
-                                             "NSIG",
-                                             "NULL",
-                                             "NZERO",
-                                             "P_tmpdir",
-                                             "alloca",
-                                             "assert",
-                                             "assert_perror",
-                                             "be16toh",
-                                             "be32toh",
-                                             "be64toh",
-                                             "ei_declare_aligned_stack_constructed_variable",
-                                             "ei_declare_local_nested_eval",
-                                             "eigen_assert",
-                                             "eigen_internal_assert",
-                                             "eigen_plain_assert",
-                                             "errno",
-                                             "htobe16",
-                                             "htobe32",
-                                             "htobe64",
-                                             "htole16",
-                                             "htole32",
-                                             "htole64",
-                                             "i386",
-                                             "isascii",
-                                             "issubnormal",
-                                             "le16toh",
-                                             "le32toh",
-                                             "le64toh",
-                                             "linux",
-                                             "math_errhandling",
-                                             "offsetof",
-                                             "pthread_cleanup_pop",
-                                             "pthread_cleanup_pop_restore_np",
-                                             "pthread_cleanup_push",
-                                             "pthread_cleanup_push_defer_np",
-                                             "sa_handler",
-                                             "sa_sigaction",
-                                             "sched_priority",
-                                             "setjmp",
-                                             "si_addr",
-                                             "si_addr_lsb",
-                                             "si_arch",
-                                             "si_band",
-                                             "si_call_addr",
-                                             "si_fd",
-                                             "si_int",
-                                             "si_lower",
-                                             "si_overrun",
-                                             "si_pid",
-                                             "si_pkey",
-                                             "si_ptr",
-                                             "si_status",
-                                             "si_stime",
-                                             "si_syscall",
-                                             "si_timerid",
-                                             "si_uid",
-                                             "si_upper",
-                                             "si_utime",
-                                             "si_value",
-                                             "sigev_notify_attributes",
-                                             "sigev_notify_function",
-                                             "sigmask",
-                                             "sigsetjmp",
-                                             "stderr",
-                                             "stdin",
-                                             "stdout",
-                                             "strdupa",
-                                             "strndupa",
-                                             "timeradd",
-                                             "timerclear",
-                                             "timercmp",
-                                             "timerisset",
-                                             "timersub",
-                                             "toascii",
-                                             "unix",
-                                             "va_arg",
-                                             "va_copy",
-                                             "va_end",
-                                             "va_start",
-                                             "vec2d_duplane",
-                                             "vec2d_swizzle1",
-                                             "vec2d_swizzle2",
-                                             "vec4f_duplane",
-                                             "vec4f_swizzle1",
-                                             "vec4f_swizzle2",
-                                             "vec4i_swizzle1",
-                                             "vec4i_swizzle2"};
 
 // Functions, types and variables of C and POSIX outside all namespaces.
 constexpr std::string_view library_names[] = {
@@ -206,30 +60,12 @@ constexpr std::string_view library_names[] = {
     "vhangup",     "vprintf",    "vscanf",    "vsprintf",  "wait",        "waitpid",    "winsize",       "write",
     "writev",      "y0",         "y1",        "yn"};
 
-bool is_capital_or_digit(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0 || (c >= '0' && c <= '9'); }
-
-// "M_PIf" behind "M_", "cudaHostAllocMapped" behind "cuda".
-bool goes_on_in_capitals(std::string_view name, std::string_view beginning) {
-  return name.size() > beginning.size() && name.starts_with(beginning) && is_capital_or_digit(name[beginning.size()]);
-}
-
 }  // namespace
 
-bool is_written_as_a_macro(std::string_view name) {
-  return name.find('_') != std::string_view::npos &&
-         std::all_of(name.begin(), name.end(), [](char c) { return c == '_' || is_capital_or_digit(c); });
-}
-
-bool is_macro(std::string_view name) {
-  for (const char* beginning : {"M_", "cuda", "cu"})
-    if (goes_on_in_capitals(name, beginning)) return true;
-  for (const char* beginning : {"PHYSGEN", "EIGEN_", "SYS_"})
-    if (name.starts_with(beginning)) return true;
-  // From <cinttypes>: PRIu64, SCNxMAX.
-  if ((name.starts_with("PRI") || name.starts_with("SCN")) && name.size() > 4 &&
-      std::string_view("diouxX").find(name[3]) != std::string_view::npos && is_capital_or_digit(name[4]))
-    return true;
-  return is_one_of(name, error_numbers) || is_one_of(name, signals_and_states) || is_one_of(name, other_macros);
+bool is_word_of_the_language(std::string_view name) {
+  constexpr std::string_view words[] = {"and", "and_eq", "bitand", "bitor", "char8_t", "compl",
+                                        "not", "not_eq", "or",     "or_eq", "xor",     "xor_eq"};
+  return is_one_of(name, words);
 }
 
 bool is_name_of_the_c_library(std::string_view name) {

@@ -16,6 +16,9 @@ namespace physgen::emit::cpp {
 /// list. J2, EA or K are none.
 [[nodiscard]] bool is_written_as_a_macro(std::string_view name);
 
+/// Words of C++20 that schemas are parsed without: and, bitor, char8_t. (Clang reports all others.)
+[[nodiscard]] bool is_word_of_the_language(std::string_view name);
+
 /// Known macros of another form: EOF, NAN, M_PIf, offsetof.
 [[nodiscard]] bool is_macro(std::string_view name);
 

@@ -137,6 +137,10 @@ inline const std::vector<DiagnosticCase> options_cases = {
     {"a_snorm16_without_a_range",
      object("PHYSGEN(format(cuda, snorm16)) Scalar x;"),
      {"4:11: error: snorm16 has equal steps over a range, and 'x' states none; add one, such as range(-1, 1)"}},
+    {"a_snorm16_over_a_range_without_the_0_of_new_objects",
+     object("PHYSGEN(range(1, 2), format(host, snorm16)) Scalar x;"),
+     {"4:24: error: new objects hold 0 where no initial() is stated, which snorm16 over range(1, 2) does not hold; add "
+      "initial(1) or another value of the range to 'x', or widen the range to 0"}},
     {"a_half_with_an_initial_value_beyond_it",
      object("PHYSGEN(format(cuda, half), initial(1e5)) Scalar x;"),
      {"4:11: error: initial(1e+05) does not fit half, whose largest number is 65504; add range(...) to 'x', so that it "

@@ -7,7 +7,7 @@ TRICKY_FIELDS = [
     "Layout", "data", "begin", "end", "setZero", "other", "from", "to", "swap", "field", "Object", "Array", "View",
     "Ref", "self", "i", "lanes", "Lanes", "plan", "offset", "stride", "half", "float32", "host", "cuda", "Scalar",
     "Index", "Vector", "min", "max", "abs", "int32_t", "same_lanes_t", "all_lanes", "shape", "format", "nested", "slot",
-    "N", "I", "E", "Aos", "ElementRef", "FieldRef", "batch", "select", "sum", "add", "detail", "SIGMA", "string_view",
+    "N", "E", "Aos", "ElementRef", "FieldRef", "batch", "select", "sum", "add", "detail", "SIGMA", "string_view",
     "array", "int8_t", "B0", "is_sound_record", "Native", "Rotation", "Diagonal", "source", "result", "target", "that",
     "ArrayTag", "Base", "first", "Probe",
 ]
@@ -23,9 +23,17 @@ REFUSED_NAMES = [
     "NULL", "Real", "Record", "Space", "Value", "Xi_", "Xi__1", "_x", "a__b", "alignment", "assert", "at_", "bytes",
     "class", "decltype_", "errno", "get", "linux", "offsetof", "operator", "physgen", "plan_", "put", "std", "x_", "λ",
 ]
+# All words of C++20: keywords, alternative tokens, and identifiers with a special meaning.
+WORDS = '''alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class compl
+concept const consteval constexpr constinit const_cast continue co_await co_return co_yield decltype default delete do double
+dynamic_cast else enum explicit export extern false float for friend goto if inline int long mutable namespace new noexcept not
+not_eq nullptr operator or or_eq private protected public register reinterpret_cast requires return short signed sizeof static
+static_assert static_cast struct switch template this thread_local throw true try typedef typeid typename union unsigned using
+virtual void volatile wchar_t while xor xor_eq final import module override'''.split()
+REFUSED_NAMES += WORDS + ["I", "major", "minor", "makedev", "MAX", "howmany", "restrict", "complex", "asm", "typeof", "unix"]
 INNER_NAMESPACES = ["detail", "shape", "m", "n1", "FooRef", "FooArray", "NodeView", "host", "a", "index", "v1", "Foo", "std",
                     "physgen", "Eigen", "M_PI", "E", "x"]
-OUTER_NAMESPACES = ["index", "time", "std", "physgen", "Eigen", "xsimd", "exp", "y0", "tm", "FILE", "M_PI", "EOF", "linux", "detail"]
+OUTER_NAMESPACES = ["index", "time", "std", "physgen", "Eigen", "xsimd", "exp", "y0", "tm", "FILE", "M_PI", "EOF", "linux", "detail", *WORDS]
 ELEMENTS = ["Scalar", "Scalar", "Scalar", "Index", "float", "double", "int"]
 SIZES = [1, 2, 3, 3, 3, 4, 6, 9, 12]
 WILD_SIZES = [0, -1, 7, 16, 33, 100, 128, 129, 181, 182, 200, 1024, 1025, 65536, 2147483647, 99999999999, "3 - 2", "sizeof(int)",

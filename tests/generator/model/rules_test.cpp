@@ -72,9 +72,26 @@ TEST(Rules, refuse_equal_steps_without_a_range_to_take_them_over) {
   angle.range = Range{2, 2};
   EXPECT_EQ(issues(with({angle})),
             "snorm16 has equal steps over a range of more than one value; widen the range of 'angle'");
-  angle.range = Range{2, 3};
+  angle.range = Range{0, 3};
   EXPECT_EQ(issues(with({angle})), "");
   EXPECT_EQ(issues(with({stored_on_host(of("R", Shape::rotation, 3, 3), Encoding::snorm16)})), "") << "from -1 to 1";
+}
+
+TEST(Rules, refuse_steps_over_a_range_without_the_0_that_new_objects_hold) {
+  Field angle = stored_on_host(scalar("angle"), Encoding::snorm16);
+  angle.range = Range{1, 2};
+  EXPECT_EQ(issues(with({angle})),
+            "new objects hold 0 where no initial() is stated, which snorm16 over range(1, 2) does not hold; add "
+            "initial(1) or another value of the range to 'angle', or widen the range to 0");
+  angle.range = Range{-3, -2};
+  EXPECT_EQ(issues(with({angle})),
+            "new objects hold 0 where no initial() is stated, which snorm16 over range(-3, -2) does not hold; add "
+            "initial(-2) or another value of the range to 'angle', or widen the range to 0");
+  angle.initial = -2;
+  EXPECT_EQ(issues(with({angle})), "");
+  Field load = stored_on_host(scalar("load"), Encoding::half);
+  load.range = Range{1, 2};
+  EXPECT_EQ(issues(with({load})), "") << "half holds 0 whatever the range is";
 }
 
 TEST(Rules, refuse_an_initial_value_that_no_half_holds) {

@@ -15,7 +15,7 @@ namespace {
 const std::string objects = R"(#include <physgen/scene.h>
 #include <array>
 #include <string_view>
-enum class ElementType { float32, int32 };
+enum class ElementType { float32, float64, int32, half, bfloat16, snorm16, none, fixed24 };
 struct FieldInfo { std::string_view name; ElementType type; int count; double initial; };
 struct SvdObject {
   template <class Space> struct Formats {};
@@ -84,6 +84,30 @@ struct PHYSGEN_SCENE() scene {
   const std::vector<scenes::Field> fields = {
       {"U", "float32", 9, 36, false}, {"n", "int32", 1, 4, true}, {"points.x", "float32", 6, 24, false}};
   EXPECT_EQ(svds.fields, fields);
+}
+
+TEST(SceneDeclaration, counts_the_bytes_of_every_type_of_element_and_refuses_what_the_catalogue_does_not_know) {
+  const auto read_field = [](const std::string& type) {
+    return read(
+        "struct OneObject {\n  template <class Space> struct Formats {};\n  template <class Real, class Formats> "
+        "static constexpr std::array<FieldInfo, 1> fields = {{{\"x\", ElementType::" +
+        type + ", 3, 0}}};\n};\n" + scene_of("PHYSGEN_ARRAY(per(1)) Array<OneObject, float> one;"));
+  };
+  for (const auto& [type, bytes] : {std::pair{"float32", 12},
+                                    {"float64", 24},
+                                    {"int32", 12},
+                                    {"half", 6},
+                                    {"bfloat16", 6},
+                                    {"snorm16", 6},
+                                    {"none", 0}}) {
+    const auto declaration = read_field(type);
+    ASSERT_TRUE(declaration.scene) << declaration.diagnostics;
+    EXPECT_EQ(declaration.scene->groups[0].arrays[0].fields[0].bytes, bytes) << type;
+  }
+  const auto unknown = read_field("fixed24");
+  EXPECT_FALSE(unknown.scene);
+  EXPECT_NE(unknown.diagnostics.find("of which a field is stored as this physgen does not know"), std::string::npos)
+      << unknown.diagnostics;
 }
 
 TEST(SceneDeclaration, has_the_groups_of_what_it_derives_from_before_its_own) {

@@ -66,8 +66,10 @@ TEST(Rules, refuse_names_of_macros_and_of_nothing_else) {
                            "CLOCKS_PER_SEC", "EIGEN_WORLD_VERSION", "EXIT_FAILURE", "SEEK_SET"})
     EXPECT_NE(issues(with({scalar(name)})).find("is written as the macros of system headers are"), std::string::npos)
         << name << ": " << issues(with({scalar(name)}));
-  for (const char* name : {"EDOM", "ERANGE", "EOF", "NAN", "INFINITY", "BUFSIZ", "L_tmpnam", "offsetof", "errno",
-                           "assert", "M_PIl", "PRIu64", "SIGINT", "stdin", "va_arg", "cudaStreamLegacy", "linux"})
+  for (const char* name :
+       {"EDOM",   "ERANGE", "EOF",    "NAN",     "INFINITY", "BUFSIZ", "L_tmpnam",         "offsetof", "errno",
+        "assert", "M_PIl",  "PRIu64", "SIGINT",  "stdin",    "va_arg", "cudaStreamLegacy", "linux",    "I",
+        "CMPLX",  "major",  "minor",  "makedev", "MAX",      "HZ",     "roundup"})
     EXPECT_NE(issues(with({scalar(name)})).find("is a macro of a header"), std::string::npos) << name;
   for (const char* name : {"F",  "U",  "V",   "J",     "P",   "E", "K",    "G",    "J0",  "J2",  "I1",  "C10", "A11",
                            "EA", "EI", "EXX", "SIGMA", "EPS", "W", "dPdF", "K_Ic", "M_b", "T_c", "SCN", "PRI", "cu"})
@@ -76,6 +78,20 @@ TEST(Rules, refuse_names_of_macros_and_of_nothing_else) {
             "field name 'K_IC' is written as the macros of system headers are, in capitals with an underscore; write "
             "'K_ic' or another name with a small letter");
   EXPECT_NE(issues(with({scalar("NU_12")})).find("write 'nu_12'"), std::string::npos);
+}
+
+TEST(Rules, refuse_the_words_of_the_language_that_schemas_are_parsed_without) {
+  for (const char* name :
+       {"and", "or", "not", "xor", "bitand", "bitor", "compl", "and_eq", "or_eq", "xor_eq", "not_eq", "char8_t"}) {
+    const std::string problem = " is a keyword of C++20; choose another name";
+    EXPECT_EQ(issues(with({scalar(name)})), "field name '" + std::string(name) + "'" + problem);
+    model::Schema schema = with({scalar("x")});
+    schema.objects[0].scope = name;
+    EXPECT_EQ(issues(schema), "namespace '" + std::string(name) + "'" + problem);
+    schema.objects[0].scope = "m";
+    schema.objects[0].name = name;
+    EXPECT_EQ(issues(schema), "object name '" + std::string(name) + "'" + problem);
+  }
 }
 
 TEST(Rules, refuse_objects_outside_all_namespaces_and_namespaces_of_the_c_library) {
