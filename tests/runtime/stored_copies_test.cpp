@@ -1,10 +1,10 @@
 // Objects and fields that are assigned from references of one format keep the bits that are stored, however often: one
 // by one, in packs, gathered, by way of fields, exchanged, and through locals of fused kernels.
-#include <everything.physgen.h>
 #include <physgen/fuse.h>
 #include <physgen/parallel_for.h>
 
 #include "format/own_formats.h"
+#include "stored_copies_checks.h"
 
 namespace physgen::test {
 namespace {
