@@ -101,5 +101,23 @@ TEST(CompileTime, one_object_of_1000_scalars_is_no_more_work_than_10_objects_of_
   EXPECT_LE(one.memory, 1.2 * ten.memory);
 }
 
+#ifdef PHYSGEN_CLANG
+TEST(CompileTime, clang_takes_objects_of_more_fields_than_its_folds_may_have_arguments) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("physgen_many_fields_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path source = write_source(folder, 1, 1000);
+  std::ofstream(source, std::ios::app) << "physgen::UntypedArray untyped(const test::Object0Array<float>& array) {\n"
+                                          "  return array.untyped();\n}\n";
+  for (const char* mode : {"", " -DPHYSGEN_CHECKED"}) {
+    const std::string command = "\"" PHYSGEN_CLANG "\" -std=c++20 -fsyntax-only -I\"" PHYSGEN_RUNTIME_INCLUDE
+                                "\" -isystem \"" PHYSGEN_EIGEN_INCLUDE "\" \"" +
+                                source.string() + "\"" + mode;
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  }
+  std::filesystem::remove_all(folder);
+}
+#endif
+
 }  // namespace
 }  // namespace physgen

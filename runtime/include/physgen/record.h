@@ -131,7 +131,9 @@ struct FieldInfos {
   }
   template <class... Field>
   constexpr void add_all(RecordFields<Field...> /*fields*/, int offset) {
-    (add(Field(), Field::slot, offset + Field::offset), ...);
+    // One after the other; a fold over more than 256 fields nests too deep for clang.
+    const int added[] = {(add(Field(), Field::slot, offset + Field::offset), 0)...};
+    (void)added;
   }
 };
 

@@ -54,7 +54,8 @@ struct LocalMemory {
   PHYSGEN_FUNCTION void make_invalid() {
     constexpr std::size_t count = Object::template fields<Real, Formats>.size();
     [this]<std::size_t... f>(std::index_sequence<f...> /*which*/) {
-      (make_field_invalid<f>(), ...);
+      const int made[] = {(make_field_invalid<f>(), 0)...};  // a fold nests too deep for clang
+      (void)made;
     }(std::make_index_sequence<count>());
   }
 
