@@ -14,6 +14,12 @@ void fill_with_random_bits(AosArray& array, std::mt19937& random) {
   for (index_t byte = 0; byte < untyped.bytes(); ++byte) untyped.base[byte] = static_cast<std::byte>(random());
 }
 
+/// Object by object on the host: copy() of checked builds looks for values that formats cannot hold.
+template <class ToArray, class FromArray>
+void move_objects(ToArray& to, const FromArray& from) {
+  for (index_t i = 0; i < to.size(); ++i) to.view()[i] = from.view()[i];
+}
+
 template <class To, class From>
 struct CopyObjects {
   using Scalar = double;  // of packs as wide as the widest element's

@@ -16,18 +16,21 @@ TEST_F(StoredCopiesGpu, objects_of_every_format_keep_their_bits) {
   using Formats = FormatsOf<Object, Cuda>;
   Array<Object, float, Host, Aos, Formats> source(n), back(n);
   fill_with_random_bits(source, random);
+  Array<Object, float, Host, Soa, Formats> travelling(n);
+  move_objects(travelling, source);
   Array<Object, float, Cuda, Soa> a(n), other(n);
   Array<Object, float, Cuda, Aosoa<8>> b(n);
-  copy(a, source);
-  copy(other, source);
+  copy(a, travelling);
+  copy(other, travelling);
   for (int time = 0; time < 100; ++time) {
     parallel_for(Cuda{}, n, CopyObjects<decltype(b.view()), decltype(a.const_view())>{b.view(), a.const_view()});
     parallel_for(Cuda{}, n, CopyObjects<decltype(a.view()), decltype(b.const_view())>{a.view(), b.const_view()});
     parallel_for(Cuda{}, n, SwapObjects<decltype(a.view())>{a.view(), other.view()});
   }
-  poison(back);
-  copy(back, a);
+  poison(travelling);
+  copy(travelling, a);
   synchronize();
+  move_objects(back, travelling);
   EXPECT_EQ(count_different(source, back), 0);
 }
 

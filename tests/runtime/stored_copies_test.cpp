@@ -34,13 +34,13 @@ void check_copies_of_objects() {
   elasticity::IncidenceArray<float> reversed(n);
   for (index_t i = 0; i < n; ++i) reversed.view()[i].element() = static_cast<std::int32_t>(n - 1 - i);
   const auto check = [&](const char* way, const auto& there, const auto& here) {
-    copy(a, source);
+    move_objects(a, source);
     for (int time = 0; time < 100; ++time) {
       there();
       here();
     }
     poison(back);
-    copy(back, a);
+    move_objects(back, a);
     EXPECT_EQ(count_different(source, back), 0) << way;
   };
   using A = decltype(a.view());
@@ -56,7 +56,7 @@ void check_copies_of_objects() {
   const GatherObjects<A, ConstB, Numbers> gather_a{a.view(), b.const_view(), reversed.const_view()};
   check("gathered", [&] { parallel_for(Host{}, n, gather_b); }, [&] { parallel_for(Host{}, n, gather_a); });
   Array<Object, Real, Host, Soa, Formats> other(n);
-  copy(other, source);
+  move_objects(other, source);
   const SwapObjects<A> exchange{a.view(), other.view()};
   check("exchanged", [&] { parallel_for<1>(Host{}, n, exchange); }, [&] { parallel_for<1>(Host{}, n, exchange); });
   const auto tmp = local<Object, Real, Formats>();
@@ -92,12 +92,12 @@ TEST(StoredCopies, fields_that_are_assigned_from_fields_keep_their_bits) {
   fill_with_random_bits(source, random);
   Array<elasticity::DeformationSvdObject, float, Host, Soa, ShortSvd> a(n);
   Array<elasticity::DeformationSvdObject, float, Host, Aosoa<8>, ShortSvd> b(n);
-  copy(a, source);
+  move_objects(a, source);
   for (int time = 0; time < 100; ++time) {
     parallel_for(Host{}, n, CopyFields<decltype(b.view()), decltype(a.const_view())>{b.view(), a.const_view()});
     parallel_for<1>(Host{}, n, CopyFields<decltype(a.view()), decltype(b.const_view())>{a.view(), b.const_view()});
   }
-  copy(back, a);
+  move_objects(back, a);
   EXPECT_EQ(count_different(source, back), 0);
 }
 

@@ -8,7 +8,7 @@ namespace {
 class CopyPrecisionGpu : public GpuTest {};
 
 TEST_F(CopyPrecisionGpu, copies_compute_in_the_wider_precision_of_the_two_arrays) {
-  check_copies_between<Cuda, format::Native, format::Half<3>, FloatAround300, HalfAround300, Fine, Coarse>(200);
+  check_copies_between<Cuda, format::Native, format::Half<3>, FloatAround300, HalfAround300, Fine>(200);
 }
 
 }  // namespace
