@@ -1,7 +1,5 @@
 #include "estimates.h"
 
-#include <fem/mesh/boundary.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,22 +7,19 @@ namespace physgen::truthcube {
 
 using fem::Point;
 
-double plate_reaction(const fem::MeshLevel& level, std::span<const Point> forces,
+double plate_reaction(std::span<const fem::Index> upper, std::span<const Point> forces,
                       std::span<const fem::PlaneContact> planes) {
-  const double highest = std::ranges::max(level.rest, {}, [](const Point& x) { return x[2]; })[2];
   double reaction = 0;
-  for (const fem::Index n : fem::nodes_on_plane(level.rest, 2, highest)) {
-    reaction -= forces[static_cast<std::size_t>(n)][2];
-  }
+  for (const fem::Index n : upper) reaction -= forces[static_cast<std::size_t>(n)][2];
   if (!planes.empty()) reaction -= planes.back().force;
   return reaction;
 }
 
-Estimates make_estimates(std::span<const fem::MeshLevel> levels, double reaction, std::span<const Point> positions,
-                         const fem::NodeState& coarser) {
+Estimates make_estimates(std::span<const fem::MeshLevel> levels, std::span<const fem::Index> coarse_upper,
+                         double reaction, std::span<const Point> positions, const fem::NodeState& coarser) {
   const fem::MeshLevel &finest = levels[0], &coarse = levels[1];
   Estimates estimates;
-  estimates.reaction = 2 * reaction - plate_reaction(coarse, coarser.forces, coarser.planes);
+  estimates.reaction = 2 * reaction - plate_reaction(coarse_upper, coarser.forces, coarser.planes);
   double sum = 0, most = 0;
   std::size_t common = 0;
   for (std::size_t n = 0; n < finest.parents.size(); ++n) {

@@ -18,15 +18,18 @@ struct Estimates {
 
 /// Force on the upper plate along z [N], from the forces on a level's nodes and what planes push. Negative under
 /// compression.
+/// @param upper the nodes of that level that the upper plate holds
 /// @param planes the upper one last; none where there is no contact
-[[nodiscard]] double plate_reaction(const fem::MeshLevel& level, std::span<const fem::Point> forces,
+[[nodiscard]] double plate_reaction(std::span<const fem::Index> upper, std::span<const fem::Point> forces,
                                     std::span<const fem::PlaneContact> planes);
 
 /// @param levels finest first, two at least
+/// @param coarse_upper the nodes of the next coarser mesh that the upper plate holds
 /// @param reaction on the finest mesh [N]
 /// @param positions of the finest mesh's nodes [m]
 /// @param coarser the equilibrium on the next coarser mesh
-[[nodiscard]] Estimates make_estimates(std::span<const fem::MeshLevel> levels, double reaction,
-                                       std::span<const fem::Point> positions, const fem::NodeState& coarser);
+[[nodiscard]] Estimates make_estimates(std::span<const fem::MeshLevel> levels, std::span<const fem::Index> coarse_upper,
+                                       double reaction, std::span<const fem::Point> positions,
+                                       const fem::NodeState& coarser);
 
 }  // namespace physgen::truthcube

@@ -138,7 +138,7 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
     }
     const double compression = compression_at(solver.time(), motion.duration, options.compressions.back());
     const auto positions = solver.positions();
-    const double reaction = plate_reaction(level, solver.forces(), solver.plane_contacts());
+    const double reaction = plate_reaction(scene.plates.upper.nodes.front(), solver.forces(), solver.plane_contacts());
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     record.steps.push_back({compression,
                             effort.newton,

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "plates.h"
+
 namespace physgen::truthcube {
 
 enum class VolumeTreatment { tets, patches, nodes };
@@ -39,8 +41,9 @@ struct Options {
   SceneKind scene = SceneKind::everything;
   MotionOptions motion;
   int cells = 16;
-  std::filesystem::path mesh;  ///< in place of the cube
-  int refinements = 0;         ///< of that mesh
+  std::filesystem::path mesh;                        ///< in place of the cube
+  int refinements = 0;                               ///< of that mesh
+  double plate_tolerance = default_plate_tolerance;  ///< in mean edge lengths of that mesh
   VolumeTreatment volume = VolumeTreatment::patches;
   TopPlate top = TopPlate::bonded;
   Plates plates = Plates::held;

@@ -69,12 +69,17 @@ void check(const Options& options) {
   const double stiffness = options.solver.plane_stiffness;
   require(stiffness >= 1e-3 && stiffness <= 1e4,
           "--plate-stiffness " + number(stiffness) + ": the stiffness of plates is a number from 0.001 to 1e4");
+  require(options.plate_tolerance >= 0 && options.plate_tolerance <= largest_plate_tolerance,
+          "--plate-tolerance " + number(options.plate_tolerance) +
+              ": how far from their planes plates hold nodes is a number of mean edge lengths from 0 to " +
+              number(largest_plate_tolerance) + "; " + number(default_plate_tolerance) + " is common");
   check_motion(options.motion);
   double before = 0;
   for (const double c : options.compressions) {
-    require(std::isfinite(c) && c > before && c < 1,
-            "--compress takes ascending numbers between 0 and 1, plate travel over height; " + number(c) +
-                " does not fit behind " + number(before));
+    const std::string what = "--compress takes ascending numbers between 0 and 1, plate travel over height; ";
+    require(c != 0, what + "0 is no compression: the body is at rest, where no force acts; begin with a larger number");
+    require(std::isfinite(c) && c > 0 && c < 1, what + number(c) + " is none of them");
+    require(c > before, what + number(c) + " does not fit behind " + number(before));
     before = c;
   }
   if (options.volume != VolumeTreatment::tets && !fem::can_average_volume(options.solver.material)) {
@@ -119,6 +124,7 @@ std::string settings_json(const Options& options) {
     json["cells"] = options.cells;
   } else {
     json["refine"] = options.refinements;
+    json["plate_tolerance"] = options.plate_tolerance;
   }
   json["material"] = options.solver.material;
   json["young"] = options.solver.youngs_modulus;
@@ -149,7 +155,7 @@ Options parse(const std::vector<std::string>& arguments) {
                     ->type_name("N");
   app.add_option("--mesh", options.mesh,
                  "a mesh of tets in Gmsh's format, in metres, in place of the cube; its plates "
-                 "are its lowest and highest nodes along z")
+                 "hold its lowest and highest nodes along z")
       ->excludes(cells)
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,
@@ -171,7 +177,8 @@ Options parse(const std::vector<std::string>& arguments) {
   auto* volume = add_choice(
       app, "--volume", options.volume, volumes, "treatment of volume",
       "change of volume by tets, which lock near 0.5, or averaged: over patches of about six tets, or at nodes, over "
-      "the tets of each, which takes more memory and is less accurate");
+      "the tets of each, which takes 1.7 times the memory; of the beads of 16^3 cells the largest error is up to 21 % "
+      "smaller than by patches at 0.45 and 0.49, the RMS is smaller in 9 of 12 cases, and at 0.499 both are larger");
   add_choice(app, "--top", options.top, tops, "plate", "how the upper plate holds the body; the lower is bonded");
   add_choice(app, "--plates", options.plates, plate_kinds, "kind of plates",
              "held: they act only on the nodes that they hold; contact: they also push back sides that reach them");
@@ -179,6 +186,12 @@ Options parse(const std::vector<std::string>& arguments) {
       app.add_option("--plate-stiffness", options.solver.plane_stiffness,
                      "with --plates contact: stiffness per area, in E over the mean spacing of nodes")
           ->type_name("F");
+  const auto* plate_tolerance =
+      app.add_option(
+             "--plate-tolerance", options.plate_tolerance,
+             "of a mesh: plates hold the nodes that lie within T mean edge lengths of its lowest and highest, 0 "
+             "to 0.5; a warning says where others lie just beyond")
+          ->type_name("T");
   app.add_option("--compress", options.compressions, "plate travel over height, a step each, ascending")
       ->expected(1, -1)
       ->type_name("C");
@@ -256,6 +269,8 @@ Options parse(const std::vector<std::string>& arguments) {
   }
   require(plate_stiffness->count() == 0 || options.plates == Plates::contact,
           "--plate-stiffness is that of --plates contact, which is missing");
+  require(plate_tolerance->count() == 0 || !options.is_cube(),
+          "--plate-tolerance is for a mesh of your own: the faces of the cube are flat");
   if (options.historical) {
     options.solver.nested = false;
     options.solver.precision = fem::TangentPrecision::float32;

@@ -83,6 +83,10 @@ void append(std::vector<std::string>& notes, const std::vector<std::string>& mor
   notes.insert(notes.end(), more.begin(), more.end());
 }
 
+PlateRecord record_of(const Plate& plate) {
+  return {static_cast<std::int64_t>(plate.nodes.front().size()), plate.area};
+}
+
 }  // namespace
 
 Outcome run(Options options, const std::string& command) {
@@ -103,11 +107,13 @@ Outcome run(Options options, const std::string& command) {
   append(notes, options.notes);
   append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
+  for (const std::string& warning : warnings_of(scene.plates)) terminal.warning("%s", warning.c_str());
   const std::string arrays = arrays_of(options);
   const RunBytes bytes =
       bytes_of_run(counts, options.solver,
                    {options.scene, arrays, options.plates == Plates::contact ? 2 : 0, options.motion.fixed_order});
   if (options.dry_run) {
+    if (!options.is_cube()) terminal.text(describe(scene.plates));
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;
   }
@@ -123,8 +129,8 @@ Outcome run(Options options, const std::string& command) {
   const fem::MeshLevel& finest = scene.levels.front();
   if (options.historical) {
     fem::NewtonSettings& newton = options.solver.newton;
-    newton.absolute_tolerance =
-        std::min(1e-3, newton.tolerance * options.solver.youngs_modulus * scene.height * scene.height);
+    newton.absolute_tolerance = std::min(
+        1e-3, newton.tolerance * options.solver.youngs_modulus * scene.plates.height() * scene.plates.height());
   }
 
   terminal.set_up(3, parts, "files");
@@ -170,11 +176,14 @@ Outcome run(Options options, const std::string& command) {
   record.layout = built_layout();
   record.command = command;
   record.settings = settings_json(options);
+  record.lower_plate = record_of(scene.plates.lower);
+  record.upper_plate = record_of(scene.plates.upper);
   record.setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const auto total = static_cast<double>(record.bytes);
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; %.1f MB, %.0f bytes per node; set up in %.2f s",
                 static_cast<long long>(record.tets), static_cast<long long>(record.nodes), scene.levels.size(),
                 record.device.c_str(), total / 1e6, total / static_cast<double>(record.nodes), record.setup_seconds);
+  terminal.text(describe(scene.plates));
   if (checkpoint) {
     solver->restore(state_of(*checkpoint, solver->state()));
     terminal.line("continuing behind step %d, a compression of %g", checkpoint->step, checkpoint->compression);

@@ -106,30 +106,23 @@ Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
   Scene scene;
   for (MeshLevel& level : levels) level.averages_at_nodes = options.volume == VolumeTreatment::nodes;
   scene.levels = std::move(levels);
+  scene.plates = hold_between_plates(scene.levels, options.plate_tolerance);
+  require_faces(scene.plates);
+  const Plate &lower = scene.plates.lower, &upper = scene.plates.upper;
   for (std::size_t l = 0; l < scene.levels.size(); ++l) {
-    MeshLevel& level = scene.levels[l];
-    const auto [low, high] = std::ranges::minmax(level.rest, {}, [](const fem::Point& x) { return x[2]; });
-    const auto base = fem::nodes_on_plane(level.rest, 2, low[2]), top = fem::nodes_on_plane(level.rest, 2, high[2]);
-    set_plates(level, base, top, options.top);
-    if (l > 0) continue;
-    scene.low = low[2];
-    scene.height = high[2] - low[2];
-    if (base.size() < 3 || top.size() < 3) {
-      throw Error("the plates hold the lowest and highest nodes along z, and there are only " +
-                  std::to_string(base.size()) + " and " + std::to_string(top.size()) +
-                  ": the mesh needs flat faces there");
-    }
-    if (std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; })) {
-      throw Error(
-          "the plates hold every node, so that nothing is left to solve for: the mesh needs nodes between them");
-    }
-    if (options.plates == Plates::contact) {
-      scene.loading.planes.push_back({{0, 0, 1}, scene.low, 0});
-      scene.loading.planes.push_back({{0, 0, -1}, -high[2], scene.height});
-    }
-    scene.loading.motion.assign(level.rest.size(), fem::Point{});
-    for (const Index n : top) scene.loading.motion[static_cast<std::size_t>(n)][2] = -scene.height;
+    set_plates(scene.levels[l], lower.nodes[l], upper.nodes[l], options.top);
   }
+  const MeshLevel& finest = scene.levels.front();
+  if (std::ranges::all_of(finest.fixed, [](std::uint8_t fixed) { return fixed == 7; })) {
+    throw Error("the plates hold every node, so that nothing is left to solve for: the mesh needs nodes between them");
+  }
+  const double height = scene.plates.height();
+  if (options.plates == Plates::contact) {
+    scene.loading.planes.push_back({{0, 0, 1}, scene.plates.low, 0});
+    scene.loading.planes.push_back({{0, 0, -1}, -scene.plates.high, height});
+  }
+  scene.loading.motion.assign(finest.rest.size(), fem::Point{});
+  for (const Index n : upper.nodes.front()) scene.loading.motion[static_cast<std::size_t>(n)][2] = -height;
   if (!options.is_cube() && options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
     scene.grid = fem::add_background_grid(scene.levels);
   }
@@ -169,9 +162,9 @@ std::string name_of_tet(const Scene& scene, Index tet) {
 }
 
 double reach_past_plates(const Scene& scene, double compression, const std::vector<fem::Point>& positions) {
-  const double upper = scene.low + scene.height * (1 - compression);
+  const double upper = scene.plates.low + scene.plates.height() * (1 - compression);
   double most = 0;
-  for (const fem::Point& x : positions) most = std::max({most, x[2] - upper, scene.low - x[2]});
+  for (const fem::Point& x : positions) most = std::max({most, x[2] - upper, scene.plates.low - x[2]});
   return most;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "options.h"
+#include "plates.h"
 #include "sizes.h"
 
 namespace physgen::truthcube {
@@ -26,7 +27,7 @@ struct GivenMesh {
 struct Scene {
   std::vector<fem::MeshLevel> levels;  ///< finest first
   fem::Loading loading;                ///< at a compression of 1; its planes, if any, are the lower and the upper plate
-  double low = 0, height = 0;          ///< of the body along z [m]
+  PlatesOfBody plates;                 ///< what holds the body
   std::array<fem::Index, 3> grid{};    ///< cells along x, y, z of the background grid; zeros where there is none
   std::vector<std::size_t> tet_tags;   ///< of a mesh of the user's, as GivenMesh has them
   int refinements = 0;                 ///< of that mesh: each tet of it is 8^refinements of the finest level
@@ -35,8 +36,8 @@ struct Scene {
 /// The cube of options.cells^3 cells, in levels.
 [[nodiscard]] std::vector<fem::MeshLevel> make_cube(const Options& options);
 
-/// Levels between plates at their lowest and highest nodes. A mesh of the user's that has many nodes gets a background
-/// grid for multigrid.
+/// Levels between plates at their lowest and highest nodes along z. A mesh of the user's that has many nodes gets a
+/// background grid for multigrid.
 /// @throw Error when fewer than three nodes lie on a plate, or the plates hold every node
 [[nodiscard]] Scene make_scene(const Options& options, std::vector<fem::MeshLevel> levels);
 

@@ -166,11 +166,11 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
                    std::vector<NewtonRecord> newton) {
   const std::vector<Point> forces = solver_.forces(), positions = solver_.positions();
   const std::vector<fem::PlaneContact> contacts = solver_.plane_contacts();
-  const double reaction = plate_reaction(scene_.levels.front(), forces, contacts);
+  const double reaction = plate_reaction(scene_.plates.upper.nodes.front(), forces, contacts);
   const double reach = reach_past_plates(scene_, compression, positions);
   Estimates estimates;
   if (const auto coarser = solver_.coarser_equilibrium()) {
-    estimates = make_estimates(scene_.levels, reaction, positions, *coarser);
+    estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, positions, *coarser);
   }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
                            result.smallest_J, reaction, estimates.reaction, estimates.error_rms, reach, seconds,
@@ -192,7 +192,7 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
         "  free sides reach %.4f mm past the plates; the lower one pushes them back with %.4g N, the upper one with "
         "%.4g N",
         1e3 * reach, contacts.front().force, contacts.back().force);
-  } else if (reach > 1e-6 * scene_.height) {
+  } else if (reach > 1e-6 * scene_.plates.height()) {
     terminal_.line("  free sides reach %.3f mm past the plates: --plates contact pushes them back", 1e3 * reach);
   }
   warn(compression, result, positions);

@@ -81,9 +81,17 @@ case $rule in
     expect err "a Young's modulus of 1e[+]30 Pa over tets of 0.02 m leaves what single precision holds: take double precision"
     expect_exit 0 --cells 4 --young 1e30 --compress 0.1 --precision double
     expect_refused "--young 0: Young's modulus is" --young 0
-    expect_refused '--compress .* 1 does not fit behind 0' --compress 1
+    expect_refused '--compress .* between 0 and 1, .*; 1 is none of them' --compress 1
+    expect_refused '--compress .*; 0 is no compression: .*; begin with a larger number' --compress 0
+    expect_refused '--compress .*; 0 is no compression' --compress 0 0.05
+    expect_refused '--compress .*; -0.1 is none of them' --compress -0.1
     expect_refused '--compress .* 0.05 does not fit behind 0.1' --compress 0.1 0.05
-    expect_refused '--compress .* does not fit' --compress nan
+    expect_refused '--compress .*; nan is none of them' --compress nan
+    for bad in -0.1 0.51 nan inf; do
+      expect_refused "--plate-tolerance $bad: .* number of mean edge lengths from 0 to 0.5; 1e-04 is common" \
+        --mesh a.msh --plate-tolerance $bad
+    done
+    expect_refused 'plate-tolerance = much; a number is wanted there' --mesh a.msh --plate-tolerance much
     expect_refused '--plate-stiffness 0: .* from 0.001 to 1e4' --plates contact --plate-stiffness 0
     expect_refused '--tolerance 0: ' --tolerance 0 ;;
   flags_that_do_not_go_together_are_refused)
@@ -92,6 +100,7 @@ case $rule in
     expect_refused 'restart continues what is in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
+    expect_refused 'plate-tolerance is for a mesh' --plate-tolerance 1e-3
     expect_refused 'plate-stiffness is that of --plates contact' --plate-stiffness 10
     expect_refused 'excludes' --historical --precision double
     expect_refused 'excludes' --historical --product assembled
@@ -178,6 +187,16 @@ case $rule in
     : >out
     expect kept '^process [0-9]+'
     expect_no kept 'reaction|residual' ;;
+  more_threads_than_processors_are_said_once)
+    expect_exit 0 --cells 2 --threads 4000 --dry-run --quiet
+    expect err '^truthcube: warning: --threads 4000 is more than the processors .* may use, [0-9]+ by .*; --threads [0-9]+ is'
+    (($(wc -l <err) == 1)) || fail 'said more than once'
+    expect_exit 0 --cells 2 --threads 1 --dry-run
+    [[ ! -s err ]] || fail 'a warning for one thread'
+    expect_exit 0 --cells 2 --dry-run
+    [[ ! -s err ]] || fail 'a warning for none'
+    OMP_NUM_THREADS=1 taskset -c "$(taskset -cp $$ | sed -E 's/.*: ([0-9]+).*/\1/')" "$program" --cells 2 --threads 2 --dry-run >out 2>err
+    expect err '--threads 2 is more than .* use, 1 by .*; --threads 1 is' ;;
   the_command_in_the_record_can_be_typed_again)
     expect_exit 0 "${small[@]}" --compress 0.02 --out "it's a folder"
     expect "it's a folder/run.json" '"command": "truthcube --cells 4 --threads 1 --compress 0.02 --out '"'it'.{2}''s a folder'"'"' ;;

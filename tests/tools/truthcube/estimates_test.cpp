@@ -2,6 +2,7 @@
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <gtest/gtest.h>
 #include <truthcube/estimates.h>
+#include <truthcube/plates.h>
 
 #include <cmath>
 
@@ -22,12 +23,17 @@ fem::NodeState results(const fem::MeshLevel& level, double h) {
   return state;
 }
 
+/// The nodes that the upper plate holds, of each level.
+std::vector<std::vector<fem::Index>> upper_of(std::span<const fem::MeshLevel> levels) {
+  return hold_between_plates(levels, default_plate_tolerance).upper.nodes;
+}
+
 TEST(Estimates, are_exact_where_errors_fall_with_first_order) {
   const auto levels = fem::make_cube_levels(4, 1.0, false);
   const fem::NodeState fine = results(levels[0], 0.25), coarse = results(levels[1], 0.5);
-  const double reaction = plate_reaction(levels[0], fine.forces, {});
+  const double reaction = plate_reaction(upper_of(levels)[0], fine.forces, {});
   EXPECT_NEAR(reaction, -3.25, 1e-14);
-  const Estimates estimates = make_estimates(levels, reaction, fine.positions, coarse);
+  const Estimates estimates = make_estimates(levels, upper_of(levels)[1], reaction, fine.positions, coarse);
   EXPECT_NEAR(estimates.reaction, -3, 1e-13);
   EXPECT_NEAR(estimates.error_rms, 0.25 * 0.5, 1e-14);
   EXPECT_NEAR(estimates.error_max, 0.25 * 0.5, 1e-14);
@@ -39,9 +45,9 @@ TEST(Estimates, of_the_reaction_contain_what_plates_push_sides_back_with) {
   fem::NodeState coarse = results(levels[1], 0.5);
   const std::vector<fem::PlaneContact> planes{{7, 0}, {0.125, 0}};
   coarse.planes = {{7, 0}, {0.25, 0}};
-  const double reaction = plate_reaction(levels[0], fine.forces, planes);
+  const double reaction = plate_reaction(upper_of(levels)[0], fine.forces, planes);
   EXPECT_NEAR(reaction, -3.375, 1e-14);
-  EXPECT_NEAR(make_estimates(levels, reaction, fine.positions, coarse).reaction, -3, 1e-13);
+  EXPECT_NEAR(make_estimates(levels, upper_of(levels)[1], reaction, fine.positions, coarse).reaction, -3, 1e-13);
 }
 
 TEST(Estimates, of_the_largest_error_are_not_of_the_mean) {
@@ -49,7 +55,7 @@ TEST(Estimates, of_the_largest_error_are_not_of_the_mean) {
   const fem::NodeState fine = results(levels[0], 0.25);
   fem::NodeState coarse = results(levels[1], 0.25);
   coarse.positions[13][1] += 0.2;  // one of 27 nodes
-  const Estimates estimates = make_estimates(levels, 0, fine.positions, coarse);
+  const Estimates estimates = make_estimates(levels, upper_of(levels)[1], 0, fine.positions, coarse);
   EXPECT_NEAR(estimates.error_max, 0.2, 1e-14);
   EXPECT_NEAR(estimates.error_rms, 0.2 / std::sqrt(27.0), 1e-14);
 }

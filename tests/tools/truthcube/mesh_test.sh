@@ -32,7 +32,13 @@ write_mesh() {
     print "$EndElements"
   }'
 }
+# The same with each z off by up to $2 m, which is random.
+write_rough_mesh() {
+  write_mesh "$1" | awk -v noise="$2" 'BEGIN { srand(3) }
+    NF == 4 { printf "%d %.17g %.17g %.17g\n", $1, $2, $3, $4 + noise * (2 * rand() - 1); next } { print }'
+}
 small=(--cells 4 --threads 1)
+exactly=(--threads 1 --compress 0.05 --precision double --tolerance 1e-10)
 
 case $rule in
   a_mesh_takes_the_place_of_the_cube)
@@ -103,5 +109,51 @@ case $rule in
     write_mesh 8 >m.msh
     expect_exit 1 --mesh m.msh --refine 6
     expect err 'the mesh refined [3-6] times (takes [0-9.]+ GB|has [0-9]+ nodes .* more than 32-bit).*; --refine [2-5] takes' ;;
+  faces_that_are_flat_but_for_rounding_are_held_as_flat_ones_are)
+    write_mesh 4 >flat.msh
+    for flags in "--stepping loads" "--refine 1" "--scene linear-elastic" "--top frictionless --plates contact"; do
+      # shellcheck disable=SC2086
+      expect_exit 0 --mesh flat.msh "${exactly[@]}" $flags --out flat
+      held=$(grep '^plates hold' out)
+      for noise in 1e-9 3e-9 8e-11 8e-10 8e-9 2.4e-10; do # [m]: also 1e-9 .. 1e-7 and 3e-9 of the height
+        write_rough_mesh 4 $noise >rough.msh
+        # shellcheck disable=SC2086
+        expect_exit 0 --mesh rough.msh "${exactly[@]}" $flags --out rough
+        [[ $(grep '^plates hold' out) == "$held" ]] || fail "$flags, $noise: not $held"
+        expect_no err 'just beyond'
+        awk -v a="$(number_of reaction flat/run.json)" -v b="$(number_of reaction rough/run.json)" \
+          'BEGIN { exit !(a < -0.1 && (a - b) ^ 2 < 1e-12 * a * a) }' || fail "$flags, $noise: another reaction"
+      done
+    done
+    expect_exit 0 --mesh flat.msh --threads 1 --compress 0.05
+    expect out '^plates hold 25 and 25 nodes, 6400 and 6400 mm.2 of the surface [(]lower and upper[)]$'
+    for noise in 1e-8 1e-7; do # where the body itself is another by 1e-6
+      write_rough_mesh 4 $noise >rough.msh
+      expect_exit 0 --mesh rough.msh --threads 1 --compress 0.05
+      expect out '^plates hold 25 and 25 nodes, 6400 and 6400 mm'
+    done ;;
+  nodes_just_beyond_a_plate_are_said_and_can_be_held)
+    # Four of the upper nodes, at a corner, 4 um below the others, where a mean edge is 24.8 mm.
+    write_mesh 4 | awk 'NF == 4 && $2 > .05 && $3 > .05 && $4 == .08 { $4 = .079996 } { print }' >step.msh
+    expect_exit 0 --mesh step.msh --threads 1 --compress 0.05 --quiet --out o
+    expect err 'warning: the upper plate holds 21 nodes, those within 0.00[0-9]+ mm .*, and 4 more .* just beyond, up to 0.004 mm'
+    remedy=$(sed -nE 's/.*(--plate-tolerance [0-9.e-]+) holds them.*/\1/p' err)
+    expect o/run.json '"plate_tolerance": 0.0001'
+    tr -d ' \n' <o/run.json | grep -qE '"held":[{]"lower":[{]"nodes":25,"area":0.00(64|63999)' || fail 'lower plate in run.json'
+    tr -d ' \n' <o/run.json | grep -qE '"upper":[{]"nodes":21,"area":0.00(48|47999)' || fail 'upper plate in run.json'
+    # shellcheck disable=SC2086
+    expect_exit 1 --mesh step.msh --threads 1 --compress 0.1 --out o --restart $remedy
+    expect err 'plate_tolerance'
+    expect_exit 0 --mesh step.msh --threads 1 --compress 0.05 0.06 --out o --restart --plate-tolerance 0.0001
+    # shellcheck disable=SC2086
+    expect_exit 0 --mesh step.msh --threads 1 --compress 0.05 $remedy
+    expect out '^plates hold 25 and 25 nodes'
+    [[ ! -s err ]] || fail 'a warning'
+    expect_exit 0 --mesh step.msh --dry-run
+    expect out '^plates hold 25 and 21 nodes' ;;
+  faces_that_are_too_rough_are_refused_with_what_lies_just_beyond)
+    write_rough_mesh 4 1e-5 >rough.msh
+    expect_exit 1 --mesh rough.msh --plate-tolerance 0
+    expect err 'only 1 and 1, with 24 and 24 just beyond: .* a larger --plate-tolerance' ;;
   *) fail 'no such rule' ;;
 esac

@@ -30,6 +30,8 @@ RunRecord record_of(int steps) {
                 .command = "truthcube --cells 64 --out \"a b\"",
                 .settings = R"({"material":"neo_hookean","young":15000.0,"poisson":0.49,"cells":64})",
                 .setup_seconds = 0.1,
+                .lower_plate = {4225, 0.0064},
+                .upper_plate = {4224, 0.0063},
                 .steps = {}};
   for (int s = 0; s < steps; ++s) {
     run.steps.push_back(
@@ -49,7 +51,7 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   write_run_json(path, record_of(2));
   const Json run = Json::parse(read_text(path));
   EXPECT_EQ(keys_of(run), (std::vector<std::string>{"nodes", "tets", "bytes", "device", "layout", "command",
-                                                    "setup_seconds", "settings", "steps"}));
+                                                    "setup_seconds", "held", "settings", "steps"}));
   EXPECT_EQ(run["nodes"], 274625);
   EXPECT_EQ(run["tets"], 1572864);
   EXPECT_EQ(run["bytes"], 3'000'000'000);
@@ -57,6 +59,8 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(run["layout"], "schema");
   EXPECT_EQ(run["command"], "truthcube --cells 64 --out \"a b\"");
   EXPECT_EQ(run["setup_seconds"], 0.1);
+  EXPECT_EQ(run["held"]["lower"], Json::parse(R"({"nodes": 4225, "area": 0.0064})"));
+  EXPECT_EQ(run["held"]["upper"], Json::parse(R"({"nodes": 4224, "area": 0.0063})"));
   EXPECT_EQ(run["settings"]["material"], "neo_hookean");
   ASSERT_EQ(run["steps"].size(), 2U);
   const Json& step = run["steps"][1];
@@ -107,6 +111,16 @@ TEST_F(RunJson, is_read_as_it_was_written) {
   const RunRecord read = read_run_json(path);
   EXPECT_TRUE(read == run);
   EXPECT_TRUE(std::signbit(read.steps[1].energy));
+}
+
+TEST_F(RunJson, of_a_version_that_did_not_say_what_plates_hold_is_read) {
+  write_run_json(path, record_of(1));
+  Json run = Json::parse(read_text(path));
+  run.erase("held");
+  testing::put_text(path, run.dump());
+  const RunRecord read = read_run_json(path);
+  EXPECT_EQ(read.steps.size(), 1U);
+  EXPECT_EQ(read.lower_plate.nodes, 0);
 }
 
 TEST_F(RunJson, numbers_that_are_not_finite_are_null) {

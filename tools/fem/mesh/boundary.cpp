@@ -52,18 +52,12 @@ std::vector<Index> nodes_on_plane(std::span<const Point> rest, int axis, double 
   if (axis < 0 || axis > 2) {
     throw Error("nodes on plane: axis " + std::to_string(axis) + "; it must be 0 (x), 1 (y) or 2 (z)");
   }
-  if (!(tolerance >= 0 && tolerance <= 1)) {
-    throw Error("nodes on plane: tolerance " + std::to_string(tolerance) +
-                "; it is relative to the longest side of the mesh and must be from 0 to 1");
-  }
-  double longest = 0;
-  for (std::size_t k = 0; k < 3 && !rest.empty(); ++k) {
-    const auto [low, high] = std::ranges::minmax(rest, {}, [k](const Point& x) { return x[k]; });
-    longest = std::max(longest, high[k] - low[k]);
+  if (!(tolerance >= 0 && std::isfinite(tolerance))) {
+    throw Error("nodes on plane: tolerance " + std::to_string(tolerance) + "; it is a length, 0 or more");
   }
   std::vector<Index> nodes;
   for (std::size_t n = 0; n < rest.size(); ++n) {
-    if (std::abs(rest[n][static_cast<std::size_t>(axis)] - value) <= tolerance * longest) {
+    if (std::abs(rest[n][static_cast<std::size_t>(axis)] - value) <= tolerance) {
       nodes.push_back(static_cast<Index>(n));
     }
   }

@@ -20,11 +20,11 @@ using Force = std::array<double, 3>;
 /// @pre a mesh of make_tet_mesh()
 [[nodiscard]] std::vector<Face> boundary_faces(const TetMesh& mesh);
 
-/// Nodes that lie in the plane x[axis] = value, ascending: no farther from it than tolerance times the longest side of
-/// the bounding box of all points. May be empty.
-/// @throws Error when axis is not 0, 1 or 2, or the tolerance is not in [0, 1]
-[[nodiscard]] std::vector<Index> nodes_on_plane(std::span<const Point> rest, int axis, double value,
-                                                double tolerance = 1e-8);
+/// Nodes that lie in the plane x[axis] = value, ascending: no farther from it than the tolerance. May be empty. Faces
+/// of meshes from files are flat but for rounding, so that a tolerance of 0 finds a part of one.
+/// @param tolerance a length, as coordinates are
+/// @throws Error when axis is not 0, 1 or 2, or the tolerance is negative or not finite
+[[nodiscard]] std::vector<Index> nodes_on_plane(std::span<const Point> rest, int axis, double value, double tolerance);
 
 /// Forces of a pressure [Pa] that keeps the faces' area and normal at rest (a dead load): each corner of a face gets
 /// -pressure area normal / 3. Positive pressure pushes against the normal. Sums in the order of the faces.

@@ -53,6 +53,12 @@ void visit_run(Record& run, const Visit& visit) {
   visit("setup_seconds", run.setup_seconds);
 }
 
+template <class Record, class Visit>
+void visit_plates(Record& run, const Visit& visit) {
+  visit("lower", run.lower_plate);
+  visit("upper", run.upper_plate);
+}
+
 template <class T>
 void take(const Json& object, const char* key, T& value) {
   const Json& found = object.at(key);
@@ -68,6 +74,9 @@ void take(const Json& object, const char* key, T& value) {
 void write_run_json(const std::filesystem::path& file, const RunRecord& record) {
   Json run;
   visit_run(record, [&run](const char* key, const auto& value) { run[key] = value; });
+  visit_plates(record, [&run](const char* key, const PlateRecord& plate) {
+    run["held"][key] = {{"nodes", plate.nodes}, {"area", plate.area}};
+  });
   run["settings"] = Json::parse(record.settings, nullptr, false);
   if (!run["settings"].is_object())
     throw Error(file.string() + ": the settings are not a JSON object: " + record.settings);
@@ -93,6 +102,12 @@ RunRecord read_run_json(const std::filesystem::path& file) {
     const Json run = Json::parse(stream);
     RunRecord record;
     visit_run(record, [&run](const char* key, auto& value) { take(run, key, value); });
+    if (run.contains("held")) {
+      visit_plates(record, [&held = run["held"]](const char* key, PlateRecord& plate) {
+        take(held.at(key), "nodes", plate.nodes);
+        take(held.at(key), "area", plate.area);
+      });
+    }
     record.settings = run.at("settings").dump();
     for (const Json& entry : run.at("steps")) {
       StepRecord& step = record.steps.emplace_back();

@@ -38,6 +38,13 @@ struct StepRecord {
   bool operator==(const StepRecord&) const = default;
 };
 
+/// What a plate holds of the finest mesh.
+struct PlateRecord {
+  std::int64_t nodes = 0;
+  double area = 0;  ///< of surface triangles all of whose corners it holds [m^2]
+  bool operator==(const PlateRecord&) const = default;
+};
+
 struct RunRecord {
   std::int64_t nodes = 0, tets = 0;
   std::int64_t bytes = 0;       ///< of all arrays of the solver
@@ -46,6 +53,7 @@ struct RunRecord {
   std::string command;          ///< as it was typed
   std::string settings = "{}";  ///< a JSON object: material, young, poisson, volume, cells, preconditioner, ...
   double setup_seconds = 0;
+  PlateRecord lower_plate, upper_plate;  ///< in files of older versions they are missing, and read as zeros
   std::vector<StepRecord> steps;
   bool operator==(const RunRecord&) const = default;
 };

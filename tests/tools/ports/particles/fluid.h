@@ -1,0 +1,23 @@
+// Smoothed particles.
+#include <physgen/schema.h>
+
+namespace fluid {
+using namespace physgen::schema;
+
+/// A particle of a fluid.
+struct PHYSGEN_OBJECT(layout(host, aos_padded)) Particle {
+  PHYSGEN(unit("m")) Vector<3> x;      ///< position
+  PHYSGEN(unit("m/s")) Vector<3> v;    ///< velocity
+  PHYSGEN(unit("N/m^3")) Vector<3> f;  ///< force per volume
+  PHYSGEN(unit("kg/m^3")) Scalar rho;  ///< density
+  PHYSGEN(unit("Pa")) Scalar p;        ///< pressure
+};
+/// The neighbours of one particle.
+struct PHYSGEN_OBJECT() Range {
+  Index begin, end;
+};
+/// A particle within reach of another, or itself.
+struct PHYSGEN_OBJECT() Neighbour {
+  Index j;
+};
+}  // namespace fluid
