@@ -90,7 +90,7 @@ static_assert(physgen::are_sound_records<NodeAreaObject, physgen::Host>({4, 4, {
 template <class Real>
 struct RigidPlane {
   /// of length 1, towards the body [1]
-  Eigen::Matrix<Real, 3, 1> normal;
+  physgen::MatrixValue<Real, 3, 1> normal;
   /// normal . x of its points at a load of 0 [m]
   Real offset;
   /// along the normal, at a load of 1 [m]

@@ -90,7 +90,7 @@ static_assert(physgen::are_sound_records<NodeMassObject, physgen::Host>({4, 4, {
 template <class Real>
 struct NodeVelocity {
   /// velocity [m/s]
-  Eigen::Matrix<Real, 3, 1> v;
+  physgen::MatrixValue<Real, 3, 1> v;
 };
 
 template <class Space>
@@ -148,7 +148,7 @@ struct Motion {
   /// kinetic energy [J]
   Real kinetic;
   /// linear momentum [kg m/s]
-  Eigen::Matrix<Real, 3, 1> momentum;
+  physgen::MatrixValue<Real, 3, 1> momentum;
   /// elastic energy of the tets [J]
   Real elastic;
   /// the largest coordinate of a position [m]

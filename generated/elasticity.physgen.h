@@ -36,7 +36,7 @@ namespace elasticity {
 template <class Real>
 struct DeformationGradient {
   /// current over rest shape; the identity at rest [1]
-  Eigen::Matrix<Real, 3, 3> F;
+  physgen::MatrixValue<Real, 3, 3> F;
 };
 
 template <class Space>
@@ -93,7 +93,7 @@ static_assert(physgen::are_sound_records<DeformationGradientObject, physgen::Hos
 template <class Real>
 struct DeformationGradientDifferential {
   /// change of F along a displacement differential [1]
-  Eigen::Matrix<Real, 3, 3> dF;
+  physgen::MatrixValue<Real, 3, 3> dF;
 };
 
 template <class Space>
@@ -154,11 +154,11 @@ static_assert(physgen::are_sound_records<DeformationGradientDifferentialObject, 
 template <class Real>
 struct DeformationSvd {
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U;
+  physgen::MatrixValue<Real, 3, 3> U;
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V;
+  physgen::MatrixValue<Real, 3, 3> V;
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s;
+  physgen::MatrixValue<Real, 3, 1> s;
 };
 
 template <class Space>
@@ -230,11 +230,11 @@ static_assert(physgen::are_sound_records<DeformationSvdObject, physgen::Host>(
 template <class Real>
 struct QuaternionSvd {
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  Eigen::Matrix<Real, 4, 1> u;
+  physgen::MatrixValue<Real, 4, 1> u;
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  Eigen::Matrix<Real, 4, 1> v;
+  physgen::MatrixValue<Real, 4, 1> v;
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s;
+  physgen::MatrixValue<Real, 3, 1> s;
 };
 
 template <class Space>
@@ -306,9 +306,9 @@ static_assert(physgen::are_sound_records<QuaternionSvdObject, physgen::Host>(
 template <class Real>
 struct PrincipalDirections {
   /// U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U;
+  physgen::MatrixValue<Real, 3, 3> U;
   /// U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V;
+  physgen::MatrixValue<Real, 3, 3> V;
 };
 
 template <class Space>
@@ -374,7 +374,7 @@ static_assert(physgen::are_sound_records<PrincipalDirectionsObject, physgen::Hos
 template <class Real>
 struct PrincipalStretches {
   /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s;
+  physgen::MatrixValue<Real, 3, 1> s;
 };
 
 template <class Space>
@@ -431,7 +431,7 @@ static_assert(physgen::are_sound_records<PrincipalStretchesObject, physgen::Host
 template <class Real>
 struct ElementRotation {
   /// det R = 1. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> R;
+  physgen::MatrixValue<Real, 3, 3> R;
 };
 
 template <class Space>
@@ -666,7 +666,7 @@ static_assert(physgen::are_sound_records<StressDerivativeObject, physgen::Host>(
 template <class Real>
 struct Stress {
   /// dpsi/dF: force in the current shape per area of the rest shape [Pa]
-  Eigen::Matrix<Real, 3, 3> P;
+  physgen::MatrixValue<Real, 3, 3> P;
 };
 
 template <class Space>
@@ -720,7 +720,7 @@ static_assert(physgen::are_sound_records<StressObject, physgen::Host>({36, 4, {0
 template <class Real>
 struct StressDifferential {
   /// change of P along dF [Pa]
-  Eigen::Matrix<Real, 3, 3> dP;
+  physgen::MatrixValue<Real, 3, 3> dP;
 };
 
 template <class Space>
@@ -778,7 +778,7 @@ static_assert(physgen::are_sound_records<StressDifferentialObject, physgen::Host
 template <class Real>
 struct RestShape {
   /// Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns [1/m]
-  Eigen::Matrix<Real, 3, 3> dm_inverse;
+  physgen::MatrixValue<Real, 3, 3> dm_inverse;
   /// det(Dm) / 6, positive [m^3]
   Real volume;
 };
@@ -848,7 +848,7 @@ static_assert(physgen::are_sound_records<RestShapeObject, physgen::Host>({40, 4,
 template <class Real>
 struct CornerForces {
   /// G = -volume P Dm^-T [N]
-  Eigen::Matrix<Real, 3, 3> G;
+  physgen::MatrixValue<Real, 3, 3> G;
 };
 
 template <class Space>
@@ -905,9 +905,9 @@ static_assert(physgen::are_sound_records<CornerForcesObject, physgen::Host>({36,
 template <class Real>
 struct ElementRecord {
   /// principal directions. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U;
+  physgen::MatrixValue<Real, 3, 3> U;
   /// principal directions. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V;
+  physgen::MatrixValue<Real, 3, 3> V;
   /// as in StressDerivative [Pa]
   Real x1111;
   /// as in StressDerivative [Pa]
@@ -933,9 +933,9 @@ struct ElementRecord {
   /// as in StressDerivative [Pa]
   Real x3223;
   /// change of F along a displacement differential [1]
-  Eigen::Matrix<Real, 3, 3> dF;
+  physgen::MatrixValue<Real, 3, 3> dF;
   /// change of P along dF [Pa]
-  Eigen::Matrix<Real, 3, 3> dP;
+  physgen::MatrixValue<Real, 3, 3> dP;
 };
 
 template <class Space>
@@ -1117,7 +1117,7 @@ static_assert(physgen::are_sound_records<ElementRecordObject, physgen::Host>(
 template <class Real>
 struct NodePosition {
   /// position [m]
-  Eigen::Matrix<Real, 3, 1> x;
+  physgen::MatrixValue<Real, 3, 1> x;
 };
 
 template <class Space>
@@ -1173,7 +1173,7 @@ static_assert(physgen::are_sound_records<NodePositionObject, physgen::Host>({12,
 template <class Real>
 struct NodeForce {
   /// sum of the elements' forces on the node [N]
-  Eigen::Matrix<Real, 3, 1> f;
+  physgen::MatrixValue<Real, 3, 1> f;
 };
 
 template <class Space>
@@ -1228,7 +1228,7 @@ static_assert(physgen::are_sound_records<NodeForceObject, physgen::Host>({12, 4,
 template <class Real>
 struct PlacedForce {
   /// of the tet on the node [N]
-  Eigen::Matrix<Real, 3, 1> f;
+  physgen::MatrixValue<Real, 3, 1> f;
 };
 
 template <class Space>
@@ -1284,7 +1284,7 @@ static_assert(physgen::are_sound_records<PlacedForceObject, physgen::Host>({12, 
 template <class Real>
 struct NodeDisplacement {
   /// direction in which forces are differentiated [m]
-  Eigen::Matrix<Real, 3, 1> dx;
+  physgen::MatrixValue<Real, 3, 1> dx;
 };
 
 template <class Space>
@@ -1341,7 +1341,7 @@ static_assert(physgen::are_sound_records<NodeDisplacementObject, physgen::Host>(
 template <class Real>
 struct NodeForceDifferential {
   /// change of the node's force along the displacement differential [N]
-  Eigen::Matrix<Real, 3, 1> df;
+  physgen::MatrixValue<Real, 3, 1> df;
 };
 
 template <class Space>
@@ -1399,7 +1399,7 @@ static_assert(physgen::are_sound_records<NodeForceDifferentialObject, physgen::H
 template <class Real>
 struct NodeStiffness {
   /// df(v)/dx(v) [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> K;
+  physgen::MatrixValue<Real, 3, 3> K;
 };
 
 template <class Space>
@@ -1456,7 +1456,7 @@ static_assert(physgen::are_sound_records<NodeStiffnessObject, physgen::Host>({24
 template <class Real>
 struct EdgeStiffness {
   /// df(m)/dx(n) [N/m]
-  Eigen::Matrix<Real, 3, 3> E;
+  physgen::MatrixValue<Real, 3, 3> E;
 };
 
 template <class Space>
@@ -1513,9 +1513,9 @@ static_assert(physgen::are_sound_records<EdgeStiffnessObject, physgen::Host>({36
 template <class Real>
 struct TetStiffness {
   /// corners i, j, k, l [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> k[4];
+  physgen::MatrixValue<Real, 3, 3> k[4];
   /// edges ij, ik, il, jk, jl, kl: df(first)/dx(second) [N/m]
-  Eigen::Matrix<Real, 3, 3> e[6];
+  physgen::MatrixValue<Real, 3, 3> e[6];
 };
 
 template <class Space>
@@ -1596,7 +1596,7 @@ static_assert(physgen::are_sound_records<TetStiffnessObject, physgen::Host>({312
 template <class Real>
 struct Tet {
   /// corners i, j, k, l; det(Dm) > 0
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
 };
 
 template <class Space>
@@ -1651,7 +1651,7 @@ static_assert(physgen::are_sound_records<TetObject, physgen::Host>({16, 4, {0}},
 template <class Real>
 struct TetPlaces {
   /// of corners i, j, k, l: numbers of entries
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places;
 };
 
 template <class Space>
@@ -1709,7 +1709,7 @@ static_assert(physgen::are_sound_records<TetPlacesObject, physgen::Host>({16, 4,
 template <class Real>
 struct Edge {
   /// m and n: the block of the edge is df(m)/dx(n)
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes;
 };
 
 template <class Space>

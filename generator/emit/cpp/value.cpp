@@ -8,7 +8,7 @@ namespace {
 std::string member_type(const model::Field& field, const model::Object& user) {
   std::string element = value_type(field.element);
   const auto matrix = [&](int rows, int cols) {
-    return "Eigen::Matrix<" + element + ", " + std::to_string(rows) + ", " + std::to_string(cols) + ">";
+    return "physgen::MatrixValue<" + element + ", " + std::to_string(rows) + ", " + std::to_string(cols) + ">";
   };
   if (field.shape == model::Shape::object) return nested_type_name(field, "", user) + "<Real>";
   if (field.shape == model::Shape::scalar) return element;

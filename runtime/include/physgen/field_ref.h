@@ -6,6 +6,7 @@
 #include <physgen/checks.h>
 #include <physgen/element_ref.h>
 #include <physgen/format.h>
+#include <physgen/matrix_value.h>
 #include <physgen/shape.h>
 
 #include <initializer_list>
@@ -31,7 +32,7 @@ class FieldRef {
   ~FieldRef() = default;
 
   /// The field's value. For temporaries only: `const auto x = view[i].x().get();`.
-  [[nodiscard]] PHYSGEN_FUNCTION const Value get() const&& { return read(); }
+  [[nodiscard]] PHYSGEN_FUNCTION const detail::ValueOf<Value> get() const&& { return read(); }
   PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
   operator Value() const& = delete;

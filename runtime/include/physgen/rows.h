@@ -81,7 +81,7 @@ class Rows {
                                                          detail::next_total<Sum>(step(std::as_const(sum), entry)));
       });
     }
-    return sum;
+    return detail::handed_out(sum);
   }
 
   /// total + term(entry) + term(next entry) + ..., added in this order; of a row without entries, `total`.
@@ -93,6 +93,9 @@ class Rows {
       using Added = std::remove_cvref_t<decltype(term(entry))>;
       static_assert(!std::is_arithmetic_v<Added> || std::is_same_v<Added, Sum>,
                     "rows.sum(): `total` has another type than the terms, which would be cut down to it: S(0)");
+      static_assert(detail::returned_whole<Added>,
+                    "rows.sum(): `term` returns an expression of Eigen that refers to matrices of its own, which are "
+                    "gone by then; write its type, [&](const auto& entry) -> Vector { ... }");
       return sum + term(entry);
     });
   }

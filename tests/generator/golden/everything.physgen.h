@@ -104,27 +104,27 @@ template <class Real>
 struct Shapes {
   /// Scalar.
   Real a;
-  Eigen::Matrix<Real, 3, 1> v;
+  physgen::MatrixValue<Real, 3, 1> v;
   /// corners i, j, k, l
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
   /// deformation gradient [1]
-  Eigen::Matrix<Real, 3, 3> F;
-  Eigen::Matrix<Real, 2, 3> B;
-  Eigen::Matrix<Real, 1, 4> row;
+  physgen::MatrixValue<Real, 3, 3> F;
+  physgen::MatrixValue<Real, 2, 3> B;
+  physgen::MatrixValue<Real, 1, 4> row;
   /// [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> K;
+  physgen::MatrixValue<Real, 3, 3> K;
   /// Symmetric, 3 stored.
-  Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> C2;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, double>, 2, 2> C2;
   /// Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s;
+  physgen::MatrixValue<Real, 3, 1> s;
   /// [1/s]. Skew-symmetric, 3 stored.
-  Eigen::Matrix<Real, 3, 3> W;
+  physgen::MatrixValue<Real, 3, 3> W;
   /// principal directions. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U;
+  physgen::MatrixValue<Real, 3, 3> U;
   /// Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V;
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> count;
-  Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> M;
+  physgen::MatrixValue<Real, 3, 3> V;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> count;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, double>, 2, 2> M;
 };
 
 template <class Space>
@@ -289,7 +289,7 @@ struct Names {
   Real assign;
   Real texts;
   Real Inner;
-  Eigen::Matrix<Real, 2, 1> tissue;
+  physgen::MatrixValue<Real, 2, 1> tissue;
 };
 
 template <class Space>
@@ -542,11 +542,11 @@ struct Entries {
   /// They sum to one. [1] Range [0, 1].
   Real weights[5];
   /// [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> k[4];
+  physgen::MatrixValue<Real, 3, 3> k[4];
   physgen::same_lanes_t<Real, std::int32_t> flags[3];
   /// More entries than are worth unrolling
   physgen::same_lanes_t<Real, double> history[40];
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> edges[6];
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> edges[6];
   Real entry[2];
 };
 
@@ -687,15 +687,15 @@ struct Options {
   /// Range [0, 0.5]; initially 0.45.
   Real nu = physgen::all_lanes<Real>(0.45);
   /// [1]. Initially 0.5.
-  Eigen::Matrix<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
+  physgen::MatrixValue<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
   /// Symmetric, 6 stored. Initially 1.
-  Eigen::Matrix<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1.0));
+  physgen::MatrixValue<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1.0));
   /// Initially -1.
   physgen::same_lanes_t<Real, std::int32_t> label = -1;
   /// Initially 7.
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> group = decltype(group)::Constant(7);
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> group = decltype(group)::Constant(7);
   /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
-  Eigen::Matrix<Real, 3, 3> spin;
+  physgen::MatrixValue<Real, 3, 3> spin;
   /// Initially 1e-12.
   physgen::same_lanes_t<Real, double> fixed = 1e-12;
 };
@@ -1051,9 +1051,9 @@ template <class Real>
 struct Frame {
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
-  Eigen::Matrix<Real, 3, 3> turn;
+  physgen::MatrixValue<Real, 3, 3> turn;
   /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Eigen::Matrix<Real, 3, 1> origin;
+  physgen::MatrixValue<Real, 3, 1> origin;
   /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.7e-06.
   Real weight = physgen::all_lanes<Real>(0.25);
 };
@@ -1146,34 +1146,34 @@ struct Stored {
   Real temperature = physgen::all_lanes<Real>(310.0);
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
   /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
-  Eigen::Matrix<Real, 3, 3> stress;
+  physgen::MatrixValue<Real, 3, 3> stress;
   /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Eigen::Matrix<Real, 3, 3> F;
+  physgen::MatrixValue<Real, 3, 3> F;
   /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Eigen::Matrix<Real, 3, 1> stretch;
+  physgen::MatrixValue<Real, 3, 1> stretch;
   /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00013.
-  Eigen::Matrix<Real, 3, 3> spin;
+  physgen::MatrixValue<Real, 3, 3> spin;
   /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
-  Eigen::Matrix<Real, 3, 3> R;
+  physgen::MatrixValue<Real, 3, 3> R;
   /// Rotation, 9 stored. Stored as unit quaternion of floats, error of an entry up to 1.2e-6.
-  Eigen::Matrix<Real, 3, 3> R32;
+  physgen::MatrixValue<Real, 3, 3> R32;
   /// Rotation, 9 stored. Stored as unit quaternion of doubles, error of an entry up to 10 eps.
-  Eigen::Matrix<Real, 3, 3> R64;
+  physgen::MatrixValue<Real, 3, 3> R64;
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
-  Eigen::Matrix<Real, 3, 3> Rhalf;
+  physgen::MatrixValue<Real, 3, 3> Rhalf;
   /// Rotation, 9 stored. Stored as unit quaternion of bfloat16, error of an entry up to 1.6e-2.
-  Eigen::Matrix<Real, 3, 3> Rbfloat;
+  physgen::MatrixValue<Real, 3, 3> Rbfloat;
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
-  Eigen::Matrix<Real, 3, 3> R16;
+  physgen::MatrixValue<Real, 3, 3> R16;
   /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
   /// CUDA as 16-bit steps over [-1, 1], error up to 1.6e-05.
-  Eigen::Matrix<Real, 3, 3> entries;
+  physgen::MatrixValue<Real, 3, 3> entries;
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Real halves[5];
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
-  Eigen::Matrix<Real, 3, 3> turns[3];
+  physgen::MatrixValue<Real, 3, 3> turns[3];
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
-  Eigen::Matrix<Real, 3, 3> many[33];
+  physgen::MatrixValue<Real, 3, 3> many[33];
   /// Initially 7.
   physgen::same_lanes_t<Real, std::int32_t> count = 7;
   Frame<Real> frame;

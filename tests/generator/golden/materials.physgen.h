@@ -101,7 +101,7 @@ static_assert(physgen::are_sound_records<LameObject, physgen::Host>({8, 4, {0, 4
 template <class Real>
 struct Fibre {
   /// Unit vector along the fibre.
-  Eigen::Matrix<physgen::same_lanes_t<Real, float>, 3, 1> direction;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, float>, 3, 1> direction;
   /// [Pa]
   physgen::same_lanes_t<Real, double> strength;
 };

@@ -3,8 +3,7 @@
 #pragma once
 
 #include <physgen/math.h>
-
-#include <Eigen/Core>
+#include <physgen/matrix_value.h>
 
 namespace physgen::math {
 
@@ -22,7 +21,7 @@ struct Cast {
 template <class S, class Shape, class Entry>
 PHYSGEN_FUNCTION inline auto matrix_of(const Entry& entry) {
   static_assert(Shape::SizeAtCompileTime > 0, "vectors and matrices of kernels have fixed sizes");
-  Eigen::Matrix<S, Shape::RowsAtCompileTime, Shape::ColsAtCompileTime> result;
+  MatrixValue<S, Shape::RowsAtCompileTime, Shape::ColsAtCompileTime> result;
   PHYSGEN_UNROLL
   for (int c = 0; c < Shape::ColsAtCompileTime; ++c) {
     PHYSGEN_UNROLL

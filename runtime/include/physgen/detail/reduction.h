@@ -2,8 +2,8 @@
 #pragma once
 
 #include <physgen/lanes.h>
+#include <physgen/matrix_value.h>
 
-#include <Eigen/Core>
 #include <array>
 #include <type_traits>
 
@@ -46,18 +46,20 @@ struct Terms<Eigen::Matrix<T, kRows, kCols, kOptions, kMaxRows, kMaxCols>> {
   static constexpr int count = kRows * kCols;
   using Entry = T;
   template <class Value>
-  using Result = Eigen::Matrix<Value, kRows, kCols, kOptions, kMaxRows, kMaxCols>;
+  using Result = MatrixValue<Value, kRows, kCols>;
   template <class Matrix>
   [[nodiscard]] PHYSGEN_FUNCTION static const T& entry(const Matrix& term, int k) {
     return term.data()[k];
   }
   template <class Value>
   [[nodiscard]] PHYSGEN_FUNCTION static Result<Value> result(const Value* values) {
-    Result<Value> result;
+    Eigen::Matrix<Value, kRows, kCols, kOptions, kMaxRows, kMaxCols> result;
     for (int k = 0; k < count; ++k) result.data()[k] = values[k];
     return result;
   }
 };
+template <class T, int kRows, int kCols>
+struct Terms<MatrixValue<T, kRows, kCols>> : Terms<Eigen::Matrix<T, kRows, kCols>> {};
 
 /// All types of a reduction. @tparam I an index that the kernel is called with
 template <class Kernel, class Fold, class I>

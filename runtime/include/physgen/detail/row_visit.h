@@ -47,7 +47,20 @@ template <class Sum, class Next>
 [[nodiscard]] PHYSGEN_FUNCTION Sum next_total(const Next& next) {
   static_assert(!std::is_arithmetic_v<Next> || std::is_same_v<Next, Sum>,
                 "rows.fold(): `step` returns another type than that of `total`, to which it would be cut down");
+  static_assert(returned_whole<Next>,
+                "rows.fold(): `step` returns an expression of Eigen that refers to matrices of its own, which are gone "
+                "by then; write its type, [&](const auto& total, const auto& entry) -> Vector { ... }");
   return next;
+}
+
+/// The same for the caller: a matrix as one that expressions hold by value.
+template <class Sum>
+[[nodiscard]] PHYSGEN_FUNCTION auto handed_out(const Sum& sum) {
+  if constexpr (requires { typename Sum::PlainObject; }) {
+    return value_of(sum);
+  } else {
+    return sum;
+  }
 }
 
 /// @throw Error when rows that `of` names are not `size` rows of entries that name `targets` objects
