@@ -39,6 +39,7 @@ class ElementRef {
  public:
   using Value = typename Cursor::template Lanes<T>;
   using Lanes = Value;  ///< one element's
+  using Element = T;    ///< of one object
   static constexpr bool of_a_local = requires { requires Cursor::of_a_local; };
 
   /// @param offset of the first element of its run in the record [bytes]
@@ -129,6 +130,15 @@ class ElementRef {
   int k_;
 };
 
+namespace detail {
+
+/// Plain numbers that are wider than the lanes of a reference's value. Those of one object are plain numbers, too.
+template <class Ref, class Number>
+concept WiderThanLanes = Wider<typename std::remove_cvref_t<Ref>::Element, Number> &&
+                         !std::is_arithmetic_v<typename std::remove_cvref_t<Ref>::Value>;
+
+}  // namespace detail
+
 // Arithmetic and comparison of references read from a view, among themselves and with anything that calculates with
 // their values. PHYSGEN_ELEMENT_OPERATOR is undefined below.
 #define PHYSGEN_ELEMENT_OPERATOR(op)                                                   \
@@ -149,6 +159,39 @@ PHYSGEN_ELEMENT_OPERATOR(>=)
 PHYSGEN_ELEMENT_OPERATOR(==)
 PHYSGEN_ELEMENT_OPERATOR(!=)
 #undef PHYSGEN_ELEMENT_OPERATOR
+
+// A double beside the floats of a reference, which is refused as beside their values; the argument of the template is
+// what nvcc prints. PHYSGEN_REFUSED_OPERATOR and PHYSGEN_REFUSED_ASSIGNMENT are undefined below.
+#define PHYSGEN_REFUSED_OPERATOR(op)                                                                         \
+  template <detail::ElementReference A, class Number,                                                        \
+            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it>                 \
+    requires detail::WiderThanLanes<A, Number>                                                               \
+  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(A&&, Number) = delete; \
+  template <class Number, detail::ElementReference A,                                                        \
+            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it>                 \
+    requires detail::WiderThanLanes<A, Number>                                                               \
+  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(Number, A&&) = delete;
+#define PHYSGEN_REFUSED_ASSIGNMENT(op)                                                       \
+  template <detail::ElementReference A, class Number,                                        \
+            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it> \
+    requires detail::Wider<typename std::remove_cvref_t<A>::Element, Number>                 \
+  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(A&&, Number) = delete;
+PHYSGEN_REFUSED_OPERATOR(+)
+PHYSGEN_REFUSED_OPERATOR(-)
+PHYSGEN_REFUSED_OPERATOR(*)
+PHYSGEN_REFUSED_OPERATOR(/)
+PHYSGEN_REFUSED_OPERATOR(<)
+PHYSGEN_REFUSED_OPERATOR(<=)
+PHYSGEN_REFUSED_OPERATOR(>)
+PHYSGEN_REFUSED_OPERATOR(>=)
+PHYSGEN_REFUSED_OPERATOR(==)
+PHYSGEN_REFUSED_OPERATOR(!=)
+PHYSGEN_REFUSED_ASSIGNMENT(+=)
+PHYSGEN_REFUSED_ASSIGNMENT(-=)
+PHYSGEN_REFUSED_ASSIGNMENT(*=)
+PHYSGEN_REFUSED_ASSIGNMENT(/=)
+#undef PHYSGEN_REFUSED_ASSIGNMENT
+#undef PHYSGEN_REFUSED_OPERATOR
 
 /// Exchanges elements that are stored in two formats.
 template <detail::ElementReference A, detail::ElementReference B>

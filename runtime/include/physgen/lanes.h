@@ -20,7 +20,7 @@ template <class T, detail::OfOneObject I>
 /// The number(s) of the object(s) at i, as 32-bit indices; a lane outside the range has the number of one inside.
 /// @throw Error when a number exceeds 2^31 - 1
 template <detail::OfOneObject I>
-[[nodiscard]] PHYSGEN_FUNCTION std::int32_t numbers(const I& i) {
+[[nodiscard]] PHYSGEN_FUNCTION lanes_t<std::int32_t, I> numbers(const I& i) {
   detail::check_number(static_cast<index_t>(detail::bare(i)));
   return static_cast<std::int32_t>(detail::bare(i));
 }

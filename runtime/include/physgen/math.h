@@ -17,11 +17,12 @@ namespace physgen::math {
 // These take single numbers; xsimd has the same for packs, but for those that simd_functions.h mends. Errors of packs
 // in units in the last place, the worst of 1e6 arguments in each of three ranges, for float and double, SSE4, AVX2 and
 // AVX-512: sqrt, floor, ceil, trunc, round, abs, copysign and fmod exact or rounded once; pow 0.51; log, log1p 0.9;
-// exp, sinh, cosh, tanh, hypot, sin, cos, acos, expm1 2.3; asin, atan, atan2 2.6; cbrt 3.2; tan 3.3; sin, cos and tan
-// take arguments of any size. pow and fmod call the C library lane by lane. NaN, infinities and zeros give what the C
-// library gives, but packs lose the sign of a zero in expm1 and log1p, and before SSE4 in floor, ceil, trunc and round.
-// Errors of single numbers are the C library's, and on a device those of CUDA's manual. So last bits differ between
-// packs, single numbers and CUDA, but for what is exact or rounded once.
+// exp, sinh, cosh, tanh, hypot, acos, expm1 2.3; sin, cos 2.4; asin, atan, atan2 2.6; cbrt 3.2; tan 3.3; sin, cos and
+// tan take arguments of any size, and next to multiples of pi/2 have these errors, too. pow and fmod call the C library
+// lane by lane. NaN, infinities and zeros give what the C library gives, but packs lose the sign of a zero in expm1 and
+// log1p, and before SSE4 in floor, ceil, trunc and round. Errors of single numbers are the C library's, and on a device
+// those of CUDA's manual. So last bits differ between packs, single numbers and CUDA, but for what is exact or rounded
+// once.
 using std::abs;
 using std::acos;
 using std::asin;

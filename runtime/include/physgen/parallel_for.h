@@ -2,6 +2,7 @@
 #pragma once
 
 #include <physgen/add.h>
+#include <physgen/detail/check_numbers.h>
 #include <physgen/detail/host_loop.h>
 #include <physgen/detail/kernel_calls.h>
 #include <physgen/detail/simd_rows.h>
@@ -48,6 +49,7 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   const detail::RunLanes outer({});  // where a kernel calls this
   detail::LaunchFailure failure;
   if constexpr (width == 1) {
+    detail::check_numbers(kernel);
 #pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
     for (index_t i = begin; i < end; ++i) detail::call_guarded(i, failure, [&] { kernel(i); });
   } else {

@@ -27,6 +27,7 @@ auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& k
   using Value = typename Types::Value;
   constexpr auto count = static_cast<std::size_t>(Types::count);
 
+  if constexpr (width == 1) detail::check_numbers(kernel);
   detail::check_range_of_launch(begin);
   const detail::RunLanes outer({});  // where a kernel calls this
   const index_t blocks = detail::blocks_of(begin, end), first = begin / detail::reduce_block;

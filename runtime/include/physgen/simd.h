@@ -9,6 +9,7 @@
 
 #include <physgen/detail/simd_functions.h>
 #include <physgen/detail/simd_masks.h>
+#include <physgen/detail/simd_numbers.h>
 #include <physgen/detail/simd_repairs.h>
 #include <physgen/detail/simd_roots.h>
 #include <physgen/math.h>

@@ -3,6 +3,7 @@
 
 #include <physgen/add.h>
 #include <physgen/cuda/check.h>
+#include <physgen/detail/check_numbers.h>
 #include <physgen/detail/host_loop.h>
 #include <physgen/lanes.h>
 #include <physgen/space.h>
@@ -24,6 +25,7 @@ __global__ void for_each_object(index_t begin, index_t end, const Kernel kernel)
 /// @throw Error when the launch fails
 template <class Kernel>
 void parallel_for(Cuda /*space*/, index_t begin, index_t end, const Kernel& kernel, Stream stream = nullptr) {
+  detail::check_numbers(kernel);
   detail::check_range_of_launch(begin);
   if (begin >= end) return;
   constexpr int block = 256;

@@ -26,6 +26,7 @@ void parallel_reduce(Cuda /*space*/, index_t begin, index_t end, const Kernel& k
   using Types = detail::Reduction<Kernel, Fold, index_t>;
   using Value = typename Types::Value;
   workspace.require(std::max(end - begin, index_t{0}), index_t{sizeof(Value)} * Types::count);
+  detail::check_numbers(kernel);
   detail::check_range_of_launch(begin);
   const cuda::Blocks blocks{begin, end, detail::blocks_of(begin, end)};
   static const index_t at_once = cuda::blocks_at_once(cuda::reduce_objects<Types, Fold, Kernel, Then>);

@@ -39,7 +39,13 @@ using Operand = decltype(operand(std::declval<T>()));
 template <class Value>
 using ReadValue = std::conditional_t<std::is_class_v<Value>, const Value, Value>;
 
+/// Plain numbers wider than floating lanes of type T: a double beside floats. One object would calculate in double, and
+/// packs in float.
+template <class T, class Number>
+concept Wider = std::is_floating_point_v<T> && std::is_floating_point_v<Number> && (sizeof(Number) > sizeof(T));
+
 /// Returned by deleted functions: their names are what compilers print.
+struct a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it {};
 struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself;
 struct integers_calculate_with_integers_so_convert_first {};
 struct an_empty_value_so_use_setZero {};

@@ -7,6 +7,10 @@
 
 namespace physgen::detail {
 
+/// The index of an entry of a row: index_t, or where numbers are checked (check_numbers.h) the row's own.
+template <class I>
+using EntryIndex = std::conditional_t<std::is_signed_v<I>, index_t, I>;
+
 /// Visits the entries of the row(s) at an index of type I. simd_rows.h has the form for packs.
 template <class I>
 struct RowVisit {
@@ -18,7 +22,7 @@ struct RowVisit {
                                                      const Body& body) {
     const auto range = ranges[i];
     const index_t begin = range.begin(), end = range.end();
-    for (index_t k = begin; k < end; ++k) body(entries[k], true);
+    for (index_t k = begin; k < end; ++k) body(entries[static_cast<EntryIndex<I>>(k)], true);
   }
 };
 

@@ -3,18 +3,12 @@
 #pragma once
 
 #include <physgen/detail/lanewise.h>
+#include <physgen/detail/simd_numbers.h>
 #include <physgen/simd_access.h>
 
 #include <cstdint>
 
 namespace physgen::detail {
-
-/// Plain numbers that integer lanes of type T cannot hold: floating ones, wider integers and unsigned ones.
-template <class T, class Number>
-concept CutDown = std::is_integral_v<T> && std::is_arithmetic_v<Number> &&
-                  (std::is_floating_point_v<Number> || sizeof(Number) > sizeof(T) ||
-                   (std::is_unsigned_v<Number> && sizeof(Number) == sizeof(T)));
-struct integer_lanes_beside_a_number_they_cannot_hold_so_use_to_real_of_S {};
 
 /// Bit l is lane l of a mask.
 template <class T, class A>
@@ -110,55 +104,6 @@ template <class T, class A, class U, class B>
   requires(!std::is_same_v<batch_bool<U, B>, batch_bool<T, A>> && batch_bool<U, B>::size == batch_bool<T, A>::size)
 inline batch_bool<T, A> operator||(const batch_bool<T, A>& a, const batch_bool<U, B>& b) {
   return a || physgen::detail::mask_of<T, A>(physgen::detail::bits_of(b));
-}
-// An integer of a pack beside a floating or a wider plain number: xsimd would cut the number down to the lanes' type.
-// One object calculates in the number's type. So it is refused, by a type whose name compilers print.
-// PHYSGEN_REFUSED is undefined below.
-#define PHYSGEN_REFUSED(op)                                                                                           \
-  template <class T, class A, class Number>                                                                           \
-    requires physgen::detail::CutDown<T, Number>                                                                      \
-  physgen::detail::integer_lanes_beside_a_number_they_cannot_hold_so_use_to_real_of_S operator op(const batch<T, A>&, \
-                                                                                                  Number) = delete;   \
-  template <class T, class A, class Number>                                                                           \
-    requires physgen::detail::CutDown<T, Number>                                                                      \
-  physgen::detail::integer_lanes_beside_a_number_they_cannot_hold_so_use_to_real_of_S operator op(                    \
-      Number, const batch<T, A>&) = delete;
-PHYSGEN_REFUSED(+)
-PHYSGEN_REFUSED(-)
-PHYSGEN_REFUSED(*)
-PHYSGEN_REFUSED(/)
-PHYSGEN_REFUSED(<)
-PHYSGEN_REFUSED(>)
-PHYSGEN_REFUSED(<=)
-PHYSGEN_REFUSED(>=)
-PHYSGEN_REFUSED(==)
-PHYSGEN_REFUSED(!=)
-#undef PHYSGEN_REFUSED
-
-// Comparisons that begin with a plain number, `k < count`. `==` and `!=` need both orders: C++20 would make
-// one of the other, and insist on a bool. PHYSGEN_COMPARISON is undefined below.
-#define PHYSGEN_COMPARISON(op, reversed)                                           \
-  template <class Number, class T, class A>                                        \
-    requires(std::is_arithmetic_v<Number> && !physgen::detail::CutDown<T, Number>) \
-  inline batch_bool<T, A> operator op(Number a, const batch<T, A>& b) {            \
-    return b reversed batch<T, A>(static_cast<T>(a));                              \
-  }
-PHYSGEN_COMPARISON(<, >)
-PHYSGEN_COMPARISON(>, <)
-PHYSGEN_COMPARISON(<=, >=)
-PHYSGEN_COMPARISON(>=, <=)
-PHYSGEN_COMPARISON(==, ==)
-PHYSGEN_COMPARISON(!=, !=)
-#undef PHYSGEN_COMPARISON
-template <class T, class A, class Number>
-  requires(std::is_arithmetic_v<Number> && !physgen::detail::CutDown<T, Number>)
-inline batch_bool<T, A> operator==(const batch<T, A>& a, Number b) {
-  return a == batch<T, A>(static_cast<T>(b));
-}
-template <class T, class A, class Number>
-  requires(std::is_arithmetic_v<Number> && !physgen::detail::CutDown<T, Number>)
-inline batch_bool<T, A> operator!=(const batch<T, A>& a, Number b) {
-  return a != batch<T, A>(static_cast<T>(b));
 }
 
 /// Joins a condition that all lanes have with a mask.

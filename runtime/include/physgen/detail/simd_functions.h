@@ -39,6 +39,56 @@ template <class T, class A, class Function, class... X>
 
 }  // namespace physgen::detail
 
+namespace xsimd::kernel::detail {
+
+/// Takes a multiple of pi/2 off lanes x >= 0, for sin, cos and tan. xsimd's own of doubles takes one rounded word of pi
+/// times the multiple off, which leaves nothing right of arguments next to it; and which one it takes depends on the
+/// other lanes. Here are three words of 33 bits, whose multiples are exact, and their rests, as in the C library's
+/// fdlibm.
+template <class A>
+struct trigo_reducer<batch<double, A>, trigo_radian_tag> {
+  using S = batch<double, A>;
+
+  /// @return which quarter x lies in, 0 to 3. @param rest what is left of x, within pi/4
+  static S reduce(const S& x, S& rest) noexcept {
+    if (all(x <= constants::pio4<S>())) {
+      rest = x;
+      return S(0.0);
+    }
+    const S quarters = nearbyint(x * constants::twoopi<S>());
+    const S first = x - quarters * constants::pio2_1<S>();
+    const S second = quarters * constants::pio2_2<S>(), less = first - second;
+    const S third = quarters * constants::pio2_3<S>(), least = less - third;
+    rest = least - (quarters * constants::pio2_3t<S>() - ((less - least) - third));
+    const auto large = !(x <= constants::mediumpi<S>());  // and NaN
+    if (any(large)) [[unlikely]]
+      return of_large(large, x, quadrant(quarters), rest);
+    return quadrant(quarters);
+  }
+
+ private:
+  /// The same lane by lane, where `large` holds.
+  [[gnu::noinline]] static S of_large(const batch_bool<double, A>& large, const S& x, const S& known,
+                                      S& rest) noexcept {
+    alignas(64) std::array<double, S::size> quarter, left;
+    alignas(64) std::array<bool, S::size> is_large;
+    known.store_aligned(quarter.data());
+    rest.store_aligned(left.data());
+    large.store_unaligned(is_large.data());
+    for (std::size_t l = 0; l < S::size; ++l) {
+      if (!is_large[l]) continue;
+      const double of_lane = x.get(l);
+      double words[2] = {of_lane - of_lane, 0};  // NaN where x is infinite or NaN
+      quarter[l] = std::isfinite(of_lane) ? xsimd::detail::__ieee754_rem_pio2(of_lane, words) & 3 : 0;
+      left[l] = words[0];
+    }
+    rest = S::load_aligned(left.data());
+    return S::load_aligned(quarter.data());
+  }
+};
+
+}  // namespace xsimd::kernel::detail
+
 namespace xsimd {
 
 template <std::floating_point T, class A>
