@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_1668A188A1B9CE54
-#define PHYSGEN_CONTACT_H_1668A188A1B9CE54
+#ifndef PHYSGEN_CONTACT_H_64ECF372D048B5EF
+#define PHYSGEN_CONTACT_H_64ECF372D048B5EF
 
 #include <physgen/runtime.h>
 
@@ -36,7 +36,7 @@ namespace contact {
 template <class Real>
 struct NodeArea {
   /// at rest; 0 inside the body [m^2]
-  Real area;
+  Real area = {};
 };
 
 template <class Space>
@@ -90,11 +90,11 @@ static_assert(physgen::are_sound_records<NodeAreaObject, physgen::Host>({4, 4, {
 template <class Real>
 struct RigidPlane {
   /// of length 1, towards the body [1]
-  physgen::MatrixValue<Real, 3, 1> normal;
+  Eigen::Matrix<Real, 3, 1> normal = decltype(normal)::Zero();
   /// normal . x of its points at a load of 0 [m]
-  Real offset;
+  Real offset = {};
   /// along the normal, at a load of 1 [m]
-  Real travel;
+  Real travel = {};
 };
 
 template <class Space>
@@ -168,9 +168,9 @@ static_assert(physgen::are_sound_records<RigidPlaneObject, physgen::Host>({20, 4
 template <class Real>
 struct PlaneContact {
   /// on the body along the normal [N]
-  Real force;
+  Real force = {};
   /// of the node that is farthest behind it among those that it touches [m]
-  Real depth;
+  Real depth = {};
 };
 
 template <class Space>
@@ -233,4 +233,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_1668A188A1B9CE54
+#endif  // PHYSGEN_CONTACT_H_64ECF372D048B5EF

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_DYNAMICS_H_17233D7CB293D40F
-#define PHYSGEN_DYNAMICS_H_17233D7CB293D40F
+#ifndef PHYSGEN_DYNAMICS_H_C89433CAB28226B5
+#define PHYSGEN_DYNAMICS_H_C89433CAB28226B5
 
 #include <physgen/runtime.h>
 
@@ -36,7 +36,7 @@ namespace dynamics {
 template <class Real>
 struct NodeMass {
   /// 0 of a node that is in no tet [kg]
-  Real mass;
+  Real mass = {};
 };
 
 template <class Space>
@@ -90,7 +90,7 @@ static_assert(physgen::are_sound_records<NodeMassObject, physgen::Host>({4, 4, {
 template <class Real>
 struct NodeVelocity {
   /// velocity [m/s]
-  physgen::MatrixValue<Real, 3, 1> v;
+  Eigen::Matrix<Real, 3, 1> v = decltype(v)::Zero();
 };
 
 template <class Space>
@@ -146,13 +146,13 @@ static_assert(physgen::are_sound_records<NodeVelocityObject, physgen::Host>({12,
 template <class Real>
 struct Motion {
   /// kinetic energy [J]
-  Real kinetic;
+  Real kinetic = {};
   /// linear momentum [kg m/s]
-  physgen::MatrixValue<Real, 3, 1> momentum;
+  Eigen::Matrix<Real, 3, 1> momentum = decltype(momentum)::Zero();
   /// elastic energy of the tets [J]
-  Real elastic;
+  Real elastic = {};
   /// the largest coordinate of a position [m]
-  Real farthest;
+  Real farthest = {};
 };
 
 template <class Space>
@@ -231,4 +231,4 @@ static_assert(physgen::are_sound_records<MotionObject, physgen::Host>(
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_17233D7CB293D40F
+#endif  // PHYSGEN_DYNAMICS_H_C89433CAB28226B5

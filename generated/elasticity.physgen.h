@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_ELASTICITY_H_3E8EB85E1E532E58
-#define PHYSGEN_ELASTICITY_H_3E8EB85E1E532E58
+#ifndef PHYSGEN_ELASTICITY_H_1C3B944908C2DBF8
+#define PHYSGEN_ELASTICITY_H_1C3B944908C2DBF8
 
 #include <physgen/runtime.h>
 
@@ -36,7 +36,7 @@ namespace elasticity {
 template <class Real>
 struct DeformationGradient {
   /// current over rest shape; the identity at rest [1]
-  physgen::MatrixValue<Real, 3, 3> F;
+  Eigen::Matrix<Real, 3, 3> F = decltype(F)::Zero();
 };
 
 template <class Space>
@@ -93,7 +93,7 @@ static_assert(physgen::are_sound_records<DeformationGradientObject, physgen::Hos
 template <class Real>
 struct DeformationGradientDifferential {
   /// change of F along a displacement differential [1]
-  physgen::MatrixValue<Real, 3, 3> dF;
+  Eigen::Matrix<Real, 3, 3> dF = decltype(dF)::Zero();
 };
 
 template <class Space>
@@ -154,11 +154,11 @@ static_assert(physgen::are_sound_records<DeformationGradientDifferentialObject, 
 template <class Real>
 struct DeformationSvd {
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> U;
+  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> V;
+  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  physgen::MatrixValue<Real, 3, 1> s;
+  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
 };
 
 template <class Space>
@@ -230,11 +230,11 @@ static_assert(physgen::are_sound_records<DeformationSvdObject, physgen::Host>(
 template <class Real>
 struct QuaternionSvd {
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  physgen::MatrixValue<Real, 4, 1> u;
+  Eigen::Matrix<Real, 4, 1> u = decltype(u)::Zero();
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  physgen::MatrixValue<Real, 4, 1> v;
+  Eigen::Matrix<Real, 4, 1> v = decltype(v)::Zero();
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  physgen::MatrixValue<Real, 3, 1> s;
+  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
 };
 
 template <class Space>
@@ -306,9 +306,9 @@ static_assert(physgen::are_sound_records<QuaternionSvdObject, physgen::Host>(
 template <class Real>
 struct PrincipalDirections {
   /// U in the current, V in the rest shape. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> U;
+  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
   /// U in the current, V in the rest shape. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> V;
+  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
 };
 
 template <class Space>
@@ -374,7 +374,7 @@ static_assert(physgen::are_sound_records<PrincipalDirectionsObject, physgen::Hos
 template <class Real>
 struct PrincipalStretches {
   /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  physgen::MatrixValue<Real, 3, 1> s;
+  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
 };
 
 template <class Space>
@@ -431,7 +431,7 @@ static_assert(physgen::are_sound_records<PrincipalStretchesObject, physgen::Host
 template <class Real>
 struct ElementRotation {
   /// det R = 1. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> R;
+  Eigen::Matrix<Real, 3, 3> R = decltype(R)::Identity();
 };
 
 template <class Space>
@@ -489,29 +489,29 @@ static_assert(physgen::are_sound_records<ElementRotationObject, physgen::Host>({
 template <class Real>
 struct StressDerivative {
   /// stretch: the symmetric 3x3 block [Pa]
-  Real x1111;
+  Real x1111 = {};
   /// stretch: the symmetric 3x3 block [Pa]
-  Real x2211;
+  Real x2211 = {};
   /// stretch: the symmetric 3x3 block [Pa]
-  Real x3311;
+  Real x3311 = {};
   /// stretch: the symmetric 3x3 block [Pa]
-  Real x2222;
+  Real x2222 = {};
   /// stretch: the symmetric 3x3 block [Pa]
-  Real x3322;
+  Real x3322 = {};
   /// stretch: the symmetric 3x3 block [Pa]
-  Real x3333;
+  Real x3333 = {};
   /// shear: one 2x2 block per pair [Pa]
-  Real x2121;
+  Real x2121 = {};
   /// shear: one 2x2 block per pair [Pa]
-  Real x2112;
+  Real x2112 = {};
   /// shear: one 2x2 block per pair [Pa]
-  Real x3131;
+  Real x3131 = {};
   /// shear: one 2x2 block per pair [Pa]
-  Real x3113;
+  Real x3113 = {};
   /// shear: one 2x2 block per pair [Pa]
-  Real x3232;
+  Real x3232 = {};
   /// shear: one 2x2 block per pair [Pa]
-  Real x3223;
+  Real x3223 = {};
 };
 
 template <class Space>
@@ -666,7 +666,7 @@ static_assert(physgen::are_sound_records<StressDerivativeObject, physgen::Host>(
 template <class Real>
 struct Stress {
   /// dpsi/dF: force in the current shape per area of the rest shape [Pa]
-  physgen::MatrixValue<Real, 3, 3> P;
+  Eigen::Matrix<Real, 3, 3> P = decltype(P)::Zero();
 };
 
 template <class Space>
@@ -720,7 +720,7 @@ static_assert(physgen::are_sound_records<StressObject, physgen::Host>({36, 4, {0
 template <class Real>
 struct StressDifferential {
   /// change of P along dF [Pa]
-  physgen::MatrixValue<Real, 3, 3> dP;
+  Eigen::Matrix<Real, 3, 3> dP = decltype(dP)::Zero();
 };
 
 template <class Space>
@@ -778,9 +778,9 @@ static_assert(physgen::are_sound_records<StressDifferentialObject, physgen::Host
 template <class Real>
 struct RestShape {
   /// Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns [1/m]
-  physgen::MatrixValue<Real, 3, 3> dm_inverse;
+  Eigen::Matrix<Real, 3, 3> dm_inverse = decltype(dm_inverse)::Zero();
   /// det(Dm) / 6, positive [m^3]
-  Real volume;
+  Real volume = {};
 };
 
 template <class Space>
@@ -848,7 +848,7 @@ static_assert(physgen::are_sound_records<RestShapeObject, physgen::Host>({40, 4,
 template <class Real>
 struct CornerForces {
   /// G = -volume P Dm^-T [N]
-  physgen::MatrixValue<Real, 3, 3> G;
+  Eigen::Matrix<Real, 3, 3> G = decltype(G)::Zero();
 };
 
 template <class Space>
@@ -905,37 +905,37 @@ static_assert(physgen::are_sound_records<CornerForcesObject, physgen::Host>({36,
 template <class Real>
 struct ElementRecord {
   /// principal directions. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> U;
+  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
   /// principal directions. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> V;
+  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
   /// as in StressDerivative [Pa]
-  Real x1111;
+  Real x1111 = {};
   /// as in StressDerivative [Pa]
-  Real x2211;
+  Real x2211 = {};
   /// as in StressDerivative [Pa]
-  Real x3311;
+  Real x3311 = {};
   /// as in StressDerivative [Pa]
-  Real x2222;
+  Real x2222 = {};
   /// as in StressDerivative [Pa]
-  Real x3322;
+  Real x3322 = {};
   /// as in StressDerivative [Pa]
-  Real x3333;
+  Real x3333 = {};
   /// as in StressDerivative [Pa]
-  Real x2121;
+  Real x2121 = {};
   /// as in StressDerivative [Pa]
-  Real x2112;
+  Real x2112 = {};
   /// as in StressDerivative [Pa]
-  Real x3131;
+  Real x3131 = {};
   /// as in StressDerivative [Pa]
-  Real x3113;
+  Real x3113 = {};
   /// as in StressDerivative [Pa]
-  Real x3232;
+  Real x3232 = {};
   /// as in StressDerivative [Pa]
-  Real x3223;
+  Real x3223 = {};
   /// change of F along a displacement differential [1]
-  physgen::MatrixValue<Real, 3, 3> dF;
+  Eigen::Matrix<Real, 3, 3> dF = decltype(dF)::Zero();
   /// change of P along dF [Pa]
-  physgen::MatrixValue<Real, 3, 3> dP;
+  Eigen::Matrix<Real, 3, 3> dP = decltype(dP)::Zero();
 };
 
 template <class Space>
@@ -1117,7 +1117,7 @@ static_assert(physgen::are_sound_records<ElementRecordObject, physgen::Host>(
 template <class Real>
 struct NodePosition {
   /// position [m]
-  physgen::MatrixValue<Real, 3, 1> x;
+  Eigen::Matrix<Real, 3, 1> x = decltype(x)::Zero();
 };
 
 template <class Space>
@@ -1173,7 +1173,7 @@ static_assert(physgen::are_sound_records<NodePositionObject, physgen::Host>({12,
 template <class Real>
 struct NodeForce {
   /// sum of the elements' forces on the node [N]
-  physgen::MatrixValue<Real, 3, 1> f;
+  Eigen::Matrix<Real, 3, 1> f = decltype(f)::Zero();
 };
 
 template <class Space>
@@ -1228,7 +1228,7 @@ static_assert(physgen::are_sound_records<NodeForceObject, physgen::Host>({12, 4,
 template <class Real>
 struct PlacedForce {
   /// of the tet on the node [N]
-  physgen::MatrixValue<Real, 3, 1> f;
+  Eigen::Matrix<Real, 3, 1> f = decltype(f)::Zero();
 };
 
 template <class Space>
@@ -1284,7 +1284,7 @@ static_assert(physgen::are_sound_records<PlacedForceObject, physgen::Host>({12, 
 template <class Real>
 struct NodeDisplacement {
   /// direction in which forces are differentiated [m]
-  physgen::MatrixValue<Real, 3, 1> dx;
+  Eigen::Matrix<Real, 3, 1> dx = decltype(dx)::Zero();
 };
 
 template <class Space>
@@ -1341,7 +1341,7 @@ static_assert(physgen::are_sound_records<NodeDisplacementObject, physgen::Host>(
 template <class Real>
 struct NodeForceDifferential {
   /// change of the node's force along the displacement differential [N]
-  physgen::MatrixValue<Real, 3, 1> df;
+  Eigen::Matrix<Real, 3, 1> df = decltype(df)::Zero();
 };
 
 template <class Space>
@@ -1399,7 +1399,7 @@ static_assert(physgen::are_sound_records<NodeForceDifferentialObject, physgen::H
 template <class Real>
 struct NodeStiffness {
   /// df(v)/dx(v) [N/m]. Symmetric, 6 stored.
-  physgen::MatrixValue<Real, 3, 3> K;
+  Eigen::Matrix<Real, 3, 3> K = decltype(K)::Zero();
 };
 
 template <class Space>
@@ -1456,7 +1456,7 @@ static_assert(physgen::are_sound_records<NodeStiffnessObject, physgen::Host>({24
 template <class Real>
 struct EdgeStiffness {
   /// df(m)/dx(n) [N/m]
-  physgen::MatrixValue<Real, 3, 3> E;
+  Eigen::Matrix<Real, 3, 3> E = decltype(E)::Zero();
 };
 
 template <class Space>
@@ -1513,9 +1513,14 @@ static_assert(physgen::are_sound_records<EdgeStiffnessObject, physgen::Host>({36
 template <class Real>
 struct TetStiffness {
   /// corners i, j, k, l [N/m]. Symmetric, 6 stored.
-  physgen::MatrixValue<Real, 3, 3> k[4];
+  Eigen::Matrix<Real, 3, 3> k[4] = {
+      std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero(),
+      std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero()};
   /// edges ij, ik, il, jk, jl, kl: df(first)/dx(second) [N/m]
-  physgen::MatrixValue<Real, 3, 3> e[6];
+  Eigen::Matrix<Real, 3, 3> e[6] = {
+      std::remove_extent_t<decltype(e)>::Zero(), std::remove_extent_t<decltype(e)>::Zero(),
+      std::remove_extent_t<decltype(e)>::Zero(), std::remove_extent_t<decltype(e)>::Zero(),
+      std::remove_extent_t<decltype(e)>::Zero(), std::remove_extent_t<decltype(e)>::Zero()};
 };
 
 template <class Space>
@@ -1560,12 +1565,9 @@ struct TetStiffnessRef : physgen::OnCursor<Cursor> {
   }
 
   PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    PHYSGEN_UNROLL
-    for (int entry = 0; entry < 4; ++entry) value.k[entry] = k(entry).get();
-    PHYSGEN_UNROLL
-    for (int entry = 0; entry < 6; ++entry) value.e[entry] = e(entry).get();
-    return value;
+    return {
+        {k(0).get(), k(1).get(), k(2).get(), k(3).get()}, {e(0).get(), e(1).get(), e(2).get(), e(3).get(), e(4).get(),
+        e(5).get()}};
   }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     PHYSGEN_UNROLL
@@ -1596,7 +1598,7 @@ static_assert(physgen::are_sound_records<TetStiffnessObject, physgen::Host>({312
 template <class Real>
 struct Tet {
   /// corners i, j, k, l; det(Dm) > 0
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -1651,7 +1653,7 @@ static_assert(physgen::are_sound_records<TetObject, physgen::Host>({16, 4, {0}},
 template <class Real>
 struct TetPlaces {
   /// of corners i, j, k, l: numbers of entries
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places;
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places = decltype(places)::Zero();
 };
 
 template <class Space>
@@ -1709,7 +1711,7 @@ static_assert(physgen::are_sound_records<TetPlacesObject, physgen::Host>({16, 4,
 template <class Real>
 struct Edge {
   /// m and n: the block of the edge is df(m)/dx(n)
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes;
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -1764,9 +1766,9 @@ static_assert(physgen::are_sound_records<EdgeObject, physgen::Host>({8, 4, {0}},
 template <class Real>
 struct IncidenceRange {
   /// half-open range
-  physgen::same_lanes_t<Real, std::int32_t> begin;
+  physgen::same_lanes_t<Real, std::int32_t> begin = {};
   /// half-open range
-  physgen::same_lanes_t<Real, std::int32_t> end;
+  physgen::same_lanes_t<Real, std::int32_t> end = {};
 };
 
 template <class Space>
@@ -1834,9 +1836,9 @@ static_assert(physgen::are_sound_records<IncidenceRangeObject, physgen::Host>({8
 template <class Real>
 struct Incidence {
   /// which tet, or which edge
-  physgen::same_lanes_t<Real, std::int32_t> element;
+  physgen::same_lanes_t<Real, std::int32_t> element = {};
   /// which of its corners, or of its edges, it is
-  physgen::same_lanes_t<Real, std::int32_t> local;
+  physgen::same_lanes_t<Real, std::int32_t> local = {};
 };
 
 template <class Space>
@@ -1899,4 +1901,4 @@ static_assert(physgen::are_sound_records<IncidenceObject, physgen::Host>({8, 4, 
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_3E8EB85E1E532E58
+#endif  // PHYSGEN_ELASTICITY_H_1C3B944908C2DBF8

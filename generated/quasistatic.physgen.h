@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_QUASISTATIC_H_9DE3D8CE2DC910B6
-#define PHYSGEN_QUASISTATIC_H_9DE3D8CE2DC910B6
+#ifndef PHYSGEN_QUASISTATIC_H_067596900A3C505F
+#define PHYSGEN_QUASISTATIC_H_067596900A3C505F
 
 #include <physgen/runtime.h>
 
@@ -36,7 +36,7 @@ namespace quasistatic {
 template <class Real>
 struct NodeConstraint {
   /// 0: free; 7: held in all directions
-  physgen::same_lanes_t<Real, std::int32_t> fixed;
+  physgen::same_lanes_t<Real, std::int32_t> fixed = {};
 };
 
 template <class Space>
@@ -95,7 +95,7 @@ static_assert(physgen::are_sound_records<NodeConstraintObject, physgen::Host>({4
 template <class Real>
 struct NodeParents {
   /// numbers on the coarser level
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes;
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -153,9 +153,9 @@ static_assert(physgen::are_sound_records<NodeParentsObject, physgen::Host>({8, 4
 template <class Real>
 struct GridParents {
   /// numbers on the coarser level; a corner without weight repeats the first
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
   /// they add up to 1 [1]
-  physgen::MatrixValue<Real, 4, 1> weights;
+  Eigen::Matrix<Real, 4, 1> weights = decltype(weights)::Zero();
 };
 
 template <class Space>
@@ -224,9 +224,9 @@ static_assert(physgen::are_sound_records<GridParentsObject, physgen::Host>({32, 
 template <class Real>
 struct NodeScale {
   /// the largest entry on the diagonal of scale^2 K is in [1/2, 2)
-  Real scale;
+  Real scale = {};
   /// 1 / scale
-  Real inverse;
+  Real inverse = {};
 };
 
 template <class Space>
@@ -292,7 +292,7 @@ static_assert(physgen::are_sound_records<NodeScaleObject, physgen::Host>({8, 4, 
 template <class Real>
 struct NodeInverse {
   /// -K^-1 over the free components, 0 in prescribed ones. Symmetric, 6 stored.
-  physgen::MatrixValue<Real, 3, 3> D;
+  Eigen::Matrix<Real, 3, 3> D = decltype(D)::Zero();
 };
 
 template <class Space>
@@ -348,7 +348,7 @@ static_assert(physgen::are_sound_records<NodeInverseObject, physgen::Host>({24, 
 template <class Real>
 struct TranslationStiffness {
   /// sum of df(v)/dx(w) over all nodes w; 0 far from what is prescribed [N/m]
-  physgen::MatrixValue<Real, 3, 3> T;
+  Eigen::Matrix<Real, 3, 3> T = decltype(T)::Zero();
 };
 
 template <class Space>
@@ -405,33 +405,33 @@ static_assert(physgen::are_sound_records<TranslationStiffnessObject, physgen::Ho
 template <class Real>
 struct TetTangent {
   /// principal directions in the current shape
-  physgen::MatrixValue<Real, 3, 3> U;
+  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Zero();
   /// by columns: V^T grad of corners j, k, l [1/m]
-  physgen::MatrixValue<Real, 3, 3> g;
+  Eigen::Matrix<Real, 3, 3> g = decltype(g)::Zero();
   /// volume times those of StressDerivative [N m]
-  Real x1111;
+  Real x1111 = {};
   /// volume times those of StressDerivative [N m]
-  Real x2211;
+  Real x2211 = {};
   /// volume times those of StressDerivative [N m]
-  Real x3311;
+  Real x3311 = {};
   /// volume times those of StressDerivative [N m]
-  Real x2222;
+  Real x2222 = {};
   /// volume times those of StressDerivative [N m]
-  Real x3322;
+  Real x3322 = {};
   /// volume times those of StressDerivative [N m]
-  Real x3333;
+  Real x3333 = {};
   /// volume times those of StressDerivative [N m]
-  Real x2121;
+  Real x2121 = {};
   /// volume times those of StressDerivative [N m]
-  Real x2112;
+  Real x2112 = {};
   /// volume times those of StressDerivative [N m]
-  Real x3131;
+  Real x3131 = {};
   /// volume times those of StressDerivative [N m]
-  Real x3113;
+  Real x3113 = {};
   /// volume times those of StressDerivative [N m]
-  Real x3232;
+  Real x3232 = {};
   /// volume times those of StressDerivative [N m]
-  Real x3223;
+  Real x3223 = {};
 };
 
 template <class Space>
@@ -600,7 +600,7 @@ static_assert(physgen::are_sound_records<TetTangentObject, physgen::Host>(
 template <class Real>
 struct TetPatch {
   /// its number
-  physgen::same_lanes_t<Real, std::int32_t> patch;
+  physgen::same_lanes_t<Real, std::int32_t> patch = {};
 };
 
 template <class Space>
@@ -657,7 +657,7 @@ static_assert(physgen::are_sound_records<TetPatchObject, physgen::Host>({4, 4, {
 template <class Real>
 struct PatchParent {
   /// its number on the coarser level
-  physgen::same_lanes_t<Real, std::int32_t> patch;
+  physgen::same_lanes_t<Real, std::int32_t> patch = {};
 };
 
 template <class Space>
@@ -716,7 +716,7 @@ static_assert(physgen::are_sound_records<PatchParentObject, physgen::Host>({4, 4
 template <class Real>
 struct PatchNodes {
   /// unused ones repeat the first
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 8, 1> nodes;
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 8, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -774,9 +774,9 @@ static_assert(physgen::are_sound_records<PatchNodesObject, physgen::Host>({32, 4
 template <class Real>
 struct PatchTet {
   /// its number
-  physgen::same_lanes_t<Real, std::int32_t> tet;
+  physgen::same_lanes_t<Real, std::int32_t> tet = {};
   /// which of the patch's nodes its corners are: 3 bits each, corner i lowest
-  physgen::same_lanes_t<Real, std::int32_t> slots;
+  physgen::same_lanes_t<Real, std::int32_t> slots = {};
 };
 
 template <class Space>
@@ -840,19 +840,19 @@ static_assert(physgen::are_sound_records<PatchTetObject, physgen::Host>({8, 4, {
 template <class Real>
 struct MeanVolume {
   /// at rest [m^3]
-  Real volume;
+  Real volume = {};
   /// T: current over rest volume [1]
-  Real ratio;
+  Real ratio = {};
   /// U'(T): of the forces [Pa]
-  Real pressure;
+  Real pressure = {};
   /// pi, which converges to U'(T) T or, of a quadratic law, to U'(T) [Pa]
-  Real linearised;
+  Real linearised = {};
   /// of the tangent [Pa]
-  Real tangent_pressure;
+  Real tangent_pressure = {};
   /// pi before a Newton step, and after all of it [Pa]
-  Real before;
+  Real before = {};
   /// pi before a Newton step, and after all of it [Pa]
-  Real full;
+  Real full = {};
 };
 
 template <class Space>
@@ -964,9 +964,9 @@ static_assert(physgen::are_sound_records<MeanVolumeObject, physgen::Host>(
 template <class Real>
 struct RingNode {
   /// its number
-  physgen::same_lanes_t<Real, std::int32_t> node;
+  physgen::same_lanes_t<Real, std::int32_t> node = {};
   /// change of its mean volume with the node whose ring it is in [m^2]
-  physgen::MatrixValue<Real, 3, 1> g;
+  Eigen::Matrix<Real, 3, 1> g = decltype(g)::Zero();
 };
 
 template <class Space>
@@ -1028,7 +1028,7 @@ static_assert(physgen::are_sound_records<RingNodeObject, physgen::Host>({16, 4, 
 template <class Real>
 struct NodeVolumeTangent {
   /// U''(T) / volume, or its linearised form [N/m^5]
-  Real k;
+  Real k = {};
 };
 
 template <class Space>
@@ -1085,7 +1085,7 @@ static_assert(physgen::are_sound_records<NodeVolumeTangentObject, physgen::Host>
 template <class Real>
 struct CoarseInverse {
   /// of nodes i and j of n, in object i n + j
-  physgen::MatrixValue<Real, 3, 3> G;
+  Eigen::Matrix<Real, 3, 3> G = decltype(G)::Zero();
 };
 
 template <class Space>
@@ -1141,9 +1141,9 @@ static_assert(physgen::are_sound_records<CoarseInverseObject, physgen::Host>({36
 template <class Real>
 struct PatchTangent {
   /// by columns: change of the patch's volume with its nodes [m^2]
-  physgen::MatrixValue<Real, 3, 8> g;
+  Eigen::Matrix<Real, 3, 8> g = decltype(g)::Zero();
   /// U''(T) / volume, or its linearised form [N/m^5]
-  Real k;
+  Real k = {};
 };
 
 template <class Space>
@@ -1207,7 +1207,7 @@ static_assert(physgen::are_sound_records<PatchTangentObject, physgen::Host>({100
 template <class Real>
 struct PatchChange {
   /// k g . dx [N/m^2]
-  Real change;
+  Real change = {};
 };
 
 template <class Space>
@@ -1265,7 +1265,7 @@ static_assert(physgen::are_sound_records<PatchChangeObject, physgen::Host>({4, 4
 template <class Real>
 struct SchwarzNode {
   /// number of its SchwarzSlot; -1: all its components are prescribed
-  physgen::same_lanes_t<Real, std::int32_t> slot;
+  physgen::same_lanes_t<Real, std::int32_t> slot = {};
 };
 
 template <class Space>
@@ -1320,9 +1320,9 @@ static_assert(physgen::are_sound_records<SchwarzNodeObject, physgen::Host>({4, 4
 template <class Real>
 struct SchwarzSlot {
   /// which node stands here, or behind the first level which supernode; -1: none
-  physgen::same_lanes_t<Real, std::int32_t> source;
+  physgen::same_lanes_t<Real, std::int32_t> source = {};
   /// the supernode of the next level that it belongs to; -1 on the last level
-  physgen::same_lanes_t<Real, std::int32_t> parent;
+  physgen::same_lanes_t<Real, std::int32_t> parent = {};
 };
 
 template <class Space>
@@ -1391,13 +1391,13 @@ static_assert(physgen::are_sound_records<SchwarzSlotObject, physgen::Host>({8, 4
 template <class Real>
 struct SchwarzBlock {
   /// a power of two, by which the stored factor is smaller than the real one
-  Real scale;
+  Real scale = {};
   /// the block of the next level that its supernodes belong to; -1 on the last level
-  physgen::same_lanes_t<Real, std::int32_t> parent;
+  physgen::same_lanes_t<Real, std::int32_t> parent = {};
   /// how many blocks of the level before have this one as their parent
-  physgen::same_lanes_t<Real, std::int32_t> children;
+  physgen::same_lanes_t<Real, std::int32_t> children = {};
   /// how many of them have handed their forces over; 0 between two applications
-  physgen::same_lanes_t<Real, std::int32_t> arrived;
+  physgen::same_lanes_t<Real, std::int32_t> arrived = {};
 };
 
 template <class Space>
@@ -1484,9 +1484,9 @@ static_assert(physgen::are_sound_records<SchwarzBlockObject, physgen::Host>(
 template <class Real>
 struct Supernode {
   /// sum of the stiffness of its nodes and of the edges among them [N/m]. Symmetric, 6 stored.
-  physgen::MatrixValue<Real, 3, 3> K;
+  Eigen::Matrix<Real, 3, 3> K = decltype(K)::Zero();
   /// sum of its nodes' |K_kk|: what rounding is measured against [N/m]
-  physgen::MatrixValue<Real, 3, 1> magnitude;
+  Eigen::Matrix<Real, 3, 1> magnitude = decltype(magnitude)::Zero();
 };
 
 template <class Space>
@@ -1551,9 +1551,9 @@ static_assert(physgen::are_sound_records<SupernodeObject, physgen::Host>({36, 4,
 template <class Real>
 struct SchwarzTerm {
   /// a node or an edge of the level before
-  physgen::same_lanes_t<Real, std::int32_t> source;
+  physgen::same_lanes_t<Real, std::int32_t> source = {};
   /// of a supernode: 0 a node, 1 an edge inside; of a pair: 0 an edge, 1 an edge the other way round
-  physgen::same_lanes_t<Real, std::int32_t> kind;
+  physgen::same_lanes_t<Real, std::int32_t> kind = {};
 };
 
 template <class Space>
@@ -1619,9 +1619,9 @@ static_assert(physgen::are_sound_records<SchwarzTermObject, physgen::Host>({8, 4
 template <class Real>
 struct SchwarzPair {
   /// its number
-  physgen::same_lanes_t<Real, std::int32_t> edge;
+  physgen::same_lanes_t<Real, std::int32_t> edge = {};
   /// that of m + 32 that of n
-  physgen::same_lanes_t<Real, std::int32_t> places;
+  physgen::same_lanes_t<Real, std::int32_t> places = {};
 };
 
 template <class Space>
@@ -1688,7 +1688,7 @@ static_assert(physgen::are_sound_records<SchwarzPairObject, physgen::Host>({8, 4
 template <class Real>
 struct SchwarzFactor {
   /// of block b in objects 544 b + 32 d + i, d = 0 .. 16
-  physgen::MatrixValue<Real, 3, 3> W;
+  Eigen::Matrix<Real, 3, 3> W = decltype(W)::Zero();
 };
 
 template <class Space>
@@ -1745,19 +1745,19 @@ static_assert(physgen::are_sound_records<SchwarzFactorObject, physgen::Host>({36
 template <class Real>
 struct LinearSolve {
   /// r . z of this iteration [N m]
-  Real rz;
+  Real rz = {};
   /// of the first [N m]
-  Real rz_first;
+  Real rz_first = {};
   /// of sqrt(rz / rz_first) [1]
-  Real tolerance;
+  Real tolerance = {};
   /// the length of this step, and what the next keeps of its direction [1]
-  Real alpha;
+  Real alpha = {};
   /// the length of this step, and what the next keeps of its direction [1]
-  Real beta;
+  Real beta = {};
   /// done
-  physgen::same_lanes_t<Real, std::int32_t> iterations;
+  physgen::same_lanes_t<Real, std::int32_t> iterations = {};
   /// fem::LinearStatus
-  physgen::same_lanes_t<Real, std::int32_t> status;
+  physgen::same_lanes_t<Real, std::int32_t> status = {};
 };
 
 template <class Space>
@@ -1868,7 +1868,7 @@ static_assert(physgen::are_sound_records<LinearSolveObject, physgen::Host>(
 template <class Real>
 struct PackedIncidence {
   /// element 2^bits + local: each list has bits of its own (fem::PackedEntry)
-  physgen::same_lanes_t<Real, std::int32_t> code;
+  physgen::same_lanes_t<Real, std::int32_t> code = {};
 };
 
 template <class Space>
@@ -1925,9 +1925,9 @@ static_assert(physgen::are_sound_records<PackedIncidenceObject, physgen::Host>({
 template <class Real>
 struct Smoother {
   /// an estimate of the largest eigenvalue of -D K [1]
-  Real largest;
+  Real largest = {};
   /// of the vector that power iterations began with [1]
-  Real length;
+  Real length = {};
 };
 
 template <class Space>
@@ -1993,19 +1993,19 @@ static_assert(physgen::are_sound_records<SmootherObject, physgen::Host>({8, 4, {
 template <class Real>
 struct Equilibrium {
   /// energy of the tets [J]
-  Real elastic;
+  Real elastic = {};
   /// energy of the mean volumes [J]
-  Real volumetric;
+  Real volumetric = {};
   /// potential of the external forces and of rigid planes [J]
-  Real loads;
+  Real loads = {};
   /// squared length of the forces in free components [N^2]
-  Real free_square;
+  Real free_square = {};
   /// squared length of reactions: of prescribed components and of planes [N^2]
-  Real fixed_square;
+  Real fixed_square = {};
   /// of the forces along a step [J]
-  Real work;
+  Real work = {};
   /// the smallest J [1]
-  Real smallest_ratio;
+  Real smallest_ratio = {};
 };
 
 template <class Space>
@@ -2115,4 +2115,4 @@ static_assert(physgen::are_sound_records<EquilibriumObject, physgen::Host>(
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_9DE3D8CE2DC910B6
+#endif  // PHYSGEN_QUASISTATIC_H_067596900A3C505F

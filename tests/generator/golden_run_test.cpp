@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <new>
 #include <set>
 
 #include "everything.physgen.h"
@@ -238,6 +240,39 @@ TEST(GoldenRun, arrays_have_the_layouts_and_records_the_alignment_of_the_schema)
   static_assert(std::is_same_v<tissue::model::ShapesArray<float>::View, tissue::model::ShapesView<float, Aosoa<16>>>);
   EXPECT_EQ((OptionsView<float, Aos>::record_bytes % 32), 0);
   EXPECT_EQ((OptionsView<double, AosPadded>::record_bytes % 32), 0);
+}
+
+/// A value that is declared where other bits lay before.
+template <class Value>
+const Value& declared() {
+  alignas(64) static std::byte memory[sizeof(Value)];
+  std::memset(memory, 0xA5, sizeof memory);
+  return *new (memory) Value;
+}
+
+TEST(GoldenRun, values_that_are_declared_begin_as_0_or_as_the_schema_says_and_rotations_as_the_identity) {
+  const auto& shapes = declared<tissue::model::Shapes<float>>();
+  EXPECT_EQ(shapes.a, 0);
+  EXPECT_EQ(shapes.F, Eigen::Matrix3f::Zero());
+  EXPECT_EQ(shapes.U, Eigen::Matrix3f::Identity());
+  EXPECT_EQ(shapes.nodes.cwiseAbs().maxCoeff(), 0);
+  const auto& options = declared<tissue::model::Options<double>>();
+  EXPECT_EQ(options.nu, 0.45);
+  EXPECT_EQ(options.spin, Eigen::Matrix3d::Zero());
+  const auto& element = declared<tissue::model::Element<double>>();
+  EXPECT_EQ(element.fibres[1].direction, declared<material::Fibre<double>>().direction) << "nested objects do so, too";
+  EXPECT_EQ(element.volume, 0);
+  const auto& entries = declared<tissue::model::Entries<float>>();
+  for (const auto& block : entries.k) EXPECT_EQ(block, Eigen::Matrix3f::Zero());
+  for (const double value : entries.history) EXPECT_EQ(value, 0);
+  using Batch = batch_t<float, native_lanes<float>>;
+  const auto& packs = declared<tissue::model::Frame<Batch>>();
+  for (std::size_t l = 0; l < Batch::size; ++l) {
+    EXPECT_EQ(packs.weight.get(l), 0.25F);
+    EXPECT_EQ(packs.origin[2].get(l), 0);
+    EXPECT_EQ(packs.turn(1, 1).get(l), 1);
+    EXPECT_EQ(packs.turn(0, 1).get(l), 0);
+  }
 }
 
 TEST(GoldenRun, single_elements_are_real_references) {

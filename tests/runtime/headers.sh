@@ -2,6 +2,7 @@
 # headers.sh alone|together COMPILER ROOT FLAGS...: whether COMPILER accepts the public headers of the source tree ROOT
 # without a warning: those of the runtime each by itself, or all of them, generated ones and those of fem in one source. Of
 # CUDA, only what ordinary C++ can include, and that where CUDA_INCLUDE names the folder of the toolkit's headers.
+# Together they are compiled behind <complex.h> and <sys/sysmacros.h>, whose macros must not change them.
 # A header that another one includes before anything else is compiled by itself there, and not a second time. Those that
 # include Eigen, itself or by way of others, take it from one precompiled header where the compiler is g++: reading it is
 # what takes time.
@@ -34,7 +35,7 @@ first_included() { # first_included HEADER...: the header that each has before a
   local header
   for header in "$@"; do
     [[ ! -e $root/runtime/include/$header ]] ||
-      sed -nE '/^(\/\/.*|#pragma once)?$/d; s/^#include <(physgen\/.*)>.*$/\1/p; q' "$root/runtime/include/$header"
+      sed -nE '/^(\/\/.*|#pragma .*|#undef I)?$/d; s/^#include <(physgen\/.*)>.*$/\1/p; q' "$root/runtime/include/$header"
   done
 }
 
@@ -64,6 +65,8 @@ case $how in
     [[ ! $failed ]] || { echo "FAILED: these do not compile alone:$failed" >&2; exit 1; }
     ;;
   together)  # but for the vocabulary of schemas, which no program includes beside a generated header
+    # As CMake compiles by default, and behind system headers that define macros of ordinary names: I, major, minor.
+    flags+=(-std=gnu++20 -include complex.h -include sys/sysmacros.h)
     programs=()
     for header in "${runtime[@]}"; do [[ $header == physgen/schema.h ]] || programs+=("$header"); done
     accepts "${programs[@]}" "${others[@]}"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "emit/cpp/pieces.h"
+
 namespace physgen::emit::cpp {
 namespace {
 
@@ -26,8 +28,12 @@ ObjectSize HeaderSizes::of(const model::Object& object) {
     const bool is_array = field.array_extent != 0;
     const double entries = is_array ? field.array_extent : 1;
     // Its lines in the value, formats, probe, record and reference, with its comment twice.
-    size.bytes += 350 + 14 * own + name + 2 * (length(field.doc) + length(field.unit)) + 4 * length(field.object);
+    size.bytes += 370 + 15 * own + name + 2 * (length(field.doc) + length(field.unit)) + 4 * length(field.object);
     if (is_array) size.bytes += 290 + 5 * own + qualified;
+    if (is_array && entries <= longest_unrolled) {  // each is read, and each matrix has an initializer
+      const bool matrix = field.shape != model::Shape::scalar && field.shape != model::Shape::object;
+      size.bytes += entries * (own + 12 + (matrix ? own + 45 : 0));
+    }
     Runs runs{1, own};
     if (field.shape == model::Shape::object) {
       const auto found = runs_.find(field.object);

@@ -7,6 +7,10 @@
 
 namespace physgen::emit::cpp {
 
+/// Entries of the longest fixed arrays that generated code goes through without a loop. Longer loops stay loops: code
+/// size and compile time must not grow with the extent of an array.
+inline constexpr int longest_unrolled = 32;
+
 /// `template <class Real> struct Name`: all fields of one object, by value.
 void value_struct(Printer& out, const model::Object& object);
 

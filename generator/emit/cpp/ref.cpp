@@ -7,9 +7,6 @@
 namespace physgen::emit::cpp {
 namespace {
 
-// Longer loops stay loops: code size and compile time must not grow with the extent of an array.
-constexpr int longest_unrolled = 32;
-
 void accessor(Printer& out, const model::Object& object, const model::Field& field) {
   std::string comment = field_comment(field);
   std::string offset = "Record::" + field.name + "::offset";
@@ -45,18 +42,24 @@ void append_entries(std::vector<std::string>& lines, const model::Object& object
                   statement("[" + entry + "]", "(" + entry + ")"));
 }
 
-bool has_arrays(const model::Object& object) {
+bool has_long_arrays(const model::Object& object) {
   return std::any_of(object.fields.begin(), object.fields.end(),
-                     [](const model::Field& field) { return field.array_extent != 0; });
+                     [](const model::Field& field) { return field.array_extent > longest_unrolled; });
 }
 
 const char* read(const model::Field& field) { return field.shape == model::Shape::scalar ? "" : ".get()"; }
 
 void get(Printer& out, const model::Object& object) {
   const std::string signature = "PHYSGEN_FUNCTION const Value get() const";
-  if (!has_arrays(object)) {  // an aggregate, in order of declaration
+  if (!has_long_arrays(object)) {  // an aggregate, in order of declaration, so that nothing begins as 0 before
     std::vector<std::string> items;
-    for (const model::Field& field : object.fields) items.push_back(field.name + "()" + read(field));
+    for (const model::Field& field : object.fields) {
+      const int entries = field.array_extent;
+      if (entries == 0) items.push_back(field.name + "()" + read(field));
+      for (int entry = 0; entry < entries; ++entry)
+        items.push_back((entry == 0 ? "{" : "") + field.name + "(" + std::to_string(entry) + ")" + read(field) +
+                        (entry == entries - 1 ? "}" : ""));
+    }
     std::string all;
     for (const std::string& item : items) all += (all.empty() ? "" : ", ") + item;
     if (Printer::columns >= signature.size() + all.size() + 16)

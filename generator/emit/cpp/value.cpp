@@ -22,12 +22,29 @@ std::string literal(model::Element element, double value) {
   return real(value) + (row.bytes_with_double == 4 ? "f" : "");
 }
 
-// Only where the schema states a value: an object that a kernel is about to fill costs nothing.
+std::string beginning(const model::Field& field) {
+  return field.shape == model::Shape::rotation ? "Identity()" : "Zero()";
+}
+
+// What a member begins as: the value that the schema states, else 0, and rotations as the identity. Compilers drop what
+// is overwritten. Nested objects have initializers of their own.
 std::string initializer(const model::Field& field) {
-  if (!initial_in_value(field)) return {};
-  const std::string value = literal(field.element, *field.initial);
-  return " = " +
-         (field.shape == model::Shape::scalar ? value : "decltype(" + field.name + ")::Constant(" + value + ")");
+  const bool scalar = field.shape == model::Shape::scalar;
+  if (field.shape == model::Shape::object) return {};
+  if (initial_in_value(field)) {
+    const std::string value = literal(field.element, *field.initial);
+    return " = " + (scalar ? value : "decltype(" + field.name + ")::Constant(" + value + ")");
+  }
+  return scalar ? " = {}" : " = decltype(" + field.name + ")::" + beginning(field);
+}
+
+// Eigen leaves entries of arrays as they are, so each is said; long arrays of matrices would cost more than they give.
+void array_member(Printer& out, const model::Field& field, const std::string& type) {
+  const std::string member = type + " " + field.name + "[" + std::to_string(field.array_extent) + "]";
+  if (field.shape == model::Shape::scalar) return out.line(member + " = {};");
+  if (field.shape == model::Shape::object || field.array_extent > longest_unrolled) return out.line(member + ";");
+  const std::string entry = "std::remove_extent_t<decltype(" + field.name + ")>::" + beginning(field);
+  out.filled(member + " = {", std::vector<std::string>(static_cast<std::size_t>(field.array_extent), entry), "};");
 }
 
 }  // namespace
@@ -39,8 +56,11 @@ void value_struct(Printer& out, const model::Object& object) {
   for (const model::Field& field : object.fields) {
     if (const std::string comment = field_comment(field); !comment.empty()) out.comment("///", comment);
     const std::string type = member_type(field, object);
-    const std::string extent = field.array_extent == 0 ? "" : "[" + std::to_string(field.array_extent) + "]";
-    out.line(type + " " + field.name + extent + initializer(field) + ";");
+    if (field.array_extent != 0) {
+      array_member(out, field, type);
+    } else {
+      out.line(type + " " + field.name + initializer(field) + ";");
+    }
   }
   out.close("};");
 }

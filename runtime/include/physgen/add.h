@@ -1,6 +1,8 @@
 // Sums at objects that a kernel names by index: add(i, view[j].f(), value), right for equal lanes of a pack, for the
 // lanes outside a range, for threads and on CUDA.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/cursor.h>
 
@@ -34,3 +36,5 @@ PHYSGEN_FUNCTION void add(const I& /*own*/, T& to, const Value& value) {
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

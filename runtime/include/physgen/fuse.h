@@ -8,6 +8,8 @@
 //   parallel_for(Host{}, n, fuse(locals(F, svd), fem::ComputeDeformationGradient{tets, positions, rest, F},
 //                                fem::ComputeSvd{F, svd}, fem::ComputeStress{material, svd, stress.view()}));
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/fused.h>
 
@@ -120,3 +122,5 @@ template <class... Local, class... Step>
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

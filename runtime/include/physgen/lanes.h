@@ -2,6 +2,8 @@
 // objects of its range, which numbers they have, and whether a condition holds for them. simd_lanes.h has the forms for
 // packs.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/check_number.h>
 #include <physgen/element_ref.h>
@@ -57,3 +59,5 @@ PHYSGEN_FUNCTION void store_where(bool condition, To&& to, const Value& value) {
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

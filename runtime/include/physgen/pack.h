@@ -2,6 +2,8 @@
 // object, a Pack or PartialPack reads W consecutive objects at once. (A SIMD batch of int32 gathers W objects; see
 // simd_access.h.)
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/config.h>
 
@@ -151,3 +153,5 @@ template <class S>
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

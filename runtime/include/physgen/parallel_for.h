@@ -1,5 +1,7 @@
 // Runs a kernel over objects on the CPU: OpenMP threads, each over SIMD packs where the kernel can take them.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/add.h>
 #include <physgen/detail/check_numbers.h>
@@ -75,3 +77,5 @@ void parallel_for(Host space, index_t size, const Kernel& kernel) {
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

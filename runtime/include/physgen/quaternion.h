@@ -1,6 +1,8 @@
 // Rotations as unit quaternions: 4 numbers instead of 9, for storage that counts bytes. Branch-free, for CUDA threads
 // and CPU packs.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/math.h>
 
@@ -73,3 +75,5 @@ PHYSGEN_FUNCTION inline Eigen::Matrix<S, 3, 3> rotation_matrix_of_direction(cons
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

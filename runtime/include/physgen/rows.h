@@ -1,6 +1,8 @@
 // Rows: a list of entries, of any length, for each object of a set: the tets of a node, the neighbours of a particle,
 // contacts. Kernels hold them; row_arrays.h makes and changes them.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/row_visit.h>
 #include <physgen/lanes.h>
@@ -107,3 +109,5 @@ class Rows {
 };
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

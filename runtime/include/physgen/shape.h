@@ -2,6 +2,8 @@
 // Each gives: count, Value<S>, value<S>(elements) that reads elements[k], and store<S>(value, elements) that assigns
 // them.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/config.h>
 
@@ -107,3 +109,5 @@ template <int N>
 struct Diagonal : Matrix<N, 1> {};
 
 }  // namespace physgen::shape
+
+#pragma pop_macro("I")

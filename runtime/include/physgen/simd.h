@@ -1,6 +1,8 @@
 // SIMD packs (xsimd batches) as scalars of kernels and of Eigen matrices on the CPU. Never included by CUDA translation
 // units. sqrt, abs, log1p, select and the rest come from namespace xsimd by argument-dependent lookup.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #ifdef __CUDACC__
 #error \
@@ -104,3 +106,5 @@ struct ScalarBinaryOpTraits<T, xsimd::batch<T, A>, BinaryOp> {
 };
 
 }  // namespace Eigen
+
+#pragma pop_macro("I")

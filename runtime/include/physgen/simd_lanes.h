@@ -1,5 +1,7 @@
 // Questions that a kernel asks of its index, for packs: see lanes.h. Lanes outside the kernel's range have no say.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/simd_casts.h>
 #include <physgen/lanes.h>
@@ -91,3 +93,5 @@ void store_where(const xsimd::batch_bool<T, A>& condition, To&& to,
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

@@ -1,5 +1,7 @@
 // A kernel holds a view of an array: a trivially copyable value of two words and, for Soa, the pitch.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/cursor.h>
 #include <physgen/error.h>
@@ -221,3 +223,5 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
 };
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

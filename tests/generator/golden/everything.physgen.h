@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_EVERYTHING_H_B285F6FB342D9DFB
-#define PHYSGEN_EVERYTHING_H_B285F6FB342D9DFB
+#ifndef PHYSGEN_EVERYTHING_H_B1F774B25101B77A
+#define PHYSGEN_EVERYTHING_H_B1F774B25101B77A
 
 #include <physgen/runtime.h>
 
@@ -38,8 +38,8 @@ namespace tissue {
 template <class Real>
 struct Stamp {
   /// [s]
-  physgen::same_lanes_t<Real, double> time;
-  physgen::same_lanes_t<Real, std::int32_t> step;
+  physgen::same_lanes_t<Real, double> time = {};
+  physgen::same_lanes_t<Real, std::int32_t> step = {};
 };
 
 template <class Space>
@@ -103,28 +103,28 @@ namespace tissue::model {
 template <class Real>
 struct Shapes {
   /// Scalar.
-  Real a;
-  physgen::MatrixValue<Real, 3, 1> v;
+  Real a = {};
+  Eigen::Matrix<Real, 3, 1> v = decltype(v)::Zero();
   /// corners i, j, k, l
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes;
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
   /// deformation gradient [1]
-  physgen::MatrixValue<Real, 3, 3> F;
-  physgen::MatrixValue<Real, 2, 3> B;
-  physgen::MatrixValue<Real, 1, 4> row;
+  Eigen::Matrix<Real, 3, 3> F = decltype(F)::Zero();
+  Eigen::Matrix<Real, 2, 3> B = decltype(B)::Zero();
+  Eigen::Matrix<Real, 1, 4> row = decltype(row)::Zero();
   /// [N/m]. Symmetric, 6 stored.
-  physgen::MatrixValue<Real, 3, 3> K;
+  Eigen::Matrix<Real, 3, 3> K = decltype(K)::Zero();
   /// Symmetric, 3 stored.
-  physgen::MatrixValue<physgen::same_lanes_t<Real, double>, 2, 2> C2;
+  Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> C2 = decltype(C2)::Zero();
   /// Diagonal, 3 stored.
-  physgen::MatrixValue<Real, 3, 1> s;
+  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
   /// [1/s]. Skew-symmetric, 3 stored.
-  physgen::MatrixValue<Real, 3, 3> W;
+  Eigen::Matrix<Real, 3, 3> W = decltype(W)::Zero();
   /// principal directions. Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> U;
+  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
   /// Rotation, 9 stored.
-  physgen::MatrixValue<Real, 3, 3> V;
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> count;
-  physgen::MatrixValue<physgen::same_lanes_t<Real, double>, 2, 2> M;
+  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> count = decltype(count)::Zero();
+  Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> M = decltype(M)::Zero();
 };
 
 template <class Space>
@@ -265,31 +265,31 @@ static_assert(physgen::are_sound_records<ShapesObject, physgen::Host>(
 /// Names that generated code uses elsewhere.
 template <class Real>
 struct Names {
-  Real value;
-  Real entry;
-  Real S;
-  Real R;
-  Real at;
-  Real cursor;
-  Real name;
-  Real fields;
-  Real Layout;
-  Real host;
-  Real plan;
-  Real slot;
-  Real stride;
-  Real offset;
-  Real format;
-  Real Native;
-  Real PerSpace;
-  Real field;
-  Real element;
-  Real nested;
-  Real self[2];
-  Real assign;
-  Real texts;
-  Real Inner;
-  physgen::MatrixValue<Real, 2, 1> tissue;
+  Real value = {};
+  Real entry = {};
+  Real S = {};
+  Real R = {};
+  Real at = {};
+  Real cursor = {};
+  Real name = {};
+  Real fields = {};
+  Real Layout = {};
+  Real host = {};
+  Real plan = {};
+  Real slot = {};
+  Real stride = {};
+  Real offset = {};
+  Real format = {};
+  Real Native = {};
+  Real PerSpace = {};
+  Real field = {};
+  Real element = {};
+  Real nested = {};
+  Real self[2] = {};
+  Real assign = {};
+  Real texts = {};
+  Real Inner = {};
+  Eigen::Matrix<Real, 2, 1> tissue = decltype(tissue)::Zero();
 };
 
 template <class Space>
@@ -455,34 +455,10 @@ struct NamesRef : physgen::OnCursor<Cursor> {
   }
 
   PHYSGEN_FUNCTION const Value get() const {
-    Value value_;
-    value_.value = value();
-    value_.entry = entry();
-    value_.S = S();
-    value_.R = R();
-    value_.at = at();
-    value_.cursor = cursor();
-    value_.name = name();
-    value_.fields = fields();
-    value_.Layout = Layout();
-    value_.host = host();
-    value_.plan = plan();
-    value_.slot = slot();
-    value_.stride = stride();
-    value_.offset = offset();
-    value_.format = format();
-    value_.Native = Native();
-    value_.PerSpace = PerSpace();
-    value_.field = field();
-    value_.element = element();
-    value_.nested = nested();
-    PHYSGEN_UNROLL
-    for (int entry_ = 0; entry_ < 2; ++entry_) value_.self[entry_] = self(entry_);
-    value_.assign = assign();
-    value_.texts = texts();
-    value_.Inner = Inner();
-    value_.tissue = tissue().get();
-    return value_;
+    return {
+        value(), entry(), S(), R(), at(), cursor(), name(), fields(), Layout(), host(), plan(), slot(), stride(),
+        offset(), format(), Native(), PerSpace(), field(), element(), nested(), {self(0), self(1)}, assign(), texts(),
+        Inner(), tissue().get()};
   }
   PHYSGEN_FUNCTION void put(const Value& value_) const {
     value() = value_.value;
@@ -540,14 +516,19 @@ template <class Real>
 struct Entries {
   /// Weights of the five points.
   /// They sum to one. [1] Range [0, 1].
-  Real weights[5];
+  Real weights[5] = {};
   /// [N/m]. Symmetric, 6 stored.
-  physgen::MatrixValue<Real, 3, 3> k[4];
-  physgen::same_lanes_t<Real, std::int32_t> flags[3];
+  Eigen::Matrix<Real, 3, 3> k[4] = {
+      std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero(),
+      std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero()};
+  physgen::same_lanes_t<Real, std::int32_t> flags[3] = {};
   /// More entries than are worth unrolling
-  physgen::same_lanes_t<Real, double> history[40];
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> edges[6];
-  Real entry[2];
+  physgen::same_lanes_t<Real, double> history[40] = {};
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> edges[6] = {
+      std::remove_extent_t<decltype(edges)>::Zero(), std::remove_extent_t<decltype(edges)>::Zero(),
+      std::remove_extent_t<decltype(edges)>::Zero(), std::remove_extent_t<decltype(edges)>::Zero(),
+      std::remove_extent_t<decltype(edges)>::Zero(), std::remove_extent_t<decltype(edges)>::Zero()};
+  Real entry[2] = {};
 };
 
 template <class Space>
@@ -687,15 +668,15 @@ struct Options {
   /// Range [0, 0.5]; initially 0.45.
   Real nu = physgen::all_lanes<Real>(0.45);
   /// [1]. Initially 0.5.
-  physgen::MatrixValue<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
+  Eigen::Matrix<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
   /// Symmetric, 6 stored. Initially 1.
-  physgen::MatrixValue<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1.0));
+  Eigen::Matrix<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1.0));
   /// Initially -1.
   physgen::same_lanes_t<Real, std::int32_t> label = -1;
   /// Initially 7.
-  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> group = decltype(group)::Constant(7);
+  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> group = decltype(group)::Constant(7);
   /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
-  physgen::MatrixValue<Real, 3, 3> spin;
+  Eigen::Matrix<Real, 3, 3> spin = decltype(spin)::Zero();
   /// Initially 1e-12.
   physgen::same_lanes_t<Real, double> fixed = 1e-12;
 };
@@ -815,14 +796,14 @@ static_assert(physgen::are_sound_records<OptionsObject, physgen::Host>(
 template <class Real>
 struct Element {
   /// Before the nested objects by name, behind them in the record.
-  physgen::same_lanes_t<Real, std::int32_t> flag;
+  physgen::same_lanes_t<Real, std::int32_t> flag = {};
   /// Constants of the tissue.
   ::material::Lame<Real> lame;
   ::material::Fibre<Real> fibres[2];
   ::tissue::Stamp<Real> stamp;
   Shapes<Real> shapes;
   /// [m^3]
-  Real volume;
+  Real volume = {};
 };
 
 template <class Space>
@@ -885,15 +866,7 @@ struct ElementRef : physgen::OnCursor<Cursor> {
   }
 
   PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    value.flag = flag();
-    value.lame = lame().get();
-    PHYSGEN_UNROLL
-    for (int entry = 0; entry < 2; ++entry) value.fibres[entry] = fibres(entry).get();
-    value.stamp = stamp().get();
-    value.shapes = shapes().get();
-    value.volume = volume();
-    return value;
+    return {flag(), lame().get(), {fibres(0).get(), fibres(1).get()}, stamp().get(), shapes().get(), volume()};
   }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     flag() = value.flag;
@@ -940,7 +913,7 @@ namespace tissue::other {
 template <class Real>
 struct Patch {
   ::tissue::model::Element<Real> elements[2];
-  physgen::same_lanes_t<Real, float> weight;
+  physgen::same_lanes_t<Real, float> weight = {};
   ::tissue::model::Options<Real> options;
 };
 
@@ -988,12 +961,7 @@ struct PatchRef : physgen::OnCursor<Cursor> {
   }
 
   PHYSGEN_FUNCTION const Value get() const {
-    Value value;
-    PHYSGEN_UNROLL
-    for (int entry = 0; entry < 2; ++entry) value.elements[entry] = elements(entry).get();
-    value.weight = weight();
-    value.options = options().get();
-    return value;
+    return {{elements(0).get(), elements(1).get()}, weight(), options().get()};
   }
   PHYSGEN_FUNCTION void put(const Value& value) const {
     PHYSGEN_UNROLL
@@ -1051,9 +1019,9 @@ template <class Real>
 struct Frame {
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
-  physgen::MatrixValue<Real, 3, 3> turn;
+  Eigen::Matrix<Real, 3, 3> turn = decltype(turn)::Identity();
   /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  physgen::MatrixValue<Real, 3, 1> origin;
+  Eigen::Matrix<Real, 3, 1> origin = decltype(origin)::Zero();
   /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.7e-06.
   Real weight = physgen::all_lanes<Real>(0.25);
 };
@@ -1128,52 +1096,54 @@ static_assert(physgen::are_sound_records<FrameObject, physgen::Cuda>({16, 2, {0,
 template <class Real>
 struct Stored {
   /// Stored as float, relative error up to 6e-8.
-  Real single;
+  Real single = {};
   /// Stored as double, relative error up to 1.2e-16.
-  Real twice;
+  Real twice = {};
   /// Stored as float, relative error up to 6e-8.
-  physgen::same_lanes_t<Real, double> narrowed;
+  physgen::same_lanes_t<Real, double> narrowed = {};
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Real plain_half;
+  Real plain_half = {};
   /// External force. [N] Range [0, 1e+06]; initially 1000. Stored as half, relative error up to 4.9e-4 for sizes from
   /// 0.002 to 2.1e+06.
   Real load = physgen::all_lanes<Real>(1000.0);
   /// Stored as bfloat16, relative error up to 3.9e-3.
-  Real wide;
+  Real wide = {};
   /// [rad]. Range [-3.25, 3.25]; initially 0.5. Stored as 16-bit steps over [-3.25, 3.25], error up to 5e-05.
   Real angle = physgen::all_lanes<Real>(0.5);
   /// [K]. Range [273, 373]; initially 310. Stored on CUDA as 16-bit steps over [273, 373], error up to 0.00081.
   Real temperature = physgen::all_lanes<Real>(310.0);
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
   /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
-  physgen::MatrixValue<Real, 3, 3> stress;
+  Eigen::Matrix<Real, 3, 3> stress = decltype(stress)::Zero();
   /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  physgen::MatrixValue<Real, 3, 3> F;
+  Eigen::Matrix<Real, 3, 3> F = decltype(F)::Zero();
   /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  physgen::MatrixValue<Real, 3, 1> stretch;
+  Eigen::Matrix<Real, 3, 1> stretch = decltype(stretch)::Zero();
   /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00013.
-  physgen::MatrixValue<Real, 3, 3> spin;
+  Eigen::Matrix<Real, 3, 3> spin = decltype(spin)::Zero();
   /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
-  physgen::MatrixValue<Real, 3, 3> R;
+  Eigen::Matrix<Real, 3, 3> R = decltype(R)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of floats, error of an entry up to 1.2e-6.
-  physgen::MatrixValue<Real, 3, 3> R32;
+  Eigen::Matrix<Real, 3, 3> R32 = decltype(R32)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of doubles, error of an entry up to 10 eps.
-  physgen::MatrixValue<Real, 3, 3> R64;
+  Eigen::Matrix<Real, 3, 3> R64 = decltype(R64)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
-  physgen::MatrixValue<Real, 3, 3> Rhalf;
+  Eigen::Matrix<Real, 3, 3> Rhalf = decltype(Rhalf)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of bfloat16, error of an entry up to 1.6e-2.
-  physgen::MatrixValue<Real, 3, 3> Rbfloat;
+  Eigen::Matrix<Real, 3, 3> Rbfloat = decltype(Rbfloat)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
-  physgen::MatrixValue<Real, 3, 3> R16;
+  Eigen::Matrix<Real, 3, 3> R16 = decltype(R16)::Identity();
   /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
   /// CUDA as 16-bit steps over [-1, 1], error up to 1.6e-05.
-  physgen::MatrixValue<Real, 3, 3> entries;
+  Eigen::Matrix<Real, 3, 3> entries = decltype(entries)::Identity();
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Real halves[5];
+  Real halves[5] = {};
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
-  physgen::MatrixValue<Real, 3, 3> turns[3];
+  Eigen::Matrix<Real, 3, 3> turns[3] = {
+      std::remove_extent_t<decltype(turns)>::Identity(), std::remove_extent_t<decltype(turns)>::Identity(),
+      std::remove_extent_t<decltype(turns)>::Identity()};
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
-  physgen::MatrixValue<Real, 3, 3> many[33];
+  Eigen::Matrix<Real, 3, 3> many[33];
   /// Initially 7.
   physgen::same_lanes_t<Real, std::int32_t> count = 7;
   Frame<Real> frame;
@@ -1470,4 +1440,4 @@ static_assert(physgen::are_sound_records<StoredObject, physgen::Cuda>(
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_B285F6FB342D9DFB
+#endif  // PHYSGEN_EVERYTHING_H_B1F774B25101B77A

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_MATERIALS_H_DC2EE0D269041852
-#define PHYSGEN_MATERIALS_H_DC2EE0D269041852
+#ifndef PHYSGEN_MATERIALS_H_D204E6F3575A87FF
+#define PHYSGEN_MATERIALS_H_D204E6F3575A87FF
 
 #include <physgen/runtime.h>
 
@@ -36,9 +36,9 @@ namespace material {
 template <class Real>
 struct Lame {
   /// Shear modulus. [Pa]
-  Real mu;
+  Real mu = {};
   /// [Pa]
-  Real lambda;
+  Real lambda = {};
 };
 
 template <class Space>
@@ -101,9 +101,9 @@ static_assert(physgen::are_sound_records<LameObject, physgen::Host>({8, 4, {0, 4
 template <class Real>
 struct Fibre {
   /// Unit vector along the fibre.
-  physgen::MatrixValue<physgen::same_lanes_t<Real, float>, 3, 1> direction;
+  Eigen::Matrix<physgen::same_lanes_t<Real, float>, 3, 1> direction = decltype(direction)::Zero();
   /// [Pa]
-  physgen::same_lanes_t<Real, double> strength;
+  physgen::same_lanes_t<Real, double> strength = {};
 };
 
 template <class Space>
@@ -164,4 +164,4 @@ static_assert(physgen::are_sound_records<FibreObject, physgen::Host>({20, 8, {8,
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_DC2EE0D269041852
+#endif  // PHYSGEN_MATERIALS_H_D204E6F3575A87FF

@@ -1,6 +1,8 @@
 // Explicit dynamics as a program over an executor and arrays by name: symplectic Euler with lumped mass. The forces at
 // the displacements that are known give new velocities, and these give new displacements.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <elasticity.physgen.h>
 #include <fem/kernels/groups.h>
@@ -163,3 +165,5 @@ void explicit_step(On& on, Body& body, const Material& material, const TimeStep&
 }
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

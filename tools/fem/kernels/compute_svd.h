@@ -1,6 +1,8 @@
 // Kernels: singular value decomposition of deformation gradients, F = U diag(s) V^T, whole or in part. What is not
 // written is not computed.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/svd.h>
 #include <physgen/pack.h>
@@ -118,3 +120,5 @@ template <class... Views>
 ComputePolarRotation(Views...) -> ComputePolarRotation<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Kernels from node vectors to elements: the rest shape (once per scene), the deformation gradient F = Ds Dm^-1, and
 // its differential along a displacement.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/kernels/tet.h>
 
@@ -77,3 +79,5 @@ template <class... Views>
 ComputeDeformationGradientDifferential(Views...) -> ComputeDeformationGradientDifferential<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Kernel: the deformation gradient from displacements, F = 1 + Ds(u) Dm^-1. Near rest F - 1 keeps its digits in float,
 // which positions in float would lose.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/kernels/tet.h>
 
@@ -29,3 +31,5 @@ template <class... Views>
 ComputeDisplacedGradient(Views...) -> ComputeDisplacedGradient<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

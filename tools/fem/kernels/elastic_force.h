@@ -3,6 +3,8 @@
 // elements take one object at a time: packs of them, which collect lane by lane, were measured at three to nine times
 // the time.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/rows.h>
@@ -80,3 +82,5 @@ struct GatherForces {
 };
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Kernels: change of the nodes' forces along a displacement differential, in assembled form (one pass over node and
 // edge stiffness) and in element form (matrix-free, per tet, then gathered).
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/kernels/elastic_force.h>
 #include <fem/kernels/stress_differential.h>
@@ -97,3 +99,5 @@ struct GatherForceDifferentials {
 };
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Kernel: keeps the principal directions of a decomposition that is a local of a fused kernel, for the force
 // differentials of later steps.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/pack.h>
@@ -26,3 +28,5 @@ template <class... Views>
 KeepDirections(Views...) -> KeepDirections<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

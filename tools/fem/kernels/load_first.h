@@ -2,6 +2,8 @@
 // that where it is used: warps then wait for memory once more, with nothing left to do, and what stores come before may
 // have overwritten for all it knows is read twice.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/kernel.h>
@@ -76,3 +78,5 @@ template <class... Views>
 LoadShapes(Views...) -> LoadShapes<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -3,6 +3,8 @@
 // each corner where the node's row has a place for it, and the rows are summed: the same bits on every run, and those
 // of the gather from corner forces.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/add.h>
@@ -144,3 +146,5 @@ struct SumRowForces {
 };
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Kernels: stiffness blocks of each tet, and their sums: a symmetric 3x3 per node and a full 3x3 per edge, which is
 // half of what full block rows store.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/rows.h>
@@ -140,3 +142,5 @@ struct GatherEdgeStiffness {
 };
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

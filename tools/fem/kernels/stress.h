@@ -1,5 +1,7 @@
 // Kernel: first Piola-Kirchhoff stress of an isotropic material, P = U diag(g(s)) V^T.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/materials/material.h>
 #include <physgen/pack.h>
@@ -30,3 +32,5 @@ template <class... Arguments>
 ComputeStress(Arguments...) -> ComputeStress<Arguments...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Kernel: isotropic stress derivative in principal axes, 3 stretches in, 12 scalars out (60 bytes per element in
 // float), made positive semidefinite if wanted.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/materials/definiteness.h>
 #include <physgen/pack.h>
@@ -39,3 +41,5 @@ template <class... Arguments>
 ComputeStressDerivative(Arguments...) -> ComputeStressDerivative<Arguments...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Kernel: stress differential dP from deformation gradient differential dF through the principal frame, 192 bytes per
 // element in float. The most frequent product of an implicit solver.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/pack.h>
@@ -62,3 +64,5 @@ template <class... Views>
 ComputeStressDifferential(Views...) -> ComputeStressDifferential<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

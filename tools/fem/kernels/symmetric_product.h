@@ -2,6 +2,8 @@
 // block E of each edge (m, n), which serves df(m) += E dx(n) and df(n) += E^T dx(m). Every block is read once, in the
 // order in which it lies: about half the bytes of a general sparse product.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <elasticity.physgen.h>
 #include <fem/mesh/mesh.h>
@@ -143,3 +145,5 @@ PHYSGEN_FUNCTION inline void add_contributions(const Product& product, index_t n
 
 }  // namespace detail
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,5 +1,7 @@
 // Shapes of a linear tet from its gathered corners, for all kernels that read nodes.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/pack.h>
@@ -23,3 +25,5 @@ PHYSGEN_FUNCTION inline Matrix3<lanes_t<Scalar, I>> edge_matrix(const TetView& t
 }
 
 }  // namespace physgen::fem::detail
+
+#pragma pop_macro("I")

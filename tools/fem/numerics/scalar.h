@@ -1,6 +1,8 @@
 // The small vocabulary every kernel of tools/fem is written in: fixed-size matrices over a scalar S (float, double or a
 // SIMD pack) and the scalar functions, named so that unqualified calls work for all of them.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/math.h>
 
@@ -91,3 +93,5 @@ template <class S>
 }
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,5 +1,7 @@
 // Random numbers, vectors, rotations and Gaussian matrices from a seed, for tests and benchmarks.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -30,3 +32,5 @@ class RandomMatrices {
 };
 
 }  // namespace physgen::fem::reference
+
+#pragma pop_macro("I")

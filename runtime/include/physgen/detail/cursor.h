@@ -1,6 +1,8 @@
 // A cursor stands on one object of an array (or on the objects of a SIMD pack) and turns byte offsets of the record
 // into addresses by the law (layout/address.h); generated accessors and kernels only use it.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/count_losses.h>
 #include <physgen/field_ref.h>
@@ -294,3 +296,5 @@ class Cursor : private LossSink {
 };
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

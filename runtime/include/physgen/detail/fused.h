@@ -1,5 +1,7 @@
 // The parts of a fused kernel: the memory of its locals, and its steps in their order.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/array.h>
 #include <physgen/detail/local_cursor.h>
@@ -177,3 +179,5 @@ template <class First, class... Rest>
 }
 
 }  // namespace physgen::detail
+
+#pragma pop_macro("I")

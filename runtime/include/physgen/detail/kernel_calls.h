@@ -1,5 +1,7 @@
 // Calls kernels on the CPU: chooses the width of their packs and keeps what they throw.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/host_loop.h>
 #include <physgen/simd_lanes.h>
@@ -93,3 +95,5 @@ template <class Kernel, class I>
 }
 
 }  // namespace physgen::detail
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Conversions between the types of numbers, and selection among vectors and matrices: lane by lane, entry by entry, for
 // single objects, packs and CUDA threads. simd_lanes.h adds packs.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/math.h>
 #include <physgen/matrix_value.h>
@@ -74,3 +76,5 @@ PHYSGEN_FUNCTION inline auto select(const Condition& condition, const Eigen::Mat
 }
 
 }  // namespace physgen::math
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Cursors of locals of fused kernels: those that they stand for, with the local and the field in their types, which
 // compilers print where one is used as only an array could be.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/copy_fields.h>
 #include <physgen/detail/cursor.h>
@@ -149,3 +151,5 @@ class OnCursor<Cursor_> {
 };
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

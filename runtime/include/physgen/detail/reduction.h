@@ -1,5 +1,7 @@
 // The terms of a reduction, entry by entry, and the sizes on which its order (reduce.h) depends.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/lanes.h>
 #include <physgen/matrix_value.h>
@@ -84,3 +86,5 @@ struct Reduction {
 }
 
 }  // namespace physgen::detail
+
+#pragma pop_macro("I")

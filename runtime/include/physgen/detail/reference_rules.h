@@ -1,6 +1,8 @@
 // The rules that references keep: what an operator calculates with, and what does not compile, where the name of a type
 // is the message that compilers print.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/config.h>
 
@@ -76,3 +78,5 @@ PHYSGEN_FUNCTION constexpr void refuse_one_sum_for_a_pack() {
 }  // namespace detail
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

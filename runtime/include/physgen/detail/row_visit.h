@@ -1,5 +1,7 @@
 // Visits and sums the entries of rows.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/view.h>
 
@@ -71,3 +73,5 @@ template <class Sum>
 void require_rows(const char* of, index_t rows, index_t row_targets, index_t size, index_t targets);
 
 }  // namespace physgen::detail
+
+#pragma pop_macro("I")

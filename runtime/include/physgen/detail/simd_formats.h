@@ -1,5 +1,7 @@
 // Storage formats of W numbers side by side: from memory to numbers to compute with, and back.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/simd_masks.h>
 #include <physgen/format.h>
@@ -52,3 +54,5 @@ void encode_lanes(const T* values, typename Format::template Stored<T>* stored) 
 }
 
 }  // namespace physgen::detail
+
+#pragma pop_macro("I")

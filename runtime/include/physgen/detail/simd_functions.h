@@ -2,6 +2,8 @@
 // the C library's for zeros, infinities, and numbers near the ends of the range. Those lanes are computed anew by the C
 // library's function. As with fma() in simd_repairs.h, these overloads are more special than xsimd's own.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/simd_masks.h>
 
@@ -144,3 +146,5 @@ inline batch<T, A> hypot(const batch<T, A>& x, const batch<T, A>& y) {
 }
 
 }  // namespace xsimd
+
+#pragma pop_macro("I")

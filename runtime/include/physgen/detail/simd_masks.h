@@ -2,6 +2,8 @@
 // that `if (a > b)` would compile and mean "in any lane"; on other instruction sets it does not compile. Here their
 // conversion is narrowed to what xsimd's own code needs. Included before the rest of xsimd.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <concepts>
 #include <type_traits>
@@ -43,3 +45,5 @@ struct simd_avx512_bool_register<T>
 }  // namespace xsimd::types
 
 #endif
+
+#pragma pop_macro("I")

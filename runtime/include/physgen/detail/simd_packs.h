@@ -1,5 +1,7 @@
 // The cursor of packs: of whole ones, and of the first or last of a range. Included by host translation units only.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/simd_cursor.h>
 
@@ -135,3 +137,5 @@ class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, 
 };
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

@@ -1,5 +1,7 @@
 // Repairs of what packs get wrong with xsimd 8.1 or g++ 12. simd.h includes them behind xsimd.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <concepts>
 #include <cstddef>
@@ -124,3 +126,5 @@ inline batch<T, avx512bw> select(const batch_bool<T, avx512bw>& condition, const
 #endif
 
 }  // namespace xsimd
+
+#pragma pop_macro("I")

@@ -1,5 +1,7 @@
 // Roots and quotients of packs: the processor's estimates, and the reciprocal root that Newton's steps make of one.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/simd_masks.h>
 #include <physgen/detail/simd_repairs.h>
@@ -54,3 +56,5 @@ S inverse_sqrt(const S& x) {
 }
 
 }  // namespace physgen::math::detail
+
+#pragma pop_macro("I")

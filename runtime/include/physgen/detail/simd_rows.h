@@ -1,5 +1,7 @@
 // Rows of packs: see rows.h. All lanes take their k-th entry at once.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/rows.h>
 #include <physgen/simd_lanes.h>
@@ -68,3 +70,5 @@ struct RowVisit<I> {
 }  // namespace detail
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

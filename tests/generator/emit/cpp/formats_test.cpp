@@ -194,7 +194,7 @@ TEST(Comments, say_of_each_space_what_differs) {
 TEST(Comments, stand_at_members_and_accessors) {
   const std::string text = header({stored(scalar("x"), Encoding::bfloat16)});
   const std::string comment = "  /// Stored as bfloat16, relative error up to 3.9e-3.\n";
-  expect_contains(text, comment + "  Real x;\n");
+  expect_contains(text, comment + "  Real x = {};\n");
   expect_contains(text, comment + "  PHYSGEN_FUNCTION decltype(auto) x() const { return ");
 }
 

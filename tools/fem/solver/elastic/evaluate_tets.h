@@ -1,6 +1,8 @@
 // Kernels: what Newton's method wants of the tets, each from an SVD in double: energy and forces on the corners; the
 // tangent, which may be kept in float; the change of volume.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/kernels/tet.h>
 #include <fem/materials/definiteness.h>
@@ -225,3 +227,5 @@ template <class... Views>
 VolumeRatio(Views...) -> VolumeRatio<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -3,6 +3,8 @@
 // a tet has the mean of the pressures of its corners. A node's volume depends on the node and its neighbours, its ring;
 // so the tangent's k g g^T join nodes that are two edges apart. Pressures are linearised as those of patches.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/solver/arrays/packed_rows.h>
 #include <fem/solver/elastic/evaluate_tets.h>
@@ -175,3 +177,5 @@ template <class... Views>
 InjectNodePressures(Views...) -> InjectNodePressures<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

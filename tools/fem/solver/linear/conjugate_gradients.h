@@ -1,6 +1,8 @@
 // Preconditioned conjugate gradients over the stiffness of one level, as a program over an executor: on CUDA nothing in
 // it waits for the host.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/solver/linear/residual_norms.h>
 #include <fem/solver/linear/tangent_product.h>
@@ -132,3 +134,5 @@ template <class On, class Vectors>
 }
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // The steps that an executor does in a way of its own on the CPU: the product with the assembled stiffness, and the
 // coarsest inverse.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/kernels/symmetric_product_host.h>
 #include <fem/solver/multigrid/coarse_inverse.h>
@@ -62,3 +64,5 @@ void invert_coarsest(On& on, Level& level) {
 }
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,5 +1,7 @@
 // Kernels: norms of the residual of conjugate gradients, and what follows on the object that holds a solve's numbers.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <fem/solver/settings.h>
@@ -111,3 +113,5 @@ template <class View>
 SetNextNorms(View, double) -> SetNextNorms<View>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -7,6 +7,8 @@
 // of lists. On the CPU sums must have the same bits on every run, so there it is a gather in a fixed order, over the
 // corner forces of the evaluation, which nobody reads while a system is solved.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/kernels/stiffness.h>
 #include <fem/kernels/stress_differential.h>
@@ -289,3 +291,5 @@ void prepare_nodes(On& on, Arrays& a, Level& level, const PreconditionerSettings
 }
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

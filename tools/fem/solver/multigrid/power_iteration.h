@@ -1,5 +1,7 @@
 // Kernels: power iterations for the largest eigenvalue of -D K, the inverses of the nodes' blocks times the stiffness.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/solver/multigrid/scattered.h>
 #include <fem/solver/multigrid/smoother.h>
@@ -95,3 +97,5 @@ template <class View>
 StoreLargest(View) -> StoreLargest<View>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

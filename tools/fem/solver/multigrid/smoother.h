@@ -1,6 +1,8 @@
 // Kernels: block Jacobi on one level, and Chebyshev polynomials of it, in scaled unknowns. K is df/dx, negative
 // semidefinite: -D K has positive eigenvalues, and r = f + K z is the force that a correction z leaves.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <physgen/kernel.h>
@@ -114,3 +116,5 @@ template <class... Arguments>
 ContinueChebyshev(int, bool, double, Arguments...) -> ContinueChebyshev<Arguments...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -2,6 +2,8 @@
 // The system is K dx = -f with K = df/dx, negative definite over the free components: r = f + K dx is the force that is
 // left, and the length of a step is (r . z) / -(p . K p).
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <fem/solver/free_part.h>
@@ -205,3 +207,5 @@ template <class... Views>
 CopyResidual(Views...) -> CopyResidual<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

@@ -1,5 +1,7 @@
 // Kernels: steps of Newton's method over the nodes of a mesh, in double.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/numerics/scalar.h>
 #include <fem/solver/elastic/corner_sums.h>
@@ -267,3 +269,5 @@ template <class... Views>
 PrescribedForce(Views...) -> PrescribedForce<Views...>;
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")

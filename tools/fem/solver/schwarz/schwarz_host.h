@@ -1,5 +1,7 @@
 // Blocks of the Schwarz preconditioner on the CPU: a thread takes a block.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <fem/solver/performs_in.h>
 #include <fem/solver/schwarz/schwarz.h>
@@ -190,3 +192,5 @@ void apply_blocks(On& on, const SchwarzProduct<Views...>& product, const std::ve
 }
 
 }  // namespace physgen::fem
+
+#pragma pop_macro("I")
