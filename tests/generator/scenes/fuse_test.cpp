@@ -84,11 +84,11 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
            {"index", "CopyByIndex: it asks what its index is at kernels.h:"},
            {"leave", "no earlier step of the group is sure to store all of body.m_leave.a, which Shift reads; "},
            {"pointer",
-            "CopyRemembering: it holds a pointer or a reference to something that is not an array at kernels.h:"},
+            "CopyRemembering: its remembered is neither a number nor a view of the scene's arrays, at kernels.h:"},
            {"variable", "CopyCounting: it uses the variable last at kernels.h:"},
-           {"reduced", "on.reduce() at scenes/groups.h:"},
-           {"host", "the declaration of s at scenes/groups.h:"},
-           {"called", "Shift: it calls told() at scenes/groups.h:"},
+           {"reduced", "a call of reduce() at scenes/groups.h:"},
+           {"host", "the declaration of s by an expression at scenes/groups.h:"},
+           {"called", "Shift: it is given a call of told() at scenes/groups.h:"},
            {"held", "body.m_held is stored: the program does more than hand its views to kernels at scenes/groups.h:"}})
     EXPECT_NE(why[name].find(reason), std::string::npos) << name << ": " << why[name];
   for (const auto& [name, fields] : std::map<std::string, std::string>{{"gathered", "body.m_gathered.a; "},
