@@ -23,10 +23,12 @@ class Joiner {
       for (ArrayNeed& array : needs_.arrays)
         if (std::ranges::count(needs_.groups[g].locals, array.array) > 0) array.group = static_cast<int>(g);
     if (!program_.cause.empty()) needs_.not_joined.push_back("no step is looked at: " + program_.cause);
-    std::map<std::string, std::set<std::string>> by_function;
-    for (const auto& [step, function] : program_.elsewhere) by_function[function].insert(short_name(step));
+    std::map<std::string, Reasons> by_function;
+    for (const auto& [step, function] : program_.elsewhere)
+      if (auto& steps = by_function[function]; steps.empty() || steps.back() != short_name(step))
+        steps.push_back(short_name(step));
     for (const auto& [function, steps] : by_function)
-      needs_.not_joined.push_back(function + " runs " + listed({steps.begin(), steps.end()}) +
+      needs_.not_joined.push_back(function + " runs " + listed(steps) +
                                   ": only neighbouring statements of the program's own text are joined");
   }
 

@@ -117,9 +117,10 @@ std::string LocalArrays::why_not(const Range& range, const std::string& name, co
   return why_not_stored(range, name);
 }
 
-/// Fields that only these steps use stay only because others of the array do.
+/// Fields that only these steps use are stored with others that are given or wanted.
 std::string LocalArrays::remedy(const Range& range, const std::string& name, const Array& array) const {
   std::vector<std::string> own;
+  if (!array.input && !array.output) return {};
   for (const Field& field : array.fields) {
     const auto has_field = [&](const usage::FieldUse& use) { return name_of(use) == FieldName(name, field.name); };
     std::size_t users = 0, others = 0;

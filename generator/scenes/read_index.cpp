@@ -28,6 +28,15 @@ bool mentions_variable(const clang::Stmt* statement) {
   return std::any_of(statement->child_begin(), statement->child_end(), mentions_variable);
 }
 
+/// Whether a constant is made of numbers alone, such as parameters of a template that are no types.
+bool is_of_numbers(const clang::Stmt* constant) {
+  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(constant))
+    return llvm::isa<clang::NonTypeTemplateParmDecl>(named->getDecl());
+  return llvm::isa<clang::IntegerLiteral, clang::CXXBoolLiteralExpr, clang::ParenExpr, clang::ImplicitCastExpr,
+                   clang::ConstantExpr, clang::UnaryOperator, clang::BinaryOperator>(constant) &&
+         std::all_of(constant->child_begin(), constant->child_end(), is_of_numbers);
+}
+
 class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
  public:
   IndexUse(const clang::FunctionDecl& function, const clang::FunctionDecl& pattern, const Names& names)
@@ -82,6 +91,11 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     say(question->getBeginLoc());
     return true;
   }
+  bool VisitIfStmt(clang::IfStmt* choice) {
+    if (choice->isConstexpr() && !is_of_numbers(choice->getCond()))
+      say(choice->getBeginLoc(), "chooses its code by types");
+    return true;
+  }
 
   std::string found;
 
@@ -101,8 +115,8 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     if (mentions_variable(of)) say(place);
     return true;
   }
-  void say(clang::SourceLocation place) {
-    if (found.empty()) found = "asks what its index is at " + usage::text_of(names_.place(place));
+  void say(clang::SourceLocation place, const char* what = "asks what its index is") {
+    if (found.empty()) found = std::string(what) + " at " + usage::text_of(names_.place(place));
   }
 
   const Names& names_;
@@ -130,33 +144,39 @@ std::string asked_of_index(const clang::FunctionDecl& function, const Names& nam
   return use.found;
 }
 
-std::string asked_by_call(const clang::CallExpr& call, const Names& names) {
+bool sees_arrays(const clang::FunctionDecl& function, Names& names) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
+  if (method != nullptr && !names.arrays(function.getASTContext().getCanonicalTagType(method->getParent())).empty())
+    return true;
+  return std::any_of(function.param_begin(), function.param_end(), [&](const clang::ParmVarDecl* parameter) {
+    return is_pack(parameter->getType()) || !names.arrays(parameter->getType()).empty();
+  });
+}
+
+std::string asked_by_call(const clang::CallExpr& call, Names& names) {
   const auto* callee = call.getDirectCallee();
   if (callee == nullptr) return {};
-  const bool is_operator = llvm::isa<clang::CXXOperatorCallExpr>(call) && llvm::isa<clang::CXXMethodDecl>(callee);
-  const auto takes_any = [](const clang::NamedDecl* candidate, unsigned number) {
-    const auto* whole = llvm::dyn_cast<clang::FunctionTemplateDecl>(candidate);
-    const auto* function =
-        whole == nullptr ? llvm::dyn_cast<clang::FunctionDecl>(candidate) : whole->getTemplatedDecl();
-    if (function == nullptr || (whole != nullptr && whole->hasAssociatedConstraints())) return false;
-    return number >= function->getNumParams() || bare_parameter(*function->getParamDecl(number)) != nullptr;
-  };
-  for (unsigned i = is_operator ? 1 : 0; i < call.getNumArgs(); ++i) {
-    if (!is_pack(call.getArg(i)->getType())) continue;
-    const std::string where = " at " + usage::text_of(names.place(call.getBeginLoc()));
-    if (names.is_library(callee->getLocation())) {
-      const clang::DeclContext* outer = callee->getDeclContext();
-      while (!outer->getParent()->isTranslationUnit()) outer = outer->getParent();
-      const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(outer);
-      if (space == nullptr || space->getName() != "physgen") return "hands its index to a library" + where;
-      continue;
-    }
-    const auto found = callee->getDeclContext()->lookup(callee->getDeclName());
-    if (!std::all_of(found.begin(), found.end(),
-                     [&](const auto* one) { return takes_any(one, i - (is_operator ? 1U : 0U)); }))
-      return "has its index choose a function" + where;
+  const std::string where = " at " + usage::text_of(names.place(call.getBeginLoc()));
+  if (names.is_library(callee->getLocation())) {
+    const clang::DeclContext* outer = callee->getDeclContext();
+    while (!outer->isTranslationUnit() && !outer->getParent()->isTranslationUnit()) outer = outer->getParent();
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(outer);
+    const bool is_runtime = space != nullptr && space->getName() == "physgen";
+    return !is_runtime && std::any_of(call.arg_begin(), call.arg_end(),
+                                      [](const clang::Expr* one) { return is_pack(one->getType()); })
+               ? "hands its index to a library" + where
+               : "";
   }
-  return {};
+  if (!sees_arrays(*callee, names)) return {};
+  const auto named = callee->getDeclContext()->lookup(callee->getDeclName());
+  const auto* whole = named.isSingleResult() ? llvm::dyn_cast<clang::FunctionTemplateDecl>(named.front()) : nullptr;
+  const bool is_one =
+      whole == nullptr ? named.isSingleResult()
+                       : !whole->hasAssociatedConstraints() &&
+                             std::none_of(whole->spec_begin(), whole->spec_end(), [](const clang::FunctionDecl* one) {
+                               return one->getTemplateSpecializationKind() == clang::TSK_ExplicitSpecialization;
+                             });
+  return is_one ? "" : "has types choose the function that it calls" + where;
 }
 
 }  // namespace physgen::scenes

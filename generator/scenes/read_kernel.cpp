@@ -28,7 +28,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
 
   /// @return where it does so, and what; empty: nowhere
   std::string find(const clang::FunctionDecl& function) {
-    follow(&function, true);
+    follow(&function);
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();
       queue_.pop_back();
@@ -156,8 +156,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
           line.consume_front("#") && line.ltrim(" \t").starts_with("if"))
         say(function.getLocation(), "holds a directive of the preprocessor");
   }
-  /// The kernel may be one of the runtime's that holds a lambda.
-  void follow(const clang::FunctionDecl* function, bool is_kernels = false) {
+  void follow(const clang::FunctionDecl* function) {
     const clang::FunctionDecl* definition = nullptr;
     if (function == nullptr) return;
     const bool is_known = function->isDefined(definition) && definition->getBody() != nullptr;
@@ -169,10 +168,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
       unknown(*function);
     if (!is_known) return;
     if (!seen_.insert(definition->getCanonicalDecl()).second) return;
-    const auto takes_index = [](const clang::ParmVarDecl* parameter) { return is_pack(parameter->getType()); };
-    if (found_.empty() && (!is_library || is_kernels) &&
-        std::any_of(definition->param_begin(), definition->param_end(), takes_index))
-      found_ = asked_of_index(*definition, names_);
+    if (found_.empty() && !is_library && sees_arrays(*definition, names_)) found_ = asked_of_index(*definition, names_);
     queue_.push_back(definition);
   }
 

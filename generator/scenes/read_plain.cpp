@@ -73,7 +73,8 @@ class Escapes : public clang::RecursiveASTVisitor<Escapes> {
 };
 
 /// What an expression is, for a reader.
-std::string kind_of(const clang::Expr& expression) {
+std::string kind_of(const clang::Expr& whole) {
+  const clang::Expr& expression = *whole.IgnoreImplicit();
   if (const auto* call = llvm::dyn_cast<clang::CallExpr>(&expression))
     return "a call" + (call->getDirectCallee() == nullptr || call->getDirectCallee()->getIdentifier() == nullptr
                            ? std::string()
@@ -152,8 +153,7 @@ std::string Plain::not_in(const clang::Expr* expression) const {
 
 std::string Plain::not_in_statement(const clang::Stmt& statement) const {
   const std::string here = " at " + usage::text_of(names_.place(statement.getBeginLoc()));
-  if (const auto* expression = llvm::dyn_cast<clang::Expr>(&statement))
-    return kind_of(*expression->IgnoreImplicit()) + here;
+  if (const auto* expression = llvm::dyn_cast<clang::Expr>(&statement)) return kind_of(*expression) + here;
   const auto* group = llvm::dyn_cast<clang::DeclStmt>(&statement);
   if (group == nullptr) return "a statement" + here;
   for (const clang::Decl* one : group->decls()) {

@@ -43,7 +43,8 @@ std::string groups_text(const Scene& scene, const Needs& needs) {
 }
 
 void add_groups(const Needs& needs, Json& json) {
-  json["groups"] = json["apart"] = Json::array();
+  json["groups"] = Json::array();
+  json["apart"] = Json::array();
   for (const StepGroup& group : needs.groups) {
     Json written = {{"steps", Json::array()}, {"locals", Json::array()}};
     for (std::size_t k = 0; k < group.steps.size(); ++k)

@@ -16,6 +16,13 @@ def picked(name, head, body):
     return Block(name, f"on.run(N, {name.capitalize()}{{IN.const_view(), MID.view(), pick}});\non.run(N, Shift{{MID.view(), OUT.view(), 1}});", text)
 
 
+def in_double(name, head, body):
+    """A kernel that reads objects other than its own in double alone."""
+    text = kernel(name.capitalize(), body, head, "Y y;").replace("template <class From, class To>", "template <class From, class To, class Y>")
+    return Block(name, "on.run(N, Both{IN.const_view(), ACC.view(), MID.view()});\n"
+                 f"on.run(N, {name.capitalize()}{{MID.view(), OUT.view(), ACC.view()}});", text)
+
+
 STATEMENTS = [
     between("assigns", S, "s = 3;\nconst float z = 1;"),
     between("increments", S, "++s;\nconst float z = 1;"),
@@ -106,6 +113,11 @@ KERNELS = [
            "template <class T, class A, class X> void keep_one(double, const T& to, A i, const X& x, float p) { if (p > 1) to[i].a() = x; }\n",
            "keep_one(Scalar(), to, i, S(from[i].a()), pick);"),
     picked("keptbyreturn", "", "if constexpr (sizeof(Scalar) == 8) {\n      if (pick < 2) return;\n    }\n    " + PLAIN),
+    in_double("othersindouble", "", "if constexpr (sizeof(Scalar) == 8) to[i].a() = S(Scalar(y[index_t{500}].a()));\n"
+              "    else to[i].a() = S(from[i].a());"),
+    in_double("othersbyoverload", "template <class Y> float other_of(float, const Y&) { return 1; }\n"
+              "template <class Y> double other_of(double, const Y& y) { return y[index_t{500}].a(); }\n",
+              "to[i].a() = S(from[i].a()) + S(other_of(Scalar(), y));"),
     Block("countsmine", "on.run(N, Countsmine{IN.const_view(), MID.view()});\non.run(N, Shift{MID.view(), OUT.view(), 1});",
           kernel("Countsmine", PLAIN + "\n    mine_count += 1;")),
     Block("holdspointer", "float s = 1;\non.run(N, Holdspointer{IN.const_view(), MID.view(), &s});\non.run(N, Shift{MID.view(), OUT.view(), 1});",
@@ -129,5 +141,8 @@ JOINED = [
     Block("three", "on.run(N, Both{IN.const_view(), ACC.view(), MID.view()});\non.run(N, Shift{MID.view(), MORE.view(), 2});\n"
           "on.run(N, Combine{MORE.view(), ACC.view(), OUT.view()});", joined=True),
 ]
+
+# In a scene of its own, since nothing of a program is joined whose text depends on the line that it stands on.
+OF_LINES = [Block("ofline", TWO + "\non.run(N, Shift{IN.const_view(), ACC.view(), float(__LINE__)});")]
 
 OWN = STATEMENTS + COUNTS + KERNELS + JOINED

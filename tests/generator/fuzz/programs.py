@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 from attack_programs import MINE, REVIEWED
-from own_programs import OWN
+from own_programs import OF_LINES, OWN
 from scene_programs import Block, Defect, Harness
 
 BLOCKS = 60  # of a round
@@ -49,7 +49,7 @@ STATEMENTS = [
     "const float NEW = AtEnd{&s, 2}.v;", "const float NEW = std::invoke(advance);", "const float NEW = word();",
     "const auto NEWkept = [q = word()] { return q; };\nconst float NEW = 1;", "const float NEW = std::accumulate(v.begin(), v.end(), 0.0F, [&](float a, float b) { s += b; return a; });",
     "if (s > 1) t = 3;", "for (int k = 0; k < 2; ++k) s += 1;", "{ const float q = 2; t = q; }", "ACC.view()[index_t{3}].a() = s;",
-    "const float NEW = ACC.view()[index_t{5}].a();", "const auto NEWcopy = ACC;\non.run(N, Combine{NEWcopy.view(), IN.const_view(), MORE.view()});",
+    "const float NEW = ACC.view()[index_t{5}].a();", "const auto NEWcopy = ACC;\non.run(N, Combine{NEWcopy.view(), IN.const_view(), MID.view()});",
     "static float NEWkept = 1;\nNEWkept += 1;\nconst float NEW = NEWkept;", "const auto [NEW, NEWother] = std::pair(advance(), 2.0F);",
     "try { t += 1; } catch (...) {}", "using NEWtype = Pair;\nconst float NEW = NEWtype{1, 2}.y;", "const volatile float NEW = s;",
     "const auto NEWview = MID.view();", "const auto NEWcount = IN.size();",
@@ -110,14 +110,14 @@ class Fuzzer:
                                str(Path(arguments.runtime).resolve()), arguments.compiler)
 
     def known(self):
-        blocks = REVIEWED + OWN
-        joined, differ = self.harness.run(blocks, MINE)
-        for block in blocks:
-            if block.joined != (block.name in joined):
-                self.fail(f"{block.name} is {'' if block.name in joined else 'not '}joined")
-            if block.name in differ:
-                self.fail(f"{block.name} has other numbers:\n{block.text}")
-        print(f"{len(blocks)} known programs, {len(joined)} joined, {self.failures} failed", flush=True)
+        for blocks in (REVIEWED + OWN, OF_LINES):
+            joined, differ = self.harness.run(blocks, MINE)
+            for block in blocks:
+                if block.joined != (block.name in joined):
+                    self.fail(f"{block.name} is {'' if block.name in joined else 'not '}joined")
+                if block.name in differ:
+                    self.fail(f"{block.name} has other numbers:\n{block.text}")
+            print(f"{len(blocks)} known programs, {len(joined)} joined, {self.failures} failed", flush=True)
 
     def round(self):
         blocks = [Maker(self.seed, self.number + k).block() for k in range(BLOCKS)]

@@ -81,7 +81,7 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
            {"masked", "Limit: it stores under a mask at kernels.h:"},
            {"element",
             "no earlier step of the group is sure to store all of body.m_element.x, which CopyVector reads; "},
-           {"index", "CopyByIndex: it asks what its index is at kernels.h:"},
+           {"index", "CopyByIndex: it chooses its code by types at kernels.h:"},
            {"leave", "no earlier step of the group is sure to store all of body.m_leave.a, which Shift reads; "},
            {"pointer",
             "CopyRemembering: its remembered is neither a number nor a view of the scene's arrays, at kernels.h:"},
