@@ -8,4 +8,10 @@ std::string name_of(const usage::StepUse& step) {
   return step.arrays.empty() ? step.kernel : kernel + "(" + model::joined(step.arrays) + ")";
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  constexpr std::size_t most = 4;
+  if (words.size() <= most) return model::joined(words, " and ");
+  return model::joined({words.begin(), words.begin() + most}) + " and " + std::to_string(words.size() - most) + " more";
+}
+
 }  // namespace physgen::scenes

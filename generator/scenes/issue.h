@@ -1,7 +1,9 @@
-// Errors and notes about a scene, and the names by which they call its steps.
+// Errors and notes about a scene, and the names by which they call its steps and fields.
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scenes/scene.h"
 #include "usage/usage.h"
@@ -17,5 +19,16 @@ struct Issue {
 
 /// "physgen::fem::ComputeSvd(body.gradients, body.svds)"
 [[nodiscard]] std::string name_of(const usage::StepUse& step);
+
+using FieldName = std::pair<std::string, std::string>;  ///< array, field
+
+[[nodiscard]] inline FieldName name_of(const usage::FieldUse& use) { return {use.array, use.field}; }
+[[nodiscard]] inline std::string text_of(const FieldName& field) { return field.first + "." + field.second; }
+[[nodiscard]] inline bool reads(const usage::FieldUse& use) { return use.read || use.address_taken; }
+[[nodiscard]] inline bool writes(const usage::FieldUse& use) { return use.written || use.address_taken; }
+[[nodiscard]] inline Location location(const usage::Place& place) { return {place.file, place.line, place.column}; }
+
+/// "a, b and c"; of many, the first few.
+[[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
 }  // namespace physgen::scenes

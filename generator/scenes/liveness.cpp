@@ -11,7 +11,8 @@ class LivenessFinder {
   LivenessFinder(const Scene& scene, const usage::Usage& usage) : scene_(scene), usage_(usage) {}
 
   Liveness find() && {
-    known_names();
+    for (const auto& step : usage_.steps) known_names(step.fields);
+    known_names(usage_.unattributed);
     roots();
     fixpoint();
     result_.complete = result_.errors.empty();
@@ -24,20 +25,26 @@ class LivenessFinder {
     result_.errors.push_back({Issue::Kind::error, place, std::move(message)});
   }
 
-  void known_names() {
-    std::vector<std::string> arrays;
-    for (const Group& group : scene_.groups)
-      for (const Array& array : group.arrays) arrays.push_back(group.full_name(array));
-    const auto known = [&](const usage::FieldUse& use) {
-      const Array* array = scenes::find(scene_, use.array);
-      if (array == nullptr) return error(scene_.location, unknown("array", use.array, arrays));
-      std::vector<std::string> fields;
-      for (const Field& field : array->fields) fields.push_back(field.name);
-      if (std::find(fields.begin(), fields.end(), use.field) == fields.end())
-        error(array->location, "in " + use.array + " " + unknown("field", use.field, fields));
-    };
-    for (const auto& step : usage_.steps) std::for_each(step.fields.begin(), step.fields.end(), known);
-    std::for_each(usage_.unattributed.begin(), usage_.unattributed.end(), known);
+  void known_names(const std::vector<usage::FieldUse>& uses) {
+    for (const auto& use : uses) {
+      std::vector<std::string> names;
+      if (const Array* array = scenes::find(scene_, use.array); array != nullptr) {
+        for (const Field& field : array->fields) names.push_back(field.name);
+        if (std::ranges::count(names, use.field) == 0)
+          error(array->location, "in " + use.array + " " + unknown("field", use.field, names));
+      } else {
+        for (const Group& group : scene_.groups)
+          for (const Array& one : group.arrays) names.push_back(group.full_name(one));
+        error(scene_.location, unknown("array", use.array, names));
+      }
+    }
+  }
+
+  void used(const std::vector<usage::FieldUse>& uses) {
+    for (const auto& use : uses) {
+      if (reads(use)) result_.wanted.insert(name_of(use));
+      if (writes(use)) result_.written.insert(name_of(use));
+    }
   }
 
   void roots() {
@@ -45,76 +52,58 @@ class LivenessFinder {
       for (const Array& array : group.arrays)
         for (const Field& field : array.fields)
           if (array.is_output(field.name)) result_.wanted.insert({group.full_name(array), field.name});
-    for (const auto& use : usage_.unattributed) {
-      if (reads(use)) result_.wanted.insert(name_of(use));
-      if (writes(use)) result_.written.insert(name_of(use));
-    }
-    for (const auto& use : usage_.unknown) unknown_use(use);
+    used(usage_.unattributed);
+    for (const auto& use : usage_.unknown)  // all of the array may be read and written there
+      if (const Array* array = scenes::find(scene_, use.array);
+          array == nullptr || !array->output || !array->output->all)
+        error(location(use.place), use.what + " of " + use.array +
+                                       " hides which fields are used; write view[i].field(), or declare the array "
+                                       "output(), which keeps all its fields");
     for (const auto& race : usage_.races) error(location(race.writer_place), usage::text_of(race));
     for (const auto& dependence : usage_.dependences) error(location(dependence.place), usage::text_of(dependence));
   }
 
-  /// All of the array may be read and written there.
-  void unknown_use(const usage::UnknownUse& use) {
-    const Array* array = scenes::find(scene_, use.array);
-    if (array != nullptr && array->output && array->output->all) return;  // all of it stays
-    error(location(use.place), use.what + " of " + use.array +
-                                   " hides which fields are used; write view[i].field(), or declare the array "
-                                   "output(), which keeps all its fields");
-  }
-
-  [[nodiscard]] bool is_live(const usage::StepUse& step) const {
-    return step.root || std::any_of(step.fields.begin(), step.fields.end(), [&](const usage::FieldUse& use) {
-             return writes(use) && result_.wanted.contains(name_of(use));
-           });
-  }
-
   void fixpoint() {
-    live_.assign(usage_.steps.size(), false);
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t i = 0; i < usage_.steps.size(); ++i) {
-        if (live_[i] || !is_live(usage_.steps[i])) continue;
-        live_[i] = changed = true;
-        for (const auto& use : usage_.steps[i].fields) {
-          if (reads(use)) result_.wanted.insert(name_of(use));
-          if (writes(use)) result_.written.insert(name_of(use));
-        }
-      }
+    for (std::size_t before = dead_.size() + 1; before != dead_.size();) {
+      before = dead_.size();
+      std::erase_if(dead_, [&](const usage::StepUse* step) {
+        const bool is_live = step->root || std::ranges::any_of(step->fields, [&](const usage::FieldUse& use) {
+                               return writes(use) && result_.wanted.contains(name_of(use));
+                             });
+        if (is_live) used(step->fields);
+        return is_live;
+      });
     }
   }
 
   /// Their kernels are in the program, so that they would read fields that are not there, or run for nothing.
   void dead_steps() {
-    for (std::size_t i = 0; i < usage_.steps.size(); ++i) {
-      if (live_[i]) continue;
-      const usage::StepUse& step = usage_.steps[i];
+    for (const usage::StepUse* step : dead_) {
       std::vector<std::string> written;
-      for (const auto& use : step.fields)
+      for (const auto& use : step->fields)
         if (writes(use)) written.push_back(text_of(name_of(use)));
-      const std::string what = "the step " + scenes::name_of(step) + " ";
-      if (written.empty())
-        error(location(step.place), what + "writes no field; take it out of the program");
-      else
-        error(location(step.place), what + "writes only " + listed(written) +
-                                        ", which nothing that is wanted depends on; take the step out of the "
-                                        "program, or declare what it writes output(...)");
+      error(location(step->place),
+            "the step " + scenes::name_of(*step) +
+                (written.empty() ? " writes no field; take it out of the program"
+                                 : " writes only " + listed(written) +
+                                       ", which nothing that is wanted depends on; take the step out of the program, "
+                                       "or declare what it writes output(...)"));
     }
   }
 
   const Scene& scene_;
   const usage::Usage& usage_;
-  std::vector<bool> live_;  // beside usage_.steps
+  std::vector<const usage::StepUse*> dead_ = pointers(usage_.steps);  // those that are not found live
   Liveness result_;
+
+  static std::vector<const usage::StepUse*> pointers(const std::vector<usage::StepUse>& steps) {
+    std::vector<const usage::StepUse*> result;
+    for (const usage::StepUse& step : steps) result.push_back(&step);
+    return result;
+  }
 };
 
 }  // namespace
-
-std::string listed(const std::vector<std::string>& words) {
-  constexpr std::size_t most = 4;
-  if (words.size() <= most) return model::joined(words, " and ");
-  return model::joined({words.begin(), words.begin() + most}) + " and " + std::to_string(words.size() - most) + " more";
-}
 
 Liveness find_liveness(const Scene& scene, const usage::Usage& usage) { return LivenessFinder(scene, usage).find(); }
 

@@ -2,26 +2,11 @@
 #pragma once
 
 #include <set>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "scenes/issue.h"
-#include "scenes/scene.h"
-#include "usage/usage.h"
 
 namespace physgen::scenes {
-
-using FieldName = std::pair<std::string, std::string>;  ///< array, field
-
-[[nodiscard]] inline FieldName name_of(const usage::FieldUse& use) { return {use.array, use.field}; }
-[[nodiscard]] inline std::string text_of(const FieldName& field) { return field.first + "." + field.second; }
-[[nodiscard]] inline bool reads(const usage::FieldUse& use) { return use.read || use.address_taken; }
-[[nodiscard]] inline bool writes(const usage::FieldUse& use) { return use.written || use.address_taken; }
-[[nodiscard]] inline Location location(const usage::Place& place) { return {place.file, place.line, place.column}; }
-
-/// "a, b and c"; of many, the first few.
-[[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
 struct Liveness {
   std::set<FieldName> wanted;   ///< outputs, and what live steps and code outside of steps read

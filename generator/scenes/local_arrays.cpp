@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "scenes/liveness.h"
+#include "scenes/issue.h"
 
 namespace physgen::scenes {
 namespace {
@@ -20,6 +20,12 @@ std::string short_name(const std::string& step) {
   const std::string kernel = step.substr(0, step.find('('));
   const std::size_t scope = kernel.substr(0, kernel.find('<')).rfind("::");
   return scope == std::string::npos ? kernel : kernel.substr(scope + 2);
+}
+
+std::string short_names(const std::vector<std::string>& steps) {
+  std::vector<std::string> names;
+  for (const std::string& step : steps) names.push_back(short_name(step));
+  return model::joined(names, " and ");
 }
 
 std::string counted(const Group& group, const Array& array) {
@@ -88,7 +94,8 @@ std::vector<std::string> LocalArrays::why_none(const ProgramSteps& list, std::si
       if (before == nullptr || behind == nullptr || !has(*before, name) || !has(*behind, name)) continue;
       if (needs_.of(name).read_only) continue;
       const std::string reason = why_not(range, name, array);
-      why.push_back(name + " is stored: " + (reason.empty() ? "it is not per object of theirs" : reason));
+      why.push_back(name + " is stored: " + (reason.empty() ? "it is not per object of theirs" : reason) +
+                    remedy(range, name, array));
     }
   if (why.empty()) why.emplace_back("neither stores what the other reads");
   return why;
@@ -108,6 +115,23 @@ std::string LocalArrays::why_not(const Range& range, const std::string& name, co
     if (use.array == name) return use.what + " of it hides what is used";
   if (std::string reason = why_not_used_here(range, name); !reason.empty()) return reason;
   return why_not_stored(range, name);
+}
+
+/// Fields that only these steps use are stored with others that are given or wanted.
+std::string LocalArrays::remedy(const Range& range, const std::string& name, const Array& array) const {
+  std::vector<std::string> own;
+  if (!array.input && !array.output) return {};
+  for (const Field& field : array.fields) {
+    const auto has_field = [&](const usage::FieldUse& use) { return name_of(use) == FieldName(name, field.name); };
+    std::size_t users = 0, others = 0;
+    for (const usage::StepUse& step : usage_.steps)
+      if (std::ranges::any_of(step.fields, has_field)) ++(range.has(scenes::name_of(step)) ? users : others);
+    if (users > 1 && others == 0 && std::ranges::none_of(usage_.unattributed, has_field) &&
+        !array.is_input(field.name) && !array.is_output(field.name))
+      own.push_back(field.name);
+  }
+  if (own.empty() || own.size() == array.fields.size()) return {};
+  return "; put " + model::joined(own, " and ") + " in an array of its own, which these steps alone use";
 }
 
 std::string LocalArrays::why_not_used_here(const Range& range, const std::string& name) const {

@@ -13,6 +13,8 @@ namespace physgen::scenes {
 
 /// "ComputeSvd" of "physgen::fem::ComputeSvd(body.gradients, body.svds)".
 [[nodiscard]] std::string short_name(const std::string& step);
+/// "ComputeSvd, ComputeStress and ComputeForces"
+[[nodiscard]] std::string short_names(const std::vector<std::string>& steps);
 
 /// The uses of steps, by the steps' names.
 class StepUses {
@@ -50,6 +52,7 @@ class LocalArrays {
  private:
   struct Range;
   [[nodiscard]] std::string why_not(const Range& range, const std::string& name, const Array& array) const;
+  [[nodiscard]] std::string remedy(const Range& range, const std::string& name, const Array& array) const;
   [[nodiscard]] std::string why_not_used_here(const Range& range, const std::string& name) const;
   [[nodiscard]] std::string why_not_stored(const Range& range, const std::string& name) const;
 

@@ -6,7 +6,7 @@
 
 #include "emit/printer.h"
 #include "scenes/header.h"
-#include "scenes/liveness.h"
+#include "scenes/issue.h"
 
 namespace physgen::scenes {
 namespace {

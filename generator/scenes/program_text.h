@@ -9,8 +9,7 @@
 namespace physgen::scenes {
 
 /// A header that declares `fused` in the namespace of the scene's arrays: a struct with the program, or, where no steps
-/// are joined, another name of the scene.
-/// @pre needs.groups are of this program
+/// are joined, another name of the scene. @pre needs.groups are of this program
 [[nodiscard]] std::string program_header(const Scene& scene, const Needs& needs, const ProgramText& program);
 
 /// The text of the program with the steps of these groups joined. All else stays as it is.

@@ -3,13 +3,14 @@
 
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclTemplate.h>
-#include <clang/AST/ExprConcepts.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/Lex/Lexer.h>
 
+#include <algorithm>
 #include <set>
 
-#include "scenes/other_memory.h"
+#include "scenes/read_index.h"
+#include "scenes/read_plain.h"
 #include "scenes/read_stores.h"
 
 namespace physgen::scenes {
@@ -27,7 +28,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
 
   /// @return where it does so, and what; empty: nowhere
   std::string find(const clang::FunctionDecl& function) {
-    follow(&function, true);
+    follow(&function);
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();
       queue_.pop_back();
@@ -49,9 +50,10 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
     if (callee == nullptr && !call->getCallee()->isInstantiationDependent() &&  // as in a generic lambda's pattern
         !llvm::isa<clang::CXXPseudoDestructorExpr>(call->getCallee()->IgnoreParens()))
       say(call->getBeginLoc(), "calls what is not known");
-    if (!in_library_ && callee != nullptr && callee->isExternC() && callee->getBuiltinID() == 0 &&
-        !callee->isDefined() && !callee->isNoReturn())
+    if (!in_library_ && callee != nullptr && callee->getBuiltinID() == 0 && !callee->isDefined() &&
+        !callee->isNoReturn() && !callee->isImplicit() && !callee->isDefaulted())
       say(call->getBeginLoc(), "calls " + callee->getNameAsString() + "(), which is not known,");
+    if (!in_library_ && found_.empty()) found_ = asked_by_call(*call, names_);
     follow(callee);
     return found_.empty();
   }
@@ -110,41 +112,15 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
       say(taken->getBeginLoc(), "looks into its index");
     return found_.empty();
   }
-  bool VisitRequiresExpr(clang::RequiresExpr* asked) {
-    say(asked->getBeginLoc(), "asks what compiles for its index");
-    return found_.empty();
-  }
-  bool VisitConceptSpecializationExpr(clang::ConceptSpecializationExpr* asked) {
-    for (const auto& argument : asked->getTemplateArguments()) about(argument, asked->getBeginLoc());
-    return found_.empty();
-  }
   bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
     follow(llvm::dyn_cast<clang::FunctionDecl>(named->getDecl()));
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
     if (variable == nullptr || in_library_) return found_.empty();
     shared(*variable, named->getBeginLoc());
-    const auto* scope = llvm::dyn_cast<clang::CXXRecordDecl>(variable->getDeclContext());
-    if (scope != nullptr && (Names::is_physgen(scope, "Pack") || Names::is_physgen(scope, "PartialPack")))
-      say(named->getBeginLoc(), "asks what its index is");
-    if (names_.is_library(variable->getLocation()) &&
-        names_.place(variable->getLocation()).file.starts_with("physgen/"))
-      return found_.empty();
-    if (const auto* special = llvm::dyn_cast<clang::VarTemplateSpecializationDecl>(variable))
-      for (const auto& argument : special->getTemplateArgs().asArray()) about(argument, named->getBeginLoc());
-    if (named->hasQualifier()) {
-      std::string qualifier;
-      llvm::raw_string_ostream out(qualifier);
-      named->getQualifier().print(out, clang::PrintingPolicy(clang::LangOptions()));
-      if (qualifier.find("Pack<") != std::string::npos) say(named->getBeginLoc(), "asks what its index is");
-    }
     return found_.empty();
   }
 
  private:
-  void about(const clang::TemplateArgument& argument, clang::SourceLocation place) {
-    if (argument.getKind() == clang::TemplateArgument::Type && is_pack(argument.getAsType()))
-      say(place, "asks what its index is");
-  }
   void say(clang::SourceLocation place, const std::string& what) {
     if (found_.empty() && !in_library_) found_ = what + " at " + usage::text_of(names_.place(place));
   }
@@ -157,7 +133,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
   void shared(const clang::VarDecl& variable, clang::SourceLocation place) {
     if (!variable.hasGlobalStorage() || names_.is_library(variable.getLocation())) return;
     const auto type = variable.getType();
-    if (!type.isConstQualified() || !other_memory_of(type, names_).empty())
+    if (!type.isConstQualified() || !holds_values(type, names_))
       say(place, "uses the variable " + variable.getNameAsString());
   }
   void destroys(clang::QualType type) {
@@ -180,8 +156,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
           line.consume_front("#") && line.ltrim(" \t").starts_with("if"))
         say(function.getLocation(), "holds a directive of the preprocessor");
   }
-  /// The kernel may be one of the runtime's that holds a lambda.
-  void follow(const clang::FunctionDecl* function, bool is_kernels = false) {
+  void follow(const clang::FunctionDecl* function) {
     const clang::FunctionDecl* definition = nullptr;
     if (function == nullptr) return;
     const bool is_known = function->isDefined(definition) && definition->getBody() != nullptr;
@@ -193,13 +168,7 @@ class Unfit : public clang::RecursiveASTVisitor<Unfit> {
       unknown(*function);
     if (!is_known) return;
     if (!seen_.insert(definition->getCanonicalDecl()).second) return;
-    const auto* pattern = definition->getTemplateInstantiationPattern();
-    for (unsigned i = 0; i < definition->getNumParams(); ++i) {
-      if ((is_library && !is_kernels) || !is_pack(definition->getParamDecl(i)->getType())) continue;
-      const auto type = (pattern == nullptr ? definition : pattern)->getParamDecl(i)->getType();
-      if (!llvm::isa<clang::TemplateTypeParmType>(type.getNonReferenceType().getTypePtr()))
-        say(definition->getLocation(), "takes only packs");
-    }
+    if (found_.empty() && !is_library && sees_arrays(*definition, names_)) found_ = asked_of_index(*definition, names_);
     queue_.push_back(definition);
   }
 
@@ -234,6 +203,18 @@ clang::QualType scalar(const clang::CXXRecordDecl& record) {
   return {};
 }
 
+/// Whether a kernel has the same text over arrays of another precision.
+bool is_one_text(const clang::CXXRecordDecl& record) {
+  const auto* special = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&record);
+  if (special == nullptr) return true;
+  llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> partial;
+  special->getSpecializedTemplate()->getPartialSpecializations(partial);
+  const auto all = special->getSpecializedTemplate()->specializations();
+  return partial.empty() && std::none_of(all.begin(), all.end(), [](const auto* one) {
+           return one->getTemplateSpecializationKind() == clang::TSK_ExplicitSpecialization;
+         });
+}
+
 }  // namespace
 
 KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel, const clang::FunctionDecl& step) {
@@ -252,15 +233,21 @@ KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel
   if (call != nullptr)
     for (const auto* function : call->specializations())
       if (function->getNumParams() == 1 &&
+          function->getTemplateSpecializationKind() == clang::TSK_ImplicitInstantiation &&
           Names::is_physgen(function->getParamDecl(0)->getType().getNonReferenceType()->getAsCXXRecordDecl(), "Pack"))
         packs = function->getDefinition();
   if (packs == nullptr) {
     facts.obstacle = "it has more call operators than one template over the index";
     return facts;
   }
-  if (const std::string use = other_memory_of(*record, names); !use.empty()) facts.obstacle = "it " + use;
+  if (!holds_values(kernel, names)) facts.obstacle = "it holds more than numbers and views of the scene's arrays";
+  for (const auto* member : record->fields())
+    if (!holds_values(member->getType(), names))
+      facts.obstacle = "its " + member->getNameAsString() +
+                       " is neither a number nor a view of the scene's arrays, at " +
+                       usage::text_of(names.place(member->getLocation()));
   if (const std::string use = Unfit(names).find(*packs); !use.empty()) facts.obstacle = "it " + use;
-  facts.stores = Stores(names, scene, context).of(*packs);
+  if (is_one_text(*record)) facts.stores = Stores(names, scene, context).of(*packs);
   return facts;
 }
 

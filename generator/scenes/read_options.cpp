@@ -177,7 +177,9 @@ Location location(const clang::ASTContext& context, clang::SourceLocation where)
 
 bool is_array(clang::QualType type) {
   const auto* record = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
-  return record != nullptr && record->getQualifiedNameAsString() == "physgen::scene::Array";
+  if (record == nullptr || record->getQualifiedNameAsString() != "physgen::Array") return false;
+  const auto* space = record->getTemplateArgs()[2].getAsType()->getAsCXXRecordDecl();
+  return space != nullptr && space->getQualifiedNameAsString() == "physgen::scene::Declared";
 }
 
 /// Whether the second argument of Array<Object, Real> is an alias of that name.

@@ -11,7 +11,7 @@ namespace physgen::scenes {
 inline constexpr llvm::StringRef scene_annotation = "physgen.scene";
 inline constexpr llvm::StringRef array_annotation = "physgen.array";
 
-/// Whether it is physgen::scene::Array<Object, Real>.
+/// Whether it is Array<Object, Real>, as a scene declares it.
 [[nodiscard]] bool is_array(clang::QualType type);
 
 /// Reads object, precision and fields from the array's type.

@@ -13,14 +13,16 @@
 #include <set>
 
 #include "scenes/needs.h"
-#include "scenes/read_effects.h"
 #include "scenes/read_kernel.h"
+#include "scenes/read_plain.h"
 #include "scenes/read_views.h"
 
 namespace physgen::scenes {
 namespace {
 
 using usage::Names;
+
+constexpr const char* blanks = " \t\n\r\v\f";
 
 /// The function of an executor that is called: run, reduce, repeat, ...; empty: it is not a call of an executor.
 std::string asked(const clang::CallExpr& call) {
@@ -64,7 +66,9 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
       if (step->getName() == "step")
         steps_[context_.getCanonicalType(arguments->get(0).getAsType()).getTypePtr()] = step;
     }
+    plain_.emplace(*program, scene_, names_);
     TraverseStmt(program->getBody());
+    if (!result_.cause.empty()) result_.lists.clear();
     result_.used = views_used(*program, scene_, names_);
     while (!queue_.empty()) {  // functions that the program calls
       const auto* function = queue_.back();
@@ -87,6 +91,13 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     } else {
       follow(call->getDirectCallee());
     }
+    return true;
+  }
+  /// A text that is another in a copy of the program: a line's number, a file's name.
+  bool VisitExpr(clang::Expr* expression) {
+    if (llvm::isa<clang::IntegerLiteral, clang::StringLiteral>(expression) && where_.empty() &&
+        sources_.isWrittenInScratchSpace(sources_.getSpellingLoc(expression->getBeginLoc())))
+      result_.cause = "a macro writes a part of it that may depend on its place" + at(expression->getBeginLoc());
     return true;
   }
   bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
@@ -165,98 +176,70 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     return " at " + usage::text_of(names_.place(location));
   }
 
-  struct Declared {
-    std::string name, place;
-    std::size_t steps = 0;  // that stand before it
-  };
-
   void list(const clang::CompoundStmt& compound) {
     ProgramSteps steps;
     std::string between;
-    std::vector<Declared> declared;  // since the last break
+    std::size_t first = 0;  // of those with nothing between them
     for (const clang::Stmt* statement : compound.body()) {
       const auto* call = call_of(statement);
-      if (call != nullptr && asked(*call) == "run") {
-        if (auto step = this->step(*call)) {
-          if (!steps.steps.empty()) {
-            if (between.empty()) between = clash(steps, declared);
-            if (between.empty()) between = directive(steps.steps.back(), *step);
-            steps.between.push_back(std::move(between));
-          }
-          if (steps.steps.empty() || !steps.between.back().empty()) declared.clear();
-          between.clear();
-          known_.insert(call);
-          ++result_.runs[step->step];
-          steps.steps.push_back(std::move(*step));
-          continue;
+      if (auto step = call != nullptr && asked(*call) == "run" ? this->step(*call) : std::nullopt) {
+        if (!steps.steps.empty()) {
+          if (between.empty()) between = directive(steps.steps.back(), *step);
+          if (!between.empty()) first = steps.steps.size();
+          steps.between.push_back(std::move(between));
         }
+        between.clear();
+        known_.insert(call);
+        ++result_.runs[step->step];
+        steps.steps.push_back(std::move(*step));
+        continue;
       }
-      if (const std::string other = declaration(statement, steps.steps.size(), declared); !other.empty())
-        between = other;
+      if (between.empty()) between = plain_->not_in_statement(*statement);
+      if (between.empty()) between = clash(steps, first, llvm::cast<clang::DeclStmt>(*statement));
     }
     if (!steps.steps.empty()) result_.lists.push_back(std::move(steps));
   }
 
-  /// @return why steps cannot be moved across a statement; empty: it only names values
-  std::string declaration(const clang::Stmt* statement, std::size_t steps, std::vector<Declared>& declared) {
-    if (llvm::isa<clang::NullStmt>(statement)) return {};
-    const auto* group = llvm::dyn_cast<clang::DeclStmt>(statement);
-    if (group == nullptr) {
-      const auto* call = call_of(statement);
-      if (call == nullptr) return "a statement" + at(statement->getBeginLoc());
-      const std::string what = asked(*call);
-      const auto* callee = call->getDirectCallee();
-      return (what.empty() ? callee == nullptr ? "a call" : callee->getNameAsString() + "()" : "on." + what + "()") +
-             at(statement->getBeginLoc());
-    }
-    for (const clang::Decl* one : group->decls()) {
-      const auto names = names_of(*one);
-      if (!names) return "a declaration whose names are not known" + at(one->getLocation());
-      for (const std::string& name : *names) declared.push_back({name, at(one->getLocation()), steps});
-      const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
-      if (variable == nullptr || variable->getInit() == nullptr) continue;
-      if (const std::string effects = effects_of(*variable, names_); !effects.empty())
-        return "the declaration of " + names->front() + at(variable->getLocation()) + ", since " + effects;
-    }
-    return {};
-  }
-
-  /// A name that an earlier step uses for something else.
-  std::string clash(const ProgramSteps& steps, const std::vector<Declared>& declared) const {
-    for (const Declared& one : declared)
-      for (std::size_t k = one.steps; k-- > 0;) {
-        if (!one.name.empty() && has_word(text_of(steps.steps[k].statement), one.name))
-          return "the declaration of " + one.name + one.place + ", a name that " + steps.steps[k].step +
-                 " is given, too";
-        if (k > 0 && !steps.between[k - 1].empty()) break;
-      }
+  /// @return a name that is declared, and that an earlier step uses for something else
+  std::string clash(const ProgramSteps& steps, std::size_t first, const clang::DeclStmt& declared) const {
+    for (const clang::Decl* one : declared.decls())
+      for (std::size_t k = first; k < steps.steps.size(); ++k)
+        if (const std::string name = llvm::cast<clang::NamedDecl>(one)->getNameAsString();
+            has_word(text_of(steps.steps[k].statement), name))
+          return "the declaration of " + name + at(one->getLocation()) + ", a name that " + steps.steps[k].step +
+                 " is given, too,";
     return {};
   }
   std::string directive(const ProgramStep& before, const ProgramStep& step) const {
-    const std::string text = result_.text.substr(before.statement.begin, step.statement.end - before.statement.begin);
-    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;)
-      if (at = text.find_first_not_of(" \t\n", at); at != std::string::npos && text[at] == '#')
-        return "a directive of the preprocessor";
+    const std::string text = text_of({before.statement.begin, step.statement.end});
+    for (const char* sign : {"#", "%:", "_Pragma"})
+      if (text.find(sign) != std::string::npos) return "a directive of the preprocessor";
     return {};
   }
 
   std::optional<ProgramStep> step(const clang::CallExpr& call) {
+    const auto* member = llvm::dyn_cast<clang::CXXMemberCallExpr>(&call);
+    const auto* on = member == nullptr
+                         ? nullptr
+                         : llvm::dyn_cast<clang::DeclRefExpr>(member->getImplicitObjectArgument()->IgnoreImpCasts());
+    if (on == nullptr || !llvm::isa<clang::ParmVarDecl>(on->getDecl())) return std::nullopt;
     const auto begin = offset(call.getBeginLoc()), end = offset(call.getRParenLoc());
     if (!begin || !end || call.getNumArgs() != 2) return std::nullopt;
     const auto count_begin = offset(call.getArg(0)->getBeginLoc());
     const auto count_end =
         offset(clang::Lexer::getLocForEndOfToken(call.getArg(0)->getEndLoc(), 0, sources_, context_.getLangOpts()));
     if (!count_begin || !count_end) return std::nullopt;
-    const std::size_t comma = result_.text.find(',', *count_end), semicolon = result_.text.find(';', *end);
-    if (comma >= *end || semicolon == std::string::npos) return std::nullopt;
+    const std::size_t comma = result_.text.find_first_not_of(blanks, *count_end);
+    const std::size_t semicolon = result_.text.find_first_not_of(blanks, *end + 1);
+    if (result_.text[comma] != ',' || result_.text[semicolon] != ';') return std::nullopt;
     ProgramStep step;
     step.step = step_of(*call.getDirectCallee());
     if (step.step.empty()) return std::nullopt;
     step.place = names_.place(call.getBeginLoc());
     step.statement = {*begin, semicolon + 1};
     step.count = {*count_begin, *count_end};
-    step.kernel = {result_.text.find_first_not_of(" \t\n", comma + 1), *end};
-    step.runs = counted(call.getArg(0), scene_);
+    step.kernel = {result_.text.find_first_not_of(blanks, comma + 1), *end};
+    step.runs = counted(call.getArg(0), scene_, context_);
     const auto kernel = call.getDirectCallee()->getTemplateSpecializationArgs()->get(0).getAsType();
     KernelFacts facts = read_kernel(names_, scene_, kernel, *steps_.at(context_.getCanonicalType(kernel).getTypePtr()));
     step.takes_packs = facts.takes_packs;
@@ -264,8 +247,8 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     step.stores = std::move(facts.stores);
     step.obstacle = std::move(facts.obstacle);
     for (const clang::Expr* argument : call.arguments()) {
-      if (step.obstacle.empty()) step.obstacle = effects_of(argument, names_);
-      if (step.obstacle.empty() && is_of_macro(argument)) step.obstacle = "a macro writes a part of it";
+      if (const std::string other = plain_->not_in(argument); step.obstacle.empty() && !other.empty())
+        step.obstacle = "it is given " + other + "; give a value its name before the steps, const auto value = ...;";
     }
     for (const auto* lambda : lambdas_)
       if (lambda->getCaptureDefault() != clang::LCD_ByRef && step.obstacle.empty())
@@ -277,6 +260,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
   const clang::SourceManager& sources_;
   const Scene& scene_;
   Names names_;
+  std::optional<Plain> plain_;
   std::map<const clang::Type*, const clang::FunctionDecl*> steps_;  // by kernel
   clang::FileID file_;
   std::size_t begin_ = 0;  // of the text in the file

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+
+#include "scenes/read_index.h"
 
 namespace physgen::scenes {
 namespace {
@@ -44,17 +47,14 @@ const clang::ClassTemplateSpecializationDecl* specialization(const clang::Templa
 
 }  // namespace
 
-bool is_pack(clang::QualType type) {
-  const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
-  return Names::is_physgen(record, "Pack") || Names::is_physgen(record, "PartialPack");
-}
-
 const Stores::Fields& Stores::of(const clang::FunctionDecl& function) {
   const auto [entry, is_new] = known_.try_emplace(function.getCanonicalDecl());
   const clang::FunctionDecl* definition = nullptr;
   if (is_new && function.isDefined(definition) && definition->getBody() != nullptr) {
     Fields stored;
+    const bool is_outer = std::exchange(is_library_, names_.is_library(definition->getLocation()));
     (void)statement(definition->getBody(), stored);
+    is_library_ = is_outer;
     entry->second = std::move(stored);  // references to map entries stay valid
   }
   return entry->second;
@@ -87,6 +87,7 @@ bool Stores::statement(const clang::Stmt* statement, Fields& stored) {
 
 bool Stores::branches(const clang::IfStmt& branch, Fields& stored) {
   if (!statement(branch.getInit(), stored)) return false;
+  if (branch.isConstexpr() && !is_library_) return false;  // in another precision the other branch may be taken
   if (branch.isConstexpr()) {
     const auto taken = branch.getNondiscardedCase(context_);
     return taken ? statement(*taken, stored) : !leaves(&branch);
@@ -128,7 +129,9 @@ void Stores::call(const clang::FunctionDecl* callee, Fields& stored) {
       return;
     }
   }
-  if (context_.getSourceManager().isInSystemHeader(callee->getLocation())) return;
+  // Of the program's own functions, another precision may choose others.
+  if (!names_.is_library(callee->getLocation()) || context_.getSourceManager().isInSystemHeader(callee->getLocation()))
+    return;
   const Fields& inner = of(*callee);
   stored.insert(inner.begin(), inner.end());
 }

@@ -14,11 +14,9 @@
 
 namespace physgen::scenes {
 
-/// Whether a type is Pack<W> or PartialPack<W>.
-[[nodiscard]] bool is_pack(clang::QualType type);
-
-/// Finds assignments to whole fields at a pack, in a function and in what it certainly calls. What stands in a loop or
-/// behind a return that is not always reached counts as not stored.
+/// Finds assignments to whole fields at a pack, in the text of a function and in what of the runtime it certainly
+/// calls. What stands in a loop, in or behind an `if constexpr`, or behind a return that is not always reached counts
+/// as not stored.
 class Stores {
  public:
   using Fields = std::set<std::pair<std::string, std::string>>;  ///< array, field
@@ -39,6 +37,7 @@ class Stores {
   const Scene& scene_;
   const clang::ASTContext& context_;
   std::map<const clang::Decl*, Fields> known_;
+  bool is_library_ = false;  // where the function at hand stands
 };
 
 }  // namespace physgen::scenes

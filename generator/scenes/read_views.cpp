@@ -27,9 +27,22 @@ std::pair<const Group*, const Array*> member(const clang::MemberExpr& member, co
   return {};
 }
 
+/// Whether the group is a parameter of the program, and no expression that does more than to name it.
+bool is_of_parameter(const clang::MemberExpr& member) {
+  const auto* group = llvm::dyn_cast<clang::DeclRefExpr>(member.getBase()->IgnoreParens());
+  return group != nullptr && llvm::isa<clang::ParmVarDecl>(group->getDecl());
+}
+
 std::string method(const clang::Expr& expression) {
   const auto* call = llvm::dyn_cast<clang::CXXMemberCallExpr>(&expression);
   return call == nullptr || call->getMethodDecl() == nullptr ? "" : call->getMethodDecl()->getNameAsString();
+}
+
+/// The array of which an expression is a view.
+std::pair<const Group*, const Array*> array_of(const clang::Expr& view, const Scene& scene) {
+  const auto* call = llvm::cast<clang::CXXMemberCallExpr>(view.IgnoreUnlessSpelledInSource());
+  const auto* named = llvm::dyn_cast<clang::MemberExpr>(call->getImplicitObjectArgument()->IgnoreParenImpCasts());
+  return named == nullptr ? std::pair<const Group*, const Array*>() : member(*named, scene);
 }
 
 /// Visits what names an array or a view of one, and looks at what it stands in.
@@ -54,14 +67,15 @@ class Views : public clang::RecursiveASTVisitor<Views> {
     if (at > 0 && llvm::isa<clang::MemberExpr>(path_[at - 1])) at = skip(at);  // of its function
     const auto* call = at > 0 ? llvm::dyn_cast<clang::CXXMemberCallExpr>(path_[at - 1]) : nullptr;
     const std::string name = call == nullptr ? "" : method(*call);
-    const bool harmless = name == "size" || ((name == "view" || name == "const_view") && is_for_a_kernel(at - 1));
+    const bool harmless = is_of_parameter(*expression) &&
+                          (name == "size" || ((name == "view" || name == "const_view") && is_for_a_kernel(at - 1)));
     if (!harmless) say(*group, *array, *expression);
     return true;
   }
   bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
     if (variable == nullptr || variable->getInit() == nullptr || !is_view(*variable->getInit())) return true;
-    const auto [group, array] = array_of(variable->getInit(), scene_);
+    const auto [group, array] = array_of(*variable->getInit(), scene_);
     if (array != nullptr && !is_for_a_kernel(path_.size() - 1)) say(*group, *array, *named);
     return true;
   }
@@ -114,35 +128,31 @@ class Views : public clang::RecursiveASTVisitor<Views> {
 
 }  // namespace
 
-std::pair<const Group*, const Array*> array_of(const clang::Expr* expression, const Scene& scene) {
-  if (expression == nullptr) return {};
-  expression = expression->IgnoreUnlessSpelledInSource();
-  if (const auto* named = llvm::dyn_cast<clang::MemberExpr>(expression)) return member(*named, scene);
-  if (const auto* variable = llvm::dyn_cast<clang::DeclRefExpr>(expression))
-    if (const auto* declared = llvm::dyn_cast<clang::VarDecl>(variable->getDecl());
-        declared != nullptr && declared->getType().isConstQualified())
-      return array_of(declared->getInit(), scene);
-  if (const std::string name = method(*expression); name == "view" || name == "const_view")
-    return array_of(llvm::cast<clang::CXXMemberCallExpr>(expression)->getImplicitObjectArgument(), scene);
-  return {};
+std::pair<const Group*, const Array*> asked_of_array(const clang::Expr* expression, const Scene& scene) {
+  const std::string name = method(*expression);
+  if (name != "size" && name != "view" && name != "const_view") return {};
+  const auto* object = llvm::cast<clang::CXXMemberCallExpr>(expression)->getImplicitObjectArgument();
+  const auto* named = llvm::dyn_cast<clang::MemberExpr>(object->IgnoreParenImpCasts());
+  return named != nullptr && is_of_parameter(*named) ? member(*named, scene) : std::pair<const Group*, const Array*>();
 }
 
-std::string counted(const clang::Expr* count, const Scene& scene) {
-  const auto objects = [](int number) { return std::to_string(number) + (number == 1 ? " object" : " objects"); };
-  count = count->IgnoreParenImpCasts();
-  if (const auto* number = llvm::dyn_cast<clang::IntegerLiteral>(count))
-    return objects(static_cast<int>(number->getValue().getLimitedValue()));
+std::string counted(const clang::Expr* count, const Scene& scene, const clang::ASTContext& context) {
+  clang::Expr::EvalResult number;
+  if (count->EvaluateAsInt(number, context)) {
+    const auto objects = number.Val.getInt().getExtValue();
+    return std::to_string(objects) + (objects == 1 ? " object" : " objects");
+  }
+  count = count->IgnoreParens();
+  if (const auto* cast = llvm::dyn_cast<clang::ImplicitCastExpr>(count);
+      cast != nullptr && (cast->getCastKind() == clang::CK_LValueToRValue || cast->getCastKind() == clang::CK_NoOp))
+    return counted(cast->getSubExpr(), scene, context);
   if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(count))
-    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl())) {
-      if (variable->getType().isConstQualified() && variable->getInit() != nullptr)
-        return counted(variable->getInit(), scene);
-      return variable->getNameAsString();
-    }
-  if (method(*count) == "size")
-    if (const auto [group, array] =
-            array_of(llvm::cast<clang::CXXMemberCallExpr>(count)->getImplicitObjectArgument(), scene);
-        array != nullptr)
-      return counted(*group, *array);
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
+        variable != nullptr && variable->hasLocalStorage() && variable->getType().isConstQualified() &&
+        variable->getInit() != nullptr)
+      return counted(variable->getInit(), scene, context);
+  if (const auto [group, array] = asked_of_array(count, scene); array != nullptr && method(*count) == "size")
+    return counted(*group, *array);
   return {};
 }
 

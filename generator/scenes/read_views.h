@@ -13,12 +13,13 @@
 
 namespace physgen::scenes {
 
-/// The array that an expression names, or that the view is of which it names: `body.tets`, `tets`.
-/// @return nulls: it names none
-[[nodiscard]] std::pair<const Group*, const Array*> array_of(const clang::Expr* expression, const Scene& scene);
+/// The array that view(), const_view() or size() is asked of, `body.tets.size()`, body being a parameter.
+/// @return nulls: the expression is not such a call
+[[nodiscard]] std::pair<const Group*, const Array*> asked_of_array(const clang::Expr* expression, const Scene& scene);
 
-/// The objects that a count counts, in the words of ProgramStep::runs.
-[[nodiscard]] std::string counted(const clang::Expr* count, const Scene& scene);
+/// The objects that a count counts, in the words of ProgramStep::runs: a constant, or the size() of an array as it is,
+/// not converted. Empty: it is neither.
+[[nodiscard]] std::string counted(const clang::Expr* count, const Scene& scene, const clang::ASTContext& context);
 
 /// Arrays, by full name, of which the program does not only ask the size and hand views to kernels that are built where
 /// they are run; and where, " at x.h:3:5".

@@ -245,7 +245,7 @@ std::string report_json(const Scene& scene, const Needs& needs) {
                                       {"step", read.step},
                                       {"place", read.place == usage::Place() ? "" : usage::text_of(read.place)},
                                       {"note", text_of(read)}});
-  add_groups(scene, needs, json);
+  add_groups(needs, json);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "scenes/liveness.h"
 #include "scenes/local_arrays.h"
 
 namespace physgen::scenes {
@@ -14,15 +13,8 @@ using Json = nlohmann::ordered_json;
 /// Bytes of one object, with the fields that are kept.
 int bytes_of(const ArrayNeed& array) {
   int bytes = 0;
-  for (const FieldNeed& field : array.fields)
-    if (field.kept) bytes += field.field.bytes;
+  for (const FieldNeed& field : array.fields) bytes += field.kept ? field.field.bytes : 0;
   return bytes;
-}
-
-std::string names(const std::vector<std::string>& steps) {
-  std::vector<std::string> result;
-  for (const std::string& step : steps) result.push_back(short_name(step));
-  return model::joined(result, " and ");
 }
 
 }  // namespace
@@ -30,17 +22,15 @@ std::string names(const std::vector<std::string>& steps) {
 std::string groups_text(const Scene& scene, const Needs& needs) {
   std::string text;
   for (const StepGroup& group : needs.groups) {
-    text += "  " + names(group.steps) + " are one step, at " + usage::text_of(group.places.back()) + "\n";
     std::vector<std::string> locals;
     int bytes = 0;
     for (const std::string& local : group.locals) {
-      const int one = bytes_of(needs.of(local));
-      locals.push_back(local + " (" + std::to_string(one) + ")");
-      bytes += one;
+      bytes += bytes_of(needs.of(local));
+      locals.push_back(local + " (" + std::to_string(bytes_of(needs.of(local))) + ")");
     }
-    const Array* array = find(scene, group.locals.front());
-    text += "    local to them: " + model::joined(locals, " and ") + "; " + std::to_string(bytes) + " bytes " +
-            (array == nullptr ? std::string() : set_of(*array)) + " are not stored\n";
+    text += "  " + short_names(group.steps) + " are one step, at " + usage::text_of(group.places.back()) +
+            "\n    local to them: " + model::joined(locals, " and ") + "; " + std::to_string(bytes) + " bytes " +
+            set_of(*find(scene, group.locals.front())) + " are not stored\n";
   }
   for (const StepsApart& apart : needs.apart) {
     text += "  " + short_name(apart.first) + " and " + short_name(apart.second) + " are not joined, at " +
@@ -52,17 +42,17 @@ std::string groups_text(const Scene& scene, const Needs& needs) {
   return text.empty() ? text : "\nGroups:\n" + text;
 }
 
-void add_groups(const Scene& /*scene*/, const Needs& needs, Json& json) {
+void add_groups(const Needs& needs, Json& json) {
   json["groups"] = Json::array();
-  for (const StepGroup& group : needs.groups) {
-    Json steps = Json::array(), locals = Json::array();
-    for (std::size_t k = 0; k < group.steps.size(); ++k)
-      steps.push_back({{"step", group.steps[k]}, {"place", usage::text_of(group.places[k])}});
-    for (const std::string& local : group.locals)
-      locals.push_back({{"array", local}, {"bytes", bytes_of(needs.of(local))}});
-    json["groups"].push_back({{"steps", std::move(steps)}, {"locals", std::move(locals)}});
-  }
   json["apart"] = Json::array();
+  for (const StepGroup& group : needs.groups) {
+    Json written = {{"steps", Json::array()}, {"locals", Json::array()}};
+    for (std::size_t k = 0; k < group.steps.size(); ++k)
+      written["steps"].push_back({{"step", group.steps[k]}, {"place", usage::text_of(group.places[k])}});
+    for (const std::string& local : group.locals)
+      written["locals"].push_back({{"array", local}, {"bytes", bytes_of(needs.of(local))}});
+    json["groups"].push_back(std::move(written));
+  }
   for (const StepsApart& apart : needs.apart)
     json["apart"].push_back({{"first", apart.first},
                              {"second", apart.second},

@@ -12,6 +12,6 @@ namespace physgen::scenes {
 [[nodiscard]] std::string groups_text(const Scene& scene, const Needs& needs);
 
 /// Adds "groups", "apart" and "not_joined".
-void add_groups(const Scene& scene, const Needs& needs, nlohmann::ordered_json& json);
+void add_groups(const Needs& needs, nlohmann::ordered_json& json);
 
 }  // namespace physgen::scenes

@@ -51,6 +51,13 @@ Names::Names(clang::ASTContext& context, const std::vector<std::string>& folders
     : context_(context), sources_(context.getSourceManager()), folders_(folders) {
   for (const auto* probe : probes())
     if (const auto* tag = tag_of(*probe).first) tags_.emplace(tag->getCanonicalDecl(), tag_name(*tag));
+  for (const auto& [name, declared] : {std::pair("physgen", "Probe"), std::pair("Eigen", "Matrix")})
+    if (const auto* scope = space({name}); scope != nullptr)
+      for (const clang::NamedDecl* found : scope->lookup(&context_.Idents.get(declared))) {
+        const llvm::StringRef file = sources_.getFilename(sources_.getFileLoc(found->getLocation()));
+        const std::size_t at = file.rfind(std::string("/") + name + "/");
+        if (at != llvm::StringRef::npos) libraries_.push_back(file.substr(0, at).str() + "/" + name + "/");
+      }
 }
 
 Place Names::place(clang::SourceLocation location) const {
@@ -66,9 +73,10 @@ Place Names::place(clang::SourceLocation location) const {
 
 bool Names::is_library(clang::SourceLocation location) const {
   if (location.isInvalid() || sources_.isInSystemHeader(sources_.getFileLoc(location))) return true;
-  const std::string file = place(location).file;
   // Fields' values are Eigen's, whether or not its folder is one of the system's.
-  return file.starts_with("physgen/") || file.starts_with("Eigen/") || file.ends_with(".physgen.h");
+  const llvm::StringRef file = sources_.getFilename(sources_.getFileLoc(location));
+  return file.ends_with(".physgen.h") ||
+         std::ranges::any_of(libraries_, [&](const std::string& folder) { return file.starts_with(folder); });
 }
 
 const clang::DeclContext* Names::space(std::initializer_list<llvm::StringRef> path) const {
@@ -252,7 +260,7 @@ bool Names::is_physgen(const clang::NamedDecl* declaration, llvm::StringRef name
     if (space == nullptr || space->getName() != outer) return false;
     space = llvm::dyn_cast<clang::NamespaceDecl>(space->getDeclContext());
   }
-  return space != nullptr && space->getName() == "physgen";
+  return space != nullptr && space->getName() == "physgen" && space->getParent()->isTranslationUnit();
 }
 
 }  // namespace physgen::usage

@@ -21,7 +21,8 @@ class Names {
   Names(clang::ASTContext& context, const std::vector<std::string>& folders);
 
   [[nodiscard]] Place place(clang::SourceLocation location) const;
-  /// Whether the file is the runtime's, generated, or the system's.
+  /// Whether the file is the runtime's, generated, Eigen's or the system's. Those that lie beside the definitions of
+  /// the runtime are its own, whatever other folders are called.
   [[nodiscard]] bool is_library(clang::SourceLocation location) const;
 
   /// Specialisations of physgen::Probe that the program uses.
@@ -56,6 +57,7 @@ class Names {
   clang::ASTContext& context_;
   const clang::SourceManager& sources_;
   const std::vector<std::string>& folders_;
+  std::vector<std::string> libraries_;  // folders of the runtime and of Eigen
   std::map<const clang::Decl*, std::string> tags_;
   std::map<const clang::Decl*, std::vector<std::string>> fields_;  // of objects
 };

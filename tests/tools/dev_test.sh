@@ -188,6 +188,9 @@ case $rule in
     dev 0 fuzz --minutes 1 --seed 7
     called 'run --minutes 1 --seed 7$'
     rm "$root/build/release/fuzz/run"
+    program build/release/programs/run
+    dev 0 fuzz --programs --seed 8
+    called 'run --minutes 10 --seed 8$'
     dev 2 fuzz
     says 'fuzz needs LLVM'
     ;;

@@ -5,6 +5,7 @@
 #include <physgen/buffer.h>
 #include <physgen/copy.h>
 #include <physgen/detail/copy_fields.h>
+#include <physgen/detail/declared_array.h>
 #include <physgen/device.h>
 #include <physgen/initial_values.h>
 #include <physgen/record.h>
@@ -16,21 +17,13 @@
 
 namespace physgen {
 
-/// One of two types by space: the first on the host, pinned or not, the second on CUDA.
-template <class Space, class ForHost, class ForCuda>
-using PerSpace = std::conditional_t<Space::kind == SpaceKind::cuda, ForCuda, ForHost>;
-
-/// The formats of an object type in a space, as the schema states them: pinned memory has those of the host.
-template <class Object, class Space>
-using FormatsOf = typename Object::template Formats<PerSpace<Space, Host, Cuda>>;
-
 /// @tparam Object_ a generated tag such as elasticity::StressDerivativeObject
 /// @tparam Real float or double: the precision of the scene
 /// @tparam Space_ Host, PinnedHost or Cuda
 /// @tparam Layout_ Aos, AosPadded, Soa or Aosoa<W>
 /// @tparam Formats_ how the fields are stored: what the schema says for the space, or a struct derived from it that
 /// redeclares some: `struct Compact : DeformationSvdFormats<Cuda> { using U = format::Quaternion<>; };`
-template <class Object_, class Real, class Space_, class Layout_, class Formats_ = FormatsOf<Object_, Space_>>
+template <class Object_, class Real, class Space_, class Layout_, class Formats_>
 class Array {
  public:
   using Object = Object_;

@@ -26,7 +26,7 @@
 // parameters, of types that are no templates' parameters: numbers and structs that the caller chooses at run time.
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/detail/declared_array.h>
 
 #if defined(__clang__) && !defined(__CUDACC__)
 /// Marks a struct as a scene: `struct PHYSGEN_SCENE() name { ... };`.
@@ -41,17 +41,7 @@
 
 namespace physgen::scene {
 
-/// An array of a scene.
-/// @tparam Object_ a generated tag such as elasticity::TetObject
-/// @tparam Real_ float or double
-template <class Object_, class Real_>
-struct Array {
-  using Object = Object_;
-  using Real = Real_;
-  /// The fields of its objects, which physgen reads.
-  static constexpr auto fields = Object::template fields<Real, typename Object::template Formats<Host>>;
-  static_assert(fields.size() > 0);
-};
+using physgen::Array;
 
 namespace detail {
 inline constexpr int most_names = 32;

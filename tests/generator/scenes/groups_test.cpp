@@ -186,7 +186,9 @@ TEST(Groups, are_of_kernels_that_take_packs_of_one_width) {
 TEST(Groups, have_nothing_between_their_steps) {
   Chain chain;
   chain.program.lists[0].between[0] = "on.value() at scenes/chain.h:5:5";
-  EXPECT_EQ(chain.why(), "on.value() at scenes/chain.h:5:5 stands between them");
+  EXPECT_EQ(chain.why(),
+            "on.value() at scenes/chain.h:5:5 stands between them; write it before Svd or behind Force where it may "
+            "stand there");
   chain.program.lists[0].between[0] = "";
   chain.second().obstacle = "it calls log() at scenes/chain.h:6:20";
   EXPECT_EQ(chain.why(), "Force: it calls log() at scenes/chain.h:6:20");
@@ -202,6 +204,9 @@ TEST(Groups, store_outputs_and_inputs) {
   Chain chain;
   chain.scene.groups[0].arrays[1].output = scenes::Selection{false, {"s"}, {}};
   EXPECT_EQ(chain.why(), "body.svd is stored: it is an output");
+  chain.scene.groups[0].arrays[1].output = scenes::Selection{false, {"U"}, {}};
+  EXPECT_EQ(chain.why(),
+            "body.svd is stored: it is an output; put s in an array of its own, which these steps alone use");
   chain.scene.groups[0].arrays[1].output.reset();
   chain.scene.groups[0].arrays[1].input = scenes::Selection{true, {}, {}};
   EXPECT_EQ(chain.why(), "body.svd is stored: it is an input");

@@ -1,0 +1,182 @@
+// See read_index.h. The text is read before it is instantiated, where the index and what depends on it have names.
+#include "scenes/read_index.h"
+
+#include <clang/AST/DeclTemplate.h>
+#include <clang/AST/ExprConcepts.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace physgen::scenes {
+namespace {
+
+using usage::Names;
+
+/// The parameter T of a function's parameter of type T, const T or T&; null: its type is another.
+const clang::TemplateTypeParmDecl* bare_parameter(const clang::ParmVarDecl& parameter) {
+  const auto type = parameter.getType().getNonReferenceType().getUnqualifiedType();
+  const auto* named = llvm::dyn_cast<clang::TemplateTypeParmType>(type.getTypePtr());
+  return named == nullptr ? nullptr : named->getDecl();
+}
+
+bool mentions_variable(const clang::Stmt* statement) {
+  if (statement == nullptr) return false;
+  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(statement))
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl())) return variable->hasLocalStorage();
+  return std::any_of(statement->child_begin(), statement->child_end(), mentions_variable);
+}
+
+/// Whether a constant is made of numbers alone, such as parameters of a template that are no types.
+bool is_of_numbers(const clang::Stmt* constant) {
+  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(constant))
+    return llvm::isa<clang::NonTypeTemplateParmDecl>(named->getDecl());
+  return llvm::isa<clang::IntegerLiteral, clang::CXXBoolLiteralExpr, clang::ParenExpr, clang::ImplicitCastExpr,
+                   clang::ConstantExpr, clang::UnaryOperator, clang::BinaryOperator>(constant) &&
+         std::all_of(constant->child_begin(), constant->child_end(), is_of_numbers);
+}
+
+class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
+ public:
+  IndexUse(const clang::FunctionDecl& function, const clang::FunctionDecl& pattern, const Names& names)
+      : names_(names) {
+    for (unsigned i = 0; i < function.getNumParams() && i < pattern.getNumParams(); ++i) {
+      if (!is_pack(function.getParamDecl(i)->getType())) continue;
+      indices_.insert(pattern.getParamDecl(i));
+      if (const auto* type = bare_parameter(*pattern.getParamDecl(i)); type != nullptr) types_.insert(type);
+    }
+    for (const auto* type : types_)
+      if (type->hasTypeConstraint()) say(type->getLocation());
+  }
+
+  bool TraverseStmt(clang::Stmt* statement) {
+    path_.push_back(statement);
+    const bool goes_on = clang::RecursiveASTVisitor<IndexUse>::TraverseStmt(statement);
+    path_.pop_back();
+    return goes_on;
+  }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* named) {
+    if (indices_.contains(named->getDecl()) && !is_used(*named)) say(named->getBeginLoc());
+    return true;
+  }
+  bool VisitParmVarDecl(clang::ParmVarDecl* parameter) {
+    if (parameter->getTypeSourceInfo() == nullptr) return true;
+    clang::TypeLoc type = parameter->getTypeSourceInfo()->getTypeLoc().getUnqualifiedLoc();
+    if (const auto reference = type.getAs<clang::ReferenceTypeLoc>())
+      type = reference.getPointeeLoc().getUnqualifiedLoc();
+    known_.insert(type.getBeginLoc());
+    return true;
+  }
+  bool VisitTemplateSpecializationTypeLoc(clang::TemplateSpecializationTypeLoc type) {
+    if (Names::is_physgen(type.getTypePtr()->getTemplateName().getAsTemplateDecl(), "lanes_t"))
+      for (unsigned i = 0; i < type.getNumArgs(); ++i)
+        if (const auto* argument = type.getArgLoc(i).getTypeSourceInfo(); argument != nullptr)
+          known_.insert(argument->getTypeLoc().getBeginLoc());
+    return true;
+  }
+  bool VisitTemplateTypeParmTypeLoc(clang::TemplateTypeParmTypeLoc type) {
+    if (types_.contains(type.getDecl()) && !known_.contains(type.getBeginLoc())) say(type.getBeginLoc());
+    return true;
+  }
+  // What asks for types may ask for that of an object at the index.
+  bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc type) { return asks(type.getUnderlyingExpr(), type.getBeginLoc()); }
+  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* size) {
+    return size->isArgumentType() || asks(size->getArgumentExpr(), size->getBeginLoc());
+  }
+  bool VisitCXXNoexceptExpr(clang::CXXNoexceptExpr* question) {
+    return asks(question->getOperand(), question->getBeginLoc());
+  }
+  bool VisitRequiresExpr(clang::RequiresExpr* question) {
+    say(question->getBeginLoc());
+    return true;
+  }
+  bool VisitIfStmt(clang::IfStmt* choice) {
+    if (choice->isConstexpr() && !is_of_numbers(choice->getCond()))
+      say(choice->getBeginLoc(), "chooses its code by types");
+    return true;
+  }
+
+  std::string found;
+
+ private:
+  /// Whether the reference at the end of the path names an object, or is an argument.
+  [[nodiscard]] bool is_used(const clang::DeclRefExpr& named) const {
+    std::size_t at = path_.size() - 1;
+    while (at > 0 && llvm::isa<clang::ParenExpr, clang::ImplicitCastExpr, clang::CXXConstructExpr>(path_[at - 1])) --at;
+    if (at == 0) return false;
+    const clang::Stmt *own = path_[at], *outer = path_[at - 1];
+    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(outer))
+      return std::any_of(call->arg_begin(), call->arg_end(), [&](const clang::Expr* one) { return one == own; });
+    const auto* element = llvm::dyn_cast<clang::ArraySubscriptExpr>(outer);
+    return element != nullptr && element->getRHS() == own && &named != element->getLHS();
+  }
+  bool asks(const clang::Expr* of, clang::SourceLocation place) {
+    if (mentions_variable(of)) say(place);
+    return true;
+  }
+  void say(clang::SourceLocation place, const char* what = "asks what its index is") {
+    if (found.empty()) found = std::string(what) + " at " + usage::text_of(names_.place(place));
+  }
+
+  const Names& names_;
+  std::set<const clang::ValueDecl*> indices_;
+  std::set<const clang::TemplateTypeParmDecl*> types_;
+  std::set<clang::SourceLocation> known_;  // where their names may stand
+  std::vector<const clang::Stmt*> path_;
+};
+
+}  // namespace
+
+bool is_pack(clang::QualType type) {
+  const auto* record = type.getNonReferenceType()->getAsCXXRecordDecl();
+  return Names::is_physgen(record, "Pack") || Names::is_physgen(record, "PartialPack");
+}
+
+std::string asked_of_index(const clang::FunctionDecl& function, const Names& names) {
+  const auto* pattern = function.getTemplateInstantiationPattern();
+  if (pattern == nullptr) pattern = &function;
+  IndexUse use(function, *pattern, names);
+  if (auto* whole = pattern->getDescribedFunctionTemplate(); whole != nullptr)
+    use.TraverseDecl(whole);
+  else
+    use.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));
+  return use.found;
+}
+
+bool sees_arrays(const clang::FunctionDecl& function, Names& names) {
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
+  if (method != nullptr && !names.arrays(function.getASTContext().getCanonicalTagType(method->getParent())).empty())
+    return true;
+  return std::any_of(function.param_begin(), function.param_end(), [&](const clang::ParmVarDecl* parameter) {
+    return is_pack(parameter->getType()) || !names.arrays(parameter->getType()).empty();
+  });
+}
+
+std::string asked_by_call(const clang::CallExpr& call, Names& names) {
+  const auto* callee = call.getDirectCallee();
+  if (callee == nullptr) return {};
+  const std::string where = " at " + usage::text_of(names.place(call.getBeginLoc()));
+  if (names.is_library(callee->getLocation())) {
+    const clang::DeclContext* outer = callee->getDeclContext();
+    while (!outer->isTranslationUnit() && !outer->getParent()->isTranslationUnit()) outer = outer->getParent();
+    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(outer);
+    const bool is_runtime = space != nullptr && space->getName() == "physgen";
+    return !is_runtime && std::any_of(call.arg_begin(), call.arg_end(),
+                                      [](const clang::Expr* one) { return is_pack(one->getType()); })
+               ? "hands its index to a library" + where
+               : "";
+  }
+  if (!sees_arrays(*callee, names)) return {};
+  const auto named = callee->getDeclContext()->lookup(callee->getDeclName());
+  const auto* whole = named.isSingleResult() ? llvm::dyn_cast<clang::FunctionTemplateDecl>(named.front()) : nullptr;
+  const bool is_one =
+      whole == nullptr ? named.isSingleResult()
+                       : !whole->hasAssociatedConstraints() &&
+                             std::none_of(whole->spec_begin(), whole->spec_end(), [](const clang::FunctionDecl* one) {
+                               return one->getTemplateSpecializationKind() == clang::TSK_ExplicitSpecialization;
+                             });
+  return is_one ? "" : "has types choose the function that it calls" + where;
+}
+
+}  // namespace physgen::scenes

@@ -1,0 +1,31 @@
+// What functions of a kernel do with its index, which is of another type in a fused kernel. Knows Clang, as read.h
+// does.
+#pragma once
+
+#include <clang/AST/Decl.h>
+#include <clang/AST/Expr.h>
+
+#include <string>
+
+#include "usage/names.h"
+
+namespace physgen::scenes {
+
+/// Whether a type is Pack<W> or PartialPack<W>.
+[[nodiscard]] bool is_pack(clang::QualType type);
+
+/// Whether a function of the program may use objects of the scene's arrays: it is given an index, or it or the object
+/// that it is of has a view.
+[[nodiscard]] bool sees_arrays(const clang::FunctionDecl& function, usage::Names& names);
+
+/// The list: an index is what objects are named by, `view[i]`, and an argument of functions; and its type is asked by
+/// `lanes_t<Scalar, I>` alone. What `if constexpr` chooses depends on no type, which another precision may change.
+/// @param function an instantiated one of the program that sees arrays
+/// @return what else it does, "asks what its index is at kernel.h:3:5"; empty: nothing
+[[nodiscard]] std::string asked_of_index(const clang::FunctionDecl& function, const usage::Names& names);
+
+/// The same of the choice of the function that is called: the runtime's functions may be given an index, and those of
+/// the program that see arrays have one text for all types.
+[[nodiscard]] std::string asked_by_call(const clang::CallExpr& call, usage::Names& names);
+
+}  // namespace physgen::scenes
