@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
-#include <omp.h>
+#include <physgen/threads.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -63,7 +63,10 @@ template <class Parse, class Run>
     std::printf("%s", options.help.c_str());
     return status_of_output(name, 0);
   }
-  if (options.threads > 0) omp_set_num_threads(options.threads);
+  set_threads(options.threads);
+  if (const std::string remark = remark_on_threads(); !remark.empty()) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), remark.c_str());
+  }
   std::string command = name;
   for (const std::string& word : arguments) command += " " + quoted(word);
   try {
