@@ -94,10 +94,9 @@ void convert_strided(const ElementMove& move, StridedElements to, StridedElement
 
 void clear_on_host(std::byte* memory, index_t bytes) {
   constexpr index_t block = 1 << 16;
-#pragma omp parallel for schedule(static) if (bytes > 8 * block)
-  for (index_t b = 0; b < bytes; b += block) {
-    std::memset(memory + b, 0, static_cast<std::size_t>(std::min(block, bytes - b)));
-  }
+  for_each_index<block / 64>(0, (bytes + block - 1) / block, [&](index_t b) {
+    std::memset(memory + b * block, 0, static_cast<std::size_t>(std::min(block, bytes - b * block)));
+  });
 }
 
 void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArray& from, index_t from_first,
@@ -128,8 +127,7 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
       i += count;
     }
   };
-#pragma omp parallel for schedule(static) if (blocks > 8)
-  for (index_t b = 0; b < blocks; ++b) failure.guard([&] { convert_block(b); });
+  for_each_index<block>(0, blocks, [&](index_t b) { failure.guard([&] { convert_block(b); }); });
   failure.rethrow();
 }
 
@@ -138,14 +136,13 @@ Losses count_on_host(const UntypedArray& to, const UntypedArray& from, index_t b
   const Conversion conversion(to, from);
   Losses losses;
   RegionFailure failure;
-#pragma omp parallel for schedule(static) if (end - begin > 8192)
-  for (index_t i = begin; i < end; ++i) {
+  for_each_index(begin, end, [&](index_t i) {
     failure.guard([&] {
       for (const ElementMove& move : conversion.elements) count_element(losses, move, array, i);
       for (const RotationMove& move : conversion.rotations) count_rotation(losses, move, array, i);
       for (const RotationMove& move : conversion.kept_quaternions) count_rotation(losses, move, array, i);
     });
-  }
+  });
   failure.rethrow();
   return losses;
 }

@@ -1,5 +1,6 @@
 // Initial values of objects, on the host and by the backend.
 #include <physgen/detail/count_losses.h>
+#include <physgen/detail/launch.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
 #include <physgen/initial_values.h>
@@ -43,8 +44,7 @@ void initialize(const UntypedArray& array, index_t begin, index_t end) {
     if (fill.is_zero()) continue;
     if (host_accessible(array.space)) {
       const detail::Addressing addresses(array);
-#pragma omp parallel for schedule(static) if (end - begin > 8192)
-      for (index_t i = begin; i < end; ++i) fill.apply(addresses, i);
+      detail::for_each_index(begin, end, [&](index_t i) { fill.apply(addresses, i); });
     } else {
       backend::fill(array, fill, begin, end);
     }

@@ -6,6 +6,7 @@
 #include <physgen/topology.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "backend/memory.h"
@@ -28,8 +29,7 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
   // Blocks of objects keep what is written in the cache while field after field is moved.
   constexpr index_t block = 1024;
   const index_t blocks = (count + block - 1) / block;
-#pragma omp parallel for if (blocks > 8)
-  for (index_t b = 0; b < blocks; ++b) {
+  detail::for_each_index<block>(0, blocks, [&](index_t b) {
     const index_t first = b * block;
     const index_t last = std::min(first + block, count);
     if (whole_records) {
@@ -37,7 +37,7 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
       for (index_t i = first; i < last; ++i) {
         std::memcpy(to_address.record(begin + i), from_address.record(picked[i]), bytes);
       }
-      continue;
+      return;
     }
     for (const FieldInfo& field : to.fields) {
       if (!field.is_stored()) continue;
@@ -50,15 +50,18 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
         }
       }
     }
-  }
+  });
 }
 
 index_t first_not_renumbered_on_host(const detail::Renumbering& renumbering, index_t size) {
-  index_t first = size;
-#pragma omp parallel for reduction(min : first) if (size > 8192)
-  for (index_t i = 0; i < size; ++i) {
-    if (i < first && !renumbering.can_renumber(i)) first = i;
-  }
+  std::atomic<index_t> first = size;
+  detail::for_parts(size, [&](index_t begin, index_t end) {
+    index_t i = begin;
+    while (i < end && renumbering.can_renumber(i)) ++i;
+    if (i == end) return;
+    for (index_t smallest = first; i < smallest && !first.compare_exchange_weak(smallest, i);) {
+    }
+  });
   return first;
 }
 

@@ -49,7 +49,7 @@ set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)' >"$work/later.cmake"
     "$work/build/memory" || fail 'the program has no CUDA in it'
     # The same program with the library that other projects get says what to do.
     "$CXX" ${SANITIZERS:+"$SANITIZERS"} "$work/build/CMakeFiles/memory.dir/memory.cpp.o" \
-      "$libraries/libphysgen_runtime$mode.a" -lgomp -o "$work/without"
+      "$libraries/libphysgen_runtime$mode.a" -ltbb -o "$work/without"
     if "$work/without" >"$work/output.txt" 2>&1; then fail 'there is CUDA without asking for it'; fi
     grep 'enable the language CUDA before find_package(physgen), or ask it for COMPONENTS cuda' "$work/output.txt" ||
       fail "unclear: $(cat "$work/output.txt")"

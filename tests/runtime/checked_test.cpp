@@ -2,6 +2,7 @@
 #include <physgen/gather.h>
 #include <physgen/parallel_for.h>
 #include <physgen/parallel_reduce.h>
+#include <physgen/threads.h>
 #include <physgen/topology.h>
 
 #include "checked_formats.h"
@@ -143,6 +144,7 @@ TEST(CheckedFormats, name_the_first_object_that_is_wrong_whichever_thread_comes_
     wrong.putdata(i, 1, 2);
     wrong.putdata(i, 0, 1e6 + static_cast<double>(i));
   }
+  set_threads(8);
   for (int run = 0; run < 8; ++run) {
     const Losses copied = losses_of_copy(array.untyped(), wrong.untyped());
     EXPECT_EQ(copied.out_of_range, 12U);
@@ -153,16 +155,16 @@ TEST(CheckedFormats, name_the_first_object_that_is_wrong_whichever_thread_comes_
     EXPECT_EQ(copied.first.value, is_x1111 ? 1000010 : 2);
     const auto to = array.view();
     const auto from = wrong.const_view();
-#pragma omp parallel for schedule(dynamic, 100) num_threads(8)
-    for (index_t k = 0; k < n; ++k) {
+    parallel_for<1>(Host{}, n, [&](index_t k) {
       const index_t i = run % 2 == 0 ? n - 1 - k : k;
       to.put(i, from.get(i));
-    }
+    });
     const Losses stored = array.take_losses();
     EXPECT_EQ(stored.first.object, 10);
     EXPECT_EQ(stored.first.value, copied.first.value);
     EXPECT_EQ(stored.first.offset, copied.first.offset);
   }
+  set_threads(0);
 }
 
 TEST(Losses, of_several_chunks_begin_with_the_first_object) {

@@ -1,6 +1,6 @@
 // Reductions on the CPU.
-#include <omp.h>
 #include <physgen/parallel_reduce.h>
+#include <physgen/threads.h>
 
 #include "reduce_checks.h"
 
@@ -33,7 +33,6 @@ TEST(Reduce, gives_nan_where_a_term_is_one) {
 template <class Real, int... kWidths>
 void check_widths() {
   std::mt19937 random(seed());
-  const int threads_before = omp_get_max_threads();
   for (const index_t n : {70, 50021}) {
     Vectors<Real, Host, Soa> vectors(n, random);
     const auto view = vectors.array.view();
@@ -42,7 +41,7 @@ void check_widths() {
     for (const auto& [begin, end] : ranges_of(n, random)) {
       const double wanted = by_order(values, begin, end, 0.0, plus);
       for (const int threads : {1, 2, 3}) {
-        omp_set_num_threads(threads);
+        set_threads(threads);
         const auto check = [&, b = begin, e = end]<int kWidth>(std::integral_constant<int, kWidth>) {
           if constexpr (kWidth == 1 || !std::is_void_v<typename xsimd::make_sized_batch<Real, kWidth>::type>) {
             expect_same(parallel_reduce<kWidth>(Host{}, b, e, product, Sum{}), wanted,
@@ -53,7 +52,7 @@ void check_widths() {
       }
     }
   }
-  omp_set_num_threads(threads_before);
+  set_threads(0);
 }
 TEST(Reduce, has_the_same_bits_for_all_threads_and_lanes) {
   check_widths<float, 1, 4, 8, 16>();

@@ -1,7 +1,7 @@
 // physbench: the benchmark of the paper's kernels over every layout. See README.md for what the columns mean.
 #include <malloc.h>
-#include <omp.h>
 #include <physgen/error.h>
+#include <physgen/threads.h>
 
 #include <algorithm>
 #include <iostream>
@@ -101,7 +101,8 @@ int run(int argc, char** argv) {
   std::string command = argv[0];
   for (const std::string& argument : arguments) command += " " + argument;
   Options options = parse(arguments);
-  omp_set_num_threads(options.threads);
+  set_threads(options.threads);
+  if (const std::string remark = remark_on_threads(); !remark.empty()) std::cerr << "physbench: " << remark << "\n";
   keep_memory();
   std::cout << options.help << std::flush;
   initialize_benchmark(argv[0], options);
@@ -112,7 +113,7 @@ int run(int argc, char** argv) {
     list(std::cout);
     return 0;
   }
-  const Facts facts = describe_machine(options.threads, command);
+  const Facts facts = describe_machine(threads(), command);
   for (const auto& [what, value] : facts) benchmark::AddCustomContext(what, value);
 
   std::unique_ptr<benchmark::BenchmarkReporter> display;

@@ -1,7 +1,6 @@
 // Reads the command line.
 #include "options.h"
 
-#include <omp.h>
 #include <physgen/error.h>
 
 #include <CLI/CLI.hpp>
@@ -102,7 +101,8 @@ Options parse(const std::vector<std::string>& arguments) {
            flag, [flag, largest, store](const std::string& word) { store(number(flag, word, largest)); }, text)
         ->type_name("N");
   };
-  on_number("--threads", 4096, "OpenMP threads of the CPU's rows (default: all)",
+  on_number("--threads", 4096,
+            "threads of the CPU's rows (default: OMP_NUM_THREADS, or one for each processor that it may use)",
             [&](index_t n) { options.threads = static_cast<int>(n); });
   on_number("--objects", 100000000,
             "number of tets (default: 1048576 on the CPU and for sets, 8388608 on the GPU); kernels over nodes and "
@@ -141,7 +141,6 @@ Options parse(const std::vector<std::string>& arguments) {
   if (!min_time) options.benchmark_flags.emplace_back("--benchmark_min_time=0.06");
   if (help) options.help = app.help(), options.benchmark_flags.emplace_back("--help");
   options.table = options.table || ((options.group == "errors" || !filtered) && !(options.json || options.list));
-  if (options.threads == 0) options.threads = omp_get_max_threads();
   return options;
 }
 

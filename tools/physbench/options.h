@@ -10,7 +10,7 @@ namespace physgen::bench {
 
 struct Options {
   std::string group = "kernels";
-  int threads = 0;  ///< OpenMP threads of the CPU's rows; parse() fills in the default
+  int threads = 0;  ///< of the CPU's rows, see physgen::set_threads()
   Sizes sizes;
   std::string filter;  ///< of Google Benchmark
   bool table = false;  ///< print the table

@@ -54,7 +54,7 @@ struct Options {
   std::filesystem::path beads;
   bool restart = false, dry_run = false, quiet = false;
   int repetitions = 0;             ///< of all solves, for their time
-  int threads = 0;                 ///< OpenMP threads; 0: all
+  int threads = 0;                 ///< of the CPU, see physgen::set_threads()
   std::vector<std::string> notes;  ///< what a user should know of what was chosen
   std::string help;                ///< what to print where help was asked for
 

@@ -252,7 +252,8 @@ Options parse(const std::vector<std::string>& arguments) {
                  "records kernels")
       ->check(whole_number(0, 1000))
       ->type_name("N");
-  app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
+  app.add_option("--threads", options.threads,
+                 "threads on the CPU; 0: as OMP_NUM_THREADS says, or one for each processor that it may use")
       ->check(whole_number(0, 4096))
       ->type_name("N");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");

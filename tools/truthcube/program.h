@@ -2,8 +2,7 @@
 #pragma once
 
 #include <fcntl.h>
-#include <omp.h>
-#include <physgen/processors.h>
+#include <physgen/threads.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -44,20 +43,6 @@ inline void open_standard_streams() {
   return status == 0 ? 1 : status;
 }
 
-/// Says it once where more threads are asked for than there are processors for them, and does as asked.
-/// @param threads 0: whatever OpenMP chooses
-inline void set_threads(const std::string& name, int threads) {
-  if (threads == 0) return;
-  omp_set_num_threads(threads);
-  const int allowed = allowed_processors();
-  if (threads <= allowed) return;
-  std::fprintf(
-      stderr,
-      "%s: warning: --threads %d is more than the processors that this process may use, %d by its affinity and "
-      "the quota of its control groups: threads wait for each other; --threads %d is as many as run at once\n",
-      name.c_str(), threads, allowed, allowed);
-}
-
 /// @param parse makes options, with `help` and `threads`, of the words behind the program's name
 /// @param run takes the options and the command as it was typed, and gives the exit status
 /// @return the exit status: 2 for a command line that is not understood, 1 where run() throws or output cannot be
@@ -78,7 +63,10 @@ template <class Parse, class Run>
     std::printf("%s", options.help.c_str());
     return status_of_output(name, 0);
   }
-  set_threads(name, options.threads);
+  set_threads(options.threads);
+  if (const std::string remark = remark_on_threads(); !remark.empty()) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), remark.c_str());
+  }
   std::string command = name;
   for (const std::string& word : arguments) command += " " + quoted(word);
   try {

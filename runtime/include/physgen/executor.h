@@ -17,7 +17,7 @@
 
 namespace physgen {
 
-/// All OpenMP threads of the CPU. Every call returns when it is done.
+/// The threads of the CPU (threads.h). Every call returns when it is done.
 class HostExecutor {
  public:
   using Space = Host;

@@ -1,4 +1,4 @@
-// Runs a kernel over objects on the CPU: OpenMP threads, each over SIMD packs where the kernel can take them.
+// Runs a kernel over objects on the CPU: on several threads, each over SIMD packs where the kernel can take them.
 #pragma once
 #pragma push_macro("I")  // of <complex.h>
 #undef I
@@ -31,7 +31,7 @@ template <class Real, class Body>
   return {body};
 }
 
-/// Calls kernel(i) for the objects begin .. end-1, on all OpenMP threads, and returns when all are done.
+/// Calls kernel(i) for the objects begin .. end-1, on threads() threads (threads.h), and returns when all are done.
 ///
 /// A kernel with a member type Scalar and a templated call operator is called with Pack<W> for W objects at once, W
 /// being as many as fit the widest register; where the range does not fill the first or the last pack, with
@@ -52,15 +52,13 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
   detail::LaunchFailure failure;
   if constexpr (width == 1) {
     detail::check_numbers(kernel);
-#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
-    for (index_t i = begin; i < end; ++i) detail::call_guarded(i, failure, [&] { kernel(i); });
+    detail::for_each_index(begin, end, [&](index_t i) { detail::call_guarded(i, failure, [&] { kernel(i); }); });
   } else {
     const index_t first = align_up(begin, index_t{width}) / width, last = end / width;  // whole packs
-#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
-    for (index_t p = first; p < last; ++p) {
+    detail::for_each_index<width>(first, last, [&](index_t p) {
       const Pack<width> pack{p * width};
       detail::call_guarded(pack, failure, [&] { kernel(pack); });
-    }
+    });
     // One loop, so that the kernel is compiled once for partial packs.
     const std::array<index_t, 2> ends{begin / width, last};
     for (std::size_t e = begin % width == 0 || ends[0] == ends[1] ? 1 : 0; e < 2; ++e) {

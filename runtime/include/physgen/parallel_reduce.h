@@ -9,7 +9,7 @@
 
 namespace physgen {
 
-/// Calls kernel(i) for the objects begin .. end-1, on all OpenMP threads, as parallel_for() does, and folds what the
+/// Calls kernel(i) for the objects begin .. end-1, on threads() threads, as parallel_for() does, and folds what the
 /// calls return. The kernel may also store fields.
 /// @tparam kLanes as of parallel_for()
 /// @param fold Sum, Max, Min, Argmax, All, Any, Count, or one's own; see reduce.h
@@ -34,14 +34,13 @@ auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& k
   const auto size = static_cast<std::size_t>(blocks);
   const auto values = std::make_unique_for_overwrite<Value[]>(size * count);  // an entry's blocks follow each other
   detail::LaunchFailure failure;
-#pragma omp parallel for schedule(static) if (end - begin >= detail::worth_threads)
-  for (index_t b = 0; b < blocks; ++b) {
+  detail::for_each_index<detail::reduce_block>(0, blocks, [&](index_t b) {
     const index_t at = (first + b) * detail::reduce_block;
     std::array<Value, count> of_block;
     detail::reduce_one_block<Fold, width>(std::max(at, begin), std::min(at + detail::reduce_block, end), kernel,
                                           failure, of_block.data());
     for (std::size_t k = 0; k < count; ++k) values[k * size + static_cast<std::size_t>(b)] = of_block[k];
-  }
+  });
   failure.rethrow();
   std::array<Value, count> result;
   for (std::size_t k = 0; k < count; ++k) {

@@ -1,6 +1,6 @@
 // The symmetric product on the CPU.
 #include <fem/kernels/symmetric_product_host.h>
-#include <omp.h>
+#include <physgen/threads.h>
 
 #include "symmetric_product_checks.h"
 
@@ -18,13 +18,12 @@ TEST(SymmetricProductOnHost, agrees_with_the_sum_in_double_and_repeats_its_bits)
 TEST(SymmetricProductOnHost, gives_the_same_bits_with_any_number_of_threads) {
   ProductScene<float, Host, Aosoa<16>> scene(make_box_mesh(20, 20, 20), 11);
   const EdgeSums sums(scene.mesh, SpaceKind::host, sizeof(float));
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
+  set_threads(1);
   multiply(Host{}, scene.product(), sums, SumOrder::fixed);
   const auto alone = scene.result();
-  omp_set_num_threads(5);
+  set_threads(5);
   multiply(Host{}, scene.product(), sums, SumOrder::fixed);
-  omp_set_num_threads(threads);
+  set_threads(0);
   const auto five = scene.result();
   EXPECT_EQ(std::memcmp(alone.untyped().base, five.untyped().base, static_cast<std::size_t>(alone.untyped().bytes())),
             0);

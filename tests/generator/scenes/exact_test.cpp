@@ -53,7 +53,7 @@ std::string program_unit(const scenes::Scene& scene) {
 /// The messages of the compiler on it.
 std::string compile(const std::string& path) {
   std::string command = "LC_ALL=C " + std::string(PHYSGEN_COMPILER) +
-                        " -std=c++20 -fsyntax-only -w -fopenmp -ftemplate-backtrace-limit=1 -fmax-errors=0";
+                        " -std=c++20 -fsyntax-only -w -ftemplate-backtrace-limit=1 -fmax-errors=0";
   for (const std::string& flag : flags()) command += " " + flag;
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen((command + " " + path + " 2>&1").c_str(), "r"), ::pclose);
   std::string text;

@@ -47,7 +47,7 @@ std::string compile(const Folder& folder, const std::string& compiler, const std
                    program + "::program(on, body); }\n");
   const std::string said = folder / "said";
   const std::string line = "cd '" + (folder / ".") + "' && LC_ALL=C " + compiler +
-                           " -std=c++20 -fsyntax-only -w -fopenmp -I. -Igenerated " PHYSGEN_FLAGS " unit.cpp 2> said";
+                           " -std=c++20 -fsyntax-only -w -I. -Igenerated " PHYSGEN_FLAGS " unit.cpp 2> said";
   return std::system(line.c_str()) == 0 ? "" : text_of(said);
 }
 

@@ -98,7 +98,7 @@ int main() {
 }
 Texts registered_by_gcc(const std::string& name) {
   return registered(name, "Host", ".cpp",
-                    PHYSGEN_COMPILER " -O0 -fopenmp " PHYSGEN_MARCH " -no-pie -Wl,--unresolved-symbols=ignore-all");
+                    PHYSGEN_COMPILER " -O0 " PHYSGEN_MARCH " -no-pie -Wl,--unresolved-symbols=ignore-all");
 }
 
 TEST(RegistrationOfScenes, is_one_set_for_gcc_clang_and_nvcc_of_a_scene_whose_steps_are_kernels_alone) {

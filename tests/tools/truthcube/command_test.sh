@@ -189,14 +189,14 @@ case $rule in
     expect_no kept 'reaction|residual' ;;
   more_threads_than_processors_are_said_once)
     expect_exit 0 --cells 2 --threads 4000 --dry-run --quiet
-    expect err '^truthcube: warning: --threads 4000 is more than the processors .* may use, [0-9]+ by .*; --threads [0-9]+ is'
+    expect err '^truthcube: 4000 threads share the [0-9]+ processors? that this process may use .*more threads are no faster'
     (($(wc -l <err) == 1)) || fail 'said more than once'
     expect_exit 0 --cells 2 --threads 1 --dry-run
     [[ ! -s err ]] || fail 'a warning for one thread'
     expect_exit 0 --cells 2 --dry-run
     [[ ! -s err ]] || fail 'a warning for none'
     OMP_NUM_THREADS=1 taskset -c "$(taskset -cp $$ | sed -E 's/.*: ([0-9]+).*/\1/')" "$program" --cells 2 --threads 2 --dry-run >out 2>err
-    expect err '--threads 2 is more than .* use, 1 by .*; --threads 1 is' ;;
+    expect err '2 threads share the 1 processor that this process may use' ;;
   the_command_in_the_record_can_be_typed_again)
     expect_exit 0 "${small[@]}" --compress 0.02 --out "it's a folder"
     expect "it's a folder/run.json" '"command": "truthcube --cells 4 --threads 1 --compress 0.02 --out '"'it'.{2}''s a folder'"'"' ;;

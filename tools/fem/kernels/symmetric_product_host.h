@@ -25,11 +25,9 @@ void sum_edges(const SymmetricProduct<Views...>& product, const EdgeSums& sums) 
   auto* contributions = sums.contributions<Scalar>();
   const index_t nodes = sums.nodes(), blocks = (nodes + block - 1) / block;
   physgen::detail::RegionFailure failure;
-#pragma omp parallel if (nodes > 2048)
-  {
+  physgen::detail::for_parts<block>(blocks, [&](index_t part_begin, index_t part_end) {
     std::vector<std::array<Scalar, 3>> own;  // contributions to m of the block's edges
-#pragma omp for schedule(static)
-    for (index_t b = 0; b < blocks; ++b) {
+    for (index_t b = part_begin; b < part_end; ++b) {
       failure.guard([&] {
         const index_t node_begin = b * block, node_end = std::min(nodes, node_begin + block);
         const index_t begin = first[node_begin], end = first[node_end];
@@ -64,11 +62,10 @@ void sum_edges(const SymmetricProduct<Views...>& product, const EdgeSums& sums) 
         }
       });
     }
-#pragma omp for schedule(static)
-    for (index_t node = 0; node < nodes; ++node) {
-      failure.guard([&] { detail::add_contributions(product, node, sums.contributions_begin(), contributions); });
-    }
-  }
+  });
+  physgen::detail::for_each_index(0, nodes, [&](index_t node) {
+    failure.guard([&] { detail::add_contributions(product, node, sums.contributions_begin(), contributions); });
+  });
   failure.rethrow();
 }
 

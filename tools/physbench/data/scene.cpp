@@ -3,6 +3,7 @@
 
 #include <fem/mesh/mesh_arrays.h>
 #include <fem/mesh/renumber.h>
+#include <physgen/detail/host_loop.h>
 
 #include <Eigen/LU>
 #include <numbers>
@@ -109,13 +110,12 @@ const Master<elasticity::NodePositionObject>& Positions::of(Scene& scene) {
 const Master<elasticity::RestShapeObject>& RestShapes::of(Scene& scene) {
   return filled<RestShapes>(scene, "rest shapes", [&](const auto& view) {
     const fem::TruthCube& cube = scene.cube();
-#pragma omp parallel for
-    for (index_t t = 0; t < view.size(); ++t) {
+    physgen::detail::host_loop(view.size(), [&](index_t t) {
       const Matrix3<double> dm = formula::edges<double>(cube.mesh.tets[static_cast<std::size_t>(t)], [&](auto node) {
         return vector_of(cube.rest[static_cast<std::size_t>(node)]);
       });
       view.put(t, {dm.inverse(), dm.determinant() / 6});
-    }
+    });
   });
 }
 
@@ -142,12 +142,11 @@ const Master<elasticity::DeformationGradientDifferentialObject>& Differentials::
     const auto tets = Tets::of(scene).view();
     const auto rest = RestShapes::of(scene).view();
     const auto dx = Displacements::of(scene).view();
-#pragma omp parallel for
-    for (index_t i = 0; i < view.size(); ++i) {
+    physgen::detail::host_loop(view.size(), [&](index_t i) {
       const Matrix3<double> ds =
           formula::edges<double>(tets.get(i).nodes, [&dx](index_t node) { return dx.get(node).dx; });
       view.put(i, {ds * rest.get(i).dm_inverse});
-    }
+    });
   });
 }
 
@@ -167,11 +166,10 @@ const Incidences& incidences(Scene& scene, Domain entries) {
 const Master<elasticity::TetPlacesObject>& TetPlaces::of(Scene& scene) {
   return filled<TetPlaces>(scene, "places", [&](const auto& view) {
     const auto entries = incidences(scene, Domain::node_tets).entries.view();
-#pragma omp parallel for
-    for (index_t k = 0; k < entries.size(); ++k) {
+    physgen::detail::host_loop(entries.size(), [&](index_t k) {
       const elasticity::Incidence<double> entry = entries.get(k);
       view[index_t{entry.element}].places()[entry.local] = static_cast<std::int32_t>(k);
-    }
+    });
   });
 }
 

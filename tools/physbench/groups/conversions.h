@@ -2,6 +2,7 @@
 #pragma once
 
 #include <elasticity.physgen.h>
+#include <physgen/detail/host_loop.h>
 #include <physgen/error.h>
 
 #include <cmath>
@@ -38,30 +39,24 @@ template <class Array>
 void fill_random(Array& array) {
   const auto view = array.view();
   constexpr int elements = Array::elements;
-#pragma omp parallel
-  {
-    std::mt19937 random(1);
-#pragma omp for schedule(static)
-    for (index_t i = 0; i < view.size(); ++i) {
-      random.seed(static_cast<unsigned>(i));
-      for (int k = 0; k < elements; ++k) array.putdata(i, k, static_cast<double>(random()) * 0x1p-31 - 1);
-    }
-  }
+  physgen::detail::host_loop(view.size(), [&](index_t i) {
+    std::mt19937 random(static_cast<unsigned>(i));
+    for (int k = 0; k < elements; ++k) array.putdata(i, k, static_cast<double>(random()) * 0x1p-31 - 1);
+  });
 }
 
 /// The largest error of an element of each object; elements lie between -1 and 1. Both on the host.
 template <class A, class B>
 Accuracy compare_copies(const A& result, const B& expected) {
   std::vector<double> errors(static_cast<std::size_t>(result.size()));
-#pragma omp parallel for schedule(static)
-  for (index_t i = 0; i < result.size(); ++i) {
+  physgen::detail::host_loop(result.size(), [&](index_t i) {
     double worst = 0;
     for (int k = 0; k < A::elements; ++k) {
       const double error = std::abs(result.getdata(i, k) - expected.getdata(i, k));
       if (!(error <= worst)) worst = error;
     }
     errors[static_cast<std::size_t>(i)] = worst;
-  }
+  });
   fem::reference::ErrorDistribution distribution;
   distribution.reserve(errors.size());
   for (const double error : errors) distribution.add(error);

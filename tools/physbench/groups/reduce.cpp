@@ -3,6 +3,10 @@
 
 #include <physgen/parallel_reduce.h>
 
+#include <array>
+#include <numeric>
+#include <vector>
+
 #include "measure/host.h"
 
 namespace physgen::bench {
@@ -23,18 +27,17 @@ struct HostSum {
     const auto* b = reinterpret_cast<const float*>(operands.b.untyped().base);
     constexpr index_t piece = 4096, lanes = 64;
     const index_t count = operands.bytes() / index_t{sizeof(float)};
-    float total = 0;
+    std::vector<float> totals(static_cast<std::size_t>(count / piece));
     const double time = HostDevice::time([&] {
-#pragma omp parallel for schedule(static) reduction(+ : total)
-      for (index_t at = 0; at < count / piece; ++at) {
+      physgen::detail::for_each_index<piece>(0, count / piece, [&](index_t at) {
         std::array<float, lanes> sums{};
         for (index_t k = at * piece; k < (at + 1) * piece; k += lanes) {
           for (index_t l = 0; l < lanes; ++l) sums[static_cast<std::size_t>(l)] += a[k + l] + b[k + l];
         }
-        for (const float lane : sums) total += lane;
-      }
+        totals[static_cast<std::size_t>(at)] = std::accumulate(sums.begin(), sums.end(), 0.0F);
+      });
     });
-    read_ = total;
+    read_ = std::accumulate(totals.begin(), totals.end(), 0.0F);
     return time;
   }
   [[nodiscard]] double value() const { return value_; }

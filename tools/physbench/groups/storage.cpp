@@ -22,8 +22,7 @@ void load_records(Scene& scene, elasticity::ElementRecordArray<float>& records) 
   const auto inputs = OnScene<DpFromDf, float>(std::shared_ptr<Scene>(&scene, [](Scene*) {})).inputs();
   const auto view = records.view();
   using Matrix = Eigen::Matrix3f;
-#pragma omp parallel for
-  for (index_t i = 0; i < view.size(); ++i) {
+  physgen::detail::host_loop(view.size(), [&](index_t i) {
     const auto [svd, x, differential] = values_at(inputs, i);
     const auto rounded = [](double value) { return static_cast<float>(value); };
     const Matrix U = svd.U.template cast<float>(), V = svd.V.template cast<float>();
@@ -31,7 +30,7 @@ void load_records(Scene& scene, elasticity::ElementRecordArray<float>& records) 
     view.put(i, {U, V, rounded(x.x1111), rounded(x.x2211), rounded(x.x3311), rounded(x.x2222), rounded(x.x3322),
                  rounded(x.x3333), rounded(x.x2121), rounded(x.x2112), rounded(x.x3131), rounded(x.x3113),
                  rounded(x.x3232), rounded(x.x3223), dF, Matrix::Constant(std::numeric_limits<float>::quiet_NaN())});
-  }
+  });
 }
 
 namespace {

@@ -36,8 +36,10 @@ struct DpFromDfProblem {
     const auto gradients = bounded_deformations<Real>(set, count);
     const auto changes = differentials<Real>(gradients);
     std::vector<Input> made(gradients.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = make(gradients[i], changes[i]);
+    physgen::detail::host_loop(static_cast<index_t>(made.size()), [&](index_t k) {
+      const auto i = static_cast<std::size_t>(k);
+      made[i] = make(gradients[i], changes[i]);
+    });
     return made;
   }
   static Input read(const Real* numbers) { return make(matrix_of(numbers), matrix_of(numbers + 9)); }

@@ -3,6 +3,7 @@
 
 #include <fem/kernels/stress_derivative.h>
 #include <fem/materials/definiteness.h>
+#include <physgen/detail/host_loop.h>
 
 #include <array>
 
@@ -27,8 +28,10 @@ struct StressDerivativeProblem {
   static std::vector<Input> inputs(InputSet set, index_t count) {
     const auto gradients = bounded_deformations<Real>(set, count);
     std::vector<Input> made(gradients.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = {rounded_svd<Real>(gradients[i]).s};
+    physgen::detail::host_loop(static_cast<index_t>(made.size()), [&](index_t k) {
+      const auto i = static_cast<std::size_t>(k);
+      made[i] = {rounded_svd<Real>(gradients[i]).s};
+    });
     return made;
   }
   static Input read(const Real* numbers) { return {Vector3<Real>(numbers[0], numbers[1], numbers[2])}; }

@@ -1,8 +1,9 @@
 // The copy on the CPU.
 #include "measure/host.h"
 
-#include <omp.h>
 #include <physgen/buffer.h>
+#include <physgen/detail/host_loop.h>
+#include <physgen/threads.h>
 
 #include <algorithm>
 #include <cstring>
@@ -16,14 +17,12 @@ std::function<double()> HostDevice::copy(double bytes) {
   const auto to = std::make_shared<Buffer>(SpaceKind::host, half, "the target of the copy");
   return [from, to] {
     return time([&] {
-#pragma omp parallel
-      {
-        constexpr index_t page = 4096;
-        const index_t piece = align_up(from->bytes() / omp_get_num_threads() + 1, page);
-        const index_t begin = std::min(piece * omp_get_thread_num(), from->bytes());
-        const index_t end = std::min(begin + piece, from->bytes());
+      // Pieces of many pages, as threads take them; one thread copies all at once.
+      const index_t piece = threads() == 1 ? from->bytes() : index_t{1} << 20;
+      physgen::detail::host_loop((from->bytes() + piece - 1) / piece, [&](index_t p) {
+        const index_t begin = p * piece, end = std::min(begin + piece, from->bytes());
         std::memcpy(to->data() + begin, from->data() + begin, static_cast<std::size_t>(end - begin));
-      }
+      });
     });
   };
 }

@@ -25,7 +25,7 @@ struct HostDevice {
   static void run(index_t objects, const Kernel& kernel) {
     parallel_for<kLanes>(Host{}, objects, kernel);
   }
-  /// A copy of half of `bytes`: memcpy, one piece per OpenMP thread. @return what gives its time [s]
+  /// A copy of half of `bytes`: memcpy, by all threads. @return what gives its time [s]
   static std::function<double()> copy(double bytes);
   static void poison(const UntypedArray& array) { bench::poison(array); }
 };

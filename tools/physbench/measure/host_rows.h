@@ -26,8 +26,7 @@ auto structs_of(const Provider& provider) {
         const auto one = [](const auto& from) {
           std::vector<typename std::remove_cvref_t<decltype(from)>::Value> to(static_cast<std::size_t>(from.size()));
           const auto view = from.view();
-#pragma omp parallel for schedule(static)
-          for (index_t i = 0; i < view.size(); ++i) to[static_cast<std::size_t>(i)] = view.get(i);
+          physgen::detail::host_loop(view.size(), [&](index_t i) { to[static_cast<std::size_t>(i)] = view.get(i); });
           return to;
         };
         return std::make_tuple(one(array)...);
@@ -58,10 +57,9 @@ Case eigen_case(const Provider& provider) {
     return HostDevice::time([&] {
       std::apply(
           [&](const auto&... input) {
-#pragma omp parallel for schedule(static)
-            for (index_t i = 0; i < n; ++i) {
+            physgen::detail::for_each_index(0, n, [&](index_t i) {
               output[static_cast<std::size_t>(i)] = Kernel::template naive<Real, Real>(i, Values{&input}...);
-            }
+            });
           },
           state->inputs);
     });

@@ -1,6 +1,8 @@
 // Inputs from the scene, references and errors of its rows. For the C++ compiler: instantiated once per kernel.
 #pragma once
 
+#include <physgen/detail/host_loop.h>
+
 #include <map>
 #include <string>
 #include <utility>
@@ -46,8 +48,8 @@ const void* make_output(Scene& scene) {
     Array output(scene.count(Kernel::domain, Domain::nodes));
     const auto view = output.view();
     with_values(detail::masters_of(scene, typename Kernel::Reads()), [&view](const auto&... input) {
-#pragma omp parallel for
-      for (index_t i = 0; i < view.size(); ++i) view.put(i, Kernel::template naive<double, double>(i, input...));
+      physgen::detail::host_loop(view.size(),
+                                 [&](index_t i) { view.put(i, Kernel::template naive<double, double>(i, input...)); });
     });
     return output;
   });
@@ -76,21 +78,20 @@ Accuracy OnScene<Kernel, Real>::compare(const At& at) const {
     copy_arrays(rounded, inputs());
     return with_values(rounded, [&](const auto&... input) {
       std::vector<decltype(of_object(0, input...))> all(static_cast<std::size_t>(objects()));
-#pragma omp parallel for schedule(static)
-      for (index_t i = 0; i < objects(); ++i) all[static_cast<std::size_t>(i)] = of_object(i, input...);
+      physgen::detail::host_loop(objects(),
+                                 [&](index_t i) { all[static_cast<std::size_t>(i)] = of_object(i, input...); });
       return all;
     });
   };
   const auto& references = scene_->latest<decltype(make_references())>(
       std::string(Kernel::name) + "/" + storage_name<Real>(), make_references);
   std::vector<double> errors(references.size()), norms(references.size());
-#pragma omp parallel for schedule(static)
-  for (index_t i = 0; i < objects(); ++i) {
+  physgen::detail::host_loop(objects(), [&](index_t i) {
     const auto& expected = references[static_cast<std::size_t>(i)];
     const auto got = std::apply([](const auto&... value) { return detail::observed<Kernel, T>(value...); }, at(i));
     errors[static_cast<std::size_t>(i)] = static_cast<double>((got - expected).norm());
     norms[static_cast<std::size_t>(i)] = static_cast<double>(expected.norm());
-  }
+  });
   return relative_errors(std::move(errors), norms);
 }
 

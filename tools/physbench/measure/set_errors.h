@@ -1,6 +1,8 @@
 // Inputs from the sets, and errors of results in eps. For the C++ compiler: instantiated once per kernel.
 #pragma once
 
+#include <physgen/detail/host_loop.h>
+
 #include <Eigen/LU>  // the determinants of kernels/svd.h
 
 #include "data/problem.h"
@@ -27,8 +29,10 @@ const Samples<Problem>& samples_of(SampleSets& sets, InputSet set, const char* s
     Samples<Problem> made;
     made.inputs = Problem::inputs(set, sets.samples());
     made.references.resize(made.inputs.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < made.inputs.size(); ++i) made.references[i] = Problem::reference(made.inputs[i]);
+    physgen::detail::host_loop(static_cast<index_t>(made.inputs.size()), [&](index_t k) {
+      const auto i = static_cast<std::size_t>(k);
+      made.references[i] = Problem::reference(made.inputs[i]);
+    });
     return made;
   });
 }
@@ -54,10 +58,8 @@ auto OnSet<Kernel, Real>::inputs() const -> Inputs {
   const auto& samples = detail::samples_of<Problem>(*sets_, set_, storage_name<Real>()).inputs;
   auto arrays = make_arrays<Inputs>([this](std::size_t /*k*/) { return objects(); });
   const auto count = static_cast<index_t>(samples.size());
-#pragma omp parallel for schedule(static)
-  for (index_t i = 0; i < objects(); ++i) {
-    detail::store<Problem>(arrays, i, samples[static_cast<std::size_t>(i % count)]);
-  }
+  physgen::detail::host_loop(
+      objects(), [&](index_t i) { detail::store<Problem>(arrays, i, samples[static_cast<std::size_t>(i % count)]); });
   return arrays;
 }
 
@@ -67,11 +69,11 @@ Accuracy OnSet<Kernel, Real>::compare(const At& at) const {
   using Problem = typename Kernel::template Problem<Real>;
   const auto& samples = detail::samples_of<Problem>(*sets_, set_, storage_name<Real>());
   std::vector<InputErrors> each(samples.inputs.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < each.size(); ++i) {
+  physgen::detail::host_loop(static_cast<index_t>(each.size()), [&](index_t k) {
+    const auto i = static_cast<std::size_t>(k);
     const auto result = detail::result_of<Kernel, Real>(at(static_cast<index_t>(i)));
     each[i] = Problem::errors(samples.inputs[i], samples.references[i], result);
-  }
+  });
   // Errors beyond 100 % say no more than 100 %, and NaN is no better.
   constexpr double all_wrong = 1 / static_cast<double>(std::numeric_limits<Real>::epsilon());
   const auto capped = [](double error) { return error < all_wrong ? error : all_wrong; };

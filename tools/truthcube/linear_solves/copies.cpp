@@ -2,6 +2,7 @@
 
 #include <fem/solver/linear_measurement.h>
 #include <physgen/buffer.h>
+#include <physgen/parallel_for.h>
 
 #include <algorithm>
 #include <chrono>
@@ -35,11 +36,10 @@ double median_of(const Copy& copy, const Wait& wait) {
 void copy_on_host(const Buffer& to, const Buffer& from) {
   constexpr index_t piece = index_t{1} << 20;
   const index_t pieces = (from.bytes() + piece - 1) / piece;
-#pragma omp parallel for schedule(static)
-  for (index_t p = 0; p < pieces; ++p) {
+  parallel_for<1>(Host{}, pieces, [&](index_t p) {
     const index_t begin = p * piece, end = std::min(begin + piece, from.bytes());
     std::memcpy(to.data() + begin, from.data() + begin, static_cast<std::size_t>(end - begin));
-  }
+  });
 }
 
 }  // namespace

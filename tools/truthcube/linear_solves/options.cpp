@@ -115,7 +115,8 @@ LinearOptions parse_linear(const std::vector<std::string>& arguments) {
                "compare a product of the stiffness, and an iteration, with the device's copy of as many bytes");
   add_choice(app, "--device", options.device, devices, "device", "device that solves");
   app.add_option("--output", options.output, "JSON file of the rows")->type_name("FILE");
-  app.add_option("--threads", options.threads, "OpenMP threads on the CPU; 0: all")
+  app.add_option("--threads", options.threads,
+                 "threads on the CPU; 0: as OMP_NUM_THREADS says, or one for each processor that it may use")
       ->check(whole_number(0, 4096))
       ->type_name("N");
   options.help = parse_words(app, arguments);

@@ -32,7 +32,7 @@ struct LinearOptions {
   bool copies = false;  ///< whether the device's own copy is measured, too
   fem::Device device = fem::Device::cpu;
   std::filesystem::path output;  ///< empty: no file
-  int threads = 0;               ///< OpenMP threads; 0: all
+  int threads = 0;               ///< of the CPU, see physgen::set_threads()
   std::string help;              ///< what to print where help was asked for
 };
 

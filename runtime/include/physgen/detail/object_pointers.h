@@ -2,9 +2,11 @@
 #pragma once
 
 #include <physgen/config.h>
+#include <physgen/detail/launch.h>
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <numeric>
 #include <span>
@@ -18,9 +20,10 @@ template <class T>
 void check_not_null(std::span<T* const> objects, std::string_view object_type) {
   const auto count = static_cast<index_t>(objects.size());
   T* const* pointers = objects.data();
-  bool missing = false;
-#pragma omp parallel for simd reduction(|| : missing) if (count > 8192)
-  for (index_t i = 0; i < count; ++i) missing = missing || pointers[i] == nullptr;
+  std::atomic<bool> missing = false;
+  for_parts(count, [pointers, &missing](index_t begin, index_t end) {
+    if (std::find(pointers + begin, pointers + end, nullptr) != pointers + end) missing = true;
+  });
   if (missing) {
     const auto first = std::find(objects.begin(), objects.end(), nullptr) - objects.begin();
     throw Error(std::string(object_type) + ": pointer " + std::to_string(first) + " of " + std::to_string(count) +
