@@ -119,15 +119,27 @@ class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, 
   }
 
   // Kernels stream, but over more arrays, with more skipped channels, than hardware prefetchers follow: the line that a
-  // later pack will load is asked for now. Measured: dP from dF over Aosoa<16> 8.2 ms instead of 11.7, over
-  // Aosoa<32> 9.2 instead of 17.5; one, three or four packs ahead are slower. The line may lie behind the array:
-  // prefetches do not fault. (Locals have no later packs.)
+  // later pack will load is asked for now. The line may lie behind the array: prefetches do not fault. (Locals have no
+  // later packs.) It is fetched into the second cache: lines that are under way to the first one hold its few miss
+  // buffers for as long as memory takes, and loads wait for these. How dP from dF runs with either, and by which
+  // distance, stands in tools/report/results/README.md.
   template <class T>
   void prefetch(int offset) const {
     if constexpr (of_a_local) return;
-    constexpr index_t packs_ahead = 2;
-    constexpr index_t pack_bytes = index_t{W} * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
-    __builtin_prefetch(reinterpret_cast<const std::byte*>(address<T>(offset, 0)) + packs_ahead * pack_bytes);
+    constexpr int line_bytes = 64, line_lanes = line_bytes / int{sizeof(T)}, second_cache = 2;
+    constexpr auto bytes_ahead = [](index_t objects) {
+      return objects * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
+    };
+    const auto* now = reinterpret_cast<const std::byte*>(address<T>(offset, 0));
+    if constexpr (Layout::contiguous(2 * line_lanes)) {
+      __builtin_prefetch(now + bytes_ahead(2 * line_lanes), 0, second_cache);
+    } else if constexpr (W == line_lanes) {
+      // Channels of a tile are lines side by side, which hardware follows or fetches in pairs: half of them suffice,
+      // and cost arrays that lie in a cache less.
+      if (offset / int{sizeof(T)} % 2 == 0) __builtin_prefetch(now + bytes_ahead(2 * W), 0, second_cache);
+    } else {
+      __builtin_prefetch(now + bytes_ahead(2 * W));
+    }
   }
 
   Byte* tile_;
