@@ -106,7 +106,7 @@ class Run {
     if constexpr (Space::kind == SpaceKind::cuda) {
       parallel_for(Space{}, output.size(), kernel);
     } else {
-      parallel_for<Case::lanes>(Space{}, output.size(), kernel);
+      parallel_for(Space{}, output.size(), lanes<Case::lanes>(kernel));
     }
     std::vector<Real>& numbers = results_[name];
     numbers = flattened(output);

@@ -46,7 +46,7 @@ class SvdOf : public testing::Test {
     if constexpr (Space::kind == SpaceKind::cuda) {
       parallel_for(Space{}, n, kernel);
     } else {
-      parallel_for<Case::lanes>(Space{}, n, kernel);
+      parallel_for(Space{}, n, lanes<Case::lanes>(kernel));
     }
     copy(host_svds, svds);
     synchronize();

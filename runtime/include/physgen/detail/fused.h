@@ -3,6 +3,7 @@
 
 #include <physgen/array.h>
 #include <physgen/detail/local_cursor.h>
+#include <physgen/in_lanes.h>
 #include <physgen/lanes.h>
 
 #include <concepts>
@@ -159,6 +160,10 @@ PHYSGEN_FUNCTION constexpr void check_scalar() {
   static_assert(
       requires { typename Step::Scalar; },
       "fuse(): a step needs a member type, `using Scalar = typename View::Precision;`, or over<float>(lambda)");
+  static_assert(
+      !states_lanes<Step>,
+      "fuse(): this step states its lanes, but all steps of a fused kernel are called with the same; state those "
+      "of the whole, lanes<W>(fuse(...))");
 }
 
 template <class... Local>
