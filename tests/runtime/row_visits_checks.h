@@ -90,8 +90,7 @@ class RowVisits {
     } else {
       const Rows rows{ranges_.const_view(), entries_.const_view(), in_.size()};
       const VisitRows kernel{rows, in_.const_view(), counts_.view(), sums_.view(), differences_.view()};
-      constexpr int width = Case::lanes == 0 ? detail::pack_lanes<Real>() : Case::lanes;
-      parallel_for(Host{}, begin, end, lanes<width>(kernel));
+      parallel_for(Host{}, begin, end, lanes<Case::lanes>(kernel));
     }
     const auto after = std::tuple(on_host(counts_), on_host(sums_), on_host(differences_));
     for (index_t i = 0; i < size(); ++i) {
