@@ -26,7 +26,7 @@ std::vector<double> numbers_at_first(const Read& read) {
     }
   });
   parallel_for(Host{}, padding_objects, fuse(locals(unwritten), look));
-  parallel_for<1>(Host{}, 3, fuse(locals(unwritten), look));
+  parallel_for(Host{}, 3, lanes<1>(fuse(locals(unwritten), look)));
   return found;
 }
 
@@ -70,7 +70,7 @@ TEST(CheckedFuse, reports_objects_of_arrays_that_do_not_exist) {
                           over<float>([=](auto i) { view[i].f() = local_force[i].f().get(); }));
   EXPECT_EQ(message_of([&] { parallel_for(Host{}, 19, 21, fused); }),
             "physgen: elasticity::NodeForce: object 20 of an array of 20");
-  EXPECT_EQ(message_of([&] { parallel_for<1>(Host{}, 19, 21, fused); }),
+  EXPECT_EQ(message_of([&] { parallel_for(Host{}, 19, 21, lanes<1>(fused)); }),
             "physgen: elasticity::NodeForce: object 20 of an array of 20");
   EXPECT_NO_THROW(parallel_for(Host{}, 3, 20, fused));
 }

@@ -36,7 +36,7 @@ TEST(CheckedView, reports_device_memory_used_on_the_host) {
 TEST(CheckedView, reports_out_of_packs_and_threads) {
   NodePositionArray<float> array(20000);
   const auto view = array.view();
-  EXPECT_THROW(parallel_for<1>(Host{}, 20001, [=](index_t i) { (void)view[i]; }), Error);
+  EXPECT_THROW(parallel_for(Host{}, 20001, lanes<1>([=](index_t i) { (void)view[i]; })), Error);
   EXPECT_THROW(parallel_for(Host{}, 20001, over<float>([=](auto i) { (void)view[i]; })), Error);
   EXPECT_NO_THROW(parallel_for(Host{}, 3, 19999, over<float>([=](auto i) { (void)view[i]; })));
   EXPECT_THROW((void)view[Pack<8>{20000}], Error);
@@ -94,7 +94,7 @@ TEST(CheckedView, reports_a_gathered_store_of_two_lanes_to_one_object) {
     view[numbers(i) / 2].x() = Eigen::Matrix<S, 3, 1>(S(1), S(2), S(3));
   });
   EXPECT_NE(message_of([&] { parallel_for(Host{}, 40, store_to_halves); }).find("both name object"), std::string::npos);
-  EXPECT_NO_THROW(parallel_for<1>(Host{}, 40, store_to_halves));
+  EXPECT_NO_THROW(parallel_for(Host{}, 40, lanes<1>(store_to_halves)));
   // The lanes outside a range repeat one inside, and are no objects of their own.
   const auto store_to_own = over<float>([=](auto i) {
     using S = lanes_t<float, decltype(i)>;

@@ -4,6 +4,7 @@
 #include <physgen/kernel.h>
 #include <physgen/parallel_for.h>
 
+#include "in_packs.h"
 #include "test_objects.h"
 
 namespace physgen::test {
@@ -74,8 +75,8 @@ void expect_the_same(const char* what, const Expression& expression) {
   }
   const Apply<Real, Expression> kernel{edges.view(), packs.view(), in.view(), of_packs.view(), expression};
   const Apply<Real, Expression> single{edges.view(), ones.view(), in.view(), of_ones.view(), expression};
-  parallel_for(Host{}, n, kernel);
-  parallel_for<1>(Host{}, n, single);
+  parallel_for(Host{}, n, in_packs(kernel));
+  parallel_for(Host{}, n, lanes<1>(single));
   for (index_t k = 0; k < n; ++k) {
     ASSERT_EQ(int(packs.view()[k].nodes()[0]), int(ones.view()[k].nodes()[0])) << what << ", object " << k;
     const Real pack = of_packs.view()[k].x1111(), one = of_ones.view()[k].x1111();

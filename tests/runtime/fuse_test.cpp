@@ -8,7 +8,7 @@ namespace {
 
 template <int kLanes>
 constexpr auto on_host =
-    [](index_t begin, index_t end, const auto& kernel) { parallel_for<kLanes>(Host{}, begin, end, kernel); };
+    [](index_t begin, index_t end, const auto& kernel) { parallel_for(Host{}, begin, end, lanes<kLanes>(kernel)); };
 
 TEST(Fuse, has_the_bits_of_separate_kernels_in_packs) {
   check_fused<float, Host, Soa>(on_host<0>);

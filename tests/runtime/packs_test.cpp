@@ -3,6 +3,7 @@
 #include <physgen/kernel.h>
 #include <physgen/parallel_for.h>
 
+#include "in_packs.h"
 #include "test_objects.h"
 
 namespace physgen::test {
@@ -116,12 +117,12 @@ TYPED_TEST(PartialPacksOver, change_objects_of_the_range_only_and_give_the_bits_
     // Whole packs over a larger array whose first objects are the same.
     Array larger(128), larger_out(128);
     for (index_t i = 0; i < n; ++i) larger.view()[i].x1111() = from.view()[i].x1111();
-    parallel_for(Host{}, 128, kernel(larger.const_view(), larger_out.view()));
+    parallel_for(Host{}, 128, in_packs(kernel(larger.const_view(), larger_out.view())));
     const index_t begin = static_cast<index_t>(random()) % n;
     const index_t end = begin + 1 + static_cast<index_t>(random()) % (n - begin);
     std::vector<std::byte> before(static_cast<std::size_t>(part.bytes()));
     std::memcpy(before.data(), part.untyped().base, before.size());
-    parallel_for(Host{}, begin, end, kernel(from.const_view(), part.view()));
+    parallel_for(Host{}, begin, end, in_packs(kernel(from.const_view(), part.view())));
     for (index_t i = begin; i < end; ++i) {
       const float expected = larger_out.view()[i].x2211();
       ASSERT_EQ(part.view()[i].x2211(), expected) << "object " << i << " of " << begin << " to " << end;

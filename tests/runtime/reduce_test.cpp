@@ -44,7 +44,7 @@ void check_widths() {
         set_threads(threads);
         const auto check = [&, b = begin, e = end]<int kWidth>(std::integral_constant<int, kWidth>) {
           if constexpr (kWidth == 1 || !std::is_void_v<typename xsimd::make_sized_batch<Real, kWidth>::type>) {
-            expect_same(parallel_reduce<kWidth>(Host{}, b, e, product, Sum{}), wanted,
+            expect_same(parallel_reduce(Host{}, b, e, lanes<kWidth>(product), Sum{}), wanted,
                         std::to_string(kWidth) + " lanes, " + std::to_string(threads) + " threads");
           }
         };
@@ -105,7 +105,8 @@ TEST(Reduce, passes_on_what_a_kernel_throws_after_all_other_calls) {
     if (i == 12345) throw Error("object 12345 is bad");
     return 1.0;
   };
-  EXPECT_EQ(message_of([&] { parallel_reduce<1>(Host{}, 20000, kernel, Sum{}); }), "physgen: object 12345 is bad");
+  EXPECT_EQ(message_of([&] { parallel_reduce(Host{}, 20000, lanes<1>(kernel), Sum{}); }),
+            "physgen: object 12345 is bad");
   EXPECT_EQ(std::count(called.begin(), called.end(), 1), 20000);
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "in_packs.h"
 #include "test_objects.h"
 
 namespace physgen::test {
@@ -60,9 +61,9 @@ void check_element_expressions(int lanes) {
     }
     const ElementExpressions<decltype(array.view())> kernel{view};
     if (lanes == 1) {
-      parallel_for<1>(Host{}, n, kernel);
+      parallel_for(Host{}, n, physgen::lanes<1>(kernel));
     } else {
-      parallel_for(Host{}, n, kernel);
+      parallel_for(Host{}, n, in_packs(kernel));
     }
     for (index_t i = 0; i < n; ++i) {
       const auto m = static_cast<float>(i % 8);
@@ -147,7 +148,8 @@ void check_field_expressions() {
     const auto k = static_cast<float>(i % 4);
     from.view()[i].x() = Eigen::Vector3f(k, k + 1, -k);
   }
-  parallel_for<kLanes>(Host{}, 21, FieldExpressions<typename Positions::View>{to.view(), from.view()});
+  constexpr int width = kLanes == 0 ? detail::pack_lanes<float>() : kLanes;
+  parallel_for(Host{}, 21, lanes<width>(FieldExpressions<typename Positions::View>{to.view(), from.view()}));
   for (index_t i = 0; i < 21; ++i) {
     const auto k = static_cast<float>(i % 4);
     const Eigen::Vector3f start(k, k + 1, -k), kept = to.view()[i].x(), made = from.view()[i].x();

@@ -93,9 +93,14 @@ void a_sum_at_an_arrays_local() { parallel_for(Host{}, 5, fuse(locals(svds), Sum
 void a_masked_store_to_a_local() {
   fused([](auto k) { store_where(wanted<float>(k), kept[k].x1111(), lanes_t<float, decltype(k)>(1.0F)); });
 }
+/// refused a_step_that_states_its_lanes: lanes<W>(fuse(...))
+void a_step_that_states_its_lanes() {
+  parallel_for(Host{}, 5, fuse(locals(kept), lanes<1>(over<float>([](auto k) { kept[k].x1111() = 1.0F; }))));
+}
 /// refused a_masked_store_to_a_local_of_one_object: store_where() to a local of fuse
 void a_masked_store_to_a_local_of_one_object() {
-  parallel_for<1>(Host{}, 5, fuse(locals(kept), over<float>([](auto k) { store_where(true, kept[k].x1111(), 1.0F); })));
+  parallel_for(Host{}, 5,
+               lanes<1>(fuse(locals(kept), over<float>([](auto k) { store_where(true, kept[k].x1111(), 1.0F); }))));
 }
 /// refused a_masked_store_to_a_field_of_a_local: store_where() to a local of fuse
 void a_masked_store_to_a_field_of_a_local() {

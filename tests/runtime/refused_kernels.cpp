@@ -114,13 +114,25 @@ void a_sum_of_references(const Given& g) {
 void a_sum_of_dynamic_vectors() {
   (void)sum(Host{}, 5, over<float>([](auto) { return Dynamic(3); }));
 }
-/// refused packs_of_three: parallel_for<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes
+/// refused packs_of_three: lanes<W>(kernel): packs have 1, 2, 4, 8, 16 or 32 lanes
 void packs_of_three() {
-  parallel_for<3>(Host{}, 5, over<float>([](auto) {}));
+  parallel_for(Host{}, 5, lanes<3>(over<float>([](auto) {})));
 }
-/// refused a_sum_over_packs_of_three: parallel_reduce<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes
-void a_sum_over_packs_of_three() {
-  (void)parallel_reduce<3>(Host{}, 5, over<float>([](auto) { return 1.0F; }), Sum{});
+/// refused a_sum_over_packs_of_64_doubles: lanes<W>(kernel): packs have 1, 2, 4, 8, 16 or 32 lanes
+void a_sum_over_packs_of_64_doubles() {
+  (void)sum(Host{}, 5, lanes<64>(over<double>([](auto) { return 1.0; })));
+}
+/// refused packs_of_32_doubles: this CPU has no register of W lanes of the kernel's Scalar
+void packs_of_32_doubles() {
+  parallel_for(Host{}, 5, lanes<32>(over<double>([](auto) {})));
+}
+/// refused packs_of_a_kernel_of_single_objects: this kernel takes single objects alone
+void packs_of_a_kernel_of_single_objects() {
+  parallel_for(Host{}, 5, lanes<4>([](index_t) {}));
+}
+/// refused a_sum_over_packs_of_a_kernel_of_single_objects: this kernel takes single objects alone
+void a_sum_over_packs_of_a_kernel_of_single_objects() {
+  (void)sum(Host{}, 5, lanes<4>([](index_t) { return 1.0; }));
 }
 /// refused packs_wider_than_registers: this CPU has no SIMD register of W lanes of T
 using packs_wider_than_registers = lanes_t<float, Pack<1024>>;

@@ -89,8 +89,8 @@ class RowVisits {
       synchronize();
     } else {
       const Rows rows{ranges_.const_view(), entries_.const_view(), in_.size()};
-      parallel_for<Case::lanes>(Host{}, begin, end,
-                                VisitRows{rows, in_.const_view(), counts_.view(), sums_.view(), differences_.view()});
+      const VisitRows kernel{rows, in_.const_view(), counts_.view(), sums_.view(), differences_.view()};
+      parallel_for(Host{}, begin, end, lanes<Case::lanes>(kernel));
     }
     const auto after = std::tuple(on_host(counts_), on_host(sums_), on_host(differences_));
     for (index_t i = 0; i < size(); ++i) {

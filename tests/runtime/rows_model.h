@@ -1,6 +1,7 @@
 // Rows of random entries, and the vectors of vectors that they are held against.
 #pragma once
 
+#include <physgen/in_lanes.h>
 #include <physgen/math.h>
 #include <physgen/row_arrays.h>
 
@@ -10,7 +11,7 @@
 
 namespace physgen::test {
 
-/// @tparam kLanes as parallel_for takes it
+/// @tparam kLanes as lanes<W>() takes it
 template <class Real_, class Space_, class Layout, int kLanes_ = 0>
 struct RowsCase {
   using Real = Real_;

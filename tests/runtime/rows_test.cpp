@@ -8,9 +8,10 @@ namespace {
 
 template <class Case>
 class HostRows : public ::testing::Test {};
-using Cases = ::testing::Types<RowsCase<float, Host, Aos>, RowsCase<float, Host, Aosoa<32>, 8>,
-                               RowsCase<float, Host, AosPadded, 1>, RowsCase<double, Host, Soa>,
-                               RowsCase<double, Host, Aosoa<8>, 4>>;
+using Cases =
+    ::testing::Types<RowsCase<float, Host, Aos, detail::pack_lanes<float>()>, RowsCase<float, Host, Aosoa<32>, 8>,
+                     RowsCase<float, Host, AosPadded, 1>, RowsCase<double, Host, Soa, detail::pack_lanes<double>()>,
+                     RowsCase<double, Host, Aosoa<8>, 4>>;
 TYPED_TEST_SUITE(HostRows, Cases);
 
 TYPED_TEST(HostRows, are_visited_as_by_a_plain_loop_bit_for_bit) { check_visits<TypeParam>(); }

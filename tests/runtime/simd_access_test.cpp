@@ -1,6 +1,7 @@
 // SIMD access: packs and gathered batches read and write the same elements as plain indices do, in every layout.
 #include <physgen/parallel_for.h>
 
+#include "in_packs.h"
 #include "test_objects.h"
 
 namespace physgen::test {
@@ -79,8 +80,8 @@ TYPED_TEST(SimdAccess, parallel_for_visits_every_object_once) {
   for (const index_t n : {0, 1, 31, 33, 20011}) {
     elasticity::NodeForceArray<float, Host, TypeParam> visits(n);
     const CountVisits<TypeParam> kernel{visits.view()};
-    parallel_for(Host{}, n, kernel);
-    parallel_for<1>(Host{}, n, kernel);
+    parallel_for(Host{}, n, in_packs(kernel));
+    parallel_for(Host{}, n, lanes<1>(kernel));
     for (index_t i = 0; i < n; ++i) ASSERT_EQ(visits.view()[i].f()(1), 2.0F) << "object " << i << " of " << n;
   }
 }
@@ -89,7 +90,7 @@ TEST(ParallelFor, passes_on_what_a_kernel_throws) {
   const auto kernel = [](index_t i) {
     if (i == 12345) throw Error("object 12345 is bad");
   };
-  EXPECT_THROW(parallel_for<1>(Host{}, 20000, kernel), Error);
+  EXPECT_THROW(parallel_for(Host{}, 20000, lanes<1>(kernel)), Error);
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ class FieldRef {
     } else {
       if constexpr (joins_words) {
         if (at_.template may_read_words<T, Shape::count>()) {
-          T elements[whole_words];
+          Scalar elements[whole_words];
           at_.template load_words<T, Shape::count>(elements);
           return Shape::template value<Scalar>(elements);
         }
@@ -177,7 +177,7 @@ class FieldRef {
       PHYSGEN_UNROLL
       for (int k = 0; k < 4; ++k) at_.template element<Element, T>(0, k) = Scalar(q[k]);
     } else {
-      if constexpr (joins_words) {
+      if constexpr (joins_words && std::is_same_v<Scalar, T>) {
         if (at_.template may_write_words<T, Shape::count>()) {
           T elements[whole_words] = {};
           Shape::template store<Scalar>(value, static_cast<T*>(elements));

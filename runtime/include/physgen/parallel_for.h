@@ -8,6 +8,7 @@
 #include <physgen/detail/host_loop.h>
 #include <physgen/detail/kernel_calls.h>
 #include <physgen/detail/simd_rows.h>
+#include <physgen/in_lanes.h>
 #include <physgen/layout.h>
 #include <physgen/simd_lanes.h>
 #include <physgen/space.h>
@@ -35,17 +36,15 @@ template <class Real, class Body>
 ///
 /// A kernel with a member type Scalar and a templated call operator is called with Pack<W> for W objects at once, W
 /// being as many as fit the widest register; where the range does not fill the first or the last pack, with
-/// PartialPack<W>, which sees and changes objects of the range only. A kernel that takes index_t alone, and one of
-/// doubles where the CPU has no register of as few integers (x86-64 without AVX), is called with one object at a time.
-/// kLanes chooses another W; parallel_for<1> calls any kernel with index_t.
+/// PartialPack<W>, which sees and changes objects of the range only. A kernel that would lose by packs, as
+/// detail/chosen_lanes.h tells from its type, one that takes index_t alone, and one of doubles where the CPU has no
+/// register of as few integers (x86-64 without AVX), is called with one object at a time. lanes<W>(kernel) states W.
 /// @pre the range lies in the arrays whose objects the kernel writes; no two calls write the same object, unless by
 /// add()
 /// @throw what a call throws (the first to be caught), after all other calls have been made
-template <int kLanes = 0, class Kernel>
+template <class Kernel>
 void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kernel) {
-  constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
-  static_assert(width > 0 && padding_objects % width == 0,
-                "parallel_for<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes, so that each lies in the padding of arrays");
+  constexpr int width = detail::lanes_of_calls<Kernel>();
   detail::check_range_of_launch(begin);
   if (begin >= end) return;
   const detail::RunLanes outer({});  // where a kernel calls this
@@ -69,9 +68,9 @@ void parallel_for(Host /*space*/, index_t begin, index_t end, const Kernel& kern
 }
 
 /// The same for the objects 0 .. size-1.
-template <int kLanes = 0, class Kernel>
+template <class Kernel>
 void parallel_for(Host space, index_t size, const Kernel& kernel) {
-  parallel_for<kLanes>(space, 0, size, kernel);
+  parallel_for(space, 0, size, kernel);
 }
 
 }  // namespace physgen

@@ -11,17 +11,13 @@ namespace physgen {
 
 /// Calls kernel(i) for the objects begin .. end-1, on threads() threads, as parallel_for() does, and folds what the
 /// calls return. The kernel may also store fields.
-/// @tparam kLanes as of parallel_for()
 /// @param fold Sum, Max, Min, Argmax, All, Any, Count, or one's own; see reduce.h
 /// @return the fold's Value, or of several terms a std::array or Eigen matrix of them
 /// @throw what a call throws (the first to be caught), after all other calls have been made
-template <int kLanes = 0, class Kernel, class Fold>
+template <class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
 auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& kernel, Fold /*fold*/) {
-  constexpr int width = detail::lanes_of_calls<kLanes, Kernel>();
-  static_assert(
-      width > 0 && detail::reduce_lanes % width == 0,
-      "parallel_reduce<W>(): packs have 1, 2, 4, 8, 16 or 32 lanes, so that sums have the same order for all");
+  constexpr int width = detail::lanes_of_calls<Kernel>();
   using Index = std::conditional_t<width == 1, index_t, Pack<width>>;
   using Types = detail::Reduction<Kernel, Fold, Index>;
   using Value = typename Types::Value;
@@ -50,10 +46,10 @@ auto parallel_reduce(Host /*space*/, index_t begin, index_t end, const Kernel& k
 }
 
 /// The same for the objects 0 .. size-1.
-template <int kLanes = 0, class Kernel, class Fold>
+template <class Kernel, class Fold>
   requires(!std::is_integral_v<Kernel>)
 auto parallel_reduce(Host space, index_t size, const Kernel& kernel, Fold fold) {
-  return parallel_reduce<kLanes>(space, 0, size, kernel, fold);
+  return parallel_reduce(space, 0, size, kernel, fold);
 }
 
 }  // namespace physgen

@@ -9,6 +9,7 @@
 #include <fem/kernels/stress_derivative.h>
 #include <fem/kernels/stress_differential.h>
 #include <fem/materials/materials.h>
+#include <physgen/in_lanes.h>
 #ifdef __CUDACC__
 #include <physgen/cuda/parallel_for.h>
 #else
@@ -106,7 +107,7 @@ class Run {
     if constexpr (Space::kind == SpaceKind::cuda) {
       parallel_for(Space{}, output.size(), kernel);
     } else {
-      parallel_for<Case::lanes>(Space{}, output.size(), kernel);
+      parallel_for(Space{}, output.size(), lanes<Case::lanes>(kernel));
     }
     std::vector<Real>& numbers = results_[name];
     numbers = flattened(output);

@@ -10,11 +10,11 @@ template <int kLanes>
 struct OnHost {
   template <class Kernel>
   static void over(index_t begin, index_t end, const Kernel& kernel) {
-    parallel_for<kLanes>(Host{}, begin, end, kernel);
+    parallel_for(Host{}, begin, end, lanes<kLanes>(kernel));
   }
   template <class Kernel>
   static void one_by_one(index_t size, const Kernel& kernel) {
-    parallel_for<1>(Host{}, size, kernel);
+    parallel_for(Host{}, size, lanes<1>(kernel));
   }
 };
 

@@ -20,10 +20,11 @@ TEST(KernelsOverPacks, compute_what_they_compute_over_single_objects) {
   scene.run_all(model);
   auto derivative = scene.derivative;
   auto differential = scene.stress_differential;
-  parallel_for<1>(Host{}, scene.elements(), ComputeStressDerivative{model, scene.svd.const_view(), derivative.view()});
-  parallel_for<1>(Host{}, scene.elements(),
-                  ComputeStressDifferential{scene.svd.const_view(), derivative.const_view(),
-                                            scene.gradient_differential.const_view(), differential.view()});
+  parallel_for(Host{}, scene.elements(),
+               lanes<1>(ComputeStressDerivative{model, scene.svd.const_view(), derivative.view()}));
+  parallel_for(Host{}, scene.elements(),
+               lanes<1>(ComputeStressDifferential{scene.svd.const_view(), derivative.const_view(),
+                                                  scene.gradient_differential.const_view(), differential.view()}));
   for (index_t i = 0; i < scene.elements(); ++i) {
     const Eigen::Matrix3f a = differential.view()[i].dP(), b = scene.stress_differential.view()[i].dP();
     ASSERT_LE((a - b).norm(), 1e-5f * b.norm() + 1e-6f) << "tet " << i;

@@ -8,6 +8,7 @@
 #include <fem/reference/matrix_families.h>
 #include <fem/reference/svd_errors.h>
 #include <gtest/gtest.h>
+#include <physgen/in_lanes.h>
 
 #include <cstring>
 #include <vector>
@@ -46,7 +47,7 @@ class SvdOf : public testing::Test {
     if constexpr (Space::kind == SpaceKind::cuda) {
       parallel_for(Space{}, n, kernel);
     } else {
-      parallel_for<Case::lanes>(Space{}, n, kernel);
+      parallel_for(Space{}, n, lanes<Case::lanes>(kernel));
     }
     copy(host_svds, svds);
     synchronize();

@@ -10,7 +10,7 @@ namespace {
 struct Singles : HostExecutor {
   template <class Kernel>
   void run(index_t n, const Kernel& kernel) {
-    parallel_for<1>(Host{}, n, kernel);
+    parallel_for(Host{}, n, lanes<1>(kernel));
   }
 };
 

@@ -20,7 +20,7 @@ inline constexpr index_t nodes = 61, tets = 103;  // the last pack is not whole
 struct Singles : HostExecutor {
   template <class Kernel>
   void run(index_t n, const Kernel& kernel) {
-    parallel_for<1>(Host{}, n, kernel);
+    parallel_for(Host{}, n, lanes<1>(kernel));
   }
 };
 

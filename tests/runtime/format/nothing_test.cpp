@@ -3,6 +3,7 @@
 #include <physgen/parallel_for.h>
 #include <physgen/row_arrays.h>
 
+#include "in_packs.h"
 #include "nothing_checks.h"
 #include "nothing_kernels.h"
 
@@ -58,7 +59,7 @@ void check_stores(index_t n) {
     std::fill(written.begin() + begin, written.begin() + end, true);
   });
   check([&](std::vector<bool>& written) {
-    parallel_for(Host{}, begin, end, PutAll<decltype(from), decltype(to)>{from, to});
+    parallel_for(Host{}, begin, end, in_packs(PutAll<decltype(from), decltype(to)>{from, to}));
     std::fill(written.begin() + begin, written.begin() + end, true);
   });
   check([&](std::vector<bool>& written) {
@@ -102,19 +103,19 @@ TYPED_TEST(NothingStored, is_what_single_elements_and_masked_stores_of_pruned_fi
     for (int k = 18; k < 21; ++k) ASSERT_EQ(svds.getdata(76, k), 6);
     EXPECT_EQ(derivatives.take_losses().falsified(), 0U) << "1e30 would be no half, but is not stored as one";
   };
-  check([](const auto& kernel) { parallel_for<1>(Host{}, 77, kernel); });
-  check([](const auto& kernel) { parallel_for(Host{}, 77, kernel); });
+  check([](const auto& kernel) { parallel_for(Host{}, 77, lanes<1>(kernel)); });
+  check([](const auto& kernel) { parallel_for(Host{}, 77, in_packs(kernel)); });
 }
 
 // ---- Results --------------------------------------------------------------------------------------------------------
 
 TYPED_TEST(NothingStored, of_rotations_leaves_every_bit_of_stress_derivatives) {
-  const auto one_by_one = [](index_t n, const auto& kernel) { parallel_for<1>(Host{}, n, kernel); };
-  const auto in_packs = [](index_t n, const auto& kernel) { parallel_for(Host{}, n, kernel); };
+  const auto one_by_one = [](index_t n, const auto& kernel) { parallel_for(Host{}, n, lanes<1>(kernel)); };
+  const auto packed = [](index_t n, const auto& kernel) { parallel_for(Host{}, n, in_packs(kernel)); };
   check_results_with_pruned_rotations<float, Host, TypeParam>(one_by_one);
-  check_results_with_pruned_rotations<float, Host, TypeParam>(in_packs);
+  check_results_with_pruned_rotations<float, Host, TypeParam>(packed);
   check_results_with_pruned_rotations<double, Host, TypeParam>(one_by_one);
-  check_results_with_pruned_rotations<double, Host, TypeParam>(in_packs);
+  check_results_with_pruned_rotations<double, Host, TypeParam>(packed);
 }
 
 // ---- Copies ---------------------------------------------------------------------------------------------------------

@@ -273,7 +273,7 @@ TEST(Probes, leave_references_as_indices_what_they_are_without_probes) {
     singles.view()[n].f() = packs.view()[n].f().get();
   }
   parallel_for(Host{}, tets, ReferenceAsIndex{corners.const_view(), packs.view()});
-  parallel_for<1>(Host{}, tets, ReferenceAsIndex{corners.const_view(), singles.view()});
+  parallel_for(Host{}, tets, lanes<1>(ReferenceAsIndex{corners.const_view(), singles.view()}));
   for (index_t t = 0; t < tets; ++t) {
     const auto at = [t](int c) { return Eigen::Vector3f(float(4 * t + c) + 1.0F, 2.0F * float(4 * t + c), -3.0F); };
     for (const auto* forces : {&packs, &singles}) {

@@ -112,8 +112,8 @@ Case scattered_case(index_t objects) {
   made.copy = [state, value_of] {
     const auto view = state->packed.view();
     return HostDevice::time([&] {
-      parallel_for<1>(Host{}, view.size(),
-                      [&](index_t i) { view.put(i, value_of(*state->pointers[static_cast<std::size_t>(i)])); });
+      parallel_for(Host{}, view.size(),
+                   lanes<1>([&](index_t i) { view.put(i, value_of(*state->pointers[static_cast<std::size_t>(i)])); }));
     });
   };
   made.check = [state, run = made.run] {

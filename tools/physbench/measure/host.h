@@ -23,7 +23,7 @@ struct HostDevice {
   }
   template <int kLanes, class Kernel>
   static void run(index_t objects, const Kernel& kernel) {
-    parallel_for<kLanes>(Host{}, objects, kernel);
+    parallel_for(Host{}, objects, lanes<kLanes>(kernel));
   }
   /// A copy of half of `bytes`: memcpy, by all threads. @return what gives its time [s]
   static std::function<double()> copy(double bytes);

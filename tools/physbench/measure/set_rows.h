@@ -29,7 +29,7 @@ template <class Kernel, class Real, int kLanes>
 auto run_once(const typename OnSet<Kernel, Real>::Inputs& inputs) {
   auto outputs = make_arrays<typename OnSet<Kernel, Real>::Outputs>([](std::size_t /*k*/) { return index_t{1}; });
   for_each_array(outputs, [](auto& array, auto /*k*/) { poison(array.untyped()); });
-  parallel_for<kLanes>(Host{}, 1, kernel_over<Kernel, Real>(inputs, outputs));
+  parallel_for(Host{}, 1, lanes<kLanes>(kernel_over<Kernel, Real>(inputs, outputs)));
   return outputs;
 }
 

@@ -5,6 +5,7 @@
 
 #include <physgen/array.h>
 #include <physgen/detail/local_cursor.h>
+#include <physgen/in_lanes.h>
 #include <physgen/lanes.h>
 
 #include <concepts>
@@ -115,12 +116,13 @@ template <class Step>
 }
 #endif
 
+/// An object of this type says that the step takes the index. (Compilers put off what a function says.)
 template <class Step, class Index>
-PHYSGEN_FUNCTION constexpr void check_step() {
+struct TakesIndex {
   static_assert(std::invocable<const Step&, const Index&>,
                 "fuse(): this step takes no packs, since its call operator is not a template over the index; run it by "
                 "itself, over an array in the place of each local");
-}
+};
 
 /// Kernels in their order; not a std::tuple, of which CUDA knows less.
 template <class... Step>
@@ -132,7 +134,7 @@ struct Steps<Last> {
 
   template <class Index>
   PHYSGEN_FUNCTION decltype(auto) run(const Index& i) const {
-    check_step<Last, Index>();
+    (void)TakesIndex<Last, Index>();
     [[maybe_unused]] const auto here = begin_step<Last>();
     return step(i);
   }
@@ -146,7 +148,7 @@ struct Steps<First, Rest...> {
 
   template <class Index>
   PHYSGEN_FUNCTION decltype(auto) run(const Index& i) const {
-    check_step<First, Index>();
+    (void)TakesIndex<First, Index>();
     static_assert(std::is_void_v<std::invoke_result_t<const First&, const Index&>>,
                   "fuse(): a step before the last one returns a term, which nothing would fold; make it the last");
     {
@@ -162,6 +164,10 @@ PHYSGEN_FUNCTION constexpr void check_scalar() {
   static_assert(
       requires { typename Step::Scalar; },
       "fuse(): a step needs a member type, `using Scalar = typename View::Precision;`, or over<float>(lambda)");
+  static_assert(
+      !states_lanes<Step>,
+      "fuse(): this step states its lanes, but all steps of a fused kernel are called with the same; state those "
+      "of the whole, lanes<W>(fuse(...))");
 }
 
 template <class... Local>

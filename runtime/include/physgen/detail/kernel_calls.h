@@ -1,8 +1,9 @@
-// Calls kernels on the CPU: chooses the width of their packs and keeps what they throw.
+// Calls kernels on the CPU: knows the width of their packs and keeps what they throw.
 #pragma once
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/detail/chosen_lanes.h>
 #include <physgen/detail/host_loop.h>
 #include <physgen/simd_lanes.h>
 
@@ -11,23 +12,28 @@
 
 namespace physgen::detail {
 
+/// Whether this CPU has a register of W lanes of T.
+template <class T, int W>
+inline constexpr bool has_register =
+    !std::is_void_v<typename xsimd::make_sized_batch<T, static_cast<std::size_t>(W)>::type>;
+
 /// Lanes of the packs that a kernel over numbers of type Real is called with: those of the widest register, where this
 /// CPU has registers of as many 32-bit lanes, too, for integer fields and floats; else 1.
 template <class Real>
 constexpr int pack_lanes() {
   constexpr int lanes = native_lanes<Real>;
-  using Integers = typename xsimd::make_sized_batch<std::int32_t, static_cast<std::size_t>(lanes)>::type;
-  return std::is_void_v<Integers> ? 1 : lanes;
+  return has_register<std::int32_t, lanes> ? lanes : 1;
 }
 
+/// Lanes of the widest packs that the kernel takes; 1 where it takes none.
 template <class Kernel>
-constexpr int default_lanes() {
+constexpr int widest_lanes(std::type_identity<Kernel> /*kernel*/) {
   static_assert(
       requires { typename Kernel::Scalar; },
       "parallel_for() and parallel_reduce() must know whether this kernel takes packs: give a function object a member "
       "type, "
       "`using Scalar = typename View::Precision;`; write over<float>(lambda) for a generic lambda; or "
-      "parallel_for<1>(...), which calls it with one object at a time");
+      "lanes<1>(kernel), which is called with one object at a time");
   if constexpr (requires { typename Kernel::Scalar; }) {
     constexpr int lanes = pack_lanes<typename Kernel::Scalar>();
     if constexpr (lanes > 1) {
@@ -36,15 +42,54 @@ constexpr int default_lanes() {
   }
   return 1;
 }
-
-/// kLanes, or where that is 0 the lanes that suit the kernel.
-template <int kLanes, class Kernel>
-constexpr int lanes_of_calls() {
-  if constexpr (kLanes == 0) {
-    return default_lanes<Kernel>();
+template <int W, class Kernel>
+constexpr int widest_lanes(std::type_identity<InLanes<W, Kernel>> /*kernel*/) {
+  if constexpr (W == 1) {
+    return 1;
   } else {
-    return kLanes;
+    return widest_lanes(std::type_identity<Kernel>());
   }
+}
+
+/// Whether W numbers of the kernel's Scalar, where it says one, lie in a register.
+template <class Kernel, int W>
+constexpr bool fits_registers() {
+  if constexpr (requires { typename Kernel::Scalar; }) {
+    return has_register<typename Kernel::Scalar, W>;
+  } else {
+    return true;
+  }
+}
+
+/// The lanes that a kernel is called with: those of the rule in chosen_lanes.h, or those that lanes<W>() states.
+template <class Kernel>
+constexpr int chosen_lanes(std::type_identity<Kernel> kernel) {
+  constexpr int widest = widest_lanes(kernel);
+  return suits_one_lane(PartsOf<Kernel>::parts) ? 1 : widest;
+}
+template <int W, class Kernel>
+constexpr int chosen_lanes(std::type_identity<InLanes<W, Kernel>> /*kernel*/) {
+  if constexpr (W == 0) {
+    return chosen_lanes(std::type_identity<Kernel>());
+  } else if constexpr (W > 1 && padding_objects % W == 0) {  // else lanes() has said that it may not be
+    constexpr bool takes_packs = std::invocable<const Kernel&, Pack<W>>;
+    static_assert(
+        takes_packs,
+        "lanes<W>(kernel): this kernel takes single objects alone. Make its call operator a template over the "
+        "index, `template <class I> void operator()(I i) const`, or write lanes<1>(kernel)");
+    constexpr bool fits = fits_registers<Kernel, W>();
+    static_assert(
+        fits,
+        "lanes<W>(kernel): this CPU has no register of W lanes of the kernel's Scalar; the widest that it has "
+        "are those of packs by default");
+    return takes_packs && fits ? W : 1;
+  } else {
+    return 1;
+  }
+}
+template <class Kernel>
+constexpr int lanes_of_calls() {
+  return chosen_lanes(std::type_identity<Kernel>());
 }
 
 /// In place of RunLanes where all lanes run.

@@ -4,6 +4,7 @@
 
 #include <physgen/detail/cursor.h>
 #include <physgen/detail/simd_formats.h>
+#include <physgen/detail/transposed.h>
 #include <physgen/simd.h>
 
 #include <array>
@@ -23,7 +24,7 @@ struct SizedBatch {
       !std::is_void_v<type>,
       "this CPU has no SIMD register of W lanes of T. Packs are as wide as the kernel's `using Scalar` makes them: let "
       "that be the widest number that the kernel reads, `using Scalar = typename View::Precision;`, or run the kernel "
-      "on single objects, parallel_for<1>(...)");
+      "on single objects, lanes<1>(kernel)");
 };
 
 }  // namespace detail
@@ -98,8 +99,6 @@ class SimdCursor : protected LossSink {
  public:
   template <class T>
   using Lanes = batch_t<T, W>;
-  template <class T, int kCount>
-  static constexpr bool joins_words = false;
   static constexpr bool gives_stored = true;
   /// Bits of all W lanes.
   static constexpr std::uint64_t all_lanes = ~std::uint64_t{0} >> (64 - W);
@@ -197,6 +196,11 @@ class SimdCursor : protected LossSink {
       }
     }
   }
+  /// Their place always allows it: see load_words_at().
+  template <class T, int kCount>
+  [[nodiscard]] static constexpr bool may_read_words() {
+    return true;
+  }
   template <class S>
   void check_rotation([[maybe_unused]] const Eigen::Matrix<S, 3, 3>& R,
                       [[maybe_unused]] std::uint64_t lanes = all_lanes) const {
@@ -213,6 +217,28 @@ class SimdCursor : protected LossSink {
   }
 
  protected:
+  /// Whether fields of kCount elements of type T are read by words of 16 bytes: of records that lie in one piece, into
+  /// registers of whole words.
+  template <class Layout, RecordSize kRecord, class T, int kCount>
+  static constexpr bool joins_words_of =
+      std::is_same_v<typename Layout::Pitch, StaticPitch<1>> && kCount > 1 && kRecord.stored >= 16 &&
+      (sizeof(T) == 4 || sizeof(T) == 8) && W* int{sizeof(T)} >= 16;
+  /// Reads such a field. @param at of its first element in the record [bytes]. @param elements room for whole words
+  template <RecordSize kRecord, class T, int kCount>
+  void load_words_at(int at, batch_t<T, W>* elements) const {
+    constexpr int E = word_elements<T>, size = int{sizeof(T)};
+    PHYSGEN_UNROLL
+    for (int k = 0; k < kCount; k += E) {
+      // No word reaches behind its record, where no memory might be: one that would begins earlier.
+      const int behind = at + k * size + 16 - kRecord.stored, shift = behind > 0 ? behind / size : 0;
+      register_t<T, W> words[E];
+      load_transposed<T, W>([&](int l) { return self().template address<T>((k - shift) * size, l); }, words);
+      for (int e = shift; e < E; ++e) {
+        if (k + e - shift < kCount) elements[k + e - shift] = std::bit_cast<batch_t<T, W>>(words[e]);
+      }
+    }
+    for (int k = 0; k < kCount; ++k) note_read(k * size);
+  }
   // Lane by lane, by way of memory; the cursor of whole packs has read() and write() of its own.
   template <class T>
   [[nodiscard]] batch_t<T, W> read(int offset) const {

@@ -31,7 +31,15 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
     Cursor inner = *this;
     inner.base_ += law::channel_begin(offset, pitch_.value());
     inner.advance(offset);
+    inner.offset_ += offset;
     return inner;
+  }
+
+  template <class T, int kCount>
+  static constexpr bool joins_words = Base::template joins_words_of<Layout, kRecord, T, kCount>;
+  template <class T, int kCount>
+  void load_words(batch_t<T, W>* elements) const {
+    this->template load_words_at<kRecord, T, kCount>(offset_, elements);
   }
 
  private:
@@ -76,6 +84,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
 
   Byte* base_;
   Pitch pitch_;
+  int offset_ = 0;  ///< in the record, of base_
   alignas(64) std::array<U, W> index_;
 };
 

@@ -34,7 +34,15 @@ class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, 
     Cursor inner = *this;
     inner.tile_ += law::channel_begin(offset, pitch_.value());
     inner.advance(offset);
+    inner.offset_ += offset;
     return inner;
+  }
+
+  template <class T, int kCount>
+  static constexpr bool joins_words = whole && Base::template joins_words_of<Layout, kRecord, T, kCount>;
+  template <class T, int kCount>
+  void load_words(batch_t<T, W>* elements) const {
+    this->template load_words_at<kRecord, T, kCount>(offset_, elements);
   }
 
  private:
@@ -145,6 +153,7 @@ class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, 
   Byte* tile_;
   index_t lane_;
   Pitch pitch_;
+  int offset_ = 0;  ///< in the record, of tile_
   I pack_;
 };
 

@@ -13,11 +13,12 @@
 
 namespace physgen::probe::detail {
 
-/// Lanes of the packs that a program calls the kernel with; 1 where it takes none, and on CUDA.
+/// Lanes of the widest packs that the kernel takes, whatever a program calls it with: under them types tell more; 1
+/// where it takes none, and on CUDA.
 template <class Kernel, class Space>
 constexpr int lanes_of() {
 #ifndef __CUDACC__
-  if constexpr (Space::kind != SpaceKind::cuda) return physgen::detail::default_lanes<Kernel>();
+  if constexpr (Space::kind != SpaceKind::cuda) return physgen::detail::widest_lanes(std::type_identity<Kernel>());
 #endif
   return 1;
 }
