@@ -155,10 +155,10 @@ TEST(CheckedFormats, name_the_first_object_that_is_wrong_whichever_thread_comes_
     EXPECT_EQ(copied.first.value, is_x1111 ? 1000010 : 2);
     const auto to = array.view();
     const auto from = wrong.const_view();
-    parallel_for<1>(Host{}, n, [&](index_t k) {
-      const index_t i = run % 2 == 0 ? n - 1 - k : k;
-      to.put(i, from.get(i));
-    });
+    parallel_for(Host{}, n, lanes<1>([&](index_t k) {
+                   const index_t i = run % 2 == 0 ? n - 1 - k : k;
+                   to.put(i, from.get(i));
+                 }));
     const Losses stored = array.take_losses();
     EXPECT_EQ(stored.first.object, 10);
     EXPECT_EQ(stored.first.value, copied.first.value);

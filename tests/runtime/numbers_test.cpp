@@ -54,7 +54,7 @@ void check_mixes() {
     in.view()[i].x2211() = value(random);
   }
   using Kernel = Mix<decltype(in.const_view()), decltype(in.view())>;
-  parallel_for<1>(Host{}, n, Kernel{in.const_view(), one_by_one.view()});
+  parallel_for(Host{}, n, lanes<1>(Kernel{in.const_view(), one_by_one.view()}));
   parallel_for(Host{}, n, Kernel{in.const_view(), in_packs.view()});
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
   for (index_t i = 0; i < n; ++i) {

@@ -88,7 +88,7 @@ struct OneProductWithALiteral {
   }
 };
 void one_product_with_a_literal(const Given& g) {
-  parallel_for<1>(Host{}, 5, OneProductWithALiteral<Derivatives::View>{g.view});
+  parallel_for(Host{}, 5, lanes<1>(OneProductWithALiteral<Derivatives::View>{g.view}));
 }
 /// refused one_field_compared_with_a_variable: so_write_S_of_it
 template <class View>
@@ -102,22 +102,23 @@ struct OneFieldComparedWithAVariable {
   }
 };
 void one_field_compared_with_a_variable(const Given& g) {
-  (void)parallel_reduce<1>(Host{}, 5, OneFieldComparedWithAVariable<Derivatives::View>{g.view, 0.1}, All{});
+  (void)parallel_reduce(Host{}, 5, lanes<1>(OneFieldComparedWithAVariable<Derivatives::View>{g.view, 0.1}), All{});
 }
 /// refused adding_a_literal_to_one_field: so_write_S_of_it
 void adding_a_literal_to_one_field(const Given& g) {
-  parallel_for<1>(Host{}, 5, over<float>([view = g.view](auto i) { view[i].x1111() += 0.1; }));
+  parallel_for(Host{}, 5, lanes<1>(over<float>([view = g.view](auto i) { view[i].x1111() += 0.1; })));
 }
 /// refused one_half_times_a_literal: so_write_S_of_it
 void one_half_times_a_literal(const Given& g) {
-  parallel_for<1>(Host{}, 5, over<float>([view = g.halves](auto i) { view[i].x2211() = view[i].x1111() * 0.1; }));
+  parallel_for(Host{}, 5,
+               lanes<1>(over<float>([view = g.halves](auto i) { view[i].x2211() = view[i].x1111() * 0.1; })));
 }
 /// refused a_neighbour_times_a_literal: so_write_S_of_it
 void a_neighbour_times_a_literal(const Given& g) {
-  parallel_for<1>(Host{}, 5, over<float>([view = g.view](auto i) {
-                    const lanes_t<std::int32_t, decltype(i)> next = numbers(i) + 1;
-                    view[i].x2211() = static_cast<float>(view[next].x1111() * 0.1);
-                  }));
+  parallel_for(Host{}, 5, lanes<1>(over<float>([view = g.view](auto i) {
+                 const lanes_t<std::int32_t, decltype(i)> next = numbers(i) + 1;
+                 view[i].x2211() = static_cast<float>(view[next].x1111() * 0.1);
+               })));
 }
 
 // ---- What is not refused ----
@@ -129,16 +130,16 @@ void accepted(const Given& g, S r, Doubles x) {
   const Eigen::Matrix<S, 3, 1> y = Eigen::Matrix<S, 3, 1>::Constant(r) * 0.1;
   g.view[g.i].x3311() = y.sum() * 0.5F;
   // A kernel over index_t computes with plain numbers, a generic one with those of S.
-  parallel_for<1>(Host{}, 5,
-                  [view = g.view](index_t i) { view[i].x1111() = static_cast<float>(view[i].x1111() * 0.1); });
-  parallel_for<1>(Host{}, 5, over<double>([view = g.doubles](auto i) { view[i].x1111() *= 0.1; }));
-  parallel_for<1>(Host{}, 5, over<float>([view = g.view](auto i) {
-                    using T = lanes_t<float, decltype(i)>;
-                    auto& element = view[i].x1111();
-                    const auto value = view[i].x2211();
-                    element = max(value, 0.0) * 2 + T(0.1);
-                    if (value > 4 || std::sqrt(value) < 2.0F) element = pow(value, 2.0);
-                    const float plain = value;
-                    view[i].x3311() = value > T(1) ? T(plain) : value;
-                  }));
+  parallel_for(Host{}, 5,
+               lanes<1>([view = g.view](index_t i) { view[i].x1111() = static_cast<float>(view[i].x1111() * 0.1); }));
+  parallel_for(Host{}, 5, lanes<1>(over<double>([view = g.doubles](auto i) { view[i].x1111() *= 0.1; })));
+  parallel_for(Host{}, 5, lanes<1>(over<float>([view = g.view](auto i) {
+                 using T = lanes_t<float, decltype(i)>;
+                 auto& element = view[i].x1111();
+                 const auto value = view[i].x2211();
+                 element = max(value, 0.0) * 2 + T(0.1);
+                 if (value > 4 || std::sqrt(value) < 2.0F) element = pow(value, 2.0);
+                 const float plain = value;
+                 view[i].x3311() = value > T(1) ? T(plain) : value;
+               })));
 }

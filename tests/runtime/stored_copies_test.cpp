@@ -49,7 +49,8 @@ void check_copies_of_objects() {
   using ConstB = decltype(b.const_view());
   const CopyObjects<B, ConstA> to_b{b.view(), a.const_view()};
   const CopyObjects<A, ConstB> to_a{a.view(), b.const_view()};
-  check("one by one", [&] { parallel_for<1>(Host{}, n, to_b); }, [&] { parallel_for<1>(Host{}, n, to_a); });
+  check(
+      "one by one", [&] { parallel_for(Host{}, n, lanes<1>(to_b)); }, [&] { parallel_for(Host{}, n, lanes<1>(to_a)); });
   check("in packs", [&] { parallel_for(Host{}, n, to_b); }, [&] { parallel_for(Host{}, n, to_a); });
   using Numbers = decltype(reversed.const_view());
   const GatherObjects<B, ConstA, Numbers> gather_b{b.view(), a.const_view(), reversed.const_view()};
@@ -58,7 +59,9 @@ void check_copies_of_objects() {
   Array<Object, Real, Host, Soa, Formats> other(n);
   move_objects(other, source);
   const SwapObjects<A> exchange{a.view(), other.view()};
-  check("exchanged", [&] { parallel_for<1>(Host{}, n, exchange); }, [&] { parallel_for<1>(Host{}, n, exchange); });
+  check(
+      "exchanged", [&] { parallel_for(Host{}, n, lanes<1>(exchange)); },
+      [&] { parallel_for(Host{}, n, lanes<1>(exchange)); });
   const auto tmp = local<Object, Real, Formats>();
   using Tmp = std::remove_const_t<decltype(tmp)>;
   const auto by_local = [&](const auto& view, const auto& from) {
@@ -95,7 +98,8 @@ TEST(StoredCopies, fields_that_are_assigned_from_fields_keep_their_bits) {
   move_objects(a, source);
   for (int time = 0; time < 100; ++time) {
     parallel_for(Host{}, n, CopyFields<decltype(b.view()), decltype(a.const_view())>{b.view(), a.const_view()});
-    parallel_for<1>(Host{}, n, CopyFields<decltype(a.view()), decltype(b.const_view())>{a.view(), b.const_view()});
+    parallel_for(Host{}, n,
+                 lanes<1>(CopyFields<decltype(a.view()), decltype(b.const_view())>{a.view(), b.const_view()}));
   }
   move_objects(back, a);
   EXPECT_EQ(count_different(source, back), 0);

@@ -37,10 +37,10 @@ double work_of(index_t i) {
 /// The calls that a launch made for each index.
 std::vector<int> calls_of(index_t begin, index_t end, bool heavy) {
   std::vector<std::atomic<int>> counts(static_cast<std::size_t>(end));
-  parallel_for<1>(Host{}, begin, end, [&](index_t i) {
-    const bool done = !heavy || work_of(i) > 0;
-    counts[static_cast<std::size_t>(i)] += done ? 1 : 100;
-  });
+  parallel_for(Host{}, begin, end, lanes<1>([&](index_t i) {
+                 const bool done = !heavy || work_of(i) > 0;
+                 counts[static_cast<std::size_t>(i)] += done ? 1 : 100;
+               }));
   return {counts.begin(), counts.end()};
 }
 
@@ -60,10 +60,10 @@ TEST_F(Threads, call_each_index_of_a_launch_once) {
 TEST_F(Threads, throw_the_first_exception_when_all_other_calls_are_made) {
   std::atomic<int> calls = 0;
   const auto launch = [&] {
-    parallel_for<1>(Host{}, 5000, [&](index_t i) {
-      ++calls;
-      if (work_of(i) > 0 && i % 1000 == 999) throw std::runtime_error("of " + std::to_string(i));
-    });
+    parallel_for(Host{}, 5000, lanes<1>([&](index_t i) {
+                   ++calls;
+                   if (work_of(i) > 0 && i % 1000 == 999) throw std::runtime_error("of " + std::to_string(i));
+                 }));
   };
   for (int repeat = 1; repeat <= 5; ++repeat) {
     EXPECT_THROW(launch(), std::runtime_error);
@@ -73,10 +73,10 @@ TEST_F(Threads, throw_the_first_exception_when_all_other_calls_are_made) {
 
 TEST_F(Threads, may_launch_within_a_launch) {
   std::atomic<index_t> sum = 0;
-  parallel_for<1>(Host{}, 50, [&](index_t i) {
-    sum += static_cast<index_t>(work_of(i) > 0);
-    parallel_for<1>(Host{}, 300, [&](index_t k) { sum += work_of(k) > 0 ? k : 0; });
-  });
+  parallel_for(Host{}, 50, lanes<1>([&](index_t i) {
+                 sum += static_cast<index_t>(work_of(i) > 0);
+                 parallel_for(Host{}, 300, lanes<1>([&](index_t k) { sum += work_of(k) > 0 ? k : 0; }));
+               }));
   EXPECT_EQ(sum, 50 + 50 * (300 * 299 / 2));
 }
 
@@ -88,8 +88,8 @@ TEST_F(Threads, may_all_launch_at_once_and_change_the_number_meanwhile) {
       for (int repeat = 0; repeat < 30; ++repeat) {
         set_threads(1 + (t + repeat) % 5);
         std::vector<index_t> squares(2000);
-        parallel_for<1>(Host{}, 2000,
-                        [&](index_t i) { squares[static_cast<std::size_t>(i)] = work_of(i) > 0 ? i * i : 0; });
+        parallel_for(Host{}, 2000,
+                     lanes<1>([&](index_t i) { squares[static_cast<std::size_t>(i)] = work_of(i) > 0 ? i * i : 0; }));
         for (index_t i = 0; i < 2000; ++i) wrong += squares[static_cast<std::size_t>(i)] != i * i;
       }
     });
@@ -104,18 +104,18 @@ TEST_F(Threads, several_of_them_take_part_in_a_long_launch) {
   // A busy machine may let one thread do all of a launch, but not of all launches.
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (seen.size() < 2 && std::chrono::steady_clock::now() < give_up) {
-    parallel_for<1>(Host{}, 20000, [&](index_t i) {
-      if (work_of(i) < 0 || i % 100 != 0) return;
-      const std::lock_guard lock(mutex);
-      seen.insert(std::this_thread::get_id());
-    });
+    parallel_for(Host{}, 20000, lanes<1>([&](index_t i) {
+                   if (work_of(i) < 0 || i % 100 != 0) return;
+                   const std::lock_guard lock(mutex);
+                   seen.insert(std::this_thread::get_id());
+                 }));
   }
   EXPECT_GT(seen.size(), 1U);
 }
 
 TEST_F(Threads, a_launch_of_little_work_is_done_by_the_thread_that_launches) {
   std::set<std::thread::id> seen;  // no lock
-  parallel_for<1>(Host{}, 100, [&](index_t) { seen.insert(std::this_thread::get_id()); });
+  parallel_for(Host{}, 100, lanes<1>([&](index_t) { seen.insert(std::this_thread::get_id()); }));
   EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
 }
 
@@ -123,10 +123,12 @@ TEST_F(Threads, round_as_the_thread_that_launches) {
   std::atomic<int> others = 0;
   ASSERT_EQ(std::fesetround(FE_UPWARD), 0);
   for (int repeat = 0; repeat < 20; ++repeat) {
-    parallel_for<1>(Host{}, 2000, [&](index_t i) { others += work_of(i) < 0 || std::fegetround() != FE_UPWARD; });
+    parallel_for(Host{}, 2000,
+                 lanes<1>([&](index_t i) { others += work_of(i) < 0 || std::fegetround() != FE_UPWARD; }));
   }
   ASSERT_EQ(std::fesetround(FE_TONEAREST), 0);
-  parallel_for<1>(Host{}, 2000, [&](index_t i) { others += work_of(i) < 0 || std::fegetround() != FE_TONEAREST; });
+  parallel_for(Host{}, 2000,
+               lanes<1>([&](index_t i) { others += work_of(i) < 0 || std::fegetround() != FE_TONEAREST; }));
   EXPECT_EQ(others, 0);
 }
 

@@ -92,7 +92,8 @@ void add_layouts(std::vector<Row>& rows, const Provider& provider) {
     if constexpr (single) of.add("eigen", [provider] { return eigen_case(provider); });
     // AoS by packs that collect their lanes, and object by object: which of them is faster differs.
     using Function = decltype(std::declval<KernelArrays<Provider, Host, Aos>&>().kernel());
-    if constexpr (physgen::detail::widest_lanes(std::type_identity<Function>()) > 1) of.template layout<Aos, 1>("aos_scalar");
+    if constexpr (physgen::detail::widest_lanes(std::type_identity<Function>()) > 1)
+      of.template layout<Aos, 1>("aos_scalar");
     of.template layout<Aos>("aos");
     of.template layout<Soa>("soa");
     of.template layout<Aosoa<16>>("aosoa16");

@@ -36,10 +36,10 @@ double median_of(const Copy& copy, const Wait& wait) {
 void copy_on_host(const Buffer& to, const Buffer& from) {
   constexpr index_t piece = index_t{1} << 20;
   const index_t pieces = (from.bytes() + piece - 1) / piece;
-  parallel_for<1>(Host{}, pieces, [&](index_t p) {
-    const index_t begin = p * piece, end = std::min(begin + piece, from.bytes());
-    std::memcpy(to.data() + begin, from.data() + begin, static_cast<std::size_t>(end - begin));
-  });
+  parallel_for(Host{}, pieces, lanes<1>([&](index_t p) {
+                 const index_t begin = p * piece, end = std::min(begin + piece, from.bytes());
+                 std::memcpy(to.data() + begin, from.data() + begin, static_cast<std::size_t>(end - begin));
+               }));
 }
 
 }  // namespace
