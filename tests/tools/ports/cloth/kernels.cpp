@@ -51,21 +51,22 @@ Result run(const Setting& setting, int steps) {
   Result result;
   for (int step = 0; step < steps; ++step) {
     result.spring_seconds += ports::seconds_of(
-        [&] { parallel_for<kLanes>(Host{}, springs.size(), ComputeSprings{springs, node_array.const_view()}); });
+        [&] { parallel_for(Host{}, springs.size(), lanes<kLanes>(ComputeSprings{springs, node_array.const_view()})); });
     result.search_seconds += ports::seconds_of([&] {
       const auto pulls = spring_array.const_view();
       const auto all = node_array.const_view();
-      double square =
-          parallel_reduce<kLanes>(Host{}, n, BeginSearch{touches, pulls, all, search, h, setting.gravity}, Sum{});
+      double square = parallel_reduce(
+          Host{}, n, lanes<kLanes>(BeginSearch{touches, pulls, all, search, h, setting.gravity}), Sum{});
       const double enough = setting.tolerance * setting.tolerance * square;
       for (int k = 0; k < setting.most_iterations && square > enough; ++k) {
-        const double product = parallel_reduce<kLanes>(Host{}, n, Multiply{touches, pulls, all, search, h}, Sum{});
-        const double next = parallel_reduce<kLanes>(Host{}, n, Step{search, square / product}, Sum{});
-        parallel_for<kLanes>(Host{}, n, Turn{search, next / square});
+        const double product =
+            parallel_reduce(Host{}, n, lanes<kLanes>(Multiply{touches, pulls, all, search, h}), Sum{});
+        const double next = parallel_reduce(Host{}, n, lanes<kLanes>(Step{search, square / product}), Sum{});
+        parallel_for(Host{}, n, lanes<kLanes>(Turn{search, next / square}));
         square = next;
         ++result.iterations;
       }
-      parallel_for<kLanes>(Host{}, n, Move{nodes, search_array.const_view(), h});
+      parallel_for(Host{}, n, lanes<kLanes>(Move{nodes, search_array.const_view(), h}));
     });
   }
   for (index_t i = 0; i < n; ++i) {

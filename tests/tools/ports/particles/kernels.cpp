@@ -62,9 +62,9 @@ Result run(const Setting& setting, int steps) {
     result.kernel_seconds += ports::seconds_of([&] {
       const auto all = particles.view();
       const Rows rows(lists.ranges.const_view(), lists.entries.const_view(), n);
-      parallel_for<kLanes>(Host{}, n, ComputeDensity{rows, all, water});
-      parallel_for<kLanes>(Host{}, n, ComputeForces{rows, all, water});
-      parallel_for<kLanes>(Host{}, n, Move{all, water});
+      parallel_for(Host{}, n, lanes<kLanes>(ComputeDensity{rows, all, water}));
+      parallel_for(Host{}, n, lanes<kLanes>(ComputeForces{rows, all, water}));
+      parallel_for(Host{}, n, lanes<kLanes>(Move{all, water}));
     });
   }
   result.positions = positions_of(particles);
