@@ -114,7 +114,7 @@ TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
       "  /// Mass per volume.\n  /// Of the rest shape [kg/m^3]. Range [0, 0.5]; initially 0.1.\n";
   expect_contains(text, comment + "  Real density = physgen::all_lanes<Real>(0.1);\n");
   expect_contains(text, comment + "  PHYSGEN_FUNCTION decltype(auto) density() const");
-  expect_contains(text, "  /// [N/m]. Symmetric, 6 stored.\n  Eigen::Matrix<Real, 3, 3> K;\n");
+  expect_contains(text, "  /// [N/m]. Symmetric, 6 stored.\n  physgen::MatrixValue<Real, 3, 3> K;\n");
   expect_contains(text, "  /// Initially 0.25 in a new array.\n  Real w[4];\n");
   expect_contains(text,
                   "  static constexpr std::array<physgen::FieldText, 3> texts = {{\n"
