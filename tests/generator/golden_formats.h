@@ -198,7 +198,7 @@ class Random {
     }
     for (Real& entry : value.halves) entry = static_cast<Real>(between(-100, 100));
     for (auto& entry : value.turns) entry = rotation<Real>();
-    for (Matrix& entry : value.many) entry = rotation<Real>();
+    for (auto& entry : value.many) entry = rotation<Real>();
     value.count = static_cast<std::int32_t>(random_());
     value.frame = frame<Real>();
     for (Frame<Real>& entry : value.frames) entry = frame<Real>();

@@ -55,7 +55,7 @@ TEST(Emitters, are_found_by_their_names_and_the_nearest_is_named) {
 
 TEST(Emitter, refuses_another_runtime_by_an_error) {
   const std::string text = accessor_header(schema({object("A", {scalar("x")})}));
-  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 6\n#error \"test.physgen.h is for version 6 of the physgen");
+  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 7\n#error \"test.physgen.h is for version 7 of the physgen");
 }
 
 TEST(Emitter, refuses_a_schema_before_it_by_an_error) {
