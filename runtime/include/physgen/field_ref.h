@@ -35,7 +35,7 @@ class FieldRef {
   /// The field's value. For temporaries only: `const auto x = view[i].x().get();`.
   [[nodiscard]] PHYSGEN_FUNCTION const Loaded get() const&& { return read(); }
   PHYSGEN_FUNCTION operator Loaded() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
-  PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
+  PHYSGEN_FUNCTION operator Value() const&& { return read(); }   // NOLINT: implicit as a reference's conversion is
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
   operator Loaded() const& = delete;
   operator Value() const& = delete;
