@@ -20,8 +20,8 @@
 
 #include <physgen/runtime.h>
 
-#if PHYSGEN_RUNTIME_VERSION != 6
-#error "quasistatic.physgen.h is for version 6 of the physgen runtime: generate it again with the installed physgen"
+#if PHYSGEN_RUNTIME_VERSION != 7
+#error "quasistatic.physgen.h is for version 7 of the physgen runtime: generate it again with the installed physgen"
 #endif
 #ifdef PHYSGEN_SCHEMA_H
 #error "a program includes quasistatic.physgen.h in place of the schema: remove the #include of the schema"

@@ -103,17 +103,19 @@ constexpr Errors<Real> errors() {
 }
 
 /// `read` may differ by the error, and by rounding to the precision computed in.
-template <class Real>
+template <std::floating_point Real>
 void expect_within(Error error, Real read, Real written, const char* name) {
   const bool is_exact = error.relative == 0 && error.absolute == 0;
   const double size = std::abs(static_cast<double>(written));
   const double allowed = is_exact ? 0 : error.relative * size + error.absolute + 2 * eps<Real> * size;
   EXPECT_LE(std::abs(static_cast<double>(read) - static_cast<double>(written)), allowed) << name << " = " << written;
 }
-template <class Real, int R, int C>
-void expect_within(Error error, const Eigen::Matrix<Real, R, C>& read, const Eigen::Matrix<Real, R, C>& written,
+template <class A, class B>
+void expect_within(Error error, const Eigen::MatrixBase<A>& read, const Eigen::MatrixBase<B>& written,
                    const char* name) {
-  for (int k = 0; k < R * C; ++k) expect_within(error, read(k % R, k / R), written(k % R, k / R), name);
+  for (int c = 0; c < written.cols(); ++c) {
+    for (int r = 0; r < written.rows(); ++r) expect_within(error, read(r, c), written(r, c), name);
+  }
 }
 
 template <class Real>
@@ -195,8 +197,8 @@ class Random {
       *R = rotation<Real>();
     }
     for (Real& entry : value.halves) entry = static_cast<Real>(between(-100, 100));
-    for (Matrix& entry : value.turns) entry = rotation<Real>();
-    for (Matrix& entry : value.many) entry = rotation<Real>();
+    for (auto& entry : value.turns) entry = rotation<Real>();
+    for (auto& entry : value.many) entry = rotation<Real>();
     value.count = static_cast<std::int32_t>(random_());
     value.frame = frame<Real>();
     for (Frame<Real>& entry : value.frames) entry = frame<Real>();

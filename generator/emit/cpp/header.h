@@ -10,7 +10,7 @@
 namespace physgen::emit::cpp {
 
 /// The runtime that generated code is written for: PHYSGEN_RUNTIME_VERSION of its <physgen/config.h>.
-inline constexpr int runtime_version = 6;
+inline constexpr int runtime_version = 7;
 
 /// Generated headers end with it.
 inline constexpr std::string_view ending = ".physgen.h";

@@ -15,7 +15,7 @@
 #include <cstdint>
 
 /// Changes when generated code must be regenerated; generated headers refuse to compile against another number.
-#define PHYSGEN_RUNTIME_VERSION 6
+#define PHYSGEN_RUNTIME_VERSION 7
 
 // PHYSGEN_FUNCTION marks what runs on host and device. PHYSGEN_UNROLL stands before a loop with a constant trip count:
 // values of a kernel must stay in registers, and a loop that is not unrolled indexes memory.

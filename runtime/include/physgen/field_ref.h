@@ -23,6 +23,7 @@ class FieldRef {
  public:
   using Scalar = typename Cursor::template Lanes<T>;
   using Value = typename Shape::template Value<Scalar>;
+  using Loaded = detail::ValueOf<Value>;
   using Lanes = Scalar;  ///< one element's
   static constexpr bool of_a_local = requires { requires Cursor::of_a_local; };
 
@@ -32,9 +33,11 @@ class FieldRef {
   ~FieldRef() = default;
 
   /// The field's value. For temporaries only: `const auto x = view[i].x().get();`.
-  [[nodiscard]] PHYSGEN_FUNCTION const detail::ValueOf<Value> get() const&& { return read(); }
-  PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
+  [[nodiscard]] PHYSGEN_FUNCTION const Loaded get() const&& { return read(); }
+  PHYSGEN_FUNCTION operator Loaded() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
+  PHYSGEN_FUNCTION operator Value() const&& { return read(); }   // NOLINT: implicit as a reference's conversion is
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
+  operator Loaded() const& = delete;
   operator Value() const& = delete;
 
   /// Stores `value`.

@@ -9,45 +9,6 @@
 
 namespace physgen {
 
-namespace detail {
-
-/// What `value.F.col(0)` is where `value` has a name and is not const: a copy of the part to calculate with, through
-/// which the part itself is assigned as long as it has no name of its own.
-template <class Read, class Write>
-class ValuePart : public Read {
- public:
-  PHYSGEN_FUNCTION ValuePart(const Read& read, const Write& write) : Read(read), part_(write) {}
-  ValuePart(const ValuePart&) = default;
-  ~ValuePart() = default;
-
-  PHYSGEN_FUNCTION void operator=(const ValuePart& other) && { part_ = other.part_; }
-  template <class Other>
-  PHYSGEN_FUNCTION void operator=(const Eigen::DenseBase<Other>& other) && {
-    part_ = other.derived();
-  }
-  template <class Other>
-  PHYSGEN_FUNCTION void operator+=(const Eigen::DenseBase<Other>& other) && {
-    part_ += other.derived();
-  }
-  template <class Other>
-  PHYSGEN_FUNCTION void operator-=(const Eigen::DenseBase<Other>& other) && {
-    part_ -= other.derived();
-  }
-  PHYSGEN_FUNCTION void operator*=(const typename Read::Scalar& factor) && { part_ *= factor; }
-  PHYSGEN_FUNCTION void operator/=(const typename Read::Scalar& divisor) && { part_ /= divisor; }
-  PHYSGEN_FUNCTION void setConstant(const typename Read::Scalar& entry) && { part_.setConstant(entry); }
-  PHYSGEN_FUNCTION void setZero() && { part_.setZero(); }
-  PHYSGEN_FUNCTION void setOnes() && { part_.setOnes(); }
-  PHYSGEN_FUNCTION void setIdentity() && { part_.setIdentity(); }
-  PHYSGEN_FUNCTION void swap(ValuePart&& other) && { part_.swap(other.part_); }
-  PHYSGEN_FUNCTION auto operator<<(const typename Read::Scalar& first) && { return part_ << first; }
-
- private:
-  Write part_;
-};
-
-}  // namespace detail
-
 /// An R x C matrix by value: what get() of a field returns, the members of the structs that view.get(i) returns, and
 /// what select(), cast(), rows.sum() and reductions return. It calculates as an Eigen::Matrix does and converts to one.
 /// Where it has a name, its entries, parts and itself are assigned. All expressions of it are right under `auto`, also
@@ -62,6 +23,8 @@ class MatrixValue : public detail::ValueExpression<MatrixValue<S, R, C>> {
   using Plain = Eigen::Matrix<S, R, C>;
   using Nested = const MatrixValue;
   using NestedExpression = MatrixValue;
+  using iterator = S*;
+  using const_iterator = const S*;
 
   MatrixValue() = default;  ///< undefined entries, as those of an Eigen::Matrix
   MatrixValue(const MatrixValue&) = default;
@@ -152,25 +115,43 @@ class MatrixValue : public detail::ValueExpression<MatrixValue<S, R, C>> {
   PHYSGEN_FUNCTION const S& w() const& { return entries_.w(); }
   PHYSGEN_FUNCTION S& w() & { return entries_.w(); }
   PHYSGEN_FUNCTION Entry w() const&& { return entries_.w(); }
-  /// Entries in their order in memory: column by column. Of values with a name only, and range-for takes all.
+  /// Entries in their order in memory: column by column. Of values with a name only; range-for over a
+  /// vector takes others, too.
   PHYSGEN_FUNCTION const S* data() const& { return entries_.data(); }
   PHYSGEN_FUNCTION S* data() & { return entries_.data(); }
   const S* data() const&& = delete;
-  PHYSGEN_FUNCTION const S* begin() const& { return entries_.data(); }
-  PHYSGEN_FUNCTION S* begin() & { return entries_.data(); }
+  PHYSGEN_FUNCTION const S* begin() const&
+    requires(R == 1 || C == 1)
+  {
+    return entries_.data();
+  }
+  PHYSGEN_FUNCTION S* begin() &
+    requires(R == 1 || C == 1)
+  {
+    return entries_.data();
+  }
   const S* begin() const&& = delete;
-  PHYSGEN_FUNCTION const S* end() const& { return entries_.data() + entries_.size(); }
-  PHYSGEN_FUNCTION S* end() & { return entries_.data() + entries_.size(); }
+  PHYSGEN_FUNCTION const S* end() const&
+    requires(R == 1 || C == 1)
+  {
+    return entries_.data() + entries_.size();
+  }
+  PHYSGEN_FUNCTION S* end() &
+    requires(R == 1 || C == 1)
+  {
+    return entries_.data() + entries_.size();
+  }
   const S* end() const&& = delete;
 
-// A part: its value, and where this has a name, what assigns it. PHYSGEN_PART is undefined below.
-#define PHYSGEN_PART(function, call)                                                \
-  PHYSGEN_FUNCTION auto function const& { return detail::value_of(entries_.call); } \
+// A part: a block that holds this by value, and where this has a name, what assigns it, too. The macros are undefined
+// below.
+#define PHYSGEN_PART(function, call)                           \
+  PHYSGEN_FUNCTION auto function const& { return Base::call; } \
   PHYSGEN_FUNCTION auto function& { return detail::ValuePart(std::as_const(*this).Base::call, entries_.call); }
 #define PHYSGEN_PART_OF_SIZE(function, arguments, call)                                    \
   template <int... kSizes>                                                                 \
   PHYSGEN_FUNCTION auto function arguments const& {                                        \
-    return detail::value_of(entries_.template function<kSizes...> call);                   \
+    return Base::template function<kSizes...> call;                                        \
   }                                                                                        \
   template <int... kSizes>                                                                 \
   PHYSGEN_FUNCTION auto function arguments& {                                              \

@@ -50,7 +50,8 @@ TEST(ComputeStressDerivative, writes_what_its_filter_makes_of_the_derivative) {
   parallel_for(Host{}, svd.size(), ComputeStressDerivative{m, svd.const_view(), plain.view()});
   parallel_for(Host{}, svd.size(), ComputeStressDerivative{m, svd.const_view(), clamped.view(), ClampEigenvalues{}});
   for (index_t i = 0; i < svd.size(); ++i) {
-    const auto d = m.derivative(svd.view()[i].s().get()), c = ClampEigenvalues{}(d);
+    const Eigen::Vector3d s = svd.view()[i].s();
+    const auto d = m.derivative(s), c = ClampEigenvalues{}(d);
     EXPECT_EQ(plain.view()[i].x1111(), d.h11);
     EXPECT_EQ(plain.view()[i].x3223(), (d.d32 - d.s32) / 2);
     EXPECT_EQ(clamped.view()[i].x2211(), c.h21);

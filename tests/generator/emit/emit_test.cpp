@@ -55,7 +55,7 @@ TEST(Emitters, are_found_by_their_names_and_the_nearest_is_named) {
 
 TEST(Emitter, refuses_another_runtime_by_an_error) {
   const std::string text = accessor_header(schema({object("A", {scalar("x")})}));
-  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 6\n#error \"test.physgen.h is for version 6 of the physgen");
+  expect_contains(text, "#if PHYSGEN_RUNTIME_VERSION != 7\n#error \"test.physgen.h is for version 7 of the physgen");
 }
 
 TEST(Emitter, refuses_a_schema_before_it_by_an_error) {
@@ -114,8 +114,13 @@ TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
       "  /// Mass per volume.\n  /// Of the rest shape [kg/m^3]. Range [0, 0.5]; initially 0.1.\n";
   expect_contains(text, comment + "  Real density = physgen::all_lanes<Real>(0.1);\n");
   expect_contains(text, comment + "  PHYSGEN_FUNCTION decltype(auto) density() const");
-  expect_contains(text, "  /// [N/m]. Symmetric, 6 stored.\n  Eigen::Matrix<Real, 3, 3> K = decltype(K)::Zero();\n");
-  expect_contains(text, "  /// Initially 0.25 in a new array.\n  Real w[4] = {};\n");
+  expect_contains(text,
+                  "  /// [N/m]. Symmetric, 6 stored.
+  physgen::MatrixValue<Real, 3, 3> K = decltype(K)::Zero();
+");
+  expect_contains(text, "  /// Initially 0.25 in a new array.
+  Real w[4] = {};
+");
   expect_contains(text,
                   "  static constexpr std::array<physgen::FieldText, 3> texts = {{\n"
                   "      {\"density\", \"kg/m^3\", 0.1}, {\"K\", \"N/m\"}, {\"w\", \"\", 0.25}}};\n");

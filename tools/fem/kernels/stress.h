@@ -20,7 +20,7 @@ struct ComputeStress {
     using S = lanes_t<Scalar, I>;
     const auto in = decomposition[i];
     const Matrix3<S> U = in.U(), V = in.V();
-    const Vector3<S> g = material.stress(in.s().get());
+    const Vector3<S> s = in.s(), g = material.stress(s);
     Matrix3<S> scaled;
     scaled.col(0) = U.col(0) * g[0];
     scaled.col(1) = U.col(1) * g[1];

@@ -21,7 +21,8 @@ struct ComputeStressDerivative {
   PHYSGEN_FUNCTION void operator()(I i) const {
     using S = lanes_t<Scalar, I>;
     const S half(Scalar(0.5));
-    const PrincipalDerivative<S> d = filter(material.derivative(decomposition[i].s().get()));
+    const Vector3<S> s = decomposition[i].s();
+    const PrincipalDerivative<S> d = filter(material.derivative(s));
     const auto out = derivative[i];
     out.x1111() = d.h11;
     out.x2211() = d.h21;

@@ -130,6 +130,41 @@ class ValueExpression : public Eigen::MatrixBase<Derived> {
   ~ValueExpression() = default;
 };
 
+/// What `value.F.col(0)` is where `value` has a name and is not const: a copy of the part to calculate with, through
+/// which the part itself is assigned as long as it has no name of its own.
+template <class Read, class Write>
+class ValuePart : public Read {
+ public:
+  PHYSGEN_FUNCTION ValuePart(const Read& read, const Write& write) : Read(read), part_(write) {}
+  ValuePart(const ValuePart&) = default;
+  ~ValuePart() = default;
+
+  PHYSGEN_FUNCTION void operator=(const ValuePart& other) && { part_ = other.part_; }
+  template <class Other>
+  PHYSGEN_FUNCTION void operator=(const Eigen::DenseBase<Other>& other) && {
+    part_ = other.derived();
+  }
+  template <class Other>
+  PHYSGEN_FUNCTION void operator+=(const Eigen::DenseBase<Other>& other) && {
+    part_ += other.derived();
+  }
+  template <class Other>
+  PHYSGEN_FUNCTION void operator-=(const Eigen::DenseBase<Other>& other) && {
+    part_ -= other.derived();
+  }
+  PHYSGEN_FUNCTION void operator*=(const typename Read::Scalar& factor) && { part_ *= factor; }
+  PHYSGEN_FUNCTION void operator/=(const typename Read::Scalar& divisor) && { part_ /= divisor; }
+  PHYSGEN_FUNCTION void setConstant(const typename Read::Scalar& entry) && { part_.setConstant(entry); }
+  PHYSGEN_FUNCTION void setZero() && { part_.setZero(); }
+  PHYSGEN_FUNCTION void setOnes() && { part_.setOnes(); }
+  PHYSGEN_FUNCTION void setIdentity() && { part_.setIdentity(); }
+  PHYSGEN_FUNCTION void swap(ValuePart&& other) && { part_.swap(other.part_); }
+  PHYSGEN_FUNCTION auto operator<<(const typename Read::Scalar& first) && { return part_ << first; }
+
+ private:
+  Write part_;
+};
+
 }  // namespace detail
 }  // namespace physgen
 
@@ -169,6 +204,16 @@ struct Assignment<Matrix<S, R, C>, physgen::MatrixValue<S, R, C>, assign_op<S, S
                                                         const assign_op<S, S>& /*assign*/) {
     to = value.plain();
   }
+};
+
+// What is read several times, as by products, is read as a Matrix: with the same arithmetic, to the last bit.
+template <class S, int R, int C, int n, class Plain>
+struct nested_eval<physgen::MatrixValue<S, R, C>, n, Plain> {
+  using type = const Matrix<S, R, C>;
+};
+template <class S, int R, int C, int n, class Plain>
+struct nested_eval<const physgen::MatrixValue<S, R, C>, n, Plain> {
+  using type = const Matrix<S, R, C>;
 };
 
 // Products of large matrices read it where it lies, as they read a Matrix.
