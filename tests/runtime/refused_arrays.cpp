@@ -31,6 +31,13 @@ const ArraySet<> a_set_of_no_arrays;
 /// refused more_names_than_an_input_has: no array has more than 32 fields named one by one
 const auto more_names_than_an_input_has = named(std::make_index_sequence<33>());
 
+/// refused at once brackets_on_an_array: an_array_is_indexed_by_its_view_so_write_array_view_of_i
+void brackets_on_an_array(Entries& entries) { entries[3].local() = 1; }
+/// refused at once a_loop_over_an_array: an_array_is_indexed_by_its_view_so_write_array_view_of_i
+void a_loop_over_an_array(const Entries& entries) {
+  for (const auto& entry : entries) (void)entry;
+}
+
 // ---- What is not refused ----
 const RowArrays<Ranges, Entries> accepted_rows;
 const auto accepted_names = named(std::make_index_sequence<32>());

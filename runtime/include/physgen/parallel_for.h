@@ -35,7 +35,8 @@ template <class Real, class Body>
 /// being as many as fit the widest register; where the range does not fill the first or the last pack, with
 /// PartialPack<W>, which sees and changes objects of the range only. A kernel that takes index_t alone, and one of
 /// doubles where the CPU has no register of as few integers (x86-64 without AVX), is called with one object at a time.
-/// kLanes chooses another W; parallel_for<1> calls any kernel with index_t.
+/// kLanes chooses another W; parallel_for<1> calls any kernel with index_t. A kernel with a Scalar and a templated call
+/// operator is compiled over numbers that refuse a double beside a float, too, as packs do; see check_numbers.h.
 /// @pre the range lies in the arrays whose objects the kernel writes; no two calls write the same object, unless by
 /// add()
 /// @throw what a call throws (the first to be caught), after all other calls have been made
