@@ -18,6 +18,7 @@ class Error:
         self.message = ERROR.search(line)[1]
         self.leads = [text for text in context if LEADS[compiler].search(text)]
         # clang says in a note which function is deleted, and shows it, and its parameter's type says why.
+        self.at_once = "\n".join([self.message, *context]) if compiler == "clang" else self.message[:200]
         self.words = "\n".join([self.message, *context]) if compiler == "clang" else self.message
 
     def lines_of(self, source):

@@ -48,6 +48,13 @@ void scattering_to_an_array(const Ranges& from, const std::vector<Range*>& to) {
   scatter(from, to, [](Range& range, const Range& value) { range = value; });
 }
 
+/// refused at once brackets_on_an_array: an_array_is_indexed_by_its_view_so_write_array_view_of_i
+void brackets_on_an_array(Entries& entries) { entries[3].local() = 1; }
+/// refused at once a_loop_over_an_array: an_array_is_indexed_by_its_view_so_write_array_view_of_i
+void a_loop_over_an_array(const Entries& entries) {
+  for (const auto& entry : entries) (void)entry;
+}
+
 // ---- What is not refused ----
 void accepted_order(const Ranges& from, Ranges& to, const std::vector<Range*>& pointers) {
   copy(to, from);

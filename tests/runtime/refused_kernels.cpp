@@ -37,11 +37,11 @@ struct Given {
 }  // namespace
 
 // ---- Conditions ----
-/// refused with AVX-512 if_on_a_mask: could not convert|no viable conversion|not contextually convertible
+/// refused at once if_on_a_mask: a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it
 void if_on_a_mask(const Given& g) {
   if (g.m > S(4.0F)) g.view[g.i].x1111() = S(1.0F);
 }
-/// refused with AVX-512 question_mark_on_a_mask: could not convert|no viable conversion|not contextually convertible
+/// refused at once question_mark_on_a_mask: a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it
 void question_mark_on_a_mask(const Given& g) { g.view[g.i].x1111() = g.m > S(4.0F) ? S(1.0F) : g.m; }
 /// refused storing_to_a_named_element: write to view[i].m() itself
 void storing_to_a_named_element(const Given& g) {

@@ -52,7 +52,7 @@ S getting_a_named_element(const Given& g) {
   const auto old = g.view[g.i].x1111();
   return old.get();
 }
-/// refused converting_a_named_element: deleted
+/// refused at once converting_a_named_element: a_named_reference_is_read_later_than_it_looks
 void converting_a_named_element(const Given& g) {
   const auto old = g.view[g.i].x1111();
   const S x = old;
@@ -90,13 +90,24 @@ void dividing_a_named_one(const Given& g) {
   x /= g.m;
 }
 
+/// refused at once calculating_with_a_named_element: a_named_reference_is_read_later_than_it_looks
+void calculating_with_a_named_element(const Given& g) {
+  auto x = g.view[g.i].x1111();
+  g.view[g.i].x2211() = x * g.m;
+}
+/// refused at once comparing_a_named_element: a_named_reference_is_read_later_than_it_looks
+auto comparing_a_named_element(const Given& g) {
+  auto x = g.view[g.i].x1111();
+  return g.m < x;
+}
+
 // ---- Fields that have a name ----
 /// refused getting_a_named_field: a_named_reference_is_read_later_than_it_looks
 Eigen::Vector3f getting_a_named_field(const Given& g) {
   const auto x = g.nodes[0].f();
   return x.get();
 }
-/// refused converting_a_named_field: deleted
+/// refused converting_a_named_field: a_named_reference_is_read_later_than_it_looks
 void converting_a_named_field(const Given& g) {
   const auto x = g.nodes[0].f();
   const Eigen::Vector3f y = x;
@@ -215,6 +226,10 @@ void adding_to_a_read_only_vector(const ConstForces& forces) {
 void storing_where_an_array_is_read_only(const Given& g) { store_where(g.m > S(0.0F), g.read_only[g.i].x3311(), g.m); }
 /// refused adding_where_an_array_is_read_only: this array is read-only here
 void adding_where_an_array_is_read_only(const Given& g) { add(g.i, g.read_only[g.j].x2222(), g.m); }
+
+// ---- Names that are not there ----
+/// refused a_misspelt_field: has no member named ‘x1112’; did you mean|no member named 'x1112' in 'physgen::ObjectRef<
+void a_misspelt_field(const Given& g) { g.view[g.i].x1112() = g.m; }
 
 // ---- What is not refused ----
 void accepted(const Given& g) {

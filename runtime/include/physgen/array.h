@@ -66,6 +66,11 @@ class Array {
   [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch(), losses()}; }
   [[nodiscard]] ConstView const_view() const { return view(); }
 
+  // Objects are named through a view; kernels hold it.
+  detail::an_array_is_indexed_by_its_view_so_write_array_view_of_i operator[](index_t i) const = delete;
+  detail::an_array_is_indexed_by_its_view_so_write_array_view_of_i begin() const = delete;
+  detail::an_array_is_indexed_by_its_view_so_write_array_view_of_i end() const = delete;
+
   /// The array without its types, for copy().
   [[nodiscard]] UntypedArray untyped() const {
     return {buffer_.data(), size_,       Layout::padded(size_), pitch(),

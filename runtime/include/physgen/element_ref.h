@@ -52,6 +52,7 @@ class ElementRef {
   [[nodiscard]] PHYSGEN_FUNCTION detail::ReadValue<Value> get() const&& { return read(); }
   PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
+  template <class Why = detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself>
   operator Value() const& = delete;
 
   PHYSGEN_FUNCTION const ElementRef& operator=(const Value& value) const& { return write(value); }
@@ -141,13 +142,16 @@ concept WiderThanLanes = Wider<typename std::remove_cvref_t<Ref>::Element, Numbe
 
 // Arithmetic and comparison of references read from a view, among themselves and with anything that calculates with
 // their values. PHYSGEN_ELEMENT_OPERATOR is undefined below.
-#define PHYSGEN_ELEMENT_OPERATOR(op)                                                   \
-  template <class A, class B>                                                          \
-    requires((detail::ElementReference<A> || detail::ElementReference<B>) &&           \
-             requires(detail::Operand<A> a, detail::Operand<B> b) { a op b; })         \
-  PHYSGEN_FUNCTION auto operator op(A&& a, B&& b) {                                    \
-    return detail::operand(std::forward<A>(a)) op detail::operand(std::forward<B>(b)); \
-  }
+#define PHYSGEN_ELEMENT_OPERATOR(op)                                                                          \
+  template <class A, class B>                                                                                 \
+    requires((detail::ElementReference<A> || detail::ElementReference<B>) && !detail::NamedReference<A, B> && \
+             requires(detail::Operand<A> a, detail::Operand<B> b) { a op b; })                                \
+  PHYSGEN_FUNCTION auto operator op(A&& a, B&& b) {                                                           \
+    return detail::operand(std::forward<A>(a)) op detail::operand(std::forward<B>(b));                        \
+  }                                                                                                           \
+  template <class A, class B>                                                                                 \
+    requires detail::NamedReference<A, B>                                                                     \
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator op(A&&, B&&) = delete;
 PHYSGEN_ELEMENT_OPERATOR(+)
 PHYSGEN_ELEMENT_OPERATOR(-)
 PHYSGEN_ELEMENT_OPERATOR(*)

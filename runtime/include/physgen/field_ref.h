@@ -37,7 +37,9 @@ class FieldRef {
   PHYSGEN_FUNCTION operator Loaded() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
   PHYSGEN_FUNCTION operator Value() const&& { return read(); }   // NOLINT: implicit as a reference's conversion is
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
+  template <class Why = detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself>
   operator Loaded() const& = delete;
+  template <class Why = detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself>
   operator Value() const& = delete;
 
   /// Stores `value`.

@@ -39,6 +39,8 @@ template <class Real, class Body>
 /// PartialPack<W>, which sees and changes objects of the range only. A kernel that would lose by packs, as
 /// detail/chosen_lanes.h tells from its type, one that takes index_t alone, and one of doubles where the CPU has no
 /// register of as few integers (x86-64 without AVX), is called with one object at a time. lanes<W>(kernel) states W.
+/// A kernel with a Scalar and a templated call operator is compiled over numbers that refuse a double beside a float,
+/// too, as packs do; see check_numbers.h.
 /// @pre the range lies in the arrays whose objects the kernel writes; no two calls write the same object, unless by
 /// add()
 /// @throw what a call throws (the first to be caught), after all other calls have been made

@@ -117,7 +117,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   /// The object at index i; for a Pack or a SIMD batch of indices, the objects at them.
   template <class I>
     requires(!detail::ElementReference<I>)
-  [[nodiscard]] PHYSGEN_FUNCTION Ref<I> operator[](I i) const {
+  [[nodiscard]] PHYSGEN_FUNCTION auto operator[](I i) const {  // so compilers print no alias of its type
     return at<I>(detail::bare(i));
   }
   /// The object(s) at indices that another array holds: `nodes[tets[i].nodes()[0]]`.

@@ -24,6 +24,11 @@ inline constexpr bool is_element_ref<ElementRef<Format, T, Cursor>> = true;
 template <class T>
 concept ElementReference = is_element_ref<std::remove_cvref_t<T>>;
 
+/// Whether one of two operands is a reference with a name, which is not read.
+template <class A, class B>
+concept NamedReference =
+    (ElementReference<A> && std::is_lvalue_reference_v<A>) || (ElementReference<B> && std::is_lvalue_reference_v<B>);
+
 /// The operand that an operator calculates with: the value of a reference, anything else as it is.
 template <class T>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr decltype(auto) operand(T&& value) {
@@ -48,8 +53,9 @@ concept Wider = std::is_floating_point_v<T> && std::is_floating_point_v<Number> 
 
 /// Returned by deleted functions: their names are what compilers print.
 struct a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it {};
-struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself;
+struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself {};
 struct integers_calculate_with_integers_so_convert_first {};
+struct an_array_is_indexed_by_its_view_so_write_array_view_of_i;
 struct an_empty_value_so_use_setZero {};
 struct a_named_reference_is_not_assigned_so_write_to_the_view_itself {};
 struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;

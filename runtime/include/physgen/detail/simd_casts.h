@@ -108,6 +108,14 @@ inline batch_bool<T, A> operator||(const batch_bool<T, A>& a, const batch_bool<U
 
 /// Joins a condition that all lanes have with a mask.
 template <class T, class A>
+inline batch_bool<T, A> operator&&(const batch_bool<T, A>& a, std::same_as<bool> auto b) {
+  return a && batch_bool<T, A>(b);
+}
+template <class T, class A>
+inline batch_bool<T, A> operator||(const batch_bool<T, A>& a, std::same_as<bool> auto b) {
+  return a || batch_bool<T, A>(b);
+}
+template <class T, class A>
 inline batch_bool<T, A> operator&&(std::same_as<bool> auto a, const batch_bool<T, A>& b) {
   return batch_bool<T, A>(a) && b;
 }

@@ -1,6 +1,6 @@
-// Makes masks of SIMD packs that no `if` and no `?:` takes. Those of xsimd 8.1 for AVX-512 convert to an integer, so
-// that `if (a > b)` would compile and mean "in any lane"; on other instruction sets it does not compile. Here their
-// conversion is narrowed to what xsimd's own code needs. Included before the rest of xsimd.
+// Makes masks of SIMD packs that no `if` and no `?:` takes, and says what to write instead. Those of xsimd 8.1 for
+// AVX-512 convert to an integer, so that `if (a > b)` would compile and mean "in any lane". Here their conversion is
+// narrowed to what xsimd's own code needs. Included before the rest of xsimd.
 #pragma once
 #pragma push_macro("I")  // of <complex.h>
 #undef I
@@ -9,13 +9,46 @@
 #include <type_traits>
 #include <xsimd/config/xsimd_arch.hpp>
 
+namespace physgen::detail {
+
+/// The base of masks; its name is what compilers print, some of them as that of the function's argument.
+struct a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it {
+  template <class Why = a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it>
+  explicit operator bool() const = delete;
+};
+
+/// The register of masks where packs have one like it.
+template <class Register>
+struct MaskOfLanes : Register, a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it {
+  MaskOfLanes() = default;
+  MaskOfLanes(typename Register::register_type lanes) : Register{lanes} {}  // NOLINT: implicit, as xsimd's own is
+};
+
+/// Packs of the widest registers. (With AVX, xsimd itself uses masks of 16 bytes before this header can change them;
+/// with AVX-512 masks have registers of their own.)
+template <class A>
+concept OfWidestRegister = !XSIMD_WITH_AVX || std::is_base_of_v<xsimd::avx, A>;
+
+}  // namespace physgen::detail
+
+namespace xsimd::types {
+
+/// Those with mask registers of their own have more special ones.
+template <class T, class A>
+  requires(std::is_arithmetic_v<T> && physgen::detail::OfWidestRegister<A>)
+struct get_bool_simd_register<T, A> {
+  using type = physgen::detail::MaskOfLanes<simd_register<T, A>>;
+};
+
+}  // namespace xsimd::types
+
 #if XSIMD_WITH_AVX512F
 
 namespace physgen::detail {
 
 /// The mask register of packs of T.
 template <class Register>
-struct MaskRegister {
+struct MaskRegister : a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it {
   using register_type = Register;
   register_type data;
 
