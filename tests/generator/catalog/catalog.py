@@ -168,7 +168,7 @@ def values_come_back(arguments, everything, runtime, expected):
         if f'"{word}"' not in program:
             sys.exit(f"the program has no {word}")
     run([*arguments.compiler, f"-I{runtime}", f"-I{arguments.root}/tests/generator/catalog",
-         arguments.folder / "all.cpp", arguments.runtime, "-o", arguments.folder / "all"])
+         arguments.folder / "all.cpp", *arguments.runtime, "-o", arguments.folder / "all"])
     print(run([arguments.folder / "all"], stdout=subprocess.PIPE, text=True), end="")
     return drawing
 
@@ -216,7 +216,7 @@ def main():
     parser.add_argument("--root", type=Path, required=True, help="the sources")
     parser.add_argument("--folder", type=Path, required=True, help="of what is written")
     parser.add_argument("--everything", type=Path, required=True, help="the program made of everything.cpp")
-    parser.add_argument("--runtime", type=Path, required=True, help="library that the program is linked to")
+    parser.add_argument("--runtime", type=Path, action="append", required=True, help="library that the program is linked to; repeated")
     parser.add_argument("--link", action="append", default=[], help="what everything.o is linked to; repeated")
     parser.add_argument("--compiler", nargs=argparse.REMAINDER, required=True, help="and its flags")
     arguments = parser.parse_args()
