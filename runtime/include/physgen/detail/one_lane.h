@@ -44,6 +44,10 @@ struct lane_in_memory : one_lane_of_S<T> {
   lane_in_memory(const lane_in_memory&) = default;
   PHYSGEN_FUNCTION lane_in_memory(const one_lane_of_S<T>& value);  // NOLINT: implicit, as a number's copy is
   lane_in_memory& operator=(const lane_in_memory&) = default;
+  PHYSGEN_FUNCTION lane_in_memory& operator=(const one_lane_of_S<T>& value);
+  template <class Number>
+    requires std::is_arithmetic_v<Number>
+  PHYSGEN_FUNCTION lane_in_memory& operator=(Number value);
   PHYSGEN_FUNCTION T* operator&();
   PHYSGEN_FUNCTION const T* operator&() const;
 };

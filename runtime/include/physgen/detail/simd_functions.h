@@ -127,6 +127,13 @@ template <std::floating_point T, class A>
 inline batch<T, A> fmod(const batch<T, A>& x, const batch<T, A>& y) {
   return physgen::detail::lane_by_lane(batch_bool<T, A>(true), x, [](T a, T b) { return std::fmod(a, b); }, x, y);
 }
+/// xsimd's own puts a double beside floats, which is refused (simd_numbers.h).
+template <std::floating_point T, class A>
+inline batch<T, A> round(const batch<T, A>& x) {
+  using S = batch<T, A>;
+  const S size = abs(x), above = ceil(size), nearest = select(above - S(T(0.5)) > size, above - S(T(1)), above);
+  return select(size > constants::maxflint<S>(), x, copysign(nearest, x));
+}
 /// Wrong where both are zero or infinite, and where the quotient is neither 0 nor a normal number.
 template <std::floating_point T, class A>
 inline batch<T, A> atan2(const batch<T, A>& y, const batch<T, A>& x) {
