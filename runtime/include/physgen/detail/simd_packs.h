@@ -129,24 +129,20 @@ class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, 
   // Kernels stream, but over more arrays, with more skipped channels, than hardware prefetchers follow: the line that a
   // later pack will load is asked for now. The line may lie behind the array: prefetches do not fault. (Locals have no
   // later packs.) It is fetched into the second cache: lines that are under way to the first one hold its few miss
-  // buffers for as long as memory takes, and loads wait for these. How dP from dF runs with either, and by which
-  // distance, stands in tools/report/results/README.md.
+  // buffers for as long as memory takes, and loads wait for these. Where a pack is a tile, its channels are whole lines
+  // side by side, which hardware follows. What each of these gave stands in tools/report/results/README.md.
   template <class T>
   void prefetch(int offset) const {
-    if constexpr (of_a_local) return;
     constexpr int line_bytes = 64, line_lanes = line_bytes / int{sizeof(T)}, second_cache = 2;
-    constexpr auto bytes_ahead = [](index_t objects) {
-      return objects * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
-    };
-    const auto* now = reinterpret_cast<const std::byte*>(address<T>(offset, 0));
-    if constexpr (Layout::contiguous(2 * line_lanes)) {
-      __builtin_prefetch(now + bytes_ahead(2 * line_lanes), 0, second_cache);
-    } else if constexpr (W == line_lanes) {
-      // Channels of a tile are lines side by side, which hardware follows or fetches in pairs: half of them suffice,
-      // and cost arrays that lie in a cache less.
-      if (offset / int{sizeof(T)} % 2 == 0) __builtin_prefetch(now + bytes_ahead(2 * W), 0, second_cache);
+    constexpr bool wide_channels = Layout::contiguous(2 * line_lanes);
+    if constexpr (of_a_local || (!wide_channels && W == line_lanes)) return;
+    constexpr index_t objects_ahead = wide_channels ? 2 * line_lanes : 2 * W;
+    constexpr index_t bytes_ahead = objects_ahead * (Layout::contiguous(1 << 20) ? int{sizeof(T)} : kRecord.stored);
+    const auto* later = reinterpret_cast<const std::byte*>(address<T>(offset, 0)) + bytes_ahead;
+    if constexpr (wide_channels) {
+      __builtin_prefetch(later, 0, second_cache);
     } else {
-      __builtin_prefetch(now + bytes_ahead(2 * W));
+      __builtin_prefetch(later);  // of half lines and less: measured
     }
   }
 
