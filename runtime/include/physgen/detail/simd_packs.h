@@ -130,7 +130,7 @@ class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, 
   // later pack will load is asked for now. The line may lie behind the array: prefetches do not fault. (Locals have no
   // later packs.) It is fetched into the second cache: lines that are under way to the first one hold its few miss
   // buffers for as long as memory takes, and loads wait for these. Where a pack is a tile, its channels are whole lines
-  // side by side, which hardware follows. What each of these gave stands in tools/report/results/README.md.
+  // side by side, which hardware follows. What each of these gave stands in runtime/README.md.
   template <class T>
   void prefetch(int offset) const {
     constexpr int line_bytes = 64, line_lanes = line_bytes / int{sizeof(T)}, second_cache = 2;
