@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_64ECF372D048B5EF
-#define PHYSGEN_CONTACT_H_64ECF372D048B5EF
+#ifndef PHYSGEN_CONTACT_H_C8798438CE145134
+#define PHYSGEN_CONTACT_H_C8798438CE145134
 
 #include <physgen/runtime.h>
 
@@ -90,7 +90,7 @@ static_assert(physgen::are_sound_records<NodeAreaObject, physgen::Host>({4, 4, {
 template <class Real>
 struct RigidPlane {
   /// of length 1, towards the body [1]
-  Eigen::Matrix<Real, 3, 1> normal = decltype(normal)::Zero();
+  physgen::MatrixValue<Real, 3, 1> normal = decltype(normal)::Zero();
   /// normal . x of its points at a load of 0 [m]
   Real offset = {};
   /// along the normal, at a load of 1 [m]
@@ -233,4 +233,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_64ECF372D048B5EF
+#endif  // PHYSGEN_CONTACT_H_C8798438CE145134

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_DYNAMICS_H_C89433CAB28226B5
-#define PHYSGEN_DYNAMICS_H_C89433CAB28226B5
+#ifndef PHYSGEN_DYNAMICS_H_1030F2774E4C89A5
+#define PHYSGEN_DYNAMICS_H_1030F2774E4C89A5
 
 #include <physgen/runtime.h>
 
@@ -90,7 +90,7 @@ static_assert(physgen::are_sound_records<NodeMassObject, physgen::Host>({4, 4, {
 template <class Real>
 struct NodeVelocity {
   /// velocity [m/s]
-  Eigen::Matrix<Real, 3, 1> v = decltype(v)::Zero();
+  physgen::MatrixValue<Real, 3, 1> v = decltype(v)::Zero();
 };
 
 template <class Space>
@@ -148,7 +148,7 @@ struct Motion {
   /// kinetic energy [J]
   Real kinetic = {};
   /// linear momentum [kg m/s]
-  Eigen::Matrix<Real, 3, 1> momentum = decltype(momentum)::Zero();
+  physgen::MatrixValue<Real, 3, 1> momentum = decltype(momentum)::Zero();
   /// elastic energy of the tets [J]
   Real elastic = {};
   /// the largest coordinate of a position [m]
@@ -231,4 +231,4 @@ static_assert(physgen::are_sound_records<MotionObject, physgen::Host>(
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_C89433CAB28226B5
+#endif  // PHYSGEN_DYNAMICS_H_1030F2774E4C89A5

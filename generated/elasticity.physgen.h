@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_ELASTICITY_H_1C3B944908C2DBF8
-#define PHYSGEN_ELASTICITY_H_1C3B944908C2DBF8
+#ifndef PHYSGEN_ELASTICITY_H_BD1AD8171BA72906
+#define PHYSGEN_ELASTICITY_H_BD1AD8171BA72906
 
 #include <physgen/runtime.h>
 
@@ -36,7 +36,7 @@ namespace elasticity {
 template <class Real>
 struct DeformationGradient {
   /// current over rest shape; the identity at rest [1]
-  Eigen::Matrix<Real, 3, 3> F = decltype(F)::Zero();
+  physgen::MatrixValue<Real, 3, 3> F = decltype(F)::Zero();
 };
 
 template <class Space>
@@ -93,7 +93,7 @@ static_assert(physgen::are_sound_records<DeformationGradientObject, physgen::Hos
 template <class Real>
 struct DeformationGradientDifferential {
   /// change of F along a displacement differential [1]
-  Eigen::Matrix<Real, 3, 3> dF = decltype(dF)::Zero();
+  physgen::MatrixValue<Real, 3, 3> dF = decltype(dF)::Zero();
 };
 
 template <class Space>
@@ -154,11 +154,11 @@ static_assert(physgen::are_sound_records<DeformationGradientDifferentialObject, 
 template <class Real>
 struct DeformationSvd {
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
+  physgen::MatrixValue<Real, 3, 3> U = decltype(U)::Identity();
   /// principal directions: U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
+  physgen::MatrixValue<Real, 3, 3> V = decltype(V)::Identity();
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
+  physgen::MatrixValue<Real, 3, 1> s = decltype(s)::Zero();
 };
 
 template <class Space>
@@ -230,11 +230,11 @@ static_assert(physgen::are_sound_records<DeformationSvdObject, physgen::Host>(
 template <class Real>
 struct QuaternionSvd {
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  Eigen::Matrix<Real, 4, 1> u = decltype(u)::Zero();
+  physgen::MatrixValue<Real, 4, 1> u = decltype(u)::Zero();
   /// unit quaternions w, x, y, z of U and V, w >= 0
-  Eigen::Matrix<Real, 4, 1> v = decltype(v)::Zero();
+  physgen::MatrixValue<Real, 4, 1> v = decltype(v)::Zero();
   /// principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
+  physgen::MatrixValue<Real, 3, 1> s = decltype(s)::Zero();
 };
 
 template <class Space>
@@ -306,9 +306,9 @@ static_assert(physgen::are_sound_records<QuaternionSvdObject, physgen::Host>(
 template <class Real>
 struct PrincipalDirections {
   /// U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
+  physgen::MatrixValue<Real, 3, 3> U = decltype(U)::Identity();
   /// U in the current, V in the rest shape. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
+  physgen::MatrixValue<Real, 3, 3> V = decltype(V)::Identity();
 };
 
 template <class Space>
@@ -374,7 +374,7 @@ static_assert(physgen::are_sound_records<PrincipalDirectionsObject, physgen::Hos
 template <class Real>
 struct PrincipalStretches {
   /// s1 >= s2 >= |s3|; s3 < 0 where inverted [1]. Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
+  physgen::MatrixValue<Real, 3, 1> s = decltype(s)::Zero();
 };
 
 template <class Space>
@@ -431,7 +431,7 @@ static_assert(physgen::are_sound_records<PrincipalStretchesObject, physgen::Host
 template <class Real>
 struct ElementRotation {
   /// det R = 1. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> R = decltype(R)::Identity();
+  physgen::MatrixValue<Real, 3, 3> R = decltype(R)::Identity();
 };
 
 template <class Space>
@@ -666,7 +666,7 @@ static_assert(physgen::are_sound_records<StressDerivativeObject, physgen::Host>(
 template <class Real>
 struct Stress {
   /// dpsi/dF: force in the current shape per area of the rest shape [Pa]
-  Eigen::Matrix<Real, 3, 3> P = decltype(P)::Zero();
+  physgen::MatrixValue<Real, 3, 3> P = decltype(P)::Zero();
 };
 
 template <class Space>
@@ -720,7 +720,7 @@ static_assert(physgen::are_sound_records<StressObject, physgen::Host>({36, 4, {0
 template <class Real>
 struct StressDifferential {
   /// change of P along dF [Pa]
-  Eigen::Matrix<Real, 3, 3> dP = decltype(dP)::Zero();
+  physgen::MatrixValue<Real, 3, 3> dP = decltype(dP)::Zero();
 };
 
 template <class Space>
@@ -778,7 +778,7 @@ static_assert(physgen::are_sound_records<StressDifferentialObject, physgen::Host
 template <class Real>
 struct RestShape {
   /// Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns [1/m]
-  Eigen::Matrix<Real, 3, 3> dm_inverse = decltype(dm_inverse)::Zero();
+  physgen::MatrixValue<Real, 3, 3> dm_inverse = decltype(dm_inverse)::Zero();
   /// det(Dm) / 6, positive [m^3]
   Real volume = {};
 };
@@ -848,7 +848,7 @@ static_assert(physgen::are_sound_records<RestShapeObject, physgen::Host>({40, 4,
 template <class Real>
 struct CornerForces {
   /// G = -volume P Dm^-T [N]
-  Eigen::Matrix<Real, 3, 3> G = decltype(G)::Zero();
+  physgen::MatrixValue<Real, 3, 3> G = decltype(G)::Zero();
 };
 
 template <class Space>
@@ -905,9 +905,9 @@ static_assert(physgen::are_sound_records<CornerForcesObject, physgen::Host>({36,
 template <class Real>
 struct ElementRecord {
   /// principal directions. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
+  physgen::MatrixValue<Real, 3, 3> U = decltype(U)::Identity();
   /// principal directions. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
+  physgen::MatrixValue<Real, 3, 3> V = decltype(V)::Identity();
   /// as in StressDerivative [Pa]
   Real x1111 = {};
   /// as in StressDerivative [Pa]
@@ -933,9 +933,9 @@ struct ElementRecord {
   /// as in StressDerivative [Pa]
   Real x3223 = {};
   /// change of F along a displacement differential [1]
-  Eigen::Matrix<Real, 3, 3> dF = decltype(dF)::Zero();
+  physgen::MatrixValue<Real, 3, 3> dF = decltype(dF)::Zero();
   /// change of P along dF [Pa]
-  Eigen::Matrix<Real, 3, 3> dP = decltype(dP)::Zero();
+  physgen::MatrixValue<Real, 3, 3> dP = decltype(dP)::Zero();
 };
 
 template <class Space>
@@ -1117,7 +1117,7 @@ static_assert(physgen::are_sound_records<ElementRecordObject, physgen::Host>(
 template <class Real>
 struct NodePosition {
   /// position [m]
-  Eigen::Matrix<Real, 3, 1> x = decltype(x)::Zero();
+  physgen::MatrixValue<Real, 3, 1> x = decltype(x)::Zero();
 };
 
 template <class Space>
@@ -1173,7 +1173,7 @@ static_assert(physgen::are_sound_records<NodePositionObject, physgen::Host>({12,
 template <class Real>
 struct NodeForce {
   /// sum of the elements' forces on the node [N]
-  Eigen::Matrix<Real, 3, 1> f = decltype(f)::Zero();
+  physgen::MatrixValue<Real, 3, 1> f = decltype(f)::Zero();
 };
 
 template <class Space>
@@ -1228,7 +1228,7 @@ static_assert(physgen::are_sound_records<NodeForceObject, physgen::Host>({12, 4,
 template <class Real>
 struct PlacedForce {
   /// of the tet on the node [N]
-  Eigen::Matrix<Real, 3, 1> f = decltype(f)::Zero();
+  physgen::MatrixValue<Real, 3, 1> f = decltype(f)::Zero();
 };
 
 template <class Space>
@@ -1284,7 +1284,7 @@ static_assert(physgen::are_sound_records<PlacedForceObject, physgen::Host>({12, 
 template <class Real>
 struct NodeDisplacement {
   /// direction in which forces are differentiated [m]
-  Eigen::Matrix<Real, 3, 1> dx = decltype(dx)::Zero();
+  physgen::MatrixValue<Real, 3, 1> dx = decltype(dx)::Zero();
 };
 
 template <class Space>
@@ -1341,7 +1341,7 @@ static_assert(physgen::are_sound_records<NodeDisplacementObject, physgen::Host>(
 template <class Real>
 struct NodeForceDifferential {
   /// change of the node's force along the displacement differential [N]
-  Eigen::Matrix<Real, 3, 1> df = decltype(df)::Zero();
+  physgen::MatrixValue<Real, 3, 1> df = decltype(df)::Zero();
 };
 
 template <class Space>
@@ -1399,7 +1399,7 @@ static_assert(physgen::are_sound_records<NodeForceDifferentialObject, physgen::H
 template <class Real>
 struct NodeStiffness {
   /// df(v)/dx(v) [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> K = decltype(K)::Zero();
+  physgen::MatrixValue<Real, 3, 3> K = decltype(K)::Zero();
 };
 
 template <class Space>
@@ -1456,7 +1456,7 @@ static_assert(physgen::are_sound_records<NodeStiffnessObject, physgen::Host>({24
 template <class Real>
 struct EdgeStiffness {
   /// df(m)/dx(n) [N/m]
-  Eigen::Matrix<Real, 3, 3> E = decltype(E)::Zero();
+  physgen::MatrixValue<Real, 3, 3> E = decltype(E)::Zero();
 };
 
 template <class Space>
@@ -1513,11 +1513,11 @@ static_assert(physgen::are_sound_records<EdgeStiffnessObject, physgen::Host>({36
 template <class Real>
 struct TetStiffness {
   /// corners i, j, k, l [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> k[4] = {
+  physgen::MatrixValue<Real, 3, 3> k[4] = {
       std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero(),
       std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero()};
   /// edges ij, ik, il, jk, jl, kl: df(first)/dx(second) [N/m]
-  Eigen::Matrix<Real, 3, 3> e[6] = {
+  physgen::MatrixValue<Real, 3, 3> e[6] = {
       std::remove_extent_t<decltype(e)>::Zero(), std::remove_extent_t<decltype(e)>::Zero(),
       std::remove_extent_t<decltype(e)>::Zero(), std::remove_extent_t<decltype(e)>::Zero(),
       std::remove_extent_t<decltype(e)>::Zero(), std::remove_extent_t<decltype(e)>::Zero()};
@@ -1598,7 +1598,7 @@ static_assert(physgen::are_sound_records<TetStiffnessObject, physgen::Host>({312
 template <class Real>
 struct Tet {
   /// corners i, j, k, l; det(Dm) > 0
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -1653,7 +1653,7 @@ static_assert(physgen::are_sound_records<TetObject, physgen::Host>({16, 4, {0}},
 template <class Real>
 struct TetPlaces {
   /// of corners i, j, k, l: numbers of entries
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places = decltype(places)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> places = decltype(places)::Zero();
 };
 
 template <class Space>
@@ -1711,7 +1711,7 @@ static_assert(physgen::are_sound_records<TetPlacesObject, physgen::Host>({16, 4,
 template <class Real>
 struct Edge {
   /// m and n: the block of the edge is df(m)/dx(n)
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes = decltype(nodes)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -1901,4 +1901,4 @@ static_assert(physgen::are_sound_records<IncidenceObject, physgen::Host>({8, 4, 
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_1C3B944908C2DBF8
+#endif  // PHYSGEN_ELASTICITY_H_BD1AD8171BA72906

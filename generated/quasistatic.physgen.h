@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_QUASISTATIC_H_067596900A3C505F
-#define PHYSGEN_QUASISTATIC_H_067596900A3C505F
+#ifndef PHYSGEN_QUASISTATIC_H_E0B241E530D5313D
+#define PHYSGEN_QUASISTATIC_H_E0B241E530D5313D
 
 #include <physgen/runtime.h>
 
@@ -95,7 +95,7 @@ static_assert(physgen::are_sound_records<NodeConstraintObject, physgen::Host>({4
 template <class Real>
 struct NodeParents {
   /// numbers on the coarser level
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes = decltype(nodes)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -153,9 +153,9 @@ static_assert(physgen::are_sound_records<NodeParentsObject, physgen::Host>({8, 4
 template <class Real>
 struct GridParents {
   /// numbers on the coarser level; a corner without weight repeats the first
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
   /// they add up to 1 [1]
-  Eigen::Matrix<Real, 4, 1> weights = decltype(weights)::Zero();
+  physgen::MatrixValue<Real, 4, 1> weights = decltype(weights)::Zero();
 };
 
 template <class Space>
@@ -292,7 +292,7 @@ static_assert(physgen::are_sound_records<NodeScaleObject, physgen::Host>({8, 4, 
 template <class Real>
 struct NodeInverse {
   /// -K^-1 over the free components, 0 in prescribed ones. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> D = decltype(D)::Zero();
+  physgen::MatrixValue<Real, 3, 3> D = decltype(D)::Zero();
 };
 
 template <class Space>
@@ -348,7 +348,7 @@ static_assert(physgen::are_sound_records<NodeInverseObject, physgen::Host>({24, 
 template <class Real>
 struct TranslationStiffness {
   /// sum of df(v)/dx(w) over all nodes w; 0 far from what is prescribed [N/m]
-  Eigen::Matrix<Real, 3, 3> T = decltype(T)::Zero();
+  physgen::MatrixValue<Real, 3, 3> T = decltype(T)::Zero();
 };
 
 template <class Space>
@@ -405,9 +405,9 @@ static_assert(physgen::are_sound_records<TranslationStiffnessObject, physgen::Ho
 template <class Real>
 struct TetTangent {
   /// principal directions in the current shape
-  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Zero();
+  physgen::MatrixValue<Real, 3, 3> U = decltype(U)::Zero();
   /// by columns: V^T grad of corners j, k, l [1/m]
-  Eigen::Matrix<Real, 3, 3> g = decltype(g)::Zero();
+  physgen::MatrixValue<Real, 3, 3> g = decltype(g)::Zero();
   /// volume times those of StressDerivative [N m]
   Real x1111 = {};
   /// volume times those of StressDerivative [N m]
@@ -716,7 +716,7 @@ static_assert(physgen::are_sound_records<PatchParentObject, physgen::Host>({4, 4
 template <class Real>
 struct PatchNodes {
   /// unused ones repeat the first
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 8, 1> nodes = decltype(nodes)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 8, 1> nodes = decltype(nodes)::Zero();
 };
 
 template <class Space>
@@ -966,7 +966,7 @@ struct RingNode {
   /// its number
   physgen::same_lanes_t<Real, std::int32_t> node = {};
   /// change of its mean volume with the node whose ring it is in [m^2]
-  Eigen::Matrix<Real, 3, 1> g = decltype(g)::Zero();
+  physgen::MatrixValue<Real, 3, 1> g = decltype(g)::Zero();
 };
 
 template <class Space>
@@ -1085,7 +1085,7 @@ static_assert(physgen::are_sound_records<NodeVolumeTangentObject, physgen::Host>
 template <class Real>
 struct CoarseInverse {
   /// of nodes i and j of n, in object i n + j
-  Eigen::Matrix<Real, 3, 3> G = decltype(G)::Zero();
+  physgen::MatrixValue<Real, 3, 3> G = decltype(G)::Zero();
 };
 
 template <class Space>
@@ -1141,7 +1141,7 @@ static_assert(physgen::are_sound_records<CoarseInverseObject, physgen::Host>({36
 template <class Real>
 struct PatchTangent {
   /// by columns: change of the patch's volume with its nodes [m^2]
-  Eigen::Matrix<Real, 3, 8> g = decltype(g)::Zero();
+  physgen::MatrixValue<Real, 3, 8> g = decltype(g)::Zero();
   /// U''(T) / volume, or its linearised form [N/m^5]
   Real k = {};
 };
@@ -1484,9 +1484,9 @@ static_assert(physgen::are_sound_records<SchwarzBlockObject, physgen::Host>(
 template <class Real>
 struct Supernode {
   /// sum of the stiffness of its nodes and of the edges among them [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> K = decltype(K)::Zero();
+  physgen::MatrixValue<Real, 3, 3> K = decltype(K)::Zero();
   /// sum of its nodes' |K_kk|: what rounding is measured against [N/m]
-  Eigen::Matrix<Real, 3, 1> magnitude = decltype(magnitude)::Zero();
+  physgen::MatrixValue<Real, 3, 1> magnitude = decltype(magnitude)::Zero();
 };
 
 template <class Space>
@@ -1688,7 +1688,7 @@ static_assert(physgen::are_sound_records<SchwarzPairObject, physgen::Host>({8, 4
 template <class Real>
 struct SchwarzFactor {
   /// of block b in objects 544 b + 32 d + i, d = 0 .. 16
-  Eigen::Matrix<Real, 3, 3> W = decltype(W)::Zero();
+  physgen::MatrixValue<Real, 3, 3> W = decltype(W)::Zero();
 };
 
 template <class Space>
@@ -2115,4 +2115,4 @@ static_assert(physgen::are_sound_records<EquilibriumObject, physgen::Host>(
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_067596900A3C505F
+#endif  // PHYSGEN_QUASISTATIC_H_E0B241E530D5313D

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_EVERYTHING_H_B1F774B25101B77A
-#define PHYSGEN_EVERYTHING_H_B1F774B25101B77A
+#ifndef PHYSGEN_EVERYTHING_H_AE80139044D4303D
+#define PHYSGEN_EVERYTHING_H_AE80139044D4303D
 
 #include <physgen/runtime.h>
 
@@ -104,27 +104,27 @@ template <class Real>
 struct Shapes {
   /// Scalar.
   Real a = {};
-  Eigen::Matrix<Real, 3, 1> v = decltype(v)::Zero();
+  physgen::MatrixValue<Real, 3, 1> v = decltype(v)::Zero();
   /// corners i, j, k, l
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 4, 1> nodes = decltype(nodes)::Zero();
   /// deformation gradient [1]
-  Eigen::Matrix<Real, 3, 3> F = decltype(F)::Zero();
-  Eigen::Matrix<Real, 2, 3> B = decltype(B)::Zero();
-  Eigen::Matrix<Real, 1, 4> row = decltype(row)::Zero();
+  physgen::MatrixValue<Real, 3, 3> F = decltype(F)::Zero();
+  physgen::MatrixValue<Real, 2, 3> B = decltype(B)::Zero();
+  physgen::MatrixValue<Real, 1, 4> row = decltype(row)::Zero();
   /// [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> K = decltype(K)::Zero();
+  physgen::MatrixValue<Real, 3, 3> K = decltype(K)::Zero();
   /// Symmetric, 3 stored.
-  Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> C2 = decltype(C2)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, double>, 2, 2> C2 = decltype(C2)::Zero();
   /// Diagonal, 3 stored.
-  Eigen::Matrix<Real, 3, 1> s = decltype(s)::Zero();
+  physgen::MatrixValue<Real, 3, 1> s = decltype(s)::Zero();
   /// [1/s]. Skew-symmetric, 3 stored.
-  Eigen::Matrix<Real, 3, 3> W = decltype(W)::Zero();
+  physgen::MatrixValue<Real, 3, 3> W = decltype(W)::Zero();
   /// principal directions. Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> U = decltype(U)::Identity();
+  physgen::MatrixValue<Real, 3, 3> U = decltype(U)::Identity();
   /// Rotation, 9 stored.
-  Eigen::Matrix<Real, 3, 3> V = decltype(V)::Identity();
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> count = decltype(count)::Zero();
-  Eigen::Matrix<physgen::same_lanes_t<Real, double>, 2, 2> M = decltype(M)::Zero();
+  physgen::MatrixValue<Real, 3, 3> V = decltype(V)::Identity();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> count = decltype(count)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, double>, 2, 2> M = decltype(M)::Zero();
 };
 
 template <class Space>
@@ -289,7 +289,7 @@ struct Names {
   Real assign = {};
   Real texts = {};
   Real Inner = {};
-  Eigen::Matrix<Real, 2, 1> tissue = decltype(tissue)::Zero();
+  physgen::MatrixValue<Real, 2, 1> tissue = decltype(tissue)::Zero();
 };
 
 template <class Space>
@@ -518,13 +518,13 @@ struct Entries {
   /// They sum to one. [1] Range [0, 1].
   Real weights[5] = {};
   /// [N/m]. Symmetric, 6 stored.
-  Eigen::Matrix<Real, 3, 3> k[4] = {
+  physgen::MatrixValue<Real, 3, 3> k[4] = {
       std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero(),
       std::remove_extent_t<decltype(k)>::Zero(), std::remove_extent_t<decltype(k)>::Zero()};
   physgen::same_lanes_t<Real, std::int32_t> flags[3] = {};
   /// More entries than are worth unrolling
   physgen::same_lanes_t<Real, double> history[40] = {};
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> edges[6] = {
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> edges[6] = {
       std::remove_extent_t<decltype(edges)>::Zero(), std::remove_extent_t<decltype(edges)>::Zero(),
       std::remove_extent_t<decltype(edges)>::Zero(), std::remove_extent_t<decltype(edges)>::Zero(),
       std::remove_extent_t<decltype(edges)>::Zero(), std::remove_extent_t<decltype(edges)>::Zero()};
@@ -668,15 +668,15 @@ struct Options {
   /// Range [0, 0.5]; initially 0.45.
   Real nu = physgen::all_lanes<Real>(0.45);
   /// [1]. Initially 0.5.
-  Eigen::Matrix<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
+  physgen::MatrixValue<Real, 3, 1> direction = decltype(direction)::Constant(physgen::all_lanes<Real>(0.5));
   /// Symmetric, 6 stored. Initially 1.
-  Eigen::Matrix<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1.0));
+  physgen::MatrixValue<Real, 3, 3> metric = decltype(metric)::Constant(physgen::all_lanes<Real>(1.0));
   /// Initially -1.
   physgen::same_lanes_t<Real, std::int32_t> label = -1;
   /// Initially 7.
-  Eigen::Matrix<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> group = decltype(group)::Constant(7);
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 2, 1> group = decltype(group)::Constant(7);
   /// Skew-symmetric, 3 stored. Initially 0.25 in a new array.
-  Eigen::Matrix<Real, 3, 3> spin = decltype(spin)::Zero();
+  physgen::MatrixValue<Real, 3, 3> spin = decltype(spin)::Zero();
   /// Initially 1e-12.
   physgen::same_lanes_t<Real, double> fixed = 1e-12;
 };
@@ -1019,9 +1019,9 @@ template <class Real>
 struct Frame {
   /// Rotation, 9 stored. Stored on the host as unit quaternion, error of an entry up to 10 eps; on CUDA as unit
   /// quaternion of 16-bit steps, error of an entry up to 9e-5.
-  Eigen::Matrix<Real, 3, 3> turn = decltype(turn)::Identity();
+  physgen::MatrixValue<Real, 3, 3> turn = decltype(turn)::Identity();
   /// [m]. Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Eigen::Matrix<Real, 3, 1> origin = decltype(origin)::Zero();
+  physgen::MatrixValue<Real, 3, 1> origin = decltype(origin)::Zero();
   /// Range [0, 1]; initially 0.25. Stored as 16-bit steps over [0, 1], error up to 7.7e-06.
   Real weight = physgen::all_lanes<Real>(0.25);
 };
@@ -1114,36 +1114,36 @@ struct Stored {
   Real temperature = physgen::all_lanes<Real>(310.0);
   /// [Pa]. Symmetric, 6 stored. Range [-1e+07, 1e+07]. Stored on the host as half, relative error up to 4.9e-4 for
   /// sizes from 0.031 to 3.4e+07; on CUDA as bfloat16, relative error up to 3.9e-3.
-  Eigen::Matrix<Real, 3, 3> stress = decltype(stress)::Zero();
+  physgen::MatrixValue<Real, 3, 3> stress = decltype(stress)::Zero();
   /// Stored on CUDA as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Eigen::Matrix<Real, 3, 3> F = decltype(F)::Zero();
+  physgen::MatrixValue<Real, 3, 3> F = decltype(F)::Zero();
   /// Diagonal, 3 stored. Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
-  Eigen::Matrix<Real, 3, 1> stretch = decltype(stretch)::Zero();
+  physgen::MatrixValue<Real, 3, 1> stretch = decltype(stretch)::Zero();
   /// Skew-symmetric, 3 stored. Range [-8, 8]. Stored as 16-bit steps over [-8, 8], error up to 0.00013.
-  Eigen::Matrix<Real, 3, 3> spin = decltype(spin)::Zero();
+  physgen::MatrixValue<Real, 3, 3> spin = decltype(spin)::Zero();
   /// Rotation, 9 stored. Stored on CUDA as unit quaternion, error of an entry up to 10 eps.
-  Eigen::Matrix<Real, 3, 3> R = decltype(R)::Identity();
+  physgen::MatrixValue<Real, 3, 3> R = decltype(R)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of floats, error of an entry up to 1.2e-6.
-  Eigen::Matrix<Real, 3, 3> R32 = decltype(R32)::Identity();
+  physgen::MatrixValue<Real, 3, 3> R32 = decltype(R32)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of doubles, error of an entry up to 10 eps.
-  Eigen::Matrix<Real, 3, 3> R64 = decltype(R64)::Identity();
+  physgen::MatrixValue<Real, 3, 3> R64 = decltype(R64)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
-  Eigen::Matrix<Real, 3, 3> Rhalf = decltype(Rhalf)::Identity();
+  physgen::MatrixValue<Real, 3, 3> Rhalf = decltype(Rhalf)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of bfloat16, error of an entry up to 1.6e-2.
-  Eigen::Matrix<Real, 3, 3> Rbfloat = decltype(Rbfloat)::Identity();
+  physgen::MatrixValue<Real, 3, 3> Rbfloat = decltype(Rbfloat)::Identity();
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
-  Eigen::Matrix<Real, 3, 3> R16 = decltype(R16)::Identity();
+  physgen::MatrixValue<Real, 3, 3> R16 = decltype(R16)::Identity();
   /// Rotation, 9 stored. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04; on
   /// CUDA as 16-bit steps over [-1, 1], error up to 1.6e-05.
-  Eigen::Matrix<Real, 3, 3> entries = decltype(entries)::Identity();
+  physgen::MatrixValue<Real, 3, 3> entries = decltype(entries)::Identity();
   /// Stored as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
   Real halves[5] = {};
   /// Rotation, 9 stored. Stored as unit quaternion of halves, error of an entry up to 2e-3.
-  Eigen::Matrix<Real, 3, 3> turns[3] = {
+  physgen::MatrixValue<Real, 3, 3> turns[3] = {
       std::remove_extent_t<decltype(turns)>::Identity(), std::remove_extent_t<decltype(turns)>::Identity(),
       std::remove_extent_t<decltype(turns)>::Identity()};
   /// Rotation, 9 stored. Stored as unit quaternion of 16-bit steps, error of an entry up to 9e-5.
-  Eigen::Matrix<Real, 3, 3> many[33];
+  physgen::MatrixValue<Real, 3, 3> many[33];
   /// Initially 7.
   physgen::same_lanes_t<Real, std::int32_t> count = 7;
   Frame<Real> frame;
@@ -1440,4 +1440,4 @@ static_assert(physgen::are_sound_records<StoredObject, physgen::Cuda>(
 
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_B1F774B25101B77A
+#endif  // PHYSGEN_EVERYTHING_H_AE80139044D4303D

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_MATERIALS_H_D204E6F3575A87FF
-#define PHYSGEN_MATERIALS_H_D204E6F3575A87FF
+#ifndef PHYSGEN_MATERIALS_H_069EEC93E9DB68DA
+#define PHYSGEN_MATERIALS_H_069EEC93E9DB68DA
 
 #include <physgen/runtime.h>
 
@@ -101,7 +101,7 @@ static_assert(physgen::are_sound_records<LameObject, physgen::Host>({8, 4, {0, 4
 template <class Real>
 struct Fibre {
   /// Unit vector along the fibre.
-  Eigen::Matrix<physgen::same_lanes_t<Real, float>, 3, 1> direction = decltype(direction)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, float>, 3, 1> direction = decltype(direction)::Zero();
   /// [Pa]
   physgen::same_lanes_t<Real, double> strength = {};
 };
@@ -164,4 +164,4 @@ static_assert(physgen::are_sound_records<FibreObject, physgen::Host>({20, 8, {8,
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_D204E6F3575A87FF
+#endif  // PHYSGEN_MATERIALS_H_069EEC93E9DB68DA
