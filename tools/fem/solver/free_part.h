@@ -3,8 +3,6 @@
 
 #include <fem/numerics/scalar.h>
 
-#include <type_traits>
-
 namespace physgen::fem {
 
 namespace detail {
@@ -12,15 +10,10 @@ namespace detail {
 /// A vector, or a pack of them, with 0 in prescribed components.
 template <class S, class Constraint>
 PHYSGEN_FUNCTION inline Vector3<S> free_part(const Vector3<S>& v, const Constraint& constraint) {
-  if constexpr (std::is_arithmetic_v<S>) {
-    const int fixed = constraint.fixed();
-    return {(fixed & 1) != 0 ? S(0) : v[0], (fixed & 2) != 0 ? S(0) : v[1], (fixed & 4) != 0 ? S(0) : v[2]};
-  } else {
-    const auto fixed = constraint.fixed().get();
-    const S zero(RealOf<S>(0));
-    return {select((fixed & 1) == 0, v[0], zero), select((fixed & 2) == 0, v[1], zero),
-            select((fixed & 4) == 0, v[2], zero)};
-  }
+  const same_lanes_t<S, std::int32_t> fixed = constraint.fixed();
+  const S zero(RealOf<S>(0));
+  return {select((fixed & 1) == 0, v[0], zero), select((fixed & 2) == 0, v[1], zero),
+          select((fixed & 4) == 0, v[2], zero)};
 }
 
 /// A block with 0 in the rows and columns of prescribed components.

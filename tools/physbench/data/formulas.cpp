@@ -20,7 +20,7 @@ elasticity::DeformationSvd<T> svd(const Matrix3<T>& F) {
   result.U = found.matrixU();
   result.V = found.matrixV();
   result.s = found.singularValues();
-  for (Matrix3<T>* rotation : {&result.U, &result.V}) {
+  for (auto* rotation : {&result.U, &result.V}) {
     if (rotation->determinant() > 0) continue;
     rotation->col(2) = -rotation->col(2);
     result.s[2] = -result.s[2];

@@ -93,7 +93,7 @@ class BatchedSvd {
       svd.U = Eigen::Map<const Matrix>(&u[9 * i]);
       svd.V = Eigen::Map<const Matrix>(&v[9 * i]);
       svd.s = Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&s[3 * i]);
-      for (Matrix* rotation : {&svd.U, &svd.V}) {
+      for (auto* rotation : {&svd.U, &svd.V}) {
         if (!(rotation->template cast<long double>().determinant() < 0)) continue;
         rotation->col(2) = -rotation->col(2);
         svd.s[2] = -svd.s[2];
