@@ -115,12 +115,8 @@ TEST(Emitter, carries_docs_units_ranges_and_initial_values) {
   expect_contains(text, comment + "  Real density = physgen::all_lanes<Real>(0.1);\n");
   expect_contains(text, comment + "  PHYSGEN_FUNCTION decltype(auto) density() const");
   expect_contains(text,
-                  "  /// [N/m]. Symmetric, 6 stored.
-  physgen::MatrixValue<Real, 3, 3> K = decltype(K)::Zero();
-");
-  expect_contains(text, "  /// Initially 0.25 in a new array.
-  Real w[4] = {};
-");
+                  "  /// [N/m]. Symmetric, 6 stored.\n  physgen::MatrixValue<Real, 3, 3> K = decltype(K)::Zero();\n");
+  expect_contains(text, "  /// Initially 0.25 in a new array.\n  Real w[4] = {};\n");
   expect_contains(text,
                   "  static constexpr std::array<physgen::FieldText, 3> texts = {{\n"
                   "      {\"density\", \"kg/m^3\", 0.1}, {\"K\", \"N/m\"}, {\"w\", \"\", 0.25}}};\n");
