@@ -4,7 +4,7 @@
 set -euo pipefail
 failed=0
 check() {  # layout prefetches
-  assembly=$("$1" "${@:4}" -std=c++20 -O2 -march=x86-64-v4 -fopenmp -x c++ -S -o - - <<E2
+  assembly=$("$1" "${@:4}" -std=c++20 -O2 -march=x86-64-v4 -x c++ -S -o - - <<E2
 #include <elasticity.physgen.h>
 #include <physgen/parallel_for.h>
 using namespace physgen;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Programs of scenes, known ones and random ones: what physgen joins of their steps has the bits of the steps one by one.
 
-    programs.py --physgen PHYSGEN --folder FOLDER --runtime LIBRARY [--seed SEED] [--minutes N] [--first NUMBER] [--known] -- COMPILER FLAGS...
+    programs.py --physgen PHYSGEN --folder FOLDER --runtime LIBRARY... [--seed SEED] [--minutes N] [--first NUMBER] [--known] -- COMPILER FLAGS...
 
 A random block has steps, and between them statements of 40 kinds, most of which do something. With --known, the programs of
 attack_programs.py and own_programs.py come first. A block whose numbers differ is printed. Exit status 1 if any does."""
@@ -107,7 +107,7 @@ class Fuzzer:
         self.folder = Path(arguments.folder).resolve()
         self.seed, self.number, self.failures, self.joined = arguments.seed, arguments.first, 0, 0
         self.harness = Harness(str(Path(arguments.physgen).resolve()), self.folder / "work",
-                               str(Path(arguments.runtime).resolve()), arguments.compiler)
+                               [str(Path(library).resolve()) for library in arguments.runtime], arguments.compiler)
 
     def known(self):
         for blocks in (REVIEWED + OWN, OF_LINES):
@@ -141,7 +141,7 @@ def main():
     parser = argparse.ArgumentParser(description="Programs of scenes through physgen, joined and not.")
     parser.add_argument("--physgen", required=True, help="the command to test")
     parser.add_argument("--folder", required=True, help="where to work")
-    parser.add_argument("--runtime", required=True, help="the runtime's library")
+    parser.add_argument("--runtime", action="append", required=True, help="library that programs are linked to; repeated")
     parser.add_argument("--seed", type=int, default=int.from_bytes(os.urandom(4), "big"), help="without: a new one, printed")
     parser.add_argument("--first", type=int, default=0, help="number of the first block, to repeat one that failed")
     parser.add_argument("--minutes", type=float, default=0, help="how long to go on; without: one round")

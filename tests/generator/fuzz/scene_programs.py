@@ -182,7 +182,7 @@ struct PHYSGEN_SCENE() blocks {{
 
 
 class Harness:
-    """@param runtime the library
+    """@param runtime the libraries that programs are linked to
     @param compiler with the flags of generated headers, which physgen is given, too"""
 
     def __init__(self, physgen, folder, runtime, compiler, count=533):
@@ -217,7 +217,7 @@ class Harness:
         self.write("main.cpp", MAIN % {"count": self.count, "prints": prints})
         self.call(self.physgen, "generate", "points.h", "-o", "generated")
         self.call(self.physgen, "scene", "scenes/blocks.h", "-o", "out", "--everything", "--", *self.flags)
-        self.call(*self.compiler, "-fopenmp", "-O0", "-w", "main.cpp", self.runtime, "-o", "main")
+        self.call(*self.compiler, "-O0", "-w", "main.cpp", *self.runtime, "-o", "main")
         needs = json.loads((self.folder / "out/blocks.need.json").read_text())
         text = json.dumps(needs["groups"])
         joined = {block.name for block in blocks if any(f'body.{name}"' in text for _, name, _ in arrays(block))}
