@@ -141,7 +141,7 @@ def main():
     parser.add_argument("-o", "--output", required=True, metavar="FILE.json")
     parser.add_argument("--errors", action="store_true", help="runs for the plot of error against time")
     parser.add_argument("--device", default="cuda", choices=["cpu", "cuda"])
-    parser.add_argument("--threads", type=int, default=0, help="on the CPU; 0: all")
+    parser.add_argument("--threads", type=int, default=0, help="on the CPU; 0: as many as truthcube takes by itself")
     parser.add_argument("--cells", type=int, nargs="+", help="64; with --errors 8 16 32 64")
     parser.add_argument("--preconditioners", nargs="+", help="multigrid; with --errors those that the program has")
     parser.add_argument("--poisson", default="0.49", metavar="NU", help="with --errors; 0.49")
