@@ -1,5 +1,6 @@
 // See detail/launch.h. Threads are those of oneTBB: they look for work for some microseconds, then sleep until a launch
-// wakes them, and take small parts, so that a thread whose processor is busy with other programs holds nobody up.
+// wakes them, and take parts as they come, which are split while others have nothing to do, so that a thread whose
+// processor is busy with other programs holds nobody up.
 #include <physgen/detail/launch.h>
 #include <tbb/parallel_for.h>
 
@@ -20,6 +21,8 @@ constexpr float part_takes = 10e3F;  // [ns]
 constexpr float measurable = 1e3F;  // [ns]
 // A part that other programs interrupt seems to take a thousand times as long.
 constexpr float most_rise = 4;
+// Launches that did nothing must not hide for long that the next ones do something.
+constexpr float least_cost = 0.5F;  // [ns]
 
 thread_local bool in_a_part = false;
 
@@ -42,7 +45,7 @@ void run_part(LoopCost& cost, const Body& body, index_t begin, index_t end) {
   const float took = std::chrono::duration<float, std::nano>(Clock::now() - start).count();
   const float before = cost.ns.load(std::memory_order_relaxed), now = took / static_cast<float>(end - begin);
   if (now > before && took < measurable) return;
-  cost.ns.store((before + std::min(now, most_rise * before)) / 2, std::memory_order_relaxed);
+  cost.ns.store(std::max(least_cost, (before + std::min(now, most_rise * before)) / 2), std::memory_order_relaxed);
 }
 
 }  // namespace

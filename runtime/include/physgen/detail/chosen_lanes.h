@@ -4,11 +4,10 @@
 // lane, while a loop over single objects reads each as it lies. When a kernel is compiled its type alone is known: the
 // views and rows that are arguments of its template. Of them follows
 //
-//   over rows                      one lane; but packs where an entry is a number alone and all views are of one type
-//   of
-//                                  object: there lanes that lie together name neighbours that do
-//   over views of AoS alone        one lane: every field of every object is collected
-//   else, and where none is known  packs
+// - over rows: one lane. But packs where an entry is one number and all views are of one type of object: there lanes
+//   that lie together name neighbours that do.
+// - over views of AoS alone: one lane, since packs collect every field of every object.
+// - over all else, and where no views are known: packs.
 //
 // runtime/README.md has the measurement that the rule comes from.
 #pragma once

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <physgen/detail/cursor.h>
+#include <physgen/detail/running_lanes.h>
 #include <physgen/detail/simd_formats.h>
 #include <physgen/detail/transposed.h>
 #include <physgen/simd.h>
@@ -63,29 +64,6 @@ struct LaneOf<xsimd::batch_bool<T, A>> {
 };
 
 namespace detail {
-
-/// The lanes, of an index as wide as W, that the kernel which runs on this thread was called for: gathered indices do
-/// not know them, and stores through these leave the others alone. All, outside of kernels and in whole packs of builds
-/// that are not checked.
-struct RunningLanes {
-  LaneRange range;
-  int width;
-
-  [[nodiscard]] LaneRange of(int W) const { return W == width ? range : LaneRange{0, W}; }
-};
-inline thread_local RunningLanes running_lanes{{0, 0}, 0};
-
-/// Sets them until it goes out of scope.
-class RunLanes {
- public:
-  explicit RunLanes(const RunningLanes& lanes) : before_(running_lanes) { running_lanes = lanes; }
-  RunLanes(const RunLanes&) = delete;
-  RunLanes& operator=(const RunLanes&) = delete;
-  ~RunLanes() { running_lanes = before_; }
-
- private:
-  RunningLanes before_;
-};
 
 /// What memory holds of an element of W objects.
 template <class Stored, int W>

@@ -142,7 +142,7 @@ class Cursor<Byte, Layout, kRecord, I> : public detail::SimdCursor<Cursor<Byte, 
     if constexpr (wide_channels) {
       __builtin_prefetch(later, 0, second_cache);
     } else {
-      __builtin_prefetch(later);  // of half lines and less: measured
+      __builtin_prefetch(later);  // into the first cache, which is faster for channels of half a line: measured
     }
   }
 

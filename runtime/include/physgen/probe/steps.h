@@ -35,6 +35,7 @@ template <class Kernel, class Space>
 void step(const Kernel& kernel) {
   if (false) {
     single_object(kernel);
+    // physgen finds this by its name, to learn whether the kernel takes packs (generator/scenes/read_kernel.cpp).
     constexpr int lanes = lanes_of<Kernel, Space>();
     if constexpr (lanes > 1) (void)kernel(Pack<lanes>{0});
   }
