@@ -4,6 +4,9 @@
 // compilers and settings, of which PHYSGEN_TEST_CASES says what is compiled: bits of the calls in main().
 #include <physgen/parallel_reduce.h>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
 #include "loaded.h"
 
 // Views over memory of its own: no part of the library is linked, which another compiler has made.
@@ -60,6 +63,8 @@ void Expressions<View, I>::compare_all() const {
   CHECK(o.U() * o.s().asDiagonal());
   CHECK(o.U() * o.s().asDiagonal() * o.U().transpose());
   CHECK(o.s().asDiagonal() * o.F());
+  CHECK(o.s().asDiagonal().toDenseMatrix() * two);
+  CHECK(o.s().asDiagonal().inverse().toDenseMatrix() * two);
   CHECK(two * o.F() * o.x());
   CHECK((o.F() * o.G()).transpose() - o.W());
   CHECK(o.W() * o.x());
@@ -167,6 +172,12 @@ void Expressions<View, I>::compare_all() const {
     CHECK(o.F()(Eigen::all, 1) - o.x());
     CHECK(o.F().template triangularView<Eigen::Upper>() * o.x());
     CHECK(o.F().template selfadjointView<Eigen::Lower>() * o.x());
+    CHECK(o.F().template triangularView<Eigen::UnitUpper>().solve(o.x()) * two);
+    CHECK((o.F() - o.G()).template triangularView<Eigen::Lower>().toDenseMatrix() * two);
+    CHECK(o.F().template selfadjointView<Eigen::Lower>().toDenseMatrix() * two);
+    CHECK(o.K().template selfadjointView<Eigen::Lower>().eigenvalues() * two);
+    CHECK(o.U().eulerAngles(0, 1, 2) * two);
+    CHECK(o.F().colwise().cross(o.x()) * two);
     CHECK((o.F() - o.G()).maxCoeff());
   }
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <Eigen/SVD>
 
 using namespace physgen;
 
@@ -52,13 +53,27 @@ void adding_to_an_array(const Given& g) {
   auto value = g.view.get(0);
   value.F.array() += 1.0F;
 }
-/// refused assigning_a_triangle: READ_ONLY
+/// refused assigning_a_triangle: no match for|no viable overloaded
 void assigning_a_triangle(const Given& g) {
   auto value = g.view.get(0);
   value.F.triangularView<Eigen::Upper>() = Eigen::Matrix3f();
 }
+/// refused adding_to_columns: no match for|discards qualifiers|no viable overloaded
+void adding_to_columns(const Given& g) {
+  auto value = g.view.get(0);
+  value.F.colwise() += Eigen::Vector3f();
+}
+/// refused normalizing_columns: no match for|discards qualifiers|no viable overloaded
+void normalizing_columns(const Given& g) {
+  auto value = g.view.get(0);
+  value.F.colwise().normalize();
+}
 
 // ---- What Eigen refers to ----
+/// refused a_solution_of_a_view: a_solution_refers_to_its_decomposition|deleted
+void a_solution_of_a_view(const Given& g) { (void)g.view[0].F().get().selfadjointView<Eigen::Lower>().ldlt(); }
+/// refused singular_values: a_solution_refers_to_its_decomposition|deleted
+void singular_values(const Given& g) { (void)g.view[0].F().get().jacobiSvd(); }
 /// refused a_solution: a_solution_refers_to_its_decomposition|deleted
 void a_solution(const Given& g) { (void)g.view[0].F().get().ldlt(); }
 /// refused a_solution_of_a_difference: a_solution_refers_to_its_decomposition|deleted

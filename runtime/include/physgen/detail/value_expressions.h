@@ -3,13 +3,11 @@
 #pragma once
 
 #include <physgen/config.h>
+#include <physgen/detail/value_views.h>
 
 #include <Eigen/Core>
 
 namespace physgen {
-
-template <class S, int R, int C>
-class MatrixValue;
 
 namespace detail {
 
@@ -55,18 +53,6 @@ template <class T>
 inline constexpr bool returned_whole = stands_alone<T>;
 template <class S, int R, int C, int kOptions, int kMaxRows, int kMaxCols>
 inline constexpr bool returned_whole<Eigen::Matrix<S, R, C, kOptions, kMaxRows, kMaxCols>> = true;
-
-template <class Xpr>
-using ValueOf = MatrixValue<typename Xpr::Scalar, Xpr::RowsAtCompileTime, Xpr::ColsAtCompileTime>;
-
-template <class Xpr>
-[[nodiscard]] PHYSGEN_FUNCTION ValueOf<Xpr> value_of(const Xpr& expression) {
-  return ValueOf<Xpr>(expression);
-}
-
-/// Returned by deleted functions: their names are what compilers print.
-struct a_solution_refers_to_its_decomposition_so_name_that_as_in_Eigen_LDLT {};
-struct an_array_that_is_evaluated_needs_a_type_such_as_Eigen_Array {};
 
 /// The base of arrays, as Eigen calls what is calculated with entry by entry, in which values stand.
 template <class Derived>
@@ -114,6 +100,27 @@ class ValueExpression : public Eigen::MatrixBase<Derived> {
     return value_of(Base::cross3(other));
   }
   [[nodiscard]] PHYSGEN_FUNCTION auto array() const { return ValueArray<Derived>(this->derived()); }
+  [[nodiscard]] PHYSGEN_FUNCTION auto colwise() const {
+    return ValueVectors<Derived, Eigen::Vertical>(this->derived());
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION auto rowwise() const {
+    return ValueVectors<Derived, Eigen::Horizontal>(this->derived());
+  }
+  [[nodiscard]] PHYSGEN_FUNCTION auto asDiagonal() const { return ValueDiagonal<Derived>(this->derived()); }
+  template <unsigned kMode>
+  [[nodiscard]] PHYSGEN_FUNCTION auto triangularView() const {
+    return ValueTriangle<Derived, kMode>(this->derived());
+  }
+  template <unsigned kMode>
+  [[nodiscard]] PHYSGEN_FUNCTION auto selfadjointView() const {
+    return ValueSelfAdjoint<Derived, kMode>(this->derived());
+  }
+  [[nodiscard]] auto eulerAngles(Eigen::Index a, Eigen::Index b, Eigen::Index c) const {
+    return value_of(Base::eulerAngles(a, b, c));
+  }
+  [[nodiscard]] auto eigenvalues() const { return value_of(Base::eigenvalues()); }
+  Refused jacobiSvd(unsigned options = 0) const = delete;
+  Refused bdcSvd(unsigned options = 0) const = delete;
   Refused lu() const = delete;
   Refused partialPivLu() const = delete;
   Refused fullPivLu() const = delete;
