@@ -53,6 +53,20 @@ std::string plain_name(const clang::DeclContext* scope) {
   return (outer.empty() ? outer : outer + "::") + named->getName().str();
 }
 
+/// Whether a macro writes a part of an expression, such as an argument of a template. Its words stand elsewhere.
+class OfMacros : public clang::RecursiveASTVisitor<OfMacros> {
+ public:
+  bool VisitStmt(clang::Stmt* part) { return look(part->getBeginLoc()) && look(part->getEndLoc()); }
+  bool VisitTypeLoc(clang::TypeLoc part) { return look(part.getBeginLoc()) && look(part.getEndLoc()); }
+  clang::SourceLocation found;
+
+ private:
+  bool look(clang::SourceLocation place) {
+    if (place.isMacroID()) found = place;
+    return found.isInvalid();
+  }
+};
+
 class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
  public:
   ProgramReader(clang::ASTContext& context, const Scene& scene, const std::vector<std::string>& folders)
@@ -214,6 +228,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     const std::string text = text_of({before.statement.begin, step.statement.end});
     for (const char* sign : {"#", "%:", "_Pragma"})
       if (text.find(sign) != std::string::npos) return "a directive of the preprocessor";
+    if (text.find('\\') != std::string::npos) return "a backslash, with which names are written in two ways,";
     return {};
   }
 
@@ -249,6 +264,10 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     for (const clang::Expr* argument : call.arguments()) {
       if (const std::string other = plain_->not_in(argument); step.obstacle.empty() && !other.empty())
         step.obstacle = "it is given " + other + "; give a value its name before the steps, const auto value = ...;";
+      OfMacros macros;
+      macros.TraverseStmt(const_cast<clang::Expr*>(argument));
+      if (step.obstacle.empty() && macros.found.isValid())
+        step.obstacle = "it is given what a macro writes" + at(macros.found);
     }
     for (const auto* lambda : lambdas_)
       if (lambda->getCaptureDefault() != clang::LCD_ByRef && step.obstacle.empty())

@@ -74,6 +74,12 @@ STATEMENTS = [
           "const float z = 1;\n" + LAST + "\n}"),
     Block("defines", S + "\n" + FIRST + "/* a */ #define s 4.0F\nconst float z = 1;\n" + LAST + "\n#undef s"),
     Block("digraph", S + "\n" + FIRST + "%:define s 4.0F\nconst float z = 1;\n" + LAST + "\n#undef s"),
+    Block("twospellings", "{\non.run(N, Shift{IN.const_view(), MID.view(), \\u00e9});\nconst float z = 9, \u00e9 = 9;\n" + LAST + "\n}",
+          "inline constexpr float \u00e9 = 2;"),
+    Block("macroinatype", "on.run(N, Numbered{IN.const_view(), MID.view(), Number<NUMBERED>{}});\nconstexpr int numbered = 9;\nconst float z = numbered;\n" + LAST,
+          "#define NUMBERED numbered\ninline constexpr int numbered = 2;\ntemplate <int k>\nstruct Number { static constexpr int value = k; };\n"
+          + kernel("Numbered", "const S x = from[i].a();\n    to[i].a() = x * S(Scalar(V::value));", tail="V v;")
+          .replace("template <class From, class To>", "template <class From, class To, class V>")),
     Block("otherobject", "float s = 1; const auto tick = [&] { return s += 1; };\non.run(N, Shift{IN.const_view(), MID.view(), s});\n"
           "on.run((tick(), N), Shift{MID.view(), OUT.view(), 1});"),
     Block("otherexecutor", S + "\n(s += 1, on).run(N, Shift{IN.const_view(), MID.view(), s});\n(s += 1, on).run(N, Shift{MID.view(), OUT.view(), s});"),
