@@ -179,7 +179,7 @@ bool is_array(clang::QualType type) {
   const auto* record = llvm::dyn_cast_or_null<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
   if (record == nullptr || record->getQualifiedNameAsString() != "physgen::Array") return false;
   const auto* space = record->getTemplateArgs()[2].getAsType()->getAsCXXRecordDecl();
-  return space != nullptr && space->getQualifiedNameAsString() == "physgen::scene::Declared";
+  return space != nullptr && space->getQualifiedNameAsString() == "physgen::detail::Declared";
 }
 
 /// Whether the second argument of Array<Object, Real> is an alias of that name.

@@ -179,7 +179,7 @@ void copy(Array<Object, RealTo, SpaceTo, LayoutTo, FormatsTo>& to,
 // To what is read only they do not compile.
 template <class To, class From>
   requires(!std::is_lvalue_reference_v<To> || std::is_const_v<std::remove_reference_t<To>>) &&
-          requires(const To& to) { to.untyped(); }
+          requires { typename std::remove_cvref_t<To>::ConstView; }
 void copy(To&& /*to*/, const From& /*from*/, Stream /*stream*/ = nullptr) {
   static_assert(std::is_void_v<From>,
                 "copy(to, from): the array that is written comes first, and this one is const or a temporary");

@@ -16,23 +16,20 @@ using PerSpace = std::conditional_t<Space::kind == SpaceKind::cuda, ForCuda, For
 template <class Object, class Space>
 using FormatsOf = typename Object::template Formats<PerSpace<Space, Host, Cuda>>;
 
-namespace scene {
-/// Stands for what an array of a scene's declaration leaves open: space, layout and formats.
-struct Declared {};
-}  // namespace scene
-
 namespace detail {
+/// What an array of a scene's declaration has in place of what it leaves open: space, layout and formats.
+struct Declared {};
 template <class Object, class Space>
 struct FormatsIfKnown {
   using type = FormatsOf<Object, Space>;
 };
 template <class Object>
-struct FormatsIfKnown<Object, scene::Declared> {
-  using type = scene::Declared;
+struct FormatsIfKnown<Object, Declared> {
+  using type = Declared;
 };
 }  // namespace detail
 
-template <class Object_, class Real, class Space_ = scene::Declared, class Layout_ = scene::Declared,
+template <class Object_, class Real, class Space_ = detail::Declared, class Layout_ = detail::Declared,
           class Formats_ = typename detail::FormatsIfKnown<Object_, Space_>::type>
 class Array;
 
@@ -41,7 +38,7 @@ class Array;
 /// @tparam Object_ a generated tag such as elasticity::TetObject
 /// @tparam Real_ float or double
 template <class Object_, class Real_>
-class Array<Object_, Real_, scene::Declared, scene::Declared, scene::Declared> {
+class Array<Object_, Real_, detail::Declared, detail::Declared, detail::Declared> {
  public:
   using Object = Object_;
   using Real = Real_;
