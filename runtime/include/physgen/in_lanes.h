@@ -3,6 +3,8 @@
 // parallel_reduce(), sum() and the other short forms, run() and reduce() of executors. Results have the same bits for
 // any number of lanes, but where the functions that a kernel calls differ (runtime/README.md, Lanes).
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/config.h>
 #include <physgen/detail/scalar_of.h>
@@ -45,3 +47,5 @@ inline constexpr bool states_lanes<InLanes<W, Kernel>> = true;
 }  // namespace detail
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

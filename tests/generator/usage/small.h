@@ -1,4 +1,5 @@
-// The few declarations of probes that the analysis of usage knows, in front of small programs that need no header.
+// The few declarations of probes that the analysis of usage knows, in front of small programs that need no other
+// header.
 #pragma once
 
 #include <string>
@@ -6,33 +7,6 @@
 namespace physgen::test {
 
 // A view of objects with one field, which is read by get() and stored by put(). Lines of a test's text begin at 1.
-inline const std::string small_probes = R"(#line 1 "physgen/small.h"
-namespace physgen {
-template <class Tag, class Object, int field, class Base>
-struct Probe {
-  template <class T> static T decode(T stored) { return stored; }
-  template <class T> static T encode(T value) { return value; }
-};
-template <class Probe>
-struct View {
-  char* memory;
-  float get() const { return Probe::template decode<float>(0); }
-  void put(float value) const { Probe::template encode<float>(value); }
-  char* data() const { return memory; }
-};
-namespace probe::detail {
-template <class Kernel>
-void step(const Kernel& kernel) { if (false) kernel(0); }
-}
-}
-struct Object;
-struct A { static constexpr const char* name = "a"; };
-struct B { static constexpr const char* name = "b"; };
-template <class Tag>
-using V = physgen::View<physgen::Probe<Tag, Object, 7, int>>;
-template <class Kernel>
-void run(const Kernel& kernel) { physgen::probe::detail::step<Kernel>(kernel); }
-#line 1 "small.cpp"
-)";
+inline const std::string small_probes = "#include \"" PHYSGEN_SMALL_PROBES "\"\n#line 1 \"small.cpp\"\n";
 
 }  // namespace physgen::test

@@ -2,6 +2,8 @@
 // packs would: it is compiled over numbers that refuse a float beside a double (one_lane.h), and not run. Packs refuse
 // that themselves.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/one_lane.h>
 #include <physgen/view.h>
@@ -118,3 +120,5 @@ PHYSGEN_FUNCTION inline void check_numbers([[maybe_unused]] const Kernel& kernel
 }  // namespace detail
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

@@ -2,6 +2,8 @@
 // over them, too, and never run (check_numbers.h). They calculate as plain numbers do, but refuse what packs of a CPU
 // would compute otherwise: a float beside a double.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/lanewise.h>
 #include <physgen/detail/reference_rules.h>
@@ -199,3 +201,5 @@ struct ScalarBinaryOpTraits<T, physgen::detail::one_lane_of_S<T>, BinaryOp> {
 };
 
 }  // namespace Eigen
+
+#pragma pop_macro("I")

@@ -1,6 +1,8 @@
 // Plain numbers beside packs: where a number stands in one lane as it is, it calculates as it does beside one object;
 // all others are refused, by types whose names compilers print.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/detail/reference_rules.h>
 
@@ -85,3 +87,5 @@ inline batch_bool<T, A> operator!=(const batch<T, A>& a, Number b) {
 }
 
 }  // namespace xsimd
+
+#pragma pop_macro("I")

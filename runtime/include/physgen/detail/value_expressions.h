@@ -1,6 +1,8 @@
 // What Eigen has to know of MatrixValue (matrix_value.h): expressions hold it by value, and what they return by value
 // is one, too, so that `auto` of any expression refers to nothing that is gone.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/config.h>
 #include <physgen/detail/value_views.h>
@@ -232,3 +234,5 @@ struct blas_traits<physgen::MatrixValue<S, R, C>> : blas_traits<Matrix<S, R, C>>
 };
 
 }  // namespace Eigen::internal
+
+#pragma pop_macro("I")

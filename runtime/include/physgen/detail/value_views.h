@@ -2,6 +2,8 @@
 // Eigen's own, functions return an Eigen::Matrix by value, to which the next expression would keep a reference, or
 // assign a copy.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
 #include <physgen/config.h>
 
@@ -91,3 +93,5 @@ class ValueSelfAdjoint : public Eigen::SelfAdjointView<const Derived, kMode> {
 
 }  // namespace detail
 }  // namespace physgen
+
+#pragma pop_macro("I")
