@@ -1,4 +1,5 @@
-// Chooses how many objects the CPU calls a kernel with at once. It changes how fast a kernel is, not what it computes.
+// Chooses how many objects the CPU calls a kernel with at once, for speed. Results have the same bits either way,
+// except for what in_lanes.h names.
 //
 // Packs gain where arithmetic is done and fields are loaded as registers. They lose where records are collected lane by
 // lane, while a loop over single objects reads each as it lies. When a kernel is compiled its type alone is known: the
