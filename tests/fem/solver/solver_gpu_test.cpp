@@ -95,7 +95,10 @@ TEST_F(SolverOnCuda, solves_without_blocks_of_edges_as_the_cpu_does) {
         const Solved cpu = compress(body, settings, Device::cpu, {0.05, 0.1}),
                      gpu = compress(body, settings, Device::cuda, {0.05, 0.1});
         ASSERT_EQ(gpu.result.status, NewtonStatus::converged) << patches;
-        EXPECT_NEAR(gpu.result.iterations, cpu.result.iterations, 0.05 * cpu.result.iterations + 3);
+        // The device adds in an open order. Without a good preconditioner, the rounding of float then moves the
+        // iterations of a Newton step by up to 14 % from run to run (182: 181 to 208); those of double do not move.
+        const double open = precision == TangentPrecision::float64 ? 0.01 : 0.2;
+        EXPECT_NEAR(gpu.result.iterations, cpu.result.iterations, 1 + open * cpu.result.iterations);
         EXPECT_LE(largest_distance(cpu.positions, gpu.positions), 1e-9) << patches;
         EXPECT_LE(largest_distance(assembled.positions, gpu.positions), 1e-9) << patches;
       }
