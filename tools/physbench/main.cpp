@@ -117,6 +117,10 @@ int run(int argc, char** argv) {
     list(std::cout);
     return 0;
   }
+  if (session.rows().empty()) {
+    say_none_matched(options, all);
+    return 1;
+  }
   const Facts facts = describe_machine(threads(), command);
   for (const auto& [what, value] : facts) benchmark::AddCustomContext(what, value);
 
@@ -131,9 +135,8 @@ int run(int argc, char** argv) {
   if (options.table) std::cout << announcement(session.rows(), threads()) << std::flush;
   Watch watch(*display);
   PlainNames<benchmark::JSONReporter> file;
-  const std::size_t ran = benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
-  if (ran == 0) say_none_matched(options, all);
-  return ran == 0 || watch.failed ? 1 : 0;
+  benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
+  return watch.failed ? 1 : 0;
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ const Group& find_group(const std::string& name) {
   std::vector<std::string> names;
   std::ranges::transform(groups, std::back_inserter(names), &Group::name);
   const std::string near = nearest(name, names);
-  throw Error("there is no group '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
+  throw Error("there is no group '" + name + "'" + (near.empty() ? ";" : "; did you mean '" + near + "'?") +
               " physbench --help lists them");
 }
 
@@ -132,7 +132,7 @@ Options parse(const std::vector<std::string>& arguments) {
     if (!flag.starts_with("--benchmark_") && !flag.starts_with("--v=")) {
       const std::string near =
           nearest(flag.substr(0, flag.find('=')), {"--threads", "--objects", "--all", "--table", "--json"});
-      throw Error("there is no flag " + flag + (near.empty() ? "" : "; did you mean " + near + "?") +
+      throw Error("there is no flag " + flag + (near.empty() ? ";" : "; did you mean " + near + "?") +
                   " physbench --help lists them");
     }
     min_time = min_time || flag.starts_with("--benchmark_min_time");
