@@ -7,7 +7,7 @@
 
 namespace physgen::truthcube {
 
-/// The name of a scene in schemas/scenes: that of the run, or "everything" where --scene implicit-dynamics is asked for
+/// The name of a scene in tools/fem/solver/scenes: that of the run, or "everything" where --scene implicit-dynamics is asked for
 /// what implicit_dynamics has not.
 [[nodiscard]] std::string arrays_of(const Options& options);
 
