@@ -64,13 +64,7 @@ struct ApplyDiagonal {
 template <class... Views>
 ApplyDiagonal(Views...) -> ApplyDiagonal<Views...>;
 
-struct Diagonal {
-  template <class Level>
-  static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
-  template <class Extra>
-  static PreconditionerBytes bytes(std::int64_t /*nodes*/, std::int64_t /*edges*/) {
-    return {};
-  }
+struct Diagonal : WithoutArrays {
   template <class On, class Levels>
   static void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& /*settings*/, bool /*fresh*/) {
     scale_nodes(on, *levels[top], false);
@@ -84,6 +78,14 @@ struct Diagonal {
 
 }  // namespace physgen::fem
 """
+
+
+# What is left of WithoutArrays, when bytes() is forgotten.
+MAKES_ARRAYS = """static void make_arrays() {}
+  template <class Level>
+  static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
+  template <class On, class Levels>
+  """
 
 
 def add_preconditioner(tree):
@@ -165,7 +167,7 @@ def preconditioner(copy):
     copy.expect_rows(f"{SOLVER}/preconditioner_rows.h", "PRECONDITIONERS", f"{SOLVER}/preconditioners/@3@/preconditioner.h",
                      "diagonal|Diagonal|diagonal|diagonal", header)
     copy.program("preconditioner.cpp", f"{SOLVER}/settings.cpp")
-    (copy.folder / header).write_text(DIAGONAL.replace("PreconditionerBytes bytes(", "PreconditionerBytes bytes_of("))
+    (copy.folder / header).write_text(DIAGONAL.replace(" : WithoutArrays", "").replace("static void prepare", MAKES_ARRAYS + "static void prepare"))
     done = subprocess.run([str(word) for word in (*copy.compiler, "-fsyntax-only", HERE / "preconditioner.cpp")], capture_output=True, text=True)
     said = "the row diagonal of PHYSGEN_PRECONDITIONERS: Diagonal has no bytes<Extra>(nodes, edges)"
     if done.returncode == 0 or said not in done.stderr:

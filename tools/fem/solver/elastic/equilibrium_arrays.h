@@ -49,16 +49,16 @@ struct PatchesOver : Group {
     put_rows(this->node_patch_ranges, this->node_patch_entries, of_nodes);
   }
 
-  [[nodiscard]] static typename Group::Counts counts(const LevelCounts& mesh, bool injects, TangentLists lists) {
+  [[nodiscard]] static auto counts(const LevelCounts& mesh, bool injects, TangentLists lists) {
     const bool edges = lists == TangentLists::of_edges, nodes = lists == TangentLists::of_nodes;
-    return {.tet = mesh.tets,
-            .patch = mesh.patches,
-            .child = injects ? mesh.patch_parents : 0,
-            .edge = edges ? mesh.edges : 0,
-            .edge_patch = edges ? mesh.edge_patches : 0,
-            .node = nodes ? mesh.nodes : 0,
-            .node_patch = nodes ? mesh.node_patches : 0,
-            .change = nodes && Group::Space::kind == SpaceKind::host ? mesh.patches : 0};
+    return typename Group::Counts{.tet = mesh.tets,
+                                  .patch = mesh.patches,
+                                  .child = injects ? mesh.patch_parents : 0,
+                                  .edge = edges ? mesh.edges : 0,
+                                  .edge_patch = edges ? mesh.edge_patches : 0,
+                                  .node = nodes ? mesh.nodes : 0,
+                                  .node_patch = nodes ? mesh.node_patches : 0,
+                                  .change = nodes && Group::Space::kind == SpaceKind::host ? mesh.patches : 0};
   }
 
  private:
@@ -154,17 +154,17 @@ struct EquilibriumOver : Body {
   [[nodiscard]] index_t bytes() const { return Body::bytes() + bytes_where(patches) + bytes_where(rings); }
 
  private:
-  static typename Body::Counts counts(const LevelCounts& mesh, TangentLists lists) {
+  static auto counts(const LevelCounts& mesh, TangentLists lists) {
     const bool edges = lists == TangentLists::of_edges;
-    return {.tet = mesh.tets,
-            .node = mesh.nodes,
-            .corner = 4 * mesh.tets,
-            .edge = edges ? mesh.edges : 0,
-            .tet_edge = edges ? 6 * mesh.tets : 0,
-            .volume = mesh.ring_nodes > 0 ? mesh.nodes : mesh.patches};
+    return typename Body::Counts{.tet = mesh.tets,
+                                 .node = mesh.nodes,
+                                 .corner = 4 * mesh.tets,
+                                 .edge = edges ? mesh.edges : 0,
+                                 .tet_edge = edges ? 6 * mesh.tets : 0,
+                                 .volume = mesh.ring_nodes > 0 ? mesh.nodes : mesh.patches};
   }
-  static typename Chunk::Counts chunk_counts(index_t chunk, index_t tets, TangentLists lists) {
-    return {.chunk_tet = chunk, .kept_tet = lists == TangentLists::of_edges ? chunk : tets};
+  static auto chunk_counts(index_t chunk, index_t tets, TangentLists lists) {
+    return typename Chunk::Counts{.chunk_tet = chunk, .kept_tet = lists == TangentLists::of_edges ? chunk : tets};
   }
   void fill(const MeshLevel& level, const LevelCounts& mesh, TangentLists lists, const EdgeParts& parts) {
     const index_t tets = mesh.tets;

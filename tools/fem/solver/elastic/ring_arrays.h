@@ -24,8 +24,8 @@ struct RingsOver : Group {
     put(this->node_entries, rings.entries());
   }
 
-  [[nodiscard]] static typename Group::Counts counts(const LevelCounts& mesh) {
-    return {.node = mesh.nodes, .neighbour = mesh.ring_nodes};
+  [[nodiscard]] static auto counts(const LevelCounts& mesh) {
+    return typename Group::Counts{.node = mesh.nodes, .neighbour = mesh.ring_nodes};
   }
 
  private:

@@ -130,26 +130,27 @@ struct LevelOver : Group {
   }
 
  private:
-  static typename Group::Counts counts(const GraphCounts& level, const GraphCounts* coarser) {
+  static auto counts(const GraphCounts& level, const GraphCounts* coarser) {
     const index_t n = level.nodes;
     const bool last = coarser == nullptr;
-    return {.node = n,
-            .edge = level.edges,
-            .edge_node = n,
-            .edge_end = 2 * level.edges,
-            .block_node = n,
-            .smoother = 1,
-            .child = last ? 0 : n - level.grid_parents,
-            .grid_child = last ? 0 : level.grid_parents,
-            .parent = last ? 0 : coarser->nodes,
-            .child_entry = last ? 0 : level.children,
-            .coarse_edge = last ? 0 : coarser->edges,
-            .edge_term = last ? 0 : level.edge_terms,
-            .grid_node = level.is_grid ? n : level.grid_parents,
-            .coarse_pair = last && n <= most_coarse_nodes ? n * n : 0};
+    return typename Group::Counts{.node = n,
+                                  .edge = level.edges,
+                                  .edge_node = n,
+                                  .edge_end = 2 * level.edges,
+                                  .block_node = n,
+                                  .smoother = 1,
+                                  .child = last ? 0 : n - level.grid_parents,
+                                  .grid_child = last ? 0 : level.grid_parents,
+                                  .parent = last ? 0 : coarser->nodes,
+                                  .child_entry = last ? 0 : level.children,
+                                  .coarse_edge = last ? 0 : coarser->edges,
+                                  .edge_term = last ? 0 : level.edge_terms,
+                                  .grid_node = level.is_grid ? n : level.grid_parents,
+                                  .coarse_pair = last && n <= most_coarse_nodes ? n * n : 0};
   }
-  static typename Group::Counts counts(index_t nodes, MatrixFree needs) {
-    return {.node = nodes, .block_node = needs.blocks ? nodes : 0, .child = needs.coarser ? nodes : 0};
+  static auto counts(index_t nodes, MatrixFree needs) {
+    return typename Group::Counts{
+        .node = nodes, .block_node = needs.blocks ? nodes : 0, .child = needs.coarser ? nodes : 0};
   }
   static bool has_rows(index_t nodes) { return Space::kind == SpaceKind::cuda && nodes <= EdgeRows::most_nodes; }
   static auto host_constraints(const LevelGraph& graph) {

@@ -24,8 +24,8 @@ struct InertiaOver : Group {
     put(this->masses, host_masses(masses_of_nodes));
   }
 
-  [[nodiscard]] static typename Group::Counts counts(index_t nodes, bool solved) {
-    return {.node = nodes, .moving_node = solved ? nodes : 0, .measure = solved ? 1 : 0};
+  [[nodiscard]] static auto counts(index_t nodes, bool solved) {
+    return typename Group::Counts{.node = nodes, .moving_node = solved ? nodes : 0, .measure = solved ? 1 : 0};
   }
 
   /// For kernels. @pre equilibrium is solved on the level

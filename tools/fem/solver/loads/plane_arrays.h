@@ -32,9 +32,9 @@ struct PlanesOver : Group {
   explicit PlanesOver(index_t nodes) { this->allocate(counts(nodes, 0, false)); }
 
   /// @param solved whether equilibrium is solved on the level
-  [[nodiscard]] static typename Group::Counts counts(index_t nodes, index_t planes, bool solved) {
-    if (!solved) return {.node = nodes};
-    return {.plane = planes, .surface_node = nodes, .node = nodes, .contact = 1};
+  [[nodiscard]] static auto counts(index_t nodes, index_t planes, bool solved) {
+    if (!solved) return typename Group::Counts{.node = nodes};
+    return typename Group::Counts{.plane = planes, .surface_node = nodes, .node = nodes, .contact = 1};
   }
 
   /// For kernels. @pre equilibrium is solved on the level
