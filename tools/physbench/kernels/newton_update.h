@@ -1,10 +1,12 @@
-// Computes what a step of Newton's method needs of positions, corner forces and the tangent's parts, by five kernels,
-// each of which stores what the next ones read. A kernel that does it at once is compared with them.
+// Computes what a step of Newton's method needs of positions, corner forces and the tangent's parts: by five kernels,
+// each of which stores what the next ones read, and by one that is fused of them.
 #pragma once
 
+#include <fem/kernels/groups.h>
+
 #include "kernels/elastic_force.h"
-#include "kernels/force_chain_separate.h"
-#include "kernels/stress_derivative_clamped.h"
+#include "kernels/force_chain.h"
+#include "kernels/stress_derivative.h"
 
 namespace physgen::bench {
 
@@ -80,6 +82,30 @@ struct NewtonUpdateSeparate {
   }
 };
 
+/// Corner forces, U, V and the derivative are kept.
+struct NewtonUpdateFused : NewtonUpdateSeparate {
+  static constexpr const char* name = "newton_update_fused";
+  static constexpr int place = 16;
+  using Writes =
+      Operands<Streamed<source::Of<elasticity::PrincipalDirectionsObject, domain>>,
+               Streamed<source::Of<Derivative::Output, domain>>, Streamed<source::Of<ElasticForce::Output, domain>>>;
+  template <class Real>
+  static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& directions,
+                  const auto& derivatives, const auto& corners) {
+    return fem::fuse_newton_update(material<Real>(), tets, positions, rest, directions, derivatives, corners);
+  }
+
+  template <class T>
+  static auto observe(const NewtonOfTet<T>& tet) {
+    return tet.observed();
+  }
+  template <class T>
+  static auto observe(const auto& directions, const auto& derivative, const auto& corners) {
+    return kept<T>(directions, derivative, corners);
+  }
+};
+
 PHYSGEN_BENCH_ROWS(NewtonUpdateSeparate, OnScene);
+PHYSGEN_BENCH_ROWS(NewtonUpdateFused, OnScene);
 
 }  // namespace physgen::bench

@@ -1,9 +1,11 @@
-// The force differential on nodes, matrix-free, by a kernel over the tets and a gather from what it stores: what a
-// kernel that does it at once is compared with.
+// The force differential on nodes, matrix-free: by a kernel over the tets and a gather from what it stores, and by one
+// kernel that does both.
 #pragma once
 
+#include <fem/kernels/groups.h>
+
 #include "kernels/element_force_differential.h"
-#include "kernels/force_chain_separate.h"
+#include "kernels/force_chain.h"
 
 namespace physgen::bench {
 
@@ -46,6 +48,21 @@ struct MatrixFreeSeparate {
   }
 };
 
+/// Adds to the nodes. The order of sums is open.
+/// Rows of nodes are read by the reference alone.
+struct MatrixFreeFused : MatrixFreeSeparate {
+  static constexpr const char* name = "matrix_free_fused";
+  static constexpr int place = 18;
+  using Writes = Operands<Gathered<source::Of<Output, domain>>>;
+  template <class Real>
+  static auto run(const auto& tets, const auto& displacements, const auto& rest, const auto& svds,
+                  const auto& derivatives, const auto& /*ranges*/, const auto& /*entries*/, const auto& out) {
+    return chain(link(out.size(), fem::ClearNodes{out}),
+                 link(tets.size(), fem::fuse_added_differentials(tets, displacements, rest, svds, derivatives, out)));
+  }
+};
+
 PHYSGEN_BENCH_ROWS(MatrixFreeSeparate, OnScene);
+PHYSGEN_BENCH_ROWS(MatrixFreeFused, OnScene);
 
 }  // namespace physgen::bench
