@@ -13,7 +13,7 @@
 # aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state. Without a physgen command (it
 # needs LLVM), the headers in CHECKED_IN are used as they are, whose layouts cannot be changed.
 #
-# Of scenes it is the headers s.scene.h and s.program.h, t.scene.h and t.program.h, with reports beside them. LIBRARIES are those whose headers the
+# Of scenes it is the headers s.scene.h and s.program.h, t.scene.h and t.program.h, with digests and reports beside them. LIBRARIES are those whose headers the
 # scenes include, and `name` links them, and programs are read with their folders and definitions, which must not depend on the
 # language (COMPILE_LANGUAGE); FLAGS are further options of the compiler with which programs are read, such as
 # -march=x86-64-v3.
@@ -162,7 +162,7 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
     file(GENERATE OUTPUT ${inputs}
       CONTENT "${scene}\n${output_dir}\n${flags}\n${options}\n${environment}\n${folders}\n${definitions}\n")
     set(written "")
-    foreach(ending scene.h program.h need.txt need.json usage.json)
+    foreach(ending scene.h program.h digest need.txt need.json usage.json)
       list(APPEND written ${output_dir}/${name}.${ending})
     endforeach()
     if(everything)
