@@ -28,16 +28,16 @@ std::string scene_name(const Options& options) { return "--scene " + name_of(sce
 void refuse(const Options& options, const Given& given, std::initializer_list<const char*> flags,
             const std::string& reason) {
   for (const char* flag : flags) {
-    if (given(flag)) throw Error(scene_name(options) + " goes without " + flag + ": " + reason);
+    if (given(flag)) throw Error(scene_name(options) + " cannot take " + flag + ", because " + reason + "; remove " + flag);
   }
 }
 
-/// Sets what the scene stands for. @throw Error when a flag chooses otherwise
+/// Sets what the scene requires. @throw Error when a flag chooses otherwise
 template <class Value>
 void choose(const Options& options, const Given& given, const char* flag, const std::string& word, Value& value,
             const Value& chosen) {
   if (given(flag) && value != chosen) {
-    throw Error(scene_name(options) + " stands for " + flag + " " + word + ", and another is given");
+    throw Error(scene_name(options) + " requires " + flag + " " + word + "; remove " + flag + ", or use --scene everything");
   }
   value = chosen;
 }
@@ -72,7 +72,7 @@ void choose_declared(Options& options, const Given& given, const fem::SceneRow& 
 
 void apply_motion(Options& options, const Given& given) {
   refuse(options, given, {"--restart", "--beads", "--repeat"}, "these are for equilibria, and a motion begins at rest");
-  refuse(options, given, {"--stepping", "--historical"}, "steps are those in time");
+  refuse(options, given, {"--stepping", "--historical"}, "it steps in time");
   if (!given("--compress")) options.compressions = {options.compressions.back()};
   if (options.compressions.size() != 1) {
     throw Error(scene_name(options) + " moves the plate to one compression, and --compress has " +
@@ -113,7 +113,7 @@ void apply_scene(Options& options, const Given& given) {
       options.solver.nested = false;
       break;
     case SceneKind::linear_elastic:
-      refuse(options, given, {"--material"}, "linear elasticity is its law, of --young and --poisson alone");
+      refuse(options, given, {"--material"}, "its law is linear elasticity, with --young and --poisson alone");
       refuse(options, given, {"--stepping", "--historical"}, "one linear solve finds each equilibrium");
       choose(options, given, "--plates", "held", options.plates, Plates::held);
       choose_tets(options, given, "linear elasticity takes");
