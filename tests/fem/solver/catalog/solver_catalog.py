@@ -80,12 +80,10 @@ struct Diagonal : WithoutArrays {
 """
 
 
-# What is left of WithoutArrays, when bytes() is forgotten.
-MAKES_ARRAYS = """static void make_arrays() {}
+WITHOUT_BYTES = """struct Diagonal {
   template <class Level>
   static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
-  template <class On, class Levels>
-  """
+"""
 
 
 def add_preconditioner(tree):
@@ -167,7 +165,7 @@ def preconditioner(copy):
     copy.expect_rows(f"{SOLVER}/preconditioner_rows.h", "PRECONDITIONERS", f"{SOLVER}/preconditioners/@3@/preconditioner.h",
                      "diagonal|Diagonal|diagonal|diagonal", header)
     copy.program("preconditioner.cpp", f"{SOLVER}/settings.cpp")
-    (copy.folder / header).write_text(DIAGONAL.replace(" : WithoutArrays", "").replace("static void prepare", MAKES_ARRAYS + "static void prepare"))
+    (copy.folder / header).write_text(DIAGONAL.replace("struct Diagonal : WithoutArrays {\n", WITHOUT_BYTES))
     done = subprocess.run([str(word) for word in (*copy.compiler, "-fsyntax-only", HERE / "preconditioner.cpp")], capture_output=True, text=True)
     said = "the row diagonal of PHYSGEN_PRECONDITIONERS: Diagonal has no bytes<Extra>(nodes, edges)"
     if done.returncode == 0 or said not in done.stderr:

@@ -1,6 +1,7 @@
 // The product with a level's scaled stiffness, in CUDA's own way. For CUDA translation units.
 #pragma once
 
+#include <fem/kernels/symmetric_product_cuda.h>
 #include <fem/solver/performs_in.h>
 #include <fem/solver/preconditioners/multigrid/cycle.h>
 #include <fem/solver/preconditioners/multigrid/row_product.h>
