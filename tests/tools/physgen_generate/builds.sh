@@ -82,7 +82,7 @@ TEXT
 add_library(kernels INTERFACE)\ntarget_link_libraries(kernels INTERFACE inner)\n'
     # shellcheck disable=SC2059
     calls "$(printf "$library" 4)
-physgen_generate(TARGET s SCENES a.h LIBRARIES kernels FLAGS -march=native)" s_scenes
+physgen_generate_scenes(TARGET s SCENES a.h LIBRARIES kernels FLAGS -march=native)" s_scenes
     build
     for word in -DWIDTH=4 '-DTEXT="a b"' -march=native; do
       grep -qxF -e "$word" "$work/arguments" || fail "no $word in $(cat "$work/arguments")"
@@ -90,7 +90,7 @@ physgen_generate(TARGET s SCENES a.h LIBRARIES kernels FLAGS -march=native)" s_s
     ! grep -q PHYSGEN_CHECKED "$work/arguments" || fail 'checks are no part of what a program needs'
     # shellcheck disable=SC2059
     calls "$(printf "$library" 8)
-physgen_generate(TARGET s SCENES a.h LIBRARIES kernels FLAGS -march=native)" s_scenes
+physgen_generate_scenes(TARGET s SCENES a.h LIBRARIES kernels FLAGS -march=native)" s_scenes
     build
     grep -qxF -e -DWIDTH=8 "$work/arguments" || fail 'a changed definition changes nothing'
     ;;

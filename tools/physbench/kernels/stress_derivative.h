@@ -108,6 +108,34 @@ struct StressDerivative : FilteredStressDerivative<Unfiltered, fem::Unfiltered> 
   }
 };
 
+struct Clamp {
+  static constexpr const char* name = "clamped stress derivative";
+  template <class T>
+  static T value(T eigenvalue) {
+    return eigenvalue < 0 ? T(0) : eigenvalue;
+  }
+};
+
+struct StressDerivativeClamped : FilteredStressDerivative<Clamp, fem::ClampEigenvalues> {
+  static constexpr const char* name = "stress_derivative_clamped";
+  static constexpr int place = 35;
+};
+
+struct Absolute {
+  static constexpr const char* name = "absolute stress derivative";
+  template <class T>
+  static T value(T eigenvalue) {
+    return std::abs(eigenvalue);
+  }
+};
+
+struct StressDerivativeAbsolute : FilteredStressDerivative<Absolute, fem::AbsoluteEigenvalues> {
+  static constexpr const char* name = "stress_derivative_absolute";
+  static constexpr int place = 36;
+};
+
 PHYSGEN_BENCH_ROWS(StressDerivative, OnScene OnSet);
+PHYSGEN_BENCH_ROWS(StressDerivativeClamped, OnSet);
+PHYSGEN_BENCH_ROWS(StressDerivativeAbsolute, OnSet);
 
 }  // namespace physgen::bench
