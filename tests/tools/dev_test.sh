@@ -159,7 +159,7 @@ case $rule in
     dev 3 run
     ;;
   run_builds_no_more_than_is_run)
-    for name in physbench_cpu physbench_errors physbench; do program build/release/bin/$name; done
+    for name in physbench_cpu physbench_errors physbench_solves physbench; do program build/release/bin/$name; done
     dev 0 run
     called 'cmake --build --preset release -j [0-9]* --target physbench_cpu$'
     for word in errors replay; do
@@ -168,6 +168,9 @@ case $rule in
       called 'cmake --build --preset release -j [0-9]* --target physbench_errors$'
       called "physbench_errors $word\$"
     done
+    dev 0 run linear_solves --cells 8
+    called 'cmake --build --preset release -j [0-9]* --target physbench_solves$'
+    called 'physbench_solves linear_solves --cells 8$'
     fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else echo 9.0; fi'
     dev 0 run errors
     called 'cmake --build --preset release -j [0-9]* --target physbench$'

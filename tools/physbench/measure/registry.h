@@ -8,6 +8,10 @@
 
 #include "measure/row.h"
 
+namespace CLI {
+class App;
+}
+
 namespace physgen::bench {
 
 /// The numbers of objects that rows have.
@@ -25,6 +29,7 @@ struct Group {
   int place;                 ///< in the list of groups
   std::string filter = ".";  ///< which rows run where the user gives no filter
   std::string also = {};     ///< the group whose rows belong to this one, too. NOLINT: g++ wants it said
+  std::function<void(CLI::App&)> add_flags = {};  ///< those of this group alone. NOLINT: as above
 };
 
 /// The rows that one file adds to a group.
