@@ -9,11 +9,13 @@ llvm_versions() {
   [[ -e $packages ]] || fail "there is no $packages, the list of packages: this needs a checkout of physgen"
   awk '$1 == "LLVM" { sub(/^LLVM +/, ""); print }' "$packages"
 }
-# Prints the lines of the list, "package reason", of LLVM in a version; without a version, of all other packages.
+# Prints the lines of the list, "package reason": of LLVM in the version that is given; those above MORE, for `first`; else
+# all but LLVM's.
 listed() {
   awk -v version="${1-}" '
-    /^#/ || !NF || $1 == "LLVM" { next }
-    sub(/LLVM/, version, $1) == (version != "")' "$packages"
+    version == "first" && $1 == "MORE" { exit }
+    /^#/ || !NF || $1 == "LLVM" || $1 == "MORE" { next }
+    sub(/LLVM/, version, $1) == (version ~ /[0-9]/)' "$packages"
 }
 
 # Prints those of its arguments that are not installed packages.
@@ -45,14 +47,21 @@ update_package_lists() {
 }
 
 install_packages() {
-  as_root apt-get -qq -o DPkg::Lock::Timeout=300 install -y --no-install-recommends "$@" >&2 ||
+  local log
+  log=$(mktemp)
+  as_root apt-get -qq -o DPkg::Lock::Timeout=300 install -y --no-install-recommends "$@" >"$log" 2>&1 || {
+    cat "$log" >&2
+    rm -f "$log"
     fail "apt-get could not install everything; by hand: apt-get install --no-install-recommends $*"
+  }
+  rm -f "$log"
 }
 
 # Prints the names in the first column of a table on standard input.
 names() { awk '{ print $1 }'; }
 
-# Installs what is missing. $1 = again: look for LLVM even if the archive had none the last time.
+# Installs what is missing. $1 = again: look for LLVM even if the archive had none the last time; first: only what
+# `tools/dev run` needs.
 setup() {
   if ! have dpkg-query; then
     say 'not a Debian system: taking what tools/packages.txt lists as installed'
@@ -60,7 +69,12 @@ setup() {
   fi
   local versions version missing_llvm='' missing table
   versions=$(llvm_versions)
-  table=$(listed)
+  if [[ ${1-} == first ]]; then
+    versions=''
+    table=$(listed first)
+  else
+    table=$(listed)
+  fi
   for version in $versions; do
     # shellcheck disable=SC2046  # one word per package
     missing_llvm=$(missing_packages $(listed "$version" | names))

@@ -15,7 +15,7 @@
 # physgen_generate() writes a.physgen.h and b.physgen.h, accessor classes of the objects of schemas. LAYOUT (aos,
 # aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state, which needs the command.
 #
-# physgen_generate_scenes() writes s.scene.h and s.program.h, t.scene.h and t.program.h, with reports beside them. The
+# physgen_generate_scenes() writes s.scene.h and s.program.h, t.scene.h and t.program.h, with digests and reports beside them. The
 # library `name` links LIBRARIES, whose headers the scenes include. Programs are read with the folders and definitions of
 # LIBRARIES, which must not depend on the language (COMPILE_LANGUAGE), and with the options FLAGS of the compiler, such
 # as -march=x86-64-v3.
@@ -162,7 +162,7 @@ function(_physgen_scenes target scenes output_dir libraries flags device everyth
     file(GENERATE OUTPUT ${inputs}
       CONTENT "${scene}\n${output_dir}\n${flags}\n${options}\n${environment}\n${folders}\n${definitions}\n")
     set(written "")
-    foreach(ending scene.h program.h need.txt need.json usage.json)
+    foreach(ending scene.h program.h digest need.txt need.json usage.json)
       list(APPEND written ${output_dir}/${name}.${ending})
     endforeach()
     if(everything)

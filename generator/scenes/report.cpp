@@ -21,14 +21,6 @@ struct Sum {
   int kept_elements = 0, all_elements = 0;
 };
 
-/// The fate of a field, in a word.
-std::string fate(const Array& array, const ArrayNeed& need, const FieldNeed& field) {
-  if (need.left_out()) return "left out";
-  if (!field.kept) return "pruned";
-  if (need.local()) return "local";
-  return array.uniform ? "uniform" : "kept";
-}
-
 template <class Visit>
 void for_each_array(const Scene& scene, const Needs& needs, const Visit& visit) {
   for (const Group& group : scene.groups)
@@ -175,6 +167,13 @@ std::vector<std::string> names_of(const Group& group, const Array& array) {
 }
 
 }  // namespace
+
+std::string fate(const Array& array, const ArrayNeed& need, const FieldNeed& field) {
+  if (need.left_out()) return "left out";
+  if (!field.kept) return "pruned";
+  if (need.local()) return "local";
+  return array.uniform ? "uniform" : "kept";
+}
 
 std::string report_text(const Scene& scene, const Needs& needs) {
   std::string text = "Scene " + scene.name + ": what its program needs\n";

@@ -8,6 +8,9 @@
 
 namespace physgen::scenes {
 
+/// What becomes of a field: "kept", "pruned", "left out", "local" or "uniform".
+[[nodiscard]] std::string fate(const Array& array, const ArrayNeed& need, const FieldNeed& field);
+
 /// For people: a table, sums for each set of objects, records, what is read too early, groups, and why.
 [[nodiscard]] std::string report_text(const Scene& scene, const Needs& needs);
 

@@ -1,4 +1,4 @@
-// The usage of programs as JSON, which is checked in as usage.json and read back to be compared.
+// The usage of programs as JSON, which is written to files and read back to be compared.
 #pragma once
 
 #include <stdexcept>

@@ -64,8 +64,14 @@ static_assert(chosen<Incidences, Points> == 1 && chosen<const Incidences, const 
 // What is not known is packs: kernels without parts, lambdas, members that are no arguments.
 static_assert(chosen<> == packs && detail::lanes_of_calls<decltype(over<float>([](auto) {}))>() == packs);
 static_assert(detail::lanes_of_calls<MadeOverNothing>() == detail::pack_lanes<double>());
-// A fused kernel is packs, which checked builds look into.
-static_assert(detail::lanes_of_calls<Fused<Locals<>, MadeOver<Incidences, Points>>>() == packs);
+// A fused kernel is packs, unless none of its steps is. Locals tell what the arrays tell that they are in the place of.
+template <class Layout>
+using LocalPoints = Local<NodePositionObject, float, FormatsOfSpace, NodePositionObject, Layout>;
+static_assert(chosen<LocalPoints<Aos>, ConstPoints> == 1 && chosen<LocalPoints<Soa>, ConstPoints> == packs);
+static_assert(detail::lanes_of_calls<Fused<Locals<>, MadeOver<Incidences, Points>>>() == 1);
+static_assert(detail::lanes_of_calls<Fused<Locals<>, MadeOver<Points>, Fused<Locals<>, MadeOver<Forces>>>>() == 1);
+static_assert(detail::lanes_of_calls<Fused<Locals<>, MadeOver<Points>, MadeOver<Tiles>>>() == packs);
+static_assert(detail::lanes_of_calls<Fused<Locals<>, MadeOver<Points>, Fused<Locals<>, MadeOver<Tiles>>>>() == packs);
 // A kernel that takes no packs is called with single objects.
 static_assert(detail::lanes_of_calls<OfSingleObjects<Tiles>>() == 1);
 // What is stated wins, the outermost first; 0 states nothing.

@@ -1,5 +1,9 @@
 // SIMD access: packs and gathered batches read and write the same elements as plain indices do, in every layout.
+#include <physgen/add.h>
 #include <physgen/parallel_for.h>
+
+#include <algorithm>
+#include <thread>
 
 #include "in_packs.h"
 #include "test_objects.h"
@@ -62,6 +66,59 @@ TYPED_TEST(SimdAccess, a_batch_of_indices_gathers_the_objects_at_them) {
     const auto lane = static_cast<std::size_t>(l);
     for (int k = 0; k < 3; ++k) ASSERT_EQ(gathered.s(k).get(lane), view[indices[lane]].s()(k));
   }
+}
+
+/// Gathers by W indices: runs from every place of two tiles and up to the last object, and such as only look like runs.
+template <class Real, class Layout, int W>
+void check_runs() {
+  constexpr index_t n = 131;  // the last run ends in the middle of a tile of any layout
+  const auto array = random_array<Real, Layout>(n);
+  const auto view = array.view();
+  std::mt19937 random(seed());
+  const auto check = [&](const std::array<std::int32_t, W>& indices) {
+    alignas(64) auto aligned = indices;
+    const auto gathered = view.get(batch_t<std::int32_t, W>::load_aligned(aligned.data()));
+    for (int l = 0; l < W; ++l) {
+      const auto lane = static_cast<std::size_t>(l);
+      const auto one = view.get(indices[lane]);
+      for (int k = 0; k < 9; ++k) ASSERT_EQ(gathered.V(k % 3, k / 3).get(lane), one.V(k % 3, k / 3));
+      for (int k = 0; k < 3; ++k) ASSERT_EQ(gathered.s(k).get(lane), one.s(k)) << "lane " << l << " of " << indices[0];
+    }
+  };
+  for (std::int32_t begin = 0; begin + W <= n; ++begin) {
+    std::array<std::int32_t, W> run, other;
+    for (int l = 0; l < W; ++l) run[static_cast<std::size_t>(l)] = begin + l;
+    check(run);
+    other = run;
+    other[random() % W] = static_cast<std::int32_t>(random() % n);  // the first and the last are often those of a run
+    check(other);
+    for (auto& index : other) index = std::max(index - 3, 0);  // a neighbour behind the edge of a grid
+    check(other);
+    std::reverse(run.begin(), run.end());
+    check(run);
+  }
+}
+
+TYPED_TEST(SimdAccess, indices_that_follow_each_other_gather_as_any_others_do) {
+  check_runs<float, TypeParam, native_lanes<float>>();
+  check_runs<float, TypeParam, 4>();
+  check_runs<double, TypeParam, native_lanes<double>>();
+}
+
+TEST(Add, from_two_threads_of_the_program_loses_nothing) {
+  constexpr int each = 200000;
+  elasticity::NodeForceArray<double> forces(1);
+  const auto view = forces.view();
+  const Eigen::Vector3d one(1, 2, 3);
+  add(index_t{0}, view[0].f(), one);
+  const auto work = [&] {
+    for (int k = 0; k < each; ++k) add(index_t{0}, view[0].f(), one);
+  };
+  std::thread first(work), second(work);
+  first.join();
+  second.join();
+  add(index_t{0}, view[0].f(), one);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(view[0].f()(k), (k + 1) * (2.0 * each + 2));
 }
 
 template <class Layout>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER with the files that it reads,
-# packages.sh and packages.txt. The system's commands that it would install and build with are replaced by ones that write
+# packages.sh, packages.txt and tests.sh. The system's commands that it would install and build with are replaced by ones that write
 # how they were called to $calls.
 # shellcheck disable=SC2016  # the bodies of the commands below are expanded when they run
 set -euo pipefail
@@ -10,7 +10,7 @@ root="$work/physgen"
 calls=$work/calls
 rm -rf "$work"
 mkdir -p "$root/tools" "$work/bin" "$work/home"
-cp "$dev" "$(dirname "$dev")/packages.sh" "$(dirname "$dev")/packages.txt" "$root/tools"
+cp "$dev" "$(dirname "$dev")"/{packages.sh,packages.txt,tests.sh} "$root/tools"
 export PATH="$work/bin:$PATH" calls work
 unset CUDACXX CUDA_HOME CUDAARCHS
 touch "$calls"
@@ -41,7 +41,7 @@ not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
 
 # A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
 every_package() {
-  sed -E '/^(#|LLVM |$)/d; s/ .*//; s/LLVM/22/; s/^lib(gtest|benchmark)-dev$/&:amd64/' "$root/tools/packages.txt"
+  sed -E '/^(#|LLVM |MORE |$)/d; s/ .*//; s/LLVM/22/; s/^lib(gtest|benchmark)-dev$/&:amd64/' "$root/tools/packages.txt"
 }
 export apt_has='-22'
 every_package >"$work/installed"
@@ -122,7 +122,9 @@ case $rule in
     says 'the archive has no LLVM 22, 21, 20, 19: going on without the generator'
     not_called 'apt-get.*install'
     : >"$calls"
-    program build/release/bin/physbench_cpu
+    program build/release/bin/physbench
+    touch "$root/build/release/CMakeCache.txt"
+    program build/release/bin/physbench_first
     dev 0 run
     not_called apt
     dev 0 setup
@@ -149,23 +151,52 @@ case $rule in
     dev 8 test
     called 'cmake --preset release -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=86$'
     ;;
+  test_names_how_many_were_skipped_and_not_each)
+    fake ctest 'printf "100%% tests passed\n\nThe following tests did not run:\n\t  7 - A.b (Skipped)\n\t  8 - A.c (Skipped)\n"'
+    dev 0 test
+    says '100% tests passed'
+    says '2 tests were skipped'
+    ! grep -q 'A\.b' "$work/output" || fail 'a skipped test is named'
+    says '3 of 3: test'
+    ;;
+  test_quick_builds_and_runs_a_selection)
+    fake ctest
+    for name in $(sed -n 's/^quick_programs=(\(.*\))$/\1/p' "$root/tools/tests.sh"); do program "build/release/bin/$name"; done
+    dev 0 test --quick
+    called 'cmake --build --preset release -j [0-9]* --target generator_test .* physgen_command '
+    called '^fem_mesh_test --gtest_brief=1$'
+    called 'ctest --test-dir .* -R .*tools_dev'
+    says 'all of the quick tests passed'
+    recorder "$root/build/release/bin/fem_mesh_test" 'exit 1'
+    dev 1 test --quick
+    says 'failed: fem_mesh_test'
+    dev 2 test --quick -L runtime
+    says 'test --quick takes no other arguments'
+    ;;
   run_hands_its_arguments_to_physbench)
-    program build/release/bin/physbench_cpu
+    program build/first/bin/physbench_cpu
     dev 0 run storage --benchmark_filter=svd
-    says 'nvcc was not found'
     says 'this machine has no GPU'
     called 'physbench_cpu storage --benchmark_filter=svd$'
-    recorder "$root/build/release/bin/physbench_cpu" 'exit 3'
+    dev 0 run --all
+    called 'physbench_cpu --all$'
+    recorder "$root/build/first/bin/physbench_first" 'exit 3'
     dev 3 run
     ;;
   run_builds_no_more_than_is_run)
-    for name in physbench_cpu physbench_errors physbench_solves physbench; do program build/release/bin/$name; done
+    for name in physbench_first physbench_cpu physbench_errors physbench; do program build/first/bin/$name; done
+    program build/release/bin/physbench_solves
     dev 0 run
-    called 'cmake --build --preset release -j [0-9]* --target physbench_cpu$'
+    called 'cmake --preset first -DPHYSGEN_CUDA=OFF$'
+    called 'cmake --build --preset first -j [0-9]* --target physbench_first$'
+    says 'Each line is one kernel over one layout'
+    : >"$calls"
+    dev 0 run --threads=1 --objects=1000
+    called 'physbench_first --threads=1 --objects=1000$'
     for word in errors replay; do
       : >"$calls"
       dev 0 run $word
-      called 'cmake --build --preset release -j [0-9]* --target physbench_errors$'
+      called 'cmake --build --preset first -j [0-9]* --target physbench_errors$'
       called "physbench_errors $word\$"
     done
     dev 0 run linear_solves --cells 8
@@ -173,8 +204,30 @@ case $rule in
     called 'physbench_solves linear_solves --cells 8$'
     fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else echo 9.0; fi'
     dev 0 run errors
-    called 'cmake --build --preset release -j [0-9]* --target physbench$'
+    called 'cmake --build --preset first -j [0-9]* --target physbench$'
     called 'physbench errors$'
+    dev 0 run
+    says 'nvcc was not found'
+    ;;
+  run_installs_no_more_than_a_first_table_needs)
+    : >"$work/installed"
+    program build/first/bin/physbench_first
+    dev 0 run
+    called 'apt-get .*install .* cmake ninja-build g++ .*libbenchmark-dev$'
+    ! grep 'apt-get' "$calls" | grep -qE 'clang|llvm|python3|hdf5|gtest' || fail 'more was installed'
+    ;;
+  run_takes_the_build_that_has_the_generator)
+    mkdir -p "$root/build/release"
+    touch "$root/build/release/CMakeCache.txt"
+    program build/release/bin/physbench_first
+    dev 0 run
+    called 'cmake --build --preset release -j [0-9]* --target physbench_first$'
+    rm -r "$root/build"
+    program build/release/bin/physbench_first
+    fake git 'echo " M schemas/x.h"'
+    dev 0 run
+    says 'schemas differ from the last commit'
+    called 'cmake --preset release'
     ;;
   report_hands_its_files_to_the_script)
     fake python3
@@ -198,7 +251,7 @@ case $rule in
     says 'fuzz needs LLVM'
     ;;
   gpu_runs_carried_programs_at_another_path)
-    rm "$root/tools"/packages.* # as carried: tools/dev and what was built
+    rm "$root/tools"/{packages.*,tests.sh} # as carried: tools/dev and what was built
     fake nvcc
     fake nvidia-smi 'echo "GPU 0: a device"'
     program build/cuda/bin/physbench

@@ -1,6 +1,6 @@
-# Fails when the files in CHECKED_IN are not those that physgen has just written to WRITTEN, and shows the difference.
-file(GLOB written RELATIVE ${WRITTEN} ${WRITTEN}/*.*.*)
-file(GLOB checked_in RELATIVE ${CHECKED_IN} ${CHECKED_IN}/*.*.*)
+# Fails when the headers in CHECKED_IN are not those that physgen has just written to WRITTEN, and shows the difference.
+file(GLOB written RELATIVE ${WRITTEN} ${WRITTEN}/*.h)
+file(GLOB checked_in RELATIVE ${CHECKED_IN} ${CHECKED_IN}/*.h)
 set(stale "")
 foreach(header IN LISTS written checked_in)
   execute_process(COMMAND diff -u -N ${CHECKED_IN}/${header} ${WRITTEN}/${header} RESULT_VARIABLE different)
@@ -11,5 +11,5 @@ endforeach()
 list(REMOVE_DUPLICATES stale)
 if(stale)
   message(FATAL_ERROR "${CHECKED_IN} is stale: ${stale}. To renew it: "
-    "cmake --build --preset release --target update-generated")
+    "tools/dev build release update-generated")
 endif()

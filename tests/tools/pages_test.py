@@ -1,17 +1,23 @@
-"""Tests of the pages of documentation: their links, the files that they name, README.md's table of the tree and its list of
-words: pages_test.py"""
+"""Tests of the pages of documentation: their links, their length, the files that they name, CONTRIBUTING.md's table of the
+tree, WORDS.md's list, and the version that all state: pages_test.py"""
 import pathlib
 import re
+import sys
 import unittest
 
+sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-BUILT = {"build", ".git"}
+sys.path.insert(0, str(ROOT / "tools"))
+import wrap_pages  # noqa: E402
+
+BUILT = {"build", ".git", ".github"}  # the forge reads .github by itself
 CODE = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", ".txt")  # endings of the files that pages name
 NAME = re.compile(r"(?<![\w<*./-])(?:\.\./)*((?:[\w.-]+/)*[A-Za-z][\w.-]*\.(?:h|cpp|cu|py|sh|cmake|in|txt))\b(?![\w*/(])")
 # Files of examples: a user's program and its schema, a scene, and those that one adds.
 EXAMPLES = re.compile(
-    r"pressure\.cpp|integrate\.h|(.*/)?derivatives\..*|(schemas|(physgen/)?(layout|format))/x\.h|groups/GROUP\.cpp|(.*/)?x\.physgen\.h"
+    r"pressure\.cpp|s\.scene\.h|integrate\.h|(.*/)?derivatives\..*|(schemas|(physgen/)?(layout|format))/x\.h|groups/GROUP\.cpp|(.*/)?x\.physgen\.h"
 )
+WORDS_A_MINUTE = 250
 LOOKED_FOR = (
     *("schema", "field", "layout", "format", "shape", "element type", "diagnostic", "emitter", "scene"),
     *("material", "kernel", "benchmark row", "test"),
@@ -66,9 +72,9 @@ def words_of_sources():
     return {word for text in texts for word in re.findall(r"\w+", text)}
 
 
-def table(heading):
-    """The rows of README.md's first table below a heading, as lists of cells."""
-    section = (ROOT / "README.md").read_text(encoding="utf-8").split(f"## {heading}\n")[1].split("\n## ")[0]
+def table(page, heading):
+    """The rows of a page's first table below a heading, as lists of cells."""
+    section = (ROOT / page).read_text(encoding="utf-8").split(f"# {heading}\n")[1].split("\n## ")[0]
     rows = [line.strip("|").split(" | ") for line in section.splitlines() if line.startswith("| ")]
     return [[cell.strip() for cell in row] for row in rows[1:]]
 
@@ -130,7 +136,7 @@ class PagesTest(unittest.TestCase):
             self.assertTrue(any(all(end in picture for end in ends) for picture in pictures), page)
 
     def test_the_table_of_the_tree_has_a_place_for_every_word_that_is_looked_for(self):
-        rows, places = table("Where things live"), 0
+        rows, places = table("CONTRIBUTING.md", "Where things live"), 0
         for word in LOOKED_FOR:
             of_word = [row[1] for row in rows if re.search(rf"\*\*{word}s?\*\*", row[0])]
             self.assertEqual(len(of_word), 1, word)
@@ -143,15 +149,50 @@ class PagesTest(unittest.TestCase):
         self.assertGreater(places, 20)
 
     def test_a_word_is_explained_once_in_one_list(self):
-        words = [word for row in table("Words") for word in row[0].split(", ")]
+        words = [word for row in table("WORDS.md", "Words") for word in row[0].split(", ") if word]
         self.assertGreater(len(words), 30)
         self.assertEqual(sorted({word for word in words if words.count(word) > 1}), [])
         lists = [page for page in pages() if re.search(r"(?mi)^#+ (words|glossary|terms)$", page.read_text(encoding="utf-8"))]
-        self.assertEqual(lists, [ROOT / "README.md"])
+        self.assertEqual(lists, [ROOT / "WORDS.md"])
+
+    def test_the_readme_takes_minutes_and_shows_the_cube_first(self):
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        self.assertLessEqual(len(text.split()), 700)
+        self.assertLess(text.index("![A silicone cube"), text.index("\n## "))
+
+    def test_lines_of_prose_fit_140_characters(self):
+        places = {str(page): wrap_pages.wrapped(page.read_text(encoding="utf-8"))[1] for page in pages()}
+        self.assertEqual({page: lines for page, lines in places.items() if lines}, {}, "tools/dev format wraps them")
+
+    def test_wrapping_moves_words_to_the_next_line_and_leaves_code_and_tables(self):
+        long = "- " + "word " * 27 + "`code that stays whole` and more"
+        text = f"{long}\n  behind it.\n\n| {'cell ' * 40}|\n```\n{long}\n```\n"
+        new, places = wrap_pages.wrapped(text)
+        self.assertEqual(places, [1])
+        self.assertEqual(new, f"- {'word ' * 26}word\n  `code that stays whole` and more behind it.\n" + text.split("\n", 2)[2])
+        self.assertEqual(wrap_pages.wrapped(new), (new, []))
+
+    def test_a_long_page_says_at_its_top_what_is_where(self):
+        for page in pages():
+            text = page.read_text(encoding="utf-8")
+            if len(prose(text).split()) > 5 * WORDS_A_MINUTE:
+                top = text.split("\n## ")[0]
+                self.assertGreater(len(re.findall(r"\]\(#[^)]+\)", top)), 2, f"{page} has no list of its headings at its top")
+
+    def test_headers_changelog_and_citation_agree_on_the_version(self):
+        text = {name: (ROOT / name).read_text(encoding="utf-8") for name in ("CHANGELOG.md", "CITATION.cff", "CMakeLists.txt")}
+        header = (ROOT / "runtime/include/physgen/version.h").read_text(encoding="utf-8")
+        version = re.search(r'PHYSGEN_VERSION "(\d+)\.(\d+)\.(\d+)"', header)
+        major, minor, patch = (int(part) for part in version.groups())
+        number = int(re.search(r"PHYSGEN_VERSION_NUMBER (\d+)", header)[1])
+        self.assertEqual(number, 10000 * major + 100 * minor + patch)
+        self.assertEqual(re.search(r"(?m)^## (.*)$", text["CHANGELOG.md"])[1], f"{major}.{minor}.{patch}")
+        self.assertEqual(re.search(r"(?m)^version: (.*)$", text["CITATION.cff"])[1], f"{major}.{minor}.{patch}")
+        self.assertIn("project(physgen VERSION ${version} ", text["CMakeLists.txt"])
 
     def test_a_dead_link_is_found(self):
         page = ROOT / "tests" / "tools" / "pages_test.md"
-        page.write_text("[a](absent.md) [b](../../README.md#no-such-heading) [c](../../README.md#words)\n", encoding="utf-8")
+        page.write_text("[a](absent.md) [b](../../README.md#no-such-heading) [c](../../README.md#pages)\n", encoding="utf-8")
         try:
             self.assertEqual(len(dead_links(page)), 2)
         finally:

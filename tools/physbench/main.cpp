@@ -12,6 +12,7 @@
 
 #include "measure/replay.h"
 #include "options.h"
+#include "report/progress.h"
 #include "report/table.h"
 
 namespace physgen::bench {
@@ -35,7 +36,7 @@ void initialize_benchmark(char* program, Options& options) {
 }
 
 // The group's rows. Those of a GPU that is not there are listed, but not run.
-std::vector<Row> chosen_rows(const Options& options) {
+std::vector<Row> rows_of_group(const Options& options) {
   std::vector<Row> rows = rows_of(options.group, options.sizes);
   for (const Group& group : registry().groups) {
     if (group.name != options.group || group.also.empty()) continue;
@@ -107,7 +108,10 @@ int run(int argc, char** argv) {
   std::cout << options.help << std::flush;
   initialize_benchmark(argv[0], options);
 
-  Session session(chosen_rows(options), find_limits(), options.table);
+  const std::vector<Row> all = rows_of_group(options);
+  std::vector<Row> chosen = filtered(all, options.filter);
+  if (options.table) chosen = in_table_order(std::move(chosen));
+  Session session(std::move(chosen), find_limits(), options.table);
   session.register_rows();
   if (options.list) {
     list(std::cout);
@@ -124,10 +128,11 @@ int run(int argc, char** argv) {
   } else {
     display = std::make_unique<PlainNames<benchmark::ConsoleReporter>>();
   }
+  if (options.table) std::cout << announcement(session.rows(), threads()) << std::flush;
   Watch watch(*display);
   PlainNames<benchmark::JSONReporter> file;
   const std::size_t ran = benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
-  if (ran == 0) say_none_matched(options, session.rows());
+  if (ran == 0) say_none_matched(options, all);
   return ran == 0 || watch.failed ? 1 : 0;
 }
 

@@ -7,15 +7,17 @@
 #include <algorithm>
 #include <charconv>
 #include <numeric>
+#include <regex>
 
 namespace physgen::bench {
 
 namespace {
 
 constexpr const char* about =
-    R"(Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter it runs all rows
-of the group and prints a table (of the group kernels: the Truth Cube in float, and the paper's three in double). With
-a filter it runs the rows that match and prints the lines of Google Benchmark. A row is named
+    R"(Measures the kernels of tools/fem in every layout, storage and space. Without --benchmark_filter it runs the rows
+of the group and prints a table (of the group kernels: dP from dF, the stress derivative and the SVD in float; with --all
+every kernel in float, and three in double). With a filter it runs the rows that match and prints the lines of Google
+Benchmark. A row is named
 kernel/layout/storage/space/objects; the name of a row of a set of inputs, or of a numbered mesh, ends with that of the
 set or the numbering.
 
@@ -32,12 +34,6 @@ index_t number(const std::string& flag, const std::string& text, index_t largest
     throw Error(flag + " takes a number from 1 to " + std::to_string(largest) + ", not '" + text + "'");
   }
   return value;
-}
-
-// Google Benchmark appends a suffix to names, which ours do not show; so a filter for a name's end allows for it.
-std::string filter_flag(std::string filter) {
-  if (filter.ends_with('$')) filter.replace(filter.size() - 1, 1, "(/manual_time)?$");
-  return "--benchmark_filter=" + filter;
 }
 
 std::string group_help() {
@@ -65,6 +61,16 @@ const Group& find_group(const std::string& name) {
 
 }  // namespace
 
+std::vector<Row> filtered(std::vector<Row> rows, const std::string& filter) try {
+  const bool excludes = filter.starts_with('-');
+  const std::regex names(filter.substr(excludes ? 1 : 0));
+  std::erase_if(rows, [&](const Row& row) { return std::regex_search(row.name(), names) == excludes; });
+  return rows;
+} catch (const std::regex_error& error) {
+  throw Error("--benchmark_filter=" + filter + " is no regular expression (" + error.what() +
+              "); quote brackets and dots by a backslash");
+}
+
 std::string nearest(const std::string& word, const std::vector<std::string>& words) {
   std::string best;
   std::size_t least = word.size() / 2 + 1;
@@ -88,7 +94,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
 
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
-  bool help = false;
+  bool help = false, all = false;
   std::string json;
   CLI::App app(about, "physbench");
   app.set_help_flag();
@@ -108,6 +114,7 @@ Options parse(const std::vector<std::string>& arguments) {
             "number of tets (default: 1048576 on the CPU and for sets, 8388608 on the GPU); kernels over nodes and "
             "edges run over all of the smallest cube with at least N tets",
             [&](index_t n) { options.sizes = {n, n, n, true}; });
+  app.add_flag("--all", all, "run all rows of the group, not only the three kernels in float that are the default");
   app.add_flag("--table", options.table, "print the table in any case");
   app.add_option("--json", json, "also write all results and the machine to FILE; short for --benchmark_out=FILE")
       ->type_name("FILE");
@@ -129,7 +136,7 @@ Options parse(const std::vector<std::string>& arguments) {
   bool min_time = false;
   for (const std::string& flag : app.remaining()) {
     if (!flag.starts_with("--benchmark_") && !flag.starts_with("--v=")) {
-      std::vector<std::string> flags{"--threads", "--objects", "--table", "--json"};
+      std::vector<std::string> flags{"--threads", "--objects", "--all", "--table", "--json"};
       for (const auto& [name, group] : own) {
         for (const CLI::Option* option : group->get_options()) flags.push_back("--" + option->get_lnames().front());
       }
@@ -152,13 +159,14 @@ Options parse(const std::vector<std::string>& arguments) {
                   option->get_name());
     }
   }
-  const bool filtered = !options.filter.empty();
-  if (!filtered && !options.list) options.filter = group.filter;
-  if (!options.filter.empty()) options.benchmark_flags.push_back(filter_flag(options.filter));
+  options.filtered = !options.filter.empty();
+  if (options.filtered && all) throw Error("--all takes no --benchmark_filter: remove one of them");
+  if (!options.filtered) options.filter = options.list ? "" : all || group.first.empty() ? group.filter : group.first;
   if (!json.empty()) options.benchmark_flags.push_back("--benchmark_out=" + json), options.to_file = true;
   if (!min_time) options.benchmark_flags.emplace_back("--benchmark_min_time=0.06");
   if (help) options.help = app.help(), options.benchmark_flags.emplace_back("--help");
-  options.table = options.table || ((options.group == "errors" || !filtered) && !(options.json || options.list));
+  options.table =
+      options.table || ((options.group == "errors" || !options.filtered) && !(options.json || options.list));
   return options;
 }
 

@@ -1,6 +1,8 @@
 // See command.h.
 #include "command.h"
 
+#include <physgen/version.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -39,9 +41,7 @@ struct Arguments {
   SceneRequest scene;
   UsageRequest usage;
   std::string drawing;  // file of the JSON; empty: standard output
-  bool json = false;
-  bool svg = false;
-  bool verbose = false;
+  bool json = false, svg = false, verbose = false;
 };
 
 struct Streams {

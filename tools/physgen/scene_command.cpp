@@ -9,6 +9,7 @@
 
 #include "files.h"
 #include "scenes/analysis.h"
+#include "scenes/digest.h"
 #include "scenes/groups.h"
 #include "scenes/header.h"
 #include "scenes/needs.h"
@@ -94,6 +95,7 @@ class SceneCommand {
     const auto path = [&](const char* ending) { return request_.output_dir + "/" + scenes::file_of(scene, ending); };
     std::vector<File> files = {{path(".scene.h"), scenes::header(scene, needs)},
                                {path(".program.h"), scenes::program_header(scene, needs, program_)},
+                               {path(".digest"), scenes::digest(scene, needs, usage)},
                                {path(".need.txt"), scenes::report_text(scene, needs)},
                                {path(".need.json"), scenes::report_json(scene, needs)},
                                {path(".usage.json"), usage::to_json({{scene.name, usage}})}};
@@ -121,10 +123,11 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
   scene->add_option("FILE", request.file, "The scene's declaration, a header that includes <physgen/scene.h>")
       ->required();
   scene
-      ->add_option("-o,--output", request.output_dir,
-                   "Folder of x.scene.h, of x.program.h, which calls the program over these arrays, and of the reports "
-                   "x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
-                   "without: the report is printed")
+      ->add_option(
+          "-o,--output", request.output_dir,
+          "Folder of x.scene.h, of x.program.h, which calls the program over these arrays, of the digest x.digest, "
+          "and of the reports x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
+          "without: the report is printed")
       ->type_name("DIR");
   scene
       ->add_option("--why", request.why,

@@ -46,12 +46,10 @@ PICTURES = [
 # Parts of READMEs, from one text to another ("" is the end), in which all that looks measured must be held by results
 # or stand in ELSEWHERE: words as in SENTENCES, and where they are from.
 COMPLETE = {
-    "README.md": ("## Why it is fast", "## The Truth Cube"),
     MEASURED: ("# What was measured", "## What accessors cost"),
     "tools/physbench/README.md": ("# physbench", ""),
 }
 ELSEWHERE = {
-    "README.md": [],
     MEASURED: [
         ("The paper's table 1 (GTX 285, 2010) had {}, {} and {} for the first three.", "the paper"),
         (

@@ -66,11 +66,6 @@ def _sectors(file):
     return [f"{row.counter('sectors_per_request'):.1f}" for row in rows]
 
 
-def _fewest_bytes(file):
-    rows = [file.one(f"dp_from_df/aosoa32/{name}/cuda/*") for name in ("float", "quaternion16_all_half")]
-    return [*map(ms, rows), *(error(row, "p50") for row in rows)]
-
-
 def _element_speed_ups(file):
     elements = file.one("dp_from_df/aosoa32/float/cuda/*").objects
     rows = file.all(f"*/aosoa32/float/cuda/{elements}")
@@ -84,26 +79,6 @@ def _sweeps(file):
 
 
 SENTENCES = [
-    Sentence(
-        "README.md",
-        "h200.json",
-        "Float, {} objects on an H200; `/copy`",
-        lambda file: [count(file.one("dp_from_df/aosoa32/float/cuda/*").objects)],
-    ),
-    Sentence(
-        "README.md",
-        "h200_storage.json",
-        "dP from dF takes {} ms over tiles of floats and {} ms where rotations are 16-bit quaternions and all else is in "
-        "half; its median error grows from {} to {}:",
-        _fewest_bytes,
-    ),
-    Sentence(
-        "README.md",
-        "h200_fused.json",
-        "Five kernels from positions to the forces on nodes take {} ms; [fused](runtime/README.md#fusing) into one kernel "
-        "they take {} ms,",
-        lambda file: [ms(file.one(f"force_chain_{name}/aosoa32/float/cuda/*")) for name in ("separate", "fused")],
-    ),
     Sentence(
         MEASURED,
         "h200.json",

@@ -10,13 +10,13 @@
 
 namespace physgen::truthcube {
 
+#define PHYSGEN_SCENE_NAME(scene, word, ...) {word, SceneKind::scene},
 const Names<SceneKind> scene_kinds{{"everything", SceneKind::everything},
-                                   {"quasistatic", SceneKind::quasistatic},
-                                   {"matrix-free", SceneKind::matrix_free},
-                                   {"fixed-corotated", SceneKind::fixed_corotated},
-                                   {"implicit-dynamics", SceneKind::implicit_dynamics},
+                                   PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_SCENE_NAME)  //
+                                   PHYSGEN_IMPLICIT_SCENES(PHYSGEN_SCENE_NAME)     //
                                    {"explicit-dynamics", SceneKind::explicit_dynamics},
                                    {"linear-elastic", SceneKind::linear_elastic}};
+#undef PHYSGEN_SCENE_NAME
 
 namespace {
 
@@ -28,16 +28,16 @@ std::string scene_name(const Options& options) { return "--scene " + name_of(sce
 void refuse(const Options& options, const Given& given, std::initializer_list<const char*> flags,
             const std::string& reason) {
   for (const char* flag : flags) {
-    if (given(flag)) throw Error(scene_name(options) + " goes without " + flag + ": " + reason);
+    if (given(flag)) throw Error(scene_name(options) + " cannot take " + flag + ", because " + reason + "; remove " + flag);
   }
 }
 
-/// Sets what the scene stands for. @throw Error when a flag chooses otherwise
+/// Sets what the scene requires. @throw Error when a flag chooses otherwise
 template <class Value>
 void choose(const Options& options, const Given& given, const char* flag, const std::string& word, Value& value,
             const Value& chosen) {
   if (given(flag) && value != chosen) {
-    throw Error(scene_name(options) + " stands for " + flag + " " + word + ", and another is given");
+    throw Error(scene_name(options) + " requires " + flag + " " + word + "; remove " + flag + ", or use --scene everything");
   }
   value = chosen;
 }
@@ -53,22 +53,26 @@ void choose_tets(Options& options, const Given& given, const std::string& who) {
 }
 
 /// The choices of scenes whose solver is compiled for them alone.
-void choose_declared(Options& options, const Given& given, const std::string& material, bool assembled) {
+void choose_declared(Options& options, const Given& given, const fem::SceneRow& row) {
   refuse(options, given, {"--historical"}, "that is a choice of --scene everything");
-  choose(options, given, "--material", material, options.solver.material, material);
+  choose(options, given, "--material", row.material, options.solver.material, std::string(row.material));
   choose(options, given, "--precision", "float", options.solver.precision, fem::TangentPrecision::float32);
   choose(options, given, "--plates", "held", options.plates, Plates::held);
   fem::NewtonSettings& newton = options.solver.newton;
-  choose(options, given, "--product", assembled ? "assembled" : "matrix-free", newton.product,
-         assembled ? fem::Product::assembled : fem::Product::matrix_free);
-  if (newton.preconditioner.kind == fem::Preconditioner::schwarz) {
-    throw Error(scene_name(options) + " has no --preconditioner schwarz: that is a choice of --scene everything");
+  choose(options, given, "--product", row.assembled ? "assembled" : "matrix-free", newton.product,
+         row.assembled ? fem::Product::assembled : fem::Product::matrix_free);
+  if (const auto kind = newton.preconditioner.kind; fem::asks_for(kind, fem::asks::arrays)) {
+    throw Error(scene_name(options) + " has no --preconditioner " + fem::row_of(kind).name +
+                ": that is a choice of --scene everything");
   }
+  if (!row.tets) choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
+  if (!row.patches) choose_tets(options, given, std::string(row.bodies) + " bodies take");
+  if (!row.assembled && !given("--preconditioner")) newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
 }
 
 void apply_motion(Options& options, const Given& given) {
   refuse(options, given, {"--restart", "--beads", "--repeat"}, "these are for equilibria, and a motion begins at rest");
-  refuse(options, given, {"--stepping", "--historical"}, "steps are those in time");
+  refuse(options, given, {"--stepping", "--historical"}, "it steps in time");
   if (!given("--compress")) options.compressions = {options.compressions.back()};
   if (options.compressions.size() != 1) {
     throw Error(scene_name(options) + " moves the plate to one compression, and --compress has " +
@@ -80,22 +84,8 @@ void apply_motion(Options& options, const Given& given) {
 
 void apply_scene(Options& options, const Given& given) {
   fem::NewtonSettings& newton = options.solver.newton;
+  if (const fem::SceneRow* row = equilibrium_row(options.scene)) choose_declared(options, given, *row);
   switch (options.scene) {
-    case SceneKind::everything:
-      break;
-    case SceneKind::quasistatic:
-      choose_declared(options, given, "stable-neo-hookean", true);
-      choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
-      break;
-    case SceneKind::matrix_free:
-      choose_declared(options, given, "stable-neo-hookean", false);
-      choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
-      if (!given("--preconditioner")) newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-      break;
-    case SceneKind::fixed_corotated:
-      choose_declared(options, given, "fixed-corotated", true);
-      choose_tets(options, given, "fixed corotated bodies take");
-      break;
     case SceneKind::implicit_dynamics:
       apply_motion(options, given);
       choose(options, given, "--product", "assembled", newton.product, fem::Product::assembled);
@@ -103,10 +93,11 @@ void apply_scene(Options& options, const Given& given) {
       if (!given("--material")) options.solver.material = "stable-neo-hookean";
       if (!given("--precision")) options.solver.precision = fem::TangentPrecision::float32;
       if (arrays_of(options) == "everything") {
-        options.notes.emplace_back(
+        options.notes.push_back(
             "this motion runs on the arrays of the scene everything: those of implicit-dynamics are for the cube, of "
-            "stable-neo-hookean material, in float, without --volume nodes, --plates contact and --preconditioner "
-            "schwarz");
+            "stable-neo-hookean material, in float, without --volume nodes and --plates contact, under "
+            "--preconditioner " +
+            fem::preconditioners_without(fem::asks::arrays));
       }
       break;
     case SceneKind::explicit_dynamics:
@@ -122,11 +113,13 @@ void apply_scene(Options& options, const Given& given) {
       options.solver.nested = false;
       break;
     case SceneKind::linear_elastic:
-      refuse(options, given, {"--material"}, "linear elasticity is its law, of --young and --poisson alone");
+      refuse(options, given, {"--material"}, "its law is linear elasticity, with --young and --poisson alone");
       refuse(options, given, {"--stepping", "--historical"}, "one linear solve finds each equilibrium");
       choose(options, given, "--plates", "held", options.plates, Plates::held);
       choose_tets(options, given, "linear elasticity takes");
       options.solver.nested = false;
+      break;
+    default:
       break;
   }
   if (options.scene != SceneKind::explicit_dynamics) {

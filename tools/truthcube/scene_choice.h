@@ -1,4 +1,4 @@
-// Scenes by name: each stands for choices that other flags make, too, and for what does not fit together in it.
+// Scenes by name: each makes choices that other flags make, too, and refuses what does not fit them.
 #pragma once
 
 #include <functional>

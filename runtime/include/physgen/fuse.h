@@ -20,10 +20,12 @@ struct FormatsOfSpace;
 
 /// Takes the place of a view in fused kernels; local() makes it. It is empty: each call of a fused kernel has objects
 /// of its own. A step writes local[i] before a later step reads it.
-template <class Object_, class Real, class Formats, class Tag>
+template <class Object_, class Real, class Formats, class Tag, class Layout_>
 struct Local {
   using Object = Object_;
   using Precision = Real;
+  /// Of the array that it stands for.
+  using Layout = Layout_;
   /// How its fields are stored where the kernel runs in Space.
   template <class Space>
   using FormatsIn = std::conditional_t<std::is_same_v<Formats, FormatsOfSpace>, FormatsOf<Object, Space>, Formats>;
@@ -63,17 +65,18 @@ struct Local {
 /// @tparam Formats those of the array that it stands for, through which its values are rounded: FormatsOfSpace, or a
 /// struct as an array's. One in which all fields are format::Native rounds nothing.
 /// @tparam Tag tells locals apart that have all else in common
-template <class Object, class Real, class Formats = FormatsOfSpace, class Tag = Object>
-[[nodiscard]] constexpr Local<Object, Real, Formats, Tag> local() {
+/// @tparam Layout that of the array, which has a say in how many objects a step is called with at once
+template <class Object, class Real, class Formats = FormatsOfSpace, class Tag = Object, class Layout = Aosoa<16>>
+[[nodiscard]] constexpr Local<Object, Real, Formats, Tag, Layout> local() {
   return {};
 }
 
 /// Several locals.
 template <class... Local>
 struct Locals {};
-template <class... Object, class... Real, class... Formats, class... Tag>
-[[nodiscard]] constexpr Locals<Local<Object, Real, Formats, Tag>...> locals(
-    const Local<Object, Real, Formats, Tag>&... /*all*/) {
+template <class... Object, class... Real, class... Formats, class... Tag, class... Layout>
+[[nodiscard]] constexpr Locals<Local<Object, Real, Formats, Tag, Layout>...> locals(
+    const Local<Object, Real, Formats, Tag, Layout>&... /*all*/) {
   return {};
 }
 
@@ -82,13 +85,19 @@ template <class LocalList, class... Step>
 struct Fused;
 template <class... Local, class... Step>
 struct Fused<Locals<Local...>, Step...> {
+  using FusedSteps = detail::Steps<Step...>;
   /// The widest of the steps.
-  using Scalar = typename detail::Steps<Step...>::Scalar;
-  detail::Steps<Step...> steps;
+  using Scalar = typename FusedSteps::Scalar;
+  FusedSteps steps;
 
   /// @return what the last step does
   template <class I>
   PHYSGEN_FUNCTION decltype(auto) operator()(const I& i) const {
+    return run<detail::StepLanes::chosen>(i);
+  }
+  /// @tparam kLanes whether a step that suits one lane is called with the objects of a pack one by one
+  template <detail::StepLanes kLanes, class I>
+  PHYSGEN_FUNCTION decltype(auto) run(const I& i) const {
 #ifdef __CUDA_ARCH__
     using Space = Cuda;
 #else
@@ -100,7 +109,7 @@ struct Fused<Locals<Local...>, Step...> {
                   "fuse(locals(), ...)");
     using Frame = detail::Frame<detail::Bare<I>, Space, Local...>;
     Frame frame;
-    return steps.run(Own<I, Frame>{i, &frame});
+    return steps.template run<kLanes>(Own<I, Frame>{i, &frame});
   }
 };
 
@@ -110,6 +119,10 @@ struct Fused<Locals<Local...>, Step...> {
 /// Steps are kernels that take packs. They read and write the locals at their own index, local[i]; each field is
 /// written, by an assignment that all objects run through, before it is read. In checked builds locals begin as
 /// signalling NaN, index fields as the lowest integer. Values that a local's format cannot hold are not counted.
+///
+/// Each step is called with as many objects at once as it would be by itself: with one, also where others take packs,
+/// if detail/chosen_lanes.h gives it one lane. lanes<W>(fuse(...)) calls all steps with W. Checked builds call all with
+/// packs, in which they find races.
 /// @param steps their Scalars may differ; packs are as wide as the widest makes them
 template <class... Local, class... Step>
 [[nodiscard]] constexpr Fused<Locals<Local...>, Step...> fuse(Locals<Local...> /*locals*/, const Step&... steps) {

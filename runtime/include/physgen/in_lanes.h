@@ -11,6 +11,14 @@
 
 namespace physgen {
 
+namespace detail {
+
+/// How many objects the steps of a fused kernel are called with where it is called with a pack: each with as many as by
+/// itself, or all with those that lanes<W>() states.
+enum class StepLanes { chosen, stated };
+
+}  // namespace detail
+
 /// The kernel that lanes<W>() makes.
 template <int W, class Kernel>
 struct InLanes : detail::ScalarOf<Kernel> {
@@ -19,7 +27,11 @@ struct InLanes : detail::ScalarOf<Kernel> {
   PHYSGEN_FUNCTION constexpr explicit InLanes(const Kernel& given) : kernel(given) {}
   template <class I>
   PHYSGEN_FUNCTION decltype(auto) operator()(const I& i) const {
-    return kernel(i);
+    if constexpr (requires { typename Kernel::FusedSteps; }) {
+      return kernel.template run<detail::StepLanes::stated>(i);
+    } else {
+      return kernel(i);
+    }
   }
 };
 

@@ -14,7 +14,7 @@ class LocalArray {
  public:
   using Object = typename Array::Object;
   using Formats = typename Array::Formats;
-  using View = Local<Object, typename Array::Precision, Formats, Tag>;
+  using View = Local<Object, typename Array::Precision, Formats, Tag, typename Array::Layout>;
   using ConstView = View;
   using Record = Array;
 

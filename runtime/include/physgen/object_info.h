@@ -11,7 +11,7 @@
 namespace physgen {
 
 /// One field of an object type: `count` stored elements of one type that follow each other from byte `offset` of the
-/// record on. An element stands for centre + scale * what is stored, or for what the functions of its own format say.
+/// record on. An element is centre + scale * what is stored, or what the functions of its own format say.
 struct FieldInfo {
   std::string_view name;  ///< "svd.U" for a field of a nested object
   std::string_view unit;  ///< empty: none stated

@@ -90,16 +90,20 @@ TEST_F(SceneCommand, writes_anew_only_what_a_changed_kernel_changes) {
   for (const char* name : {"/scenes/particles.h", "/kernel.h", "/particles.physgen.h", "/physgen/scene.h"})
     EXPECT_NE(depends.find(name), std::string::npos) << name << " in\n" << depends;
 
+  const std::string digest = written("particles.digest");
+  EXPECT_NE(digest.find("  field b float32 1 pruned"), std::string::npos) << digest;
   const auto long_ago = fs::last_write_time(folder / "out/particles.scene.h") - std::chrono::hours(1);
   fs::last_write_time(folder / "out/particles.scene.h", long_ago);
   folder.write("kernel.h", "// A comment.\n" + kernel({"a"}));
   ASSERT_EQ(scene(arguments).status, 0);
   EXPECT_EQ(fs::last_write_time(folder / "out/particles.scene.h"), long_ago);
   EXPECT_NE(written("particles.usage.json").find("\"kernel.h:12:11\""), std::string::npos) << "one line further down";
+  EXPECT_EQ(written("particles.digest"), digest);
 
   folder.write("kernel.h", kernel({"a", "b"}));
   const auto third = scene(arguments);
   ASSERT_EQ(third.status, 0) << third.err;
+  EXPECT_NE(written("particles.digest"), digest);
   EXPECT_NE(fs::last_write_time(folder / "out/particles.scene.h"), long_ago);
   EXPECT_NE(written("particles.need.txt").find("per particle: 20 of 36 bytes, 5 of 9 numbers\n"), std::string::npos)
       << written("particles.need.txt");
@@ -186,9 +190,10 @@ TEST_F(SceneCommand, says_how_many_bytes_the_compiler_gives_a_record_without_its
   ASSERT_EQ(run("generate particles.h -o generated").status, 0);
   const auto outcome = scene("--no-fuse");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("  body.last     aos_padded (host)  16     16               padding takes what pruning saves\n"
-                             "  body.last     aos (cuda)         4      12\n"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.out.find("  body.last     aos_padded (host)  16     16               padding takes what pruning saves\n"
+                       "  body.last     aos (cuda)         4      12\n"),
+      std::string::npos)
       << outcome.out;
 }
 

@@ -45,10 +45,10 @@ Objects changed(const std::vector<std::uint32_t>& found, const std::vector<std::
   return result;
 }
 
-TEST(NeedReport, is_true_of_each_field_and_object_that_nan_is_planted_in) {
+TEST(Digest, is_true_of_each_field_and_object_that_nan_is_planted_in) {
   HostExecutor plain;
   const auto expected = results<everything::Body<>, everything::State<>>(plain);
-  const auto fields = reads_of(PHYSGEN_NEEDS);
+  const auto fields = reads_of(PHYSGEN_DIGEST);
   EXPECT_EQ(fields.size(), 21U);
   constexpr unsigned first_seed = 20100607, seeds = 16;
   std::cout << "seeds " << first_seed << " to " << first_seed + seeds - 1 << '\n';
@@ -76,7 +76,7 @@ TEST(NeedReport, is_true_of_each_field_and_object_that_nan_is_planted_in) {
   EXPECT_EQ(read_in_vain, std::vector<std::string>()) << "fields that are read and never change an output";
 }
 
-TEST(NeedReport, is_tried_with_objects_that_are_neither_all_nor_the_same) {
+TEST(Digest, is_tried_with_objects_that_are_neither_all_nor_the_same) {
   std::set<Objects> tried;
   for (unsigned seed = 20100607; seed < 20100607 + 16; ++seed) {
     const Objects objects = some_of(tets, seed);

@@ -1,4 +1,4 @@
-// NaN in some objects of one field, for tests of what a need report says of it.
+// NaN in some objects of one field, for tests of what a digest says of it.
 #pragma once
 
 #include <physgen/executor.h>
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 
 namespace physgen::test {
@@ -27,16 +27,21 @@ struct Interrupted : HostExecutor {
   }
 };
 
-/// The need report's word on every field of numbers: whether something reads it.
-/// @param report the file, X.need.json
-inline std::map<std::pair<std::string, std::string>, bool> reads_of(const std::string& report) {
-  std::ifstream in(report);
-  const auto json = nlohmann::json::parse(in);
+/// A digest's word on every field of numbers: whether something reads it, or the caller.
+/// @param digest the file, X.digest
+inline std::map<std::pair<std::string, std::string>, bool> reads_of(const std::string& digest) {
+  std::ifstream in(digest);
   std::map<std::pair<std::string, std::string>, bool> reads;
-  for (const auto& array : json.at("arrays"))
-    for (const auto& field : array.at("fields"))
-      if (field.at("type").get<std::string>().starts_with("float"))
-        reads[{array.at("array"), field.at("field")}] = !field.at("read_by").empty() || field.at("output");
+  std::string line, array;
+  while (std::getline(in, line)) {
+    std::istringstream words(line);
+    std::string what, name, type, word;
+    words >> what >> name >> type;
+    if (what == "array") array = name;
+    if (what != "field" || !type.starts_with("float")) continue;
+    bool& is_read = reads[{array, name}];
+    while (words >> word) is_read = is_read || word == "read" || word == "output";
+  }
   return reads;
 }
 

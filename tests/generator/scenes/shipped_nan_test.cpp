@@ -1,4 +1,4 @@
-// That the need reports of shipped scenes are true: NaN in some objects of a field, in arrays that keep all fields,
+// That the digests of shipped scenes are true: NaN in some objects of a field, in arrays that keep all fields,
 // reaches the nodes that these objects matter to, and no others.
 #include <dynamics.physgen.h>
 #include <quasistatic.physgen.h>
@@ -33,7 +33,7 @@ Objects neighbours_of(const Objects& of_nodes) {
 }
 
 struct ForceChain {
-  static constexpr const char* report = PHYSGEN_REPORTS "/force_chain.need.json";
+  static constexpr const char* digest = PHYSGEN_DIGESTS "/force_chain.digest";
   static constexpr std::size_t fields = 10;
   force_chain::Plain<float, Host> body;
 
@@ -67,7 +67,7 @@ struct ForceChain {
 
 /// A step of a body of which some nodes are held, in one direction or in all.
 struct ExplicitDynamics {
-  static constexpr const char* report = PHYSGEN_REPORTS "/explicit_dynamics.need.json";
+  static constexpr const char* digest = PHYSGEN_DIGESTS "/explicit_dynamics.digest";
   static constexpr std::size_t fields = 15;
   struct Body {
     elasticity::TetArray<float> tets{test::tets};
@@ -177,7 +177,7 @@ std::vector<std::string> read_in_vain() {
     return scene.outputs();
   }();
   std::vector<std::string> result;
-  const auto fields = reads_of(Scene::report);
+  const auto fields = reads_of(Scene::digest);
   EXPECT_EQ(fields.size(), Scene::fields);
   for (const auto& [name, is_read] : fields) {
     const auto& [array, field] = name;
@@ -202,11 +202,11 @@ std::vector<std::string> read_in_vain() {
   return result;
 }
 
-TEST(NeedReportOfForceChain, is_true_of_each_field_and_object_that_nan_is_planted_in) {
+TEST(DigestOfForceChain, is_true_of_each_field_and_object_that_nan_is_planted_in) {
   EXPECT_EQ(read_in_vain<ForceChain>(), std::vector<std::string>());
 }
 
-TEST(NeedReportOfExplicitDynamics, is_true_of_each_field_and_object_that_nan_is_planted_in) {
+TEST(DigestOfExplicitDynamics, is_true_of_each_field_and_object_that_nan_is_planted_in) {
   EXPECT_EQ(read_in_vain<ExplicitDynamics>(),
             (std::vector<std::string>{"body.measured.elastic", "body.measured.kinetic", "body.measured.momentum",
                                       "body.placed.f"}))

@@ -36,7 +36,7 @@ const int a_tile_of_three = Aosoa<3>::tile;
 const int a_tile_of_2048 = Aosoa<2048>::tile;
 /// refused a_vector_stored_as_a_quaternion: only a Rotation can be stored as a quaternion
 PositionArray<format::Quaternion16> a_vector_stored_as_a_quaternion(3);
-/// refused a_stored_type_of_another_size: a format's Stored has the bytes of its ElementType
+/// refused a_stored_type_of_another_size: sizeof(Stored) must equal the bytes of the format's ElementType
 PositionArray<OfAnotherSize> a_stored_type_of_another_size(3);
 /// refused indices_in_half: a field of integers is stored as it is
 elasticity::TetArray<float, Host, Soa, IndicesInHalf> indices_in_half(1);
@@ -44,7 +44,7 @@ elasticity::TetArray<float, Host, Soa, IndicesInHalf> indices_in_half(1);
 const double a_half_of_too_large_a_scale = format::Half<101>::scale;
 /// refused a_half_of_too_small_a_scale: a half is scaled by 2^-100 to 2^100
 const double a_half_of_too_small_a_scale = format::Half<-101>::scale;
-/// refused a_range_upside_down: the range of a Snorm16 goes from a number to a larger one
+/// refused a_range_upside_down: Snorm16: range.low must be less than range.high
 const double a_range_upside_down = format::Snorm16<format::Interval{1.0, -1.0}>::scale;
 /// refused a_scaled_half_that_is_scaled: Scaled takes Native, Float32, Float64, Half<> or Bfloat16
 const double a_scaled_half_that_is_scaled = format::Scaled<format::Half<3>, format::Affine{.scale = 10}>::scale;

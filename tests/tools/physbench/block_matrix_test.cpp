@@ -2,7 +2,7 @@
 #include "vendor/block_matrix.h"
 
 #include <fem/solver/hierarchy/hierarchy.h>
-#include <fem/solver/multigrid/scattered.h>
+#include <fem/solver/levels/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>

@@ -2,8 +2,8 @@
 #include "linear_solves/vendor_program.h"
 
 #include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/levels/scattered.h>
 #include <fem/solver/linear/product_host.h>
-#include <fem/solver/multigrid/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>

@@ -108,7 +108,7 @@ class ReadmeTest(ReadmeCase):
         name = "tools/report/results/truthcube/linear_solves.json"
         (self.root / name).write_text(json.dumps({"rows": [fast, slow]}))
         place = f"<!-- figures: linear_solves, from {name} -->\n"
-        self.change("README.md", "## Words", f"{place}<!-- end of figures -->\n\n## Words")
+        self.change("README.md", "## Pages", f"{place}<!-- end of figures -->\n\n## Pages")
         self.assertEqual(command("--write", self.root).returncode, 0)
         self.assertIn("| 8³ | 0.49, tets | 1.00 : 2.50 | 1.00 : 2.20 |", (self.root / "README.md").read_text(encoding="utf-8"))
         (self.root / name).write_text(json.dumps({"rows": [slow]}))
@@ -129,7 +129,7 @@ class ReadmeTest(ReadmeCase):
         ]
         (results / "h200_fused.json").write_text(json.dumps(content))
         place = "<!-- figures: fused, from h200_fused.json -->\n"
-        self.change("README.md", "## Words", f"{place}<!-- end of figures -->\n\n## Words")
+        self.change("README.md", "## Pages", f"{place}<!-- end of figures -->\n\n## Pages")
         self.assertEqual(command("--write", self.root).returncode, 0)
         text = readme_numbers.Checkout(self.root).text("README.md")
         self.assertIn("| positions to forces on nodes, sums in any order | 1.600 | 0.320 | 5.00x | 60 | 0.75 |", text)

@@ -68,31 +68,31 @@ case $rule in
     done ;;
   flags_that_choose_otherwise_are_refused)
     expect_refused 'no scene matrix-fre; did you mean matrix-free[?]' --scene matrix-fre
-    expect_refused 'matrix-free stands for --product matrix-free, and another is given' --scene matrix-free --product assembled
-    expect_refused 'goes with --preconditioner block-jacobi or none' --scene matrix-free --preconditioner multigrid
-    expect_refused 'fixed-corotated stands for --material fixed-corotated' --scene fixed-corotated --material neo-hookean
-    expect_refused 'quasistatic stands for --precision float, and another is given' --scene quasistatic --precision double
-    expect_refused 'quasistatic stands for --volume patches' --scene quasistatic --volume nodes
-    expect_refused 'matrix-free goes without --historical: that is a choice of --scene everything' --scene matrix-free --historical
+    expect_refused 'matrix-free requires --product matrix-free; remove --' --scene matrix-free --product assembled
+    expect_refused 'goes with --preconditioner block-jacobi, none' --scene matrix-free --preconditioner multigrid
+    expect_refused 'fixed-corotated requires --material fixed-corotated' --scene fixed-corotated --material neo-hookean
+    expect_refused 'quasistatic requires --precision float; remove --' --scene quasistatic --precision double
+    expect_refused 'quasistatic requires --volume patches' --scene quasistatic --volume nodes
+    expect_refused 'matrix-free cannot take --historical, because that is a choice of --scene everything' --scene matrix-free --historical
     expect_refused 'quasistatic has no --preconditioner schwarz' --scene quasistatic --preconditioner schwarz
-    expect_refused 'implicit-dynamics stands for --product assembled' --scene implicit-dynamics --product matrix-free
-    expect_refused 'implicit-dynamics goes without --stepping: steps are' --scene implicit-dynamics --stepping nested
-    expect_refused 'implicit-dynamics goes without --restart' --scene implicit-dynamics --out o --restart
-    expect_refused 'explicit-dynamics goes without --preconditioner: .* solve no' --scene explicit-dynamics --preconditioner none
-    expect_refused 'explicit-dynamics goes without --tolerance' --scene explicit-dynamics --tolerance 1e-3
-    expect_refused 'explicit-dynamics stands for --plates held' --scene explicit-dynamics --plates contact
-    expect_refused 'explicit-dynamics stands for --volume tets' --scene explicit-dynamics --volume patches
+    expect_refused 'implicit-dynamics requires --product assembled' --scene implicit-dynamics --product matrix-free
+    expect_refused 'implicit-dynamics cannot take --stepping, because it steps in time; remove --stepping' --scene implicit-dynamics --stepping nested
+    expect_refused 'implicit-dynamics cannot take --restart' --scene implicit-dynamics --out o --restart
+    expect_refused 'explicit-dynamics cannot take --preconditioner, because .* solve no' --scene explicit-dynamics --preconditioner none
+    expect_refused 'explicit-dynamics cannot take --tolerance' --scene explicit-dynamics --tolerance 1e-3
+    expect_refused 'explicit-dynamics requires --plates held' --scene explicit-dynamics --plates contact
+    expect_refused 'explicit-dynamics requires --volume tets' --scene explicit-dynamics --volume patches
     expect_refused 'moves the plate to one compression, and --compress has 2' --scene explicit-dynamics --compress 0.1 0.2
-    expect_refused 'linear-elastic goes without --material' --scene linear-elastic --material corotated
-    expect_refused 'linear-elastic goes without --historical' --scene linear-elastic --historical
-    expect_refused 'linear-elastic stands for --volume tets' --scene linear-elastic --volume nodes
+    expect_refused 'linear-elastic cannot take --material' --scene linear-elastic --material corotated
+    expect_refused 'linear-elastic cannot take --historical' --scene linear-elastic --historical
+    expect_refused 'linear-elastic requires --volume tets' --scene linear-elastic --volume nodes
     for flag in time-step duration density damping; do
-      expect_refused "everything goes without --$flag: these are for --scene implicit-dynamics or" --$flag 1
+      expect_refused "everything cannot take --$flag, because these are for --scene implicit-dynamics or" --$flag 1
     done
     expect_refused 'explicit-dynamics goes with --fixed-order on --device cuda alone: on the CPU' --scene explicit-dynamics --fixed-order
-    expect_refused 'implicit-dynamics goes without --fixed-order: that is for the sums of --scene explicit' \
+    expect_refused 'implicit-dynamics cannot take --fixed-order, because that is for the sums of --scene explicit' \
       --scene implicit-dynamics --fixed-order
-    expect_refused 'everything goes without --fixed-order' --fixed-order
+    expect_refused 'everything cannot take --fixed-order' --fixed-order
     expect_refused '--density 0: the density' --scene implicit-dynamics --density 0
     expect_refused '--duration -1: the time' --scene implicit-dynamics --duration -1
     expect_refused '--damping -2: the damping' --scene explicit-dynamics --damping -2

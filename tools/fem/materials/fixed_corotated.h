@@ -13,6 +13,7 @@ template <class Real>
 struct FixedCorotated {
   using Scalar = Real;
   static constexpr const char* name = "fixed corotated";
+  static constexpr VolumeLaw volume_law = VolumeLaw::quadratic;
 
   Real mu, lambda;                         ///< Lame constants [Pa]
   Real smallest_stretch_sum = Real(1e-3);  ///< cap at the pole; any 1e-6 <= cap <= 1 [1]
@@ -22,6 +23,8 @@ struct FixedCorotated {
     const LameParameters lame = lame_parameters(youngs_modulus, poissons_ratio, name);
     return {constant_of<Real>(lame.mu, name, "mu"), constant_of<Real>(lame.lambda, name, "lambda", ConstantSign::Any)};
   }
+
+  [[nodiscard]] Real& volume_modulus() { return lambda; }
 
   /// @return psi [J/m^3]
   /// Error <= 8 eps of |psi| + mu |s - 1|^2.

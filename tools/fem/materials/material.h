@@ -43,6 +43,10 @@ template <class Real>
   return static_cast<Real>(value);
 }
 
+/// U(J) of a model whose energy has such a part, of the volume alone: half its modulus times the square of ln J, or of
+/// J - 1.
+enum class VolumeLaw { logarithmic, quadratic };
+
 /// The derivative of the principal stresses g by the principal stretches s, and of the axes of stress. Every model
 /// gives these 12 numbers from closed forms, never as quotients of differences, so s_a = s_b is an ordinary input.
 template <class S>
@@ -61,10 +65,13 @@ struct PrincipalDerivative {
 //     template <class S> S energy(const Vector3<S>& s) const;                          // psi(s) [J/m^3]
 //     template <class S> Vector3<S> stress(const Vector3<S>& s) const;                 // g = dpsi/ds
 //     template <class S> PrincipalDerivative<S> derivative(const Vector3<S>& s) const;
+//     // Where the energy has a part U(J), which patches of tets or nodes may average:
+//     static constexpr VolumeLaw volume_law;
+//     Real& volume_modulus();                                                          // [Pa]; 0 leaves U(J) out
 //   };
 //
 // s1 >= s2 >= |s3| as svd() gives them; s3 < 0 (an inverted element) is ordinary input. NaN and infinity in s come out
-// as NaN or infinity. The energy is 0 at rest. A model has a header in materials/, a line in materials.h and its
+// as NaN or infinity. The energy is 0 at rest. A model has a header in materials/, a row in materials.h and its
 // energy, written plainly, in reference/energy.h: with these, the tests of every material run over it.
 
 namespace detail {

@@ -23,6 +23,7 @@ template <class Real>
 struct MooneyRivlin {
   using Scalar = Real;
   static constexpr const char* name = "Mooney-Rivlin";
+  static constexpr VolumeLaw volume_law = VolumeLaw::logarithmic;
 
   Real m10, m01;                            ///< [Pa]; 2 (m10 + m01) is Lame's mu
   Real kappa;                               ///< bulk modulus [Pa], lambda + 2/3 mu
@@ -41,6 +42,8 @@ struct MooneyRivlin {
     if (m10 == 0 && m01 == 0) refuse_constant(name, "m10 + m01", 0, "m10 > 0 or m01 > 0");
     return {m10, m01, constant_of<Real>(constants.kappa, name, "bulk modulus kappa")};
   }
+
+  [[nodiscard]] Real& volume_modulus() { return kappa; }
 
   /// @return psi [J/m^3], without cancellation near rest: above J0, I1 - 3 J^(2/3) and I2 - 3 J^(4/3) are each the
   /// difference of an arithmetic and a geometric mean, p^3 + q^3 + r^3 - 3 p q r = (p + q + r) sum (p - q)^2 / 2.

@@ -13,6 +13,7 @@ template <class Real>
 struct NeoHookean {
   using Scalar = Real;
   static constexpr const char* name = "Neo-Hookean";
+  static constexpr VolumeLaw volume_law = VolumeLaw::logarithmic;
 
   Real mu, lambda;                          ///< Lame constants [Pa]
   Real smallest_volume_ratio = Real(0.25);  ///< J0; any 0.01 <= J0 <= 0.5 [1]
@@ -22,6 +23,8 @@ struct NeoHookean {
     const LameParameters lame = lame_parameters(youngs_modulus, poissons_ratio, name);
     return {constant_of<Real>(lame.mu, name, "mu"), constant_of<Real>(lame.lambda, name, "lambda", ConstantSign::Any)};
   }
+
+  [[nodiscard]] Real& volume_modulus() { return lambda; }
 
   /// @return psi [J/m^3], without cancellation near rest
   /// Error <= 8 eps of |psi| + mu |s - 1|^2.

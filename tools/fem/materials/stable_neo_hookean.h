@@ -13,6 +13,7 @@ template <class Real>
 struct StableNeoHookean {
   using Scalar = Real;
   static constexpr const char* name = "stable Neo-Hookean, short";
+  static constexpr VolumeLaw volume_law = VolumeLaw::quadratic;
 
   Real mu, lambda;  ///< the model's constants [Pa]
 
@@ -21,6 +22,8 @@ struct StableNeoHookean {
     const LameParameters lame = lame_parameters(youngs_modulus, poissons_ratio, name);
     return {constant_of<Real>(lame.mu, name, "mu"), constant_of<Real>(lame.lambda + lame.mu, name, "lambda")};
   }
+
+  [[nodiscard]] Real& volume_modulus() { return lambda; }
 
   /// @return psi [J/m^3], without cancellation near rest
   /// Error <= 8 eps of |psi| + mu |s - 1|^2.

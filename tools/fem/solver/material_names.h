@@ -12,13 +12,9 @@ namespace physgen::fem {
 /// @tparam Real its precision
 template <class Real = double, class Visit>
 void for_each_material(const Visit& visit) {
-  visit.template operator()<NeoHookean<Real>>("neo-hookean");
-  visit.template operator()<StVenantKirchhoff<Real>>("st-venant-kirchhoff");
-  visit.template operator()<Corotated<Real>>("corotated");
-  visit.template operator()<FixedCorotated<Real>>("fixed-corotated");
-  visit.template operator()<StableNeoHookean<Real>>("stable-neo-hookean");
-  visit.template operator()<StableNeoHookeanFull<Real>>("stable-neo-hookean-full");
-  visit.template operator()<MooneyRivlin<Real>>("mooney-rivlin");
+#define PHYSGEN_VISIT_MATERIAL(Model, header, word, ...) visit.template operator()<Model<Real>>(word);
+  PHYSGEN_MATERIALS(PHYSGEN_VISIT_MATERIAL)
+#undef PHYSGEN_VISIT_MATERIAL
 }
 
 /// @throw Error naming the materials there are, and the nearest

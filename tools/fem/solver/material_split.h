@@ -1,17 +1,11 @@
 // Splits materials into a part of the shear and a part U(J) of the volume, where they have such parts.
 #pragma once
 
-#include <fem/materials/fixed_corotated.h>
-#include <fem/materials/mooney_rivlin.h>
-#include <fem/materials/neo_hookean.h>
-#include <fem/materials/stable_neo_hookean.h>
+#include <fem/materials/material.h>
 
 #include <utility>
 
 namespace physgen::fem {
-
-/// U(T) of a material: half its modulus times the square of ln T, or of T - 1.
-enum class VolumeLaw { logarithmic, quadratic };
 
 /// The volume's part of a material.
 struct VolumeTerm {
@@ -19,25 +13,17 @@ struct VolumeTerm {
   double modulus = 0;  ///< [Pa]
 };
 
-/// Takes the volume's part out of a material, and returns it.
-template <class Real>
-VolumeTerm split_volume(NeoHookean<Real>& material) {
-  return {VolumeLaw::logarithmic, static_cast<double>(std::exchange(material.lambda, Real(0)))};
-}
-template <class Real>
-VolumeTerm split_volume(StableNeoHookean<Real>& material) {
-  return {VolumeLaw::quadratic, static_cast<double>(std::exchange(material.lambda, Real(0)))};
-}
-template <class Real>
-VolumeTerm split_volume(FixedCorotated<Real>& material) {
-  return {VolumeLaw::quadratic, static_cast<double>(std::exchange(material.lambda, Real(0)))};
-}
-template <class Real>
-VolumeTerm split_volume(MooneyRivlin<Real>& material) {
-  return {VolumeLaw::logarithmic, static_cast<double>(std::exchange(material.kappa, Real(0)))};
-}
-
 template <class Material>
-inline constexpr bool splits_volume = requires(Material& material) { split_volume(material); };
+inline constexpr bool splits_volume = requires { Material::volume_law; };
+
+/// Takes the volume's part out of a material, and returns it.
+template <class Material>
+VolumeTerm split_volume(Material& material) {
+  static_assert(
+      requires { material.volume_modulus(); },
+      "a material with a volume_law needs volume_modulus(): materials/material.h says what that is");
+  return {Material::volume_law,
+          static_cast<double>(std::exchange(material.volume_modulus(), typename Material::Scalar(0)))};
+}
 
 }  // namespace physgen::fem

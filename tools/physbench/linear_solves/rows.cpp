@@ -1,5 +1,5 @@
 // Rows of linear_solves: one linear solve of the Truth Cube, K dx = -f, by several methods and to equal residuals.
-#include <fem/solver/multigrid/scattered.h>
+#include <fem/solver/levels/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <physgen/error.h>
 #include <truthcube/run_bytes.h>

@@ -68,11 +68,11 @@ void register_cuda_replay() {
 
 }  // namespace detail
 
-template <class Kernel>
+/// @tparam Reals float, double or both
+template <class Kernel, class... Reals>
 bool register_cuda_scene_rows() {
   return add(Part{"kernels", Kernel::place, Kernel::name, "cuda", [](std::vector<Row>& rows, const Sizes& sizes) {
-                    detail::add_cuda_layouts(rows, OnScene<Kernel, float>(scene_of(sizes.cuda)));
-                    detail::add_cuda_layouts(rows, OnScene<Kernel, double>(scene_of(sizes.cuda)));
+                    (detail::add_cuda_layouts(rows, OnScene<Kernel, Reals>(scene_of(sizes.cuda))), ...);
                   }});
 }
 

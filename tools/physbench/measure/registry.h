@@ -27,7 +27,8 @@ struct Group {
   std::string name;          ///< "kernels" is what there is without a word
   std::string help;          ///< one line, or several
   int place;                 ///< in the list of groups
-  std::string filter = ".";  ///< which rows run where the user gives no filter
+  std::string filter = ".";  ///< which rows run with --all
+  std::string first = {};    ///< which run where the user asks for nothing else; empty: all. NOLINT: g++ wants it said
   std::string also = {};     ///< the group whose rows belong to this one, too. NOLINT: g++ wants it said
   std::function<void(CLI::App&)> add_flags = {};  ///< those of this group alone. NOLINT: as above
 };

@@ -6,12 +6,12 @@
 
 namespace physgen::bench {
 
-template <class Kernel>
+/// @tparam Reals float, double or both
+template <class Kernel, class... Reals>
 bool register_scene_rows() {
   if constexpr (requires { typename Kernel::Output; }) makers()[Kernel::name] = make_output<Kernel>;
   return add(Part{"kernels", Kernel::place, Kernel::name, "host", [](std::vector<Row>& rows, const Sizes& sizes) {
-                    add_layouts(rows, OnScene<Kernel, float>(scene_of(sizes.host)));
-                    add_layouts(rows, OnScene<Kernel, double>(scene_of(sizes.host)));
+                    (add_layouts(rows, OnScene<Kernel, Reals>(scene_of(sizes.host))), ...);
                   }});
 }
 

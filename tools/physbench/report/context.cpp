@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 #include <physgen/simd_lanes.h>
+#include <physgen/version.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -45,7 +46,7 @@ Facts describe_machine(int threads, const std::string& command) {
               {"llc", format("last-level cache %.1f MB on the CPU, %.1f MB on the GPU; /LLC is a row's bytes over it",
                              limits.host_cache * 1e-6, limits.device_cache * 1e-6)},
               {"compiler", compiler()},
-              {"physgen", PHYSGEN_BENCH_VERSION},
+              {"physgen", PHYSGEN_VERSION},
               {"results_version", "1"},  // tools/report/rows.py reads this version: names and meanings of counters
               {"sources", source_hashes()},
               {"command", command}};

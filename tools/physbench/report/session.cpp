@@ -4,7 +4,6 @@
 #include <physgen/error.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 
 #include "measure/errors.h"
@@ -34,10 +33,7 @@ void Session::prepare(const Row& row) {
   if (prepared_ == &row) return;
   prepared_ = nullptr;
   case_ = {};  // its memory first: rows of one size follow each other
-  if (progress_) {
-    const auto number = static_cast<long>(&row - rows_.data()) + 1;
-    std::fprintf(stderr, "%3ld/%zu %s\n", number, rows_.size(), row.name().c_str());
-  }
+  progress_.begin(row);
   require_memory(row.host_bytes, limits_.host_memory, "this machine");
   require_memory(row.device_bytes, limits_.device_memory, "the GPU");
   case_ = row.make();
@@ -62,7 +58,9 @@ void Session::run(const Row& row, benchmark::State& state) {
     }
     // Google Benchmark is content with one iteration of a slow row; a median is not.
     while (times_.size() < case_.fewest) measure();
+    progress_.end();
   } catch (const std::exception& error) {
+    progress_.end();
     state.SkipWithError(error.what());
     return;
   }

@@ -8,6 +8,7 @@
 
 #include "measure/row.h"
 #include "report/context.h"
+#include "report/progress.h"
 
 namespace physgen::bench {
 
@@ -38,7 +39,7 @@ class Session {
  public:
   /// @param progress say on stderr which row runs
   Session(std::vector<Row> rows, const Limits& limits, bool progress)
-      : rows_(std::move(rows)), limits_(limits), progress_(progress) {}
+      : rows_(std::move(rows)), limits_(limits), progress_(rows_.size(), progress) {}
 
   /// Makes Google Benchmark know all rows.
   void register_rows();
@@ -56,7 +57,7 @@ class Session {
 
   std::vector<Row> rows_;
   Limits limits_;
-  bool progress_;
+  Progress progress_;
   const Row* prepared_ = nullptr;
   Case case_;
   Accuracy accuracy_;

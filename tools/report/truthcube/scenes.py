@@ -3,7 +3,7 @@
 choices, `everything`, too."""
 import pathlib
 
-from . import records
+from . import digest, records
 from .records import RunError
 
 AGAIN = "measure again with tools/report/scene_runs.py"
@@ -26,12 +26,12 @@ def scalars(checkout, scene, flags):
     if scene == "linear-elastic" and "--product matrix-free" in flags:
         arrays = "linear_elastic"
     sets = ["per tet", "per gathered_tet"] + ["per kept_tet"] * (scene == "matrix-free")
-    need = records.load_json(pathlib.Path(checkout) / "generated" / "scenes" / f"{arrays}.need.json")
+    needs = digest.read(pathlib.Path(checkout) / "generated" / "scenes" / f"{arrays}.digest")
     return sum(
         field["elements"]
-        for array in need["arrays"]
-        if array["of"] in sets and not array["array"].startswith("stresses.")
-        for field in array["fields"]
+        for name, array in needs["arrays"].items()
+        if array["of"] in sets and not name.startswith("stresses.")
+        for field in array["fields"].values()
         if field["fate"] == "kept" and not field["type"].startswith("int")
     )
 

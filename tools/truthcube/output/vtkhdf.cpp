@@ -117,13 +117,13 @@ VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, std::span<const
   if (!file.has_attribute("/", "mesh_hash"))
     throw Error(name + ": truthcube did not write this file, so it cannot continue it");
   if (file.read_attribute<std::uint64_t>("/", "mesh_hash") != mesh_hash(points, tets)) {
-    throw Error(name + ": is of another mesh, with " +
+    throw Error(name + " holds another mesh, with " +
                 of_mesh(file.shape(in(root, "Points"))[0], file.shape(in(root, "Types"))[0]) + ", than this one of " +
                 of_mesh(points.size(), tets.size()));
   }
   const int found = count_steps(file);
   if (found < steps) {
-    throw Error(name + ": has " + std::to_string(found) + " steps and cannot be continued after step " +
+    throw Error(name + " has " + std::to_string(found) + " steps and cannot be continued after step " +
                 std::to_string(steps));
   }
   if (found > steps) {

@@ -21,6 +21,11 @@
 #include <string_view>
 #include <type_traits>
 
+namespace physgen {
+template <class Object, class Real, class Formats, class Tag, class Layout>
+struct Local;  // fuse.h
+}  // namespace physgen
+
 namespace physgen::detail {
 
 /// The views and rows that a kernel is made over.
@@ -44,6 +49,13 @@ constexpr Parts<View<Object, Real, Layout, Formats, Space>> part_of(
 template <class Ranges, class Entries>
 constexpr Parts<Rows<Ranges, Entries>> part_of(std::type_identity<Rows<Ranges, Entries>> /*argument*/) {
   return {};
+}
+
+/// A local of a fused kernel tells what the array tells that it is in the place of.
+template <class Object, class Real, class Formats, class Tag, class Layout>
+constexpr auto part_of(std::type_identity<Local<Object, Real, Formats, Tag, Layout>> /*argument*/) {
+  using Stored = typename Local<Object, Real, Formats, Tag, Layout>::template FormatsIn<Host>;
+  return Parts<View<Object, Real, Layout, Stored, Host>>();
 }
 
 template <class Kernel>
@@ -104,5 +116,8 @@ constexpr bool suits_one_lane(Parts<Part...> parts) {
     return sizeof...(Part) > 0 && (PartFacts<Part>::in_one_piece && ...);
   }
 }
+
+template <class Kernel>
+inline constexpr bool kernel_suits_one_lane = suits_one_lane(PartsOf<Kernel>::parts);
 
 }  // namespace physgen::detail

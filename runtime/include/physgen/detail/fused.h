@@ -4,14 +4,28 @@
 #undef I
 
 #include <physgen/array.h>
+#include <physgen/detail/check_numbers.h>
+#include <physgen/detail/chosen_lanes.h>
 #include <physgen/detail/local_cursor.h>
+#include <physgen/detail/reduction.h>
 #include <physgen/in_lanes.h>
 #include <physgen/lanes.h>
 
 #include <concepts>
 #include <type_traits>
 
+namespace physgen {
+template <class LocalList, class... Step>
+struct Fused;  // fuse.h
+}  // namespace physgen
+
 namespace physgen::detail {
+
+/// A fused kernel is called with single objects where all of its steps would be, but in checked builds, which look into
+/// its packs.
+template <class LocalList, class... Step>
+inline constexpr bool kernel_suits_one_lane<Fused<LocalList, Step...>> =
+    !checked_build && (kernel_suits_one_lane<Step> && ...);
 
 /// The layouts of locals. They are types of their own, so that cursors know locals.
 struct OneRecord : Aos {
@@ -39,17 +53,19 @@ struct LocalMemory {
 
   alignas(width == 1 ? 8 : 64) std::byte memory[bytes > 0 ? bytes : 1];  // NOLINT: not initialised
 
-  using Cursor = LocalObject<typename View::template CursorAt<I>, Local>;
-  using Ref = typename Object::template Ref<Real, Formats, Cursor>;
-  [[nodiscard]] PHYSGEN_FUNCTION Ref object(const I& i) {
-    using At = typename View::template CursorAt<I>;
+  /// @param i the pack, or one object of it
+  template <class At>
+  [[nodiscard]] PHYSGEN_FUNCTION auto object(const At& i) {
+    using InTile = typename View::template CursorAt<At>;
+    using Cursor = LocalObject<InTile, Local>;
+    using Ref = typename Object::template Ref<Real, Formats, Cursor>;
     const typename Layout::Pitch pitch(width);
-    if constexpr (std::is_integral_v<I>) {
-      return Ref(Cursor(At(memory, pitch, 0, nullptr)));
+    if constexpr (std::is_integral_v<At>) {
+      return Ref(Cursor(InTile(memory, pitch, static_cast<At>(i % width), nullptr)));
     } else {
-      I in_tile = i;
+      At in_tile = i;
       in_tile.begin = 0;
-      return Ref(Cursor(At(memory, pitch, in_tile, nullptr)));
+      return Ref(Cursor(InTile(memory, pitch, in_tile, nullptr)));
     }
   }
 
@@ -90,8 +106,8 @@ struct Frame : LocalMemory<Local, I, Space>... {
     (LocalMemory<Local, I, Space>::make_invalid(), ...);
 #endif
   }
-  template <class Wanted>
-  [[nodiscard]] PHYSGEN_FUNCTION auto object(const I& i) {
+  template <class Wanted, class At>
+  [[nodiscard]] PHYSGEN_FUNCTION auto object(const At& i) {
     return LocalMemory<Wanted, I, Space>::object(i);
   }
 };
@@ -124,6 +140,56 @@ struct TakesIndex {
                 "itself, over an array in the place of each local");
 };
 
+/// The index of object `at`, of those that a fused kernel's index stands for.
+template <class Object, class I>
+[[nodiscard]] PHYSGEN_FUNCTION Object at_object(const I& /*i*/, Object at) {
+  return at;
+}
+template <class Object, class I, class Frame>
+[[nodiscard]] PHYSGEN_FUNCTION auto at_object(const Own<I, Frame>& i, Object at) {
+  return Own<decltype(at_object(i.index, at)), Frame>{at_object(i.index, at), i.frame};
+}
+
+/// Calls step(i) for the objects of a pack one by one.
+template <class Step, class Index>
+auto run_one_by_one(const Step& step, const Index& i) {
+  constexpr int W = index_width(Index());
+  const index_t begin = bare(i).begin;
+  const LaneRange range = lane_range(i);
+  if (false) (void)step(at_object(i, CheckedIndex()));  // as check_numbers() does
+  if constexpr (std::is_void_v<std::invoke_result_t<const Step&, const Index&>>) {
+    for (int l = range.first; l < range.last; ++l) step(at_object(i, begin + l));
+  } else {
+    using Term = std::remove_cvref_t<std::invoke_result_t<const Step&, const Index&>>;
+    using One = std::remove_cvref_t<decltype(step(at_object(i, begin)))>;
+    using Entry = typename Terms<Term>::Entry;
+    alignas(64) lane_of_t<Entry> numbers[static_cast<std::size_t>(Terms<Term>::count)][W] = {};
+    for (int l = range.first; l < range.last; ++l) {
+      const One one = step(at_object(i, begin + l));
+      for (int k = 0; k < Terms<Term>::count; ++k) numbers[k][l] = Terms<One>::entry(one, k);
+    }
+    Term term;
+    for (int k = 0; k < Terms<Term>::count; ++k)
+      const_cast<Entry&>(Terms<Term>::entry(term, k)) = Entry::load_unaligned(numbers[k]);
+    return term;
+  }
+}
+
+/// Calls a step of a fused kernel.
+template <StepLanes kLanes, class Step, class Index>
+PHYSGEN_FUNCTION decltype(auto) run_step(const Step& step, const Index& i) {
+  (void)TakesIndex<Step, Index>();
+  [[maybe_unused]] const auto here = begin_step<Step>();
+  if constexpr (requires { typename Step::FusedSteps; }) {
+    return step.template run<kLanes>(i);
+  } else if constexpr (kLanes == StepLanes::chosen && index_width(Index()) > 1 && !checked_build &&
+                       kernel_suits_one_lane<Step>) {
+    return run_one_by_one(step, i);
+  } else {
+    return step(i);
+  }
+}
+
 /// Kernels in their order; not a std::tuple, of which CUDA knows less.
 template <class... Step>
 struct Steps;
@@ -132,11 +198,9 @@ struct Steps<Last> {
   using Scalar = typename Last::Scalar;
   Last step;
 
-  template <class Index>
+  template <StepLanes kLanes, class Index>
   PHYSGEN_FUNCTION decltype(auto) run(const Index& i) const {
-    (void)TakesIndex<Last, Index>();
-    [[maybe_unused]] const auto here = begin_step<Last>();
-    return step(i);
+    return run_step<kLanes>(step, i);
   }
 };
 template <class First, class... Rest>
@@ -146,16 +210,12 @@ struct Steps<First, Rest...> {
   First step;
   Steps<Rest...> rest;
 
-  template <class Index>
+  template <StepLanes kLanes, class Index>
   PHYSGEN_FUNCTION decltype(auto) run(const Index& i) const {
-    (void)TakesIndex<First, Index>();
-    static_assert(std::is_void_v<std::invoke_result_t<const First&, const Index&>>,
+    static_assert(std::is_void_v<decltype(run_step<kLanes>(step, i))>,
                   "fuse(): a step before the last one returns a term, which nothing would fold; make it the last");
-    {
-      [[maybe_unused]] const auto here = begin_step<First>();
-      step(i);
-    }
-    return rest.run(i);
+    run_step<kLanes>(step, i);
+    return rest.template run<kLanes>(i);
   }
 };
 

@@ -65,7 +65,7 @@ constexpr bool fits_registers() {
 template <class Kernel>
 constexpr int chosen_lanes(std::type_identity<Kernel> kernel) {
   constexpr int widest = widest_lanes(kernel);
-  return suits_one_lane(PartsOf<Kernel>::parts) ? 1 : widest;
+  return kernel_suits_one_lane<Kernel> ? 1 : widest;
 }
 template <int W, class Kernel>
 constexpr int chosen_lanes(std::type_identity<InLanes<W, Kernel>> /*kernel*/) {

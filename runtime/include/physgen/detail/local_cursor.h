@@ -9,7 +9,7 @@
 #include <physgen/record.h>
 
 namespace physgen {
-template <class Object, class Real, class Formats, class Tag>
+template <class Object, class Real, class Formats, class Tag, class Layout>
 struct Local;  // fuse.h
 }  // namespace physgen
 

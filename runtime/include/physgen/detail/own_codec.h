@@ -23,7 +23,7 @@ struct OwnFunctions {
   static_assert(std::is_trivially_copyable_v<Stored> &&
                     int{sizeof(Stored)} == element_bytes(Format::template type<T>) &&
                     Format::template type<T> != ElementType::int32,
-                "a format's Stored has the bytes of its ElementType, which is one of numbers");
+                "sizeof(Stored) must equal the bytes of the format's ElementType, and that type must be numeric");
 
   static double decode(const std::byte* from) {
     Stored stored;

@@ -10,7 +10,7 @@
 
 namespace physgen::format {
 
-/// A stored number stands for centre + scale * stored.
+/// A stored number means centre + scale * stored.
 struct Affine {
   double scale = 1;
   double centre = 0;

@@ -18,7 +18,7 @@ struct Interval {
 /// larger end. Values beyond become the end of the range; NaN stays NaN.
 template <Interval kRange>
 struct Snorm16 {
-  static_assert(kRange.low < kRange.high, "the range of a Snorm16 goes from a number to a larger one");
+  static_assert(kRange.low < kRange.high, "Snorm16: range.low must be less than range.high");
   using Library = Snorm16;
   static constexpr const char* name = "snorm16";
   template <class Real>

@@ -23,15 +23,9 @@ std::unique_ptr<Evaluator<On, Arrays>> make_evaluator(const std::string& materia
 }
 
 // Inside physgen::fem, so that a source does not compile all materials by itself.
-#define PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, Material) \
-  extern template class MaterialEvaluator<On, EquilibriumArrays<Real, Space>, Material<double>>;
-#define PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(On, Real, Space)               \
-  PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, NeoHookean)           \
-  PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, StVenantKirchhoff)    \
-  PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, Corotated)            \
-  PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, FixedCorotated)       \
-  PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, StableNeoHookean)     \
-  PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, StableNeoHookeanFull) \
-  PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(On, Real, Space, MooneyRivlin)
+#define PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(Model, header, word, On, Real, Space) \
+  extern template class MaterialEvaluator<On, EquilibriumArrays<Real, Space>, Model<double>>;
+#define PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(On, Real, Space) \
+  PHYSGEN_MATERIALS(PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE, On, Real, Space)
 
 }  // namespace physgen::fem

@@ -59,7 +59,7 @@ void require_single_range(const MeshLevel& level, const SolverSettings& settings
   const double modulus = settings.youngs_modulus, per_area = modulus / h / h, work = modulus * h * h * h;
   if (!(modulus > 0) || (per_area >= 1e-35 && per_area <= 1e30 && work >= 1e-28 && work <= 1e33)) return;
   throw Error("a Young's modulus of " + number(modulus) + " Pa over tets of " + number(h) +
-              " m leaves what single precision holds: take double precision, or units in which both are nearer to 1");
+              " m is out of range for float: take double precision, or units in which both are nearer to 1");
 }
 
 namespace {

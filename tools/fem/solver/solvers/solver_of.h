@@ -93,7 +93,7 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
 
   [[nodiscard]] AssembledStiffness stiffness() override {
     if (settings_.newton.product != Product::assembled) {
-      throw Error("the stiffness as blocks is that of the assembled product: the matrix-free one forms none");
+      throw Error("a matrix-free product forms no blocks of the stiffness: set Product::assembled");
     }
     if constexpr (Types::Level::Choices::assembled) {
       (void)evaluate_now(0, load_);

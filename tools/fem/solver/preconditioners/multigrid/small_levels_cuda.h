@@ -1,0 +1,215 @@
+// The small levels of a V-cycle in one kernel on CUDA: the program of cycle.h over the levels' views, by the threads of
+// a cluster of thread blocks. Between two steps these meet at a barrier of the hardware, which takes a fraction of what
+// a launch does. Kernels that sum rows, here and elsewhere, give a row to lanes of a warp. For CUDA translation units.
+#pragma once
+
+#include <fem/solver/performs_in.h>
+#include <fem/solver/preconditioners/multigrid/cycle.h>
+#include <fem/solver/preconditioners/multigrid/level_views.h>
+#include <fem/solver/preconditioners/multigrid/row_product.h>
+#include <physgen/cuda/executor.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <utility>
+
+namespace physgen::fem {
+
+namespace detail {
+
+/// A row of a kernel that sums rows (row_sums.h), by neighbouring lanes of a warp, all 32 of which come here.
+/// @param thread kernel.lanes of them have the row begin + thread / kernel.lanes, if that is below `end`
+template <class Kernel>
+__device__ void sum_row(index_t thread, index_t begin, index_t end, const Kernel& kernel) {
+  using Sum = decltype(kernel.part(index_t{0}, Lane{}));
+  constexpr int lanes = Kernel::lanes;
+  const index_t row = begin + thread / lanes;
+  const Lane lane{static_cast<int>(thread % lanes), lanes};
+  Sum sum = Sum::Zero();
+  if (row < end) sum = kernel.part(row, lane);
+  PHYSGEN_UNROLL
+  for (int distance = lanes / 2; distance > 0; distance /= 2) {
+    PHYSGEN_UNROLL
+    for (int k = 0; k < 3; ++k) sum[k] += __shfl_down_sync(~0U, sum[k], distance, lanes);
+  }
+  if (row < end && lane.number == 0) kernel.put(row, sum);
+}
+
+template <class Kernel>
+__global__ void sum_rows(index_t rows, const Kernel kernel) {
+  sum_row(blockIdx.x * index_t{blockDim.x} + threadIdx.x, 0, rows, kernel);
+}
+
+}  // namespace detail
+
+/// See row_sums.h.
+template <PerformsIn<Cuda> On, class Kernel>
+void run_rows(On& on, index_t rows, const Kernel& kernel) {
+  if (rows == 0) return;
+  constexpr int threads = 256;
+  const auto blocks = static_cast<unsigned>((rows * Kernel::lanes + threads - 1) / threads);
+  on.perform([&](Stream stream) {
+    detail::sum_rows<<<blocks, threads, 0, stream>>>(rows, kernel);
+    cuda::check(cudaGetLastError(), "launching sums of rows");
+  });
+}
+
+/// Runs the steps of a program by the threads of a cluster, or of one thread block, that are all there are: each block
+/// takes a range of the objects.
+class ClusterExecutor {
+ public:
+  template <class Kernel>
+  __device__ void run(index_t n, const Kernel& kernel) const {
+    const index_t begin = first(n, blockIdx.x), end = first(n, blockIdx.x + 1);
+    for (index_t i = begin + threadIdx.x; i < end; i += blockDim.x) kernel(i);
+    meet();
+  }
+  /// Rows of a kernel that sums them.
+  template <class Kernel>
+  __device__ void run_rows(index_t rows, const Kernel& kernel) const {
+    const index_t begin = first(rows, blockIdx.x), end = first(rows, blockIdx.x + 1);
+    const index_t lanes = (end - begin) * Kernel::lanes;
+    for (index_t warp = threadIdx.x / 32 * 32; warp < lanes; warp += blockDim.x) {
+      detail::sum_row(warp + threadIdx.x % 32, begin, end, kernel);
+    }
+    meet();
+  }
+
+ private:
+  __device__ static index_t first(index_t n, unsigned block) { return n * block / gridDim.x; }
+  /// Values that threads have written before it are seen by all behind it.
+  __device__ static void meet() {
+#if __CUDA_ARCH__ >= 900
+    asm volatile("barrier.cluster.arrive.release.aligned;\n\tbarrier.cluster.wait.acquire.aligned;" ::: "memory");
+#else
+    __syncthreads();
+#endif
+  }
+};
+
+/// See row_sums.h.
+template <class Kernel>
+__device__ void run_rows(const ClusterExecutor& on, index_t rows, const Kernel& kernel) {
+  on.run_rows(rows, kernel);
+}
+
+/// r += the edges' part of K d.
+template <class Level>
+__device__ void add_scaled_edges(const ClusterExecutor& on, const Level& level) {
+  on.run_rows(level.nodes(), AddRowProduct{level.rows, level.scaled_edges.const_view(), level.direction.const_view(),
+                                           level.residual.view()});
+}
+
+namespace detail {
+
+/// Levels of at most so many nodes are small. PHYSGEN_SMALL_LEVELS in the environment is a smaller number; of 0, every
+/// step is a launch, for comparisons.
+[[nodiscard]] inline index_t most_small_nodes() {
+  const char* given = std::getenv("PHYSGEN_SMALL_LEVELS");
+  return given == nullptr ? index_t{EdgeRows::most_nodes}
+                          : std::min(index_t{std::atol(given)}, index_t{EdgeRows::most_nodes});
+}
+constexpr std::size_t most_small_levels = 8;
+constexpr unsigned most_cluster_blocks = 16;  ///< all devices that have clusters allow 8
+constexpr int small_level_threads = 512;      ///< as many as have registers enough for what they do
+
+/// The arguments of run_small_levels(); levels as v_cycle() takes them.
+template <class Views>
+struct SmallLevels {
+  std::array<Views, most_small_levels> levels;  ///< behind `count` the last one again
+  std::size_t count;
+  PreconditionerSettings settings;
+
+  [[nodiscard]] __device__ std::size_t size() const { return count; }
+  [[nodiscard]] __device__ const Views* operator[](std::size_t l) const { return &levels[l]; }
+};
+
+template <class Views>
+__global__ void __launch_bounds__(small_level_threads)
+    run_small_levels(const __grid_constant__ SmallLevels<Views> levels) {
+  const ClusterExecutor on;
+  v_cycle(on, levels, 0, levels.settings);
+}
+
+/// Launches of a kernel by one cluster of thread blocks.
+struct ClusterLaunch {
+  cudaLaunchAttribute cluster{};
+  cudaLaunchConfig_t config{};
+
+  ClusterLaunch(unsigned blocks, Stream stream) {
+    cluster.id = cudaLaunchAttributeClusterDimension;
+    cluster.val.clusterDim = {blocks, 1, 1};
+    config.gridDim = blocks;
+    config.blockDim = small_level_threads;
+    config.stream = stream;
+    config.attrs = &cluster;
+    config.numAttrs = 1;
+  }
+  ClusterLaunch(const ClusterLaunch&) = delete;
+  ClusterLaunch& operator=(const ClusterLaunch&) = delete;
+};
+
+/// The thread blocks of a kernel's largest cluster: one where the device or the compiled kernel has no clusters.
+template <class Global>
+[[nodiscard]] unsigned blocks_of_cluster(Global* kernel) {
+  int device = 0, has_clusters = 0;
+  cudaFuncAttributes attributes{};
+  cuda::check(cudaGetDevice(&device), "asking for the current device");
+  cuda::check(cudaDeviceGetAttribute(&has_clusters, cudaDevAttrClusterLaunch, device),
+              "asking whether it has clusters");
+  cuda::check(cudaFuncGetAttributes(&attributes, kernel), "asking what a kernel was compiled for");
+  if (has_clusters == 0 || attributes.ptxVersion < 90) return 1;
+  cuda::check(cudaFuncSetAttribute(kernel, cudaFuncAttributeNonPortableClusterSizeAllowed, 1),
+              "allowing clusters of any size");
+  for (unsigned blocks = most_cluster_blocks; blocks > 1; blocks /= 2) {
+    int clusters = 0;
+    const ClusterLaunch launch(blocks, nullptr);
+    const cudaError_t answer = cudaOccupancyMaxActiveClusters(&clusters, kernel, &launch.config);
+    if (answer == cudaErrorInvalidClusterSize) {  // so devices refuse sizes that none of their kernels has
+      static_cast<void>(cudaGetLastError());
+      continue;
+    }
+    cuda::check(answer, "asking for the size of clusters");
+    if (clusters > 0) return blocks;
+  }
+  return 1;
+}
+
+template <class Levels, std::size_t... kNumbers>
+[[nodiscard]] auto level_views(Levels& levels, std::size_t first, std::index_sequence<kNumbers...> /*numbers*/) {
+  using Level = std::remove_reference_t<decltype(*levels[0])>;
+  return std::array{LevelViews<Level>(*levels[std::min(first + kNumbers, levels.size() - 1)])...};
+}
+
+}  // namespace detail
+
+/// See cycle.h.
+template <PerformsIn<Cuda> On, class Levels>
+bool cycle_at_once(On& on, Levels& levels, std::size_t l, const PreconditionerSettings& settings) {
+  using Level = std::remove_reference_t<decltype(*levels[0])>;
+  const std::size_t count = levels.size() - l;
+  if (count > detail::most_small_levels || !are_small(levels, l, detail::most_small_nodes())) return false;
+  using Small = detail::SmallLevels<LevelViews<Level>>;
+  const Small small{detail::level_views(levels, l, std::make_index_sequence<detail::most_small_levels>()), count,
+                    settings};
+  static thread_local int asked_device = -1;
+  static thread_local unsigned blocks = 1;
+  int device = 0;
+  cuda::check(cudaGetDevice(&device), "asking for the current device");
+  if (device != asked_device) blocks = detail::blocks_of_cluster(detail::run_small_levels<LevelViews<Level>>);
+  asked_device = device;
+  on.perform([&](Stream stream) {
+    if (blocks == 1) {
+      detail::run_small_levels<LevelViews<Level>><<<1, detail::small_level_threads, 0, stream>>>(small);
+      cuda::check(cudaGetLastError(), "launching the small levels of a cycle");
+    } else {
+      const detail::ClusterLaunch launch(blocks, stream);
+      cuda::check(cudaLaunchKernelEx(&launch.config, detail::run_small_levels<LevelViews<Level>>, small),
+                  "launching the small levels of a cycle");
+    }
+  });
+  return true;
+}
+
+}  // namespace physgen::fem

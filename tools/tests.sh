@@ -1,0 +1,61 @@
+# shellcheck shell=bash disable=SC2154
+# How tests are run: all, a quick selection, and random inputs. tools/dev sources this file and calls run_tests and fuzz; its $root,
+# $build and functions setup, build, jobs, say and fail are used here.
+
+run_tests() {
+  if [[ ${1-} == --quick ]]; then
+    shift
+    (($# == 0)) || fail "test --quick takes no other arguments, not $*"
+    quick_tests
+    return
+  fi
+  say '1 of 3: packages'
+  setup
+  say '2 of 3: compile everything'
+  build release
+  say "3 of 3: test; a line 'n/N Test' says how many of all are done"
+  ctest --test-dir "$build/release" --output-on-failure -j "$(jobs)" "$@" | shorten_skipped
+  return "${PIPESTATUS[0]}"
+}
+
+# Passes ctest's output on, but for the names of tests that were skipped, of which it gives the number.
+shorten_skipped() {
+  awk '
+    /^The following tests did not run:/ { listing = 1; next }
+    listing && /\((Skipped|Disabled)\)$/ { ++skipped; next }
+    listing && /\(/ { print "did not run: " $0; next }
+    listing && !NF { next }
+    { listing = 0; print; fflush() }
+    END { if (skipped) print skipped " tests were skipped: they need a GPU, a library or a compiler that is not here" }'
+}
+
+# Programs of tests that are run as they are, and the tests of ctest that need no more than these and the package.
+quick_programs=(generator_test emit_test runtime_narrow_test fem_mesh_test fem_probe_test coalescing_test vendor_library_test)
+quick_names='^(tools_dev|pages|sources\.hang|report\.figures|physgen_generate\.[a-z_]*$|generated\.|install\.(package|links|the_example_of_readme))'
+quick_tests() {
+  local program number=0 count=$((${#quick_programs[@]} + 1)) failed=()
+  setup
+  say "compiling what $count parts of the tests need"
+  build release "${quick_programs[@]}" physgen_command physgen_schemas physgen_installed
+  for program in "${quick_programs[@]}"; do
+    say "$((++number)) of $count: $program"
+    "$build/release/bin/$program" --gtest_brief=1 || failed+=("$program")
+  done
+  say "$count of $count: ctest -R '$quick_names'"
+  ctest --test-dir "$build/release" --output-on-failure -j "$(jobs)" -R "$quick_names" || failed+=(ctest)
+  ((!${#failed[@]})) || { say "failed: ${failed[*]}"; return 1; }
+  say 'all of the quick tests passed; tools/dev test runs the others, too'
+}
+
+fuzz() {
+  local duration=(--minutes 10) targets=(physgen_command) script=$build/release/fuzz/run
+  [[ " $* " != *' --minutes'* ]] || duration=()
+  if [[ ${1-} == --programs ]]; then
+    targets+=(physgen_runtime) script=$build/release/programs/run
+    shift
+  fi
+  setup
+  build release "${targets[@]}"
+  [[ -x $script ]] || fail 'fuzz needs LLVM for the generator and /usr/bin/python3'
+  nice "$script" "${duration[@]}" "$@"
+}
