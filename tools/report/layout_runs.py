@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs truthcube and linear_solves of two builds that differ in their layouts, and collects their times:
+"""Runs truthcube and physbench linear_solves of two builds that differ in their layouts, and collects their times:
 layout_runs.py build/release build/aos -o FILE.json [--device cpu|cuda] [--cells N]
 
 The first build has the layouts of the schemas, the second one layout for all arrays (cmake -DPHYSGEN_LAYOUT=aos). For
@@ -25,7 +25,7 @@ def measure(build, place, poisson, volume):
     if "failed" in whole:
         raise records.RunError(f"{build}: {whole['command']}: exit status {whole['status']}: {whole['failed']}")
     methods = ["--method", "multigrid", "block-jacobi", "--norm", "euclidean"]
-    linear = linear_solves_runs.run(str(build / "bin" / "linear_solves"), [*body, *methods])
+    linear = linear_solves_runs.run(str(build / "bin" / "physbench_solves"), [*body, *methods])
     return {"layout": whole["layout"], "whole": whole, "linear": linear}
 
 

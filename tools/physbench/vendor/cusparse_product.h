@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "block_matrix.h"
+#include "vendor/block_matrix.h"
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 /// Why cuSPARSE cannot be used here; empty where it can. It is looked for when the program runs, so that the program
 /// starts without it.
@@ -27,6 +27,11 @@ class CusparseProduct {
                                                                 std::span<const std::uint8_t> fixed, float* x, float* y,
                                                                 cudaStream_t stream);
 
+  /// cusparseSpMV() over block sparse rows. @pre and @throw as for fastest()
+  /// @param order the one that the matrix was made in
+  [[nodiscard]] static std::unique_ptr<CusparseProduct> make(const BlockMatrix& matrix, BlockOrder order, float* x,
+                                                             float* y, cudaStream_t stream);
+
   virtual ~CusparseProduct() = default;
   /// Orders a product; does not wait, and may be recorded in a graph. @throw Error when cuSPARSE refuses
   virtual void run() = 0;
@@ -40,4 +45,4 @@ class CusparseProduct {
   double seconds = 0;
 };
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

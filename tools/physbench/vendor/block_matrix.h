@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 /// Block sparse rows (BSR) of 3x3 blocks in float: row r has the blocks begin[r] .. begin[r + 1] - 1, by ascending
 /// columns. The rows and columns of prescribed components are 0.
@@ -24,4 +24,4 @@ enum class BlockOrder { by_columns, by_rows };  ///< of the nine scalars
 [[nodiscard]] BlockMatrix make_block_matrix(const fem::AssembledStiffness& stiffness,
                                             std::span<const std::uint8_t> fixed, BlockOrder order);
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

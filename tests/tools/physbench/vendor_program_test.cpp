@@ -1,16 +1,18 @@
 // The vendor's method on the CPU, over a product of block sparse rows that is written out here.
+#include "linear_solves/vendor_program.h"
+
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/levels/scattered.h>
 #include <fem/solver/linear/product_host.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>
-#include <truthcube/linear_solves/block_matrix.h>
-#include <truthcube/linear_solves/vendor_program.h>
 
 #include <cmath>
 
-namespace physgen::truthcube {
+#include "vendor/block_matrix.h"
+
+namespace physgen::bench {
 namespace {
 
 using fem::Point;
@@ -158,4 +160,4 @@ TEST(VendorProgram, counts_the_bytes_of_the_product_and_of_its_three_kernels) {
 }
 
 }  // namespace
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

@@ -1,18 +1,19 @@
-#include "cusparse_product.h"
+#include "vendor/cusparse_product.h"
 
 #include <physgen/cuda/check.h>
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 void CusparseProduct::forget_error() { (void)cudaGetLastError(); }
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench
 
 #if __has_include(<cusparse.h>)
 #include <cusparse.h>
-#include <physbench/vendor/library.h>
 
 #include <chrono>
+
+#include "vendor/library.h"
 
 // clang-format off
 #define PHYSGEN_CUSPARSE(USE) \
@@ -21,11 +22,10 @@ void CusparseProduct::forget_error() { (void)cudaGetLastError(); }
   USE(cusparseSpMV) USE(cusparseCreateMatDescr) USE(cusparseDestroyMatDescr) USE(cusparseSbsrmv)
 // clang-format on
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 namespace {
 
-using bench::VendorLibrary;
 PHYSGEN_VENDOR_LIBRARY(Cusparse, PHYSGEN_CUSPARSE, "libcusparse.so", {".12", ".13"});
 
 const Cusparse& library() {
@@ -175,6 +175,11 @@ double seconds_of(CusparseProduct& product, cudaStream_t stream) {
 
 std::string missing_cusparse() { return library().shared.missing(); }
 
+std::unique_ptr<CusparseProduct> CusparseProduct::make(const BlockMatrix& matrix, BlockOrder order, float* x, float* y,
+                                                       cudaStream_t stream) {
+  return std::make_unique<SpMV>(matrix, order, x, y, stream);
+}
+
 std::unique_ptr<CusparseProduct> CusparseProduct::fastest(const fem::AssembledStiffness& stiffness,
                                                           std::span<const std::uint8_t> fixed, float* x, float* y,
                                                           cudaStream_t stream) {
@@ -192,16 +197,16 @@ std::unique_ptr<CusparseProduct> CusparseProduct::fastest(const fem::AssembledSt
   };
   for (const BlockOrder order : {BlockOrder::by_columns, BlockOrder::by_rows}) {
     const BlockMatrix matrix = make_block_matrix(stiffness, fixed, order);
-    consider([&] { return std::make_unique<SpMV>(matrix, order, x, y, stream); });
+    consider([&] { return make(matrix, order, x, y, stream); });
     consider([&] { return std::make_unique<Bsrmv>(matrix, order, x, y, stream); });
   }
   if (best == nullptr) throw Error("cuSPARSE multiplies by no block matrix here:" + refusals);
   return best;
 }
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench
 #else
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 std::string missing_cusparse() { return "no cusparse.h where this was built: its rows are left out"; }
 
@@ -211,5 +216,10 @@ std::unique_ptr<CusparseProduct> CusparseProduct::fastest(const fem::AssembledSt
   throw Error(missing_cusparse());
 }
 
-}  // namespace physgen::truthcube
+std::unique_ptr<CusparseProduct> CusparseProduct::make(const BlockMatrix& /*matrix*/, BlockOrder /*order*/,
+                                                       float* /*x*/, float* /*y*/, cudaStream_t /*stream*/) {
+  throw Error(missing_cusparse());
+}
+
+}  // namespace physgen::bench
 #endif

@@ -8,17 +8,17 @@
 #include <span>
 #include <vector>
 
-#include "vendor_measurement.h"
+#include "linear_solves/vendor_measurement.h"
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 /// Solves K dx = -force in float, as often as the task says.
 /// @param fixed per node: bit k is set where component k is prescribed
 /// @param step where it is wanted
-/// @pre missing_cusparse() is empty (cusparse_product.h)
+/// @pre missing_cusparse() is empty (vendor/cusparse_product.h)
 /// @throw Error when sizes differ, or CUDA or cuSPARSE fails
 [[nodiscard]] VendorMeasurement solve_by_vendor(const fem::AssembledStiffness& stiffness,
                                                 std::span<const std::uint8_t> fixed, std::span<const fem::Point> force,
                                                 const fem::LinearTask& task, std::vector<fem::Point>* step);
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

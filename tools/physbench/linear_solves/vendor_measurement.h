@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 struct VendorMeasurement {
   /// Without assembly: the stiffness comes from the solver. The preconditioner is the inversion of the nodes' blocks.
@@ -14,4 +14,4 @@ struct VendorMeasurement {
   std::string note;     ///< where the loop could not be recorded as a graph: why
 };
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

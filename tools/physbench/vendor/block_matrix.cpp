@@ -1,10 +1,10 @@
-#include "block_matrix.h"
+#include "vendor/block_matrix.h"
 
 #include <physgen/error.h>
 
 #include <limits>
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 BlockMatrix make_block_matrix(const fem::AssembledStiffness& stiffness, std::span<const std::uint8_t> fixed,
                               BlockOrder order) {
@@ -60,4 +60,4 @@ BlockMatrix make_block_matrix(const fem::AssembledStiffness& stiffness, std::spa
   return matrix;
 }
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-#include "vendor_measurement.h"
-#include "vendor_steps.h"
+#include "linear_solves/vendor_measurement.h"
+#include "linear_solves/vendor_steps.h"
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 /// Solves K dx = -force in float.
 /// @tparam Product y = K x of the vectors that it is made for, in the stream of the executor: run(), name(), bytes(),
@@ -201,4 +201,4 @@ class VendorProgram {
   std::string note_;
 };
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

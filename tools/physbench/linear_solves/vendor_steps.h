@@ -5,7 +5,7 @@
 
 #include <fem/solver/levels/vector_steps.h>
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 /// Begins with dx = 0: r = f, z = D r, p = 0. Returns r . z.
 template <class ForceView, class InverseView, class StepView, class ResidualView, class CorrectionView,
@@ -97,4 +97,4 @@ struct SetVendorNorms {
 template <class View>
 SetVendorNorms(View, double) -> SetVendorNorms<View>;
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

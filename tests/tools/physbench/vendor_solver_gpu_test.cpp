@@ -5,12 +5,13 @@
 #include <gtest/gtest.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
-#include <truthcube/linear_solves/cusparse_product.h>
-#include <truthcube/linear_solves/vendor_solver.h>
 
 #include <cmath>
 
-namespace physgen::truthcube {
+#include "linear_solves/vendor_solver.h"
+#include "vendor/cusparse_product.h"
+
+namespace physgen::bench {
 namespace {
 
 using fem::Point;
@@ -92,4 +93,4 @@ TEST_F(VendorSolver, refuses_forces_of_another_mesh) {
 }
 
 }  // namespace
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

@@ -1,11 +1,11 @@
 #include <fem/solver/linear/product_cuda.h>
 #include <physgen/cuda/executor.h>
 
-#include "cusparse_product.h"
-#include "vendor_program.h"
-#include "vendor_solver.h"
+#include "linear_solves/vendor_program.h"
+#include "linear_solves/vendor_solver.h"
+#include "vendor/cusparse_product.h"
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 
 VendorMeasurement solve_by_vendor(const fem::AssembledStiffness& stiffness, std::span<const std::uint8_t> fixed,
                                   std::span<const fem::Point> force, const fem::LinearTask& task,
@@ -19,4 +19,4 @@ VendorMeasurement solve_by_vendor(const fem::AssembledStiffness& stiffness, std:
   return measurement;
 }
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench

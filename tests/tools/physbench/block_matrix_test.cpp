@@ -1,14 +1,15 @@
 // The block matrix that vendors' libraries are given, against the symmetric blocks that it is made from.
+#include "vendor/block_matrix.h"
+
 #include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/levels/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
-#include <truthcube/linear_solves/block_matrix.h>
 
 #include <cmath>
 
-namespace physgen::truthcube {
+namespace physgen::bench {
 namespace {
 
 using fem::Point;
@@ -106,4 +107,4 @@ TEST(BlockMatrix, refuses_prescribed_components_of_another_mesh) {
 }
 
 }  // namespace
-}  // namespace physgen::truthcube
+}  // namespace physgen::bench
