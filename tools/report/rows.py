@@ -1,4 +1,5 @@
 """Reads and checks the JSON files that physbench writes, and finds rows in them."""
+import fnmatch
 import functools
 import json
 import math
@@ -177,6 +178,35 @@ def _machine(space, context):
     cpu = re.sub(r"\((R|TM|tm)\)", "", str(context.get("cpu", "CPU")))
     threads = re.match(r"\d+", str(context.get("threads", "")))
     return " ".join(cpu.split()) + (f", {threads[0]} thread{'s' * (threads[0] != '1')}" if threads else "")
+
+
+class NamedRows:
+    """The rows of a file, found by their names, in which `*` stands for anything within a part."""
+
+    def __init__(self, path):
+        self.path, self.rows = path, load([str(path)]).files[0].rows
+        self._found = {}  # of patterns that were asked for
+
+    def all(self, *patterns):
+        """Rows whose names fit one of the patterns. @throws ResultsError where none fits"""
+        if patterns not in self._found:
+            self._found[patterns] = [row for row in self.rows if any(_fits(row.name, pattern) for pattern in patterns)]
+        found = list(self._found[patterns])
+        if not found:
+            raise ResultsError(f"{self.path} has no row {' or '.join(patterns)}; measure it, or ask for another name")
+        return found
+
+    def one(self, pattern):
+        """The only row of that name. @throws ResultsError where there is none, or more than one"""
+        found = self.all(pattern)
+        if len(found) > 1:
+            raise ResultsError(f"{self.path} has {len(found)} rows {pattern}; ask for one")
+        return found[0]
+
+
+def _fits(name, pattern):
+    name, pattern = name.split("/"), pattern.split("/")
+    return len(name) == len(pattern) and all(map(fnmatch.fnmatchcase, name, pattern))
 
 
 # ---- Finding rows ----------------------------------------------------------------------------------------------------
