@@ -12,6 +12,7 @@
 
 #include "measure/replay.h"
 #include "options.h"
+#include "report/results_file.h"
 #include "report/table.h"
 
 namespace physgen::bench {
@@ -120,12 +121,12 @@ int run(int argc, char** argv) {
   if (options.table) {
     display = std::make_unique<TableReporter>(session.rows(), facts);
   } else if (options.json) {
-    display = std::make_unique<PlainNames<benchmark::JSONReporter>>();
+    display = std::make_unique<PlainNames<ResultsReporter>>(options.group);
   } else {
     display = std::make_unique<PlainNames<benchmark::ConsoleReporter>>();
   }
   Watch watch(*display);
-  PlainNames<benchmark::JSONReporter> file;
+  PlainNames<ResultsReporter> file(options.group);
   const std::size_t ran = benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
   if (ran == 0) say_none_matched(options, session.rows());
   return ran == 0 || watch.failed ? 1 : 0;
