@@ -11,7 +11,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Folders whose sources are included by these paths.
 SEARCHED = ("runtime/include", "generator", "schemas", "tools", "tools/physbench", "tools/truthcube", "tools/physgen")
 # The folders of the solver, from the ground up. Its interface is below them, since all of them include it.
-SOLVER = ("", "/hierarchy", "/arrays", "/loads", "/elastic", "/schwarz", "/multigrid", "/linear", "/newton", "/solvers")
+SOLVER = (
+    *("", "/hierarchy", "/arrays", "/loads", "/elastic", "/levels", "/preconditioners/jacobi", "/preconditioners/none"),
+    *("/preconditioners/multigrid", "/preconditioners/schwarz", "/preconditioners", "/linear", "/newton", "/solvers"),
+)
 # The rooms of the house from the ground up: what stands in one of them includes nothing from those behind it.
 ROOMS = (
     *("runtime/include", "runtime/src", "schemas"),

@@ -8,7 +8,7 @@ namespace {
 bool has_implicit_dynamics(const Options& options) {
   const fem::SolverSettings& settings = options.solver;
   return settings.material == "stable-neo-hookean" && settings.precision == fem::TangentPrecision::float32 &&
-         settings.newton.preconditioner.kind != fem::Preconditioner::schwarz &&
+         !fem::asks_for(settings.newton.preconditioner.kind, fem::asks::arrays) &&
          options.volume != VolumeTreatment::nodes && options.plates == Plates::held && options.is_cube();
 }
 

@@ -14,10 +14,11 @@ const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
 const Names<fem::TangentPrecision> precisions{{"half", fem::TangentPrecision::half},
                                               {"float", fem::TangentPrecision::float32},
                                               {"double", fem::TangentPrecision::float64}};
-const Names<fem::Preconditioner> preconditioners{{"multigrid", fem::Preconditioner::multigrid},
-                                                 {"schwarz", fem::Preconditioner::schwarz},
-                                                 {"block-jacobi", fem::Preconditioner::block_jacobi},
-                                                 {"none", fem::Preconditioner::none}};
+const Names<fem::Preconditioner> preconditioners = [] {
+  Names<fem::Preconditioner> names;
+  for (const fem::PreconditionerRow& row : fem::preconditioner_rows) names.emplace_back(row.name, row.kind);
+  return names;
+}();
 const Names<bool> steppings{{"nested", true}, {"loads", false}};
 const Names<fem::Product> products{{"assembled", fem::Product::assembled}, {"matrix-free", fem::Product::matrix_free}};
 

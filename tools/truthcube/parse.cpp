@@ -36,7 +36,7 @@ Built: every material, precision and treatment of volume, on the CPU)"
     " and on CUDA"
 #endif
     ",\nin the layout " PHYSGEN_TRUTHCUBE_LAYOUT
-    ", with products assembled (under every preconditioner) or matrix-free (under block-jacobi and none)"
+    ", with products assembled (under every preconditioner) or matrix-free"
 #ifndef PHYSGEN_TRUTHCUBE_HAS_GMSH
     "; without Gmsh's library, so --mesh is refused"
 #endif
@@ -87,12 +87,10 @@ void check(const Options& options) {
                 "' has no separate part of the volume: write --volume tets, or choose another --material");
   }
   const fem::NewtonSettings& newton = options.solver.newton;
-  require(newton.product == fem::Product::assembled ||
-              newton.preconditioner.kind == fem::Preconditioner::block_jacobi ||
-              newton.preconditioner.kind == fem::Preconditioner::none,
-          "--product matrix-free goes with --preconditioner block-jacobi or none: the levels of multigrid and the "
-          "blocks of Schwarz are formed "
-          "from blocks of edges, which it does without");
+  const fem::PreconditionerRow& preconditioner = fem::row_of(newton.preconditioner.kind);
+  require(newton.product == fem::Product::assembled || (preconditioner.asked & fem::asks::edges) == 0,
+          "--product matrix-free goes with --preconditioner " + fem::preconditioners_without(fem::asks::edges) + ": " +
+              preconditioner.name + " is formed from blocks of edges, which it does without");
   require(options.volume != VolumeTreatment::nodes || newton.product == fem::Product::assembled,
           "--volume nodes goes with --product assembled: the other one, which --historical takes too, has the tangents "
           "of tets and patches alone");

@@ -1,5 +1,6 @@
 #include "run_bytes.h"
 
+#include <fem/solver/preconditioners/all.h>
 #include <quasistatic.physgen.h>
 
 namespace physgen::truthcube {
@@ -51,10 +52,10 @@ RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverS
     bytes.lists += 2 * bytes_of_mesh(levels[l]) + bytes_of_graph(levels[l], coarser, assembled);
   }
   const LevelCounts& finest = levels.front();
-  if (arrays.scene == SceneKind::explicit_dynamics) return bytes;             // whose lists are those of the mesh
-  if (settings.newton.preconditioner.kind == fem::Preconditioner::schwarz) {  // its slots, edges and terms
-    bytes.lists += 2 * index_bytes * (2 * finest.nodes + 2 * finest.edges);
-  }
+  if (arrays.scene == SceneKind::explicit_dynamics) return bytes;  // whose lists are those of the mesh
+  bytes.lists += fem::with_preconditioner(settings.newton.preconditioner.kind, [&]<class Type>() {
+    return Type::template bytes<fem::NoArrays>(finest.nodes, finest.edges).lists;
+  });
   bytes.lists += assembled
                      ? bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches)
                      : bytes_of_list(finest.nodes, finest.node_patches);

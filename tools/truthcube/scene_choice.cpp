@@ -61,8 +61,9 @@ void choose_declared(Options& options, const Given& given, const std::string& ma
   fem::NewtonSettings& newton = options.solver.newton;
   choose(options, given, "--product", assembled ? "assembled" : "matrix-free", newton.product,
          assembled ? fem::Product::assembled : fem::Product::matrix_free);
-  if (newton.preconditioner.kind == fem::Preconditioner::schwarz) {
-    throw Error(scene_name(options) + " has no --preconditioner schwarz: that is a choice of --scene everything");
+  if (const auto kind = newton.preconditioner.kind; fem::asks_for(kind, fem::asks::arrays)) {
+    throw Error(scene_name(options) + " has no --preconditioner " + fem::row_of(kind).name +
+                ": that is a choice of --scene everything");
   }
 }
 
@@ -103,10 +104,11 @@ void apply_scene(Options& options, const Given& given) {
       if (!given("--material")) options.solver.material = "stable-neo-hookean";
       if (!given("--precision")) options.solver.precision = fem::TangentPrecision::float32;
       if (arrays_of(options) == "everything") {
-        options.notes.emplace_back(
+        options.notes.push_back(
             "this motion runs on the arrays of the scene everything: those of implicit-dynamics are for the cube, of "
-            "stable-neo-hookean material, in float, without --volume nodes, --plates contact and --preconditioner "
-            "schwarz");
+            "stable-neo-hookean material, in float, without --volume nodes and --plates contact, under "
+            "--preconditioner " +
+            fem::preconditioners_without(fem::asks::arrays));
       }
       break;
     case SceneKind::explicit_dynamics:

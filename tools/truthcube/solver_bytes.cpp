@@ -1,6 +1,7 @@
 #include "solver_bytes.h"
 
 #include <fem/dynamics/explicit_body.h>
+#include <fem/solver/preconditioners/all.h>
 #include <fem/solver/solvers/all_arrays.h>
 #include <fem/solver/solvers/in_precision.h>
 #include <fem/solver/solvers/linear_types.h>
@@ -62,24 +63,12 @@ std::int64_t matrix_free_bytes(const LevelCounts& c, fem::MatrixFree needs) {
       {.node = c.nodes, .block_node = needs.blocks ? c.nodes : 0, .child = needs.coarser ? c.nodes : 0});
 }
 
-/// From above: blocks follow a curve through the nodes, so their number is not known before; what stands here of
-/// supernodes and edges is what cubes have.
+/// The arrays that a preconditioner has beside those of the level.
 template <class Types>
-std::int64_t schwarz_bytes(const LevelCounts& c) {
-  const std::int64_t blocks = (c.nodes + fem::schwarz_slots - 1) / fem::schwarz_slots;  // if none were prescribed
-  const std::int64_t coarse = blocks > 1 ? 1 + blocks / 18 : 0, all = blocks + coarse;
-  const std::int64_t supernodes = fem::schwarz_slots * coarse, pairs = supernodes * c.edges / c.nodes;
-  const std::int64_t inside = c.edges * 9 / 20, between = c.edges - inside;
-  return bytes_if_any<decltype(Types::Level::schwarz)>([&]<class Schwarz> {
-    return Schwarz::bytes({.node = c.nodes,
-                           .slot = fem::schwarz_slots * all,
-                           .block = all,
-                           .supernode = supernodes,
-                           .supernode_term = c.nodes + inside,
-                           .pair = pairs,
-                           .pair_term = between,
-                           .block_edge = inside,
-                           .factor = fem::schwarz_factors * all});
+std::int64_t extra_bytes(const LevelCounts& c, fem::Preconditioner kind) {
+  return bytes_if_any<decltype(Types::Level::extra)>([&]<class Extra> {
+    return fem::with_preconditioner(kind,
+                                    [&]<class Type>() { return Type::template bytes<Extra>(c.nodes, c.edges).device; });
   });
 }
 
@@ -166,8 +155,8 @@ RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSet
   const bool assembled = settings.newton.product == fem::Product::assembled;
   constexpr bool linear_elastic = requires { typename Types::Body; };
   const fem::TangentLists lists = fem::tangent_lists<typename Types::Space>(settings.newton);
-  const bool blocks = settings.newton.preconditioner.kind != fem::Preconditioner::none;
-  const bool schwarz = settings.newton.preconditioner.kind == fem::Preconditioner::schwarz;
+  const fem::Preconditioner kind = settings.newton.preconditioner.kind;
+  const bool blocks = fem::asks_for(kind, fem::asks::inverses);
   RunBytes bytes;
   for (std::size_t l = 0; l < used; ++l) {
     const std::int64_t linear = assembled ? level_bytes<Types>(levels[l], l + 1 < used ? &levels[l + 1] : nullptr)
@@ -181,7 +170,7 @@ RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSet
     };
     const std::int64_t vectors = Types::Vectors::bytes({.node = levels[l].nodes});
     bytes.levels.push_back(
-        linear + (l < solved ? body() + vectors : 0) + (l < solved && schwarz ? schwarz_bytes<Types>(levels[l]) : 0) +
+        linear + (l < solved ? body() + vectors : 0) + (l < solved ? extra_bytes<Types>(levels[l], kind) : 0) +
         plane_bytes<Types>(levels[l], arrays.planes, l < solved) +
         (arrays.scene == SceneKind::implicit_dynamics ? inertia_bytes<Types>(levels[l], l < solved) : 0));
   }

@@ -1,8 +1,8 @@
 // Checks of products by rows of nodes, the same for CPU and CUDA.
 #pragma once
 
-#include <fem/solver/multigrid/row_product.h>
-#include <fem/solver/multigrid/smoother.h>
+#include <fem/solver/preconditioners/multigrid/row_product.h>
+#include <fem/solver/preconditioners/multigrid/smoother.h>
 
 #include "symmetric_product_checks.h"
 

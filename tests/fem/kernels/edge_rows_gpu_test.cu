@@ -1,5 +1,5 @@
 // Products by rows of nodes on CUDA, a row by eight lanes.
-#include <fem/solver/multigrid/small_levels_cuda.h>
+#include <fem/solver/preconditioners/multigrid/small_levels_cuda.h>
 
 #include "edge_rows_checks.h"
 

@@ -1,5 +1,5 @@
 // The assembled stiffness as users get it, and linear solves that are measured by it.
-#include <fem/solver/multigrid/scattered.h>
+#include <fem/solver/levels/scattered.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 

@@ -3,7 +3,7 @@
 
 #include <everything.scene.h>
 #include <fem/solver/elastic/equilibrium_arrays.h>
-#include <fem/solver/multigrid/linear_level.h>
+#include <fem/solver/levels/linear_level.h>
 #include <physgen/probe.h>
 
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <fem/mesh/mesh_arrays.h>
-#include <fem/solver/multigrid/make_linear_levels.h>
+#include <fem/solver/preconditioners/make_linear_levels.h>
 #include <fem/solver/solvers/solver_program.h>
 
 #include <utility>

@@ -1,6 +1,6 @@
 // The block matrix that vendors' libraries are given, against the symmetric blocks that it is made from.
 #include <fem/solver/hierarchy/hierarchy.h>
-#include <fem/solver/multigrid/scattered.h>
+#include <fem/solver/levels/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>

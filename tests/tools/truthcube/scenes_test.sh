@@ -69,7 +69,7 @@ case $rule in
   flags_that_choose_otherwise_are_refused)
     expect_refused 'no scene matrix-fre; did you mean matrix-free[?]' --scene matrix-fre
     expect_refused 'matrix-free stands for --product matrix-free, and another is given' --scene matrix-free --product assembled
-    expect_refused 'goes with --preconditioner block-jacobi or none' --scene matrix-free --preconditioner multigrid
+    expect_refused 'goes with --preconditioner block-jacobi, none' --scene matrix-free --preconditioner multigrid
     expect_refused 'fixed-corotated stands for --material fixed-corotated' --scene fixed-corotated --material neo-hookean
     expect_refused 'quasistatic stands for --precision float, and another is given' --scene quasistatic --precision double
     expect_refused 'quasistatic stands for --volume patches' --scene quasistatic --volume nodes

@@ -1,7 +1,7 @@
 // The vendor's method on the CPU, over a product of block sparse rows that is written out here.
 #include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/levels/scattered.h>
 #include <fem/solver/linear/product_host.h>
-#include <fem/solver/multigrid/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/executor.h>

@@ -1,6 +1,6 @@
 // Conjugate gradients over cuSPARSE's product against the solver's own.
 #include <fem/solver/hierarchy/hierarchy.h>
-#include <fem/solver/multigrid/scattered.h>
+#include <fem/solver/levels/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <gtest/gtest.h>
 #include <physgen/device.h>

@@ -10,4 +10,8 @@ namespace physgen::fem {
 template <class On, class Space>
 concept PerformsIn = RunsIn<On, Space> && !requires { On::only_counts; };
 
+/// Such an executor that only counts.
+template <class On>
+concept OnlyCounts = requires { On::only_counts; };
+
 }  // namespace physgen::fem

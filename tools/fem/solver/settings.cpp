@@ -17,7 +17,7 @@ void add_increment(NewtonResult& total, NewtonResult result) {
 }
 
 UsedLevels used_levels(const SolverSettings& settings, std::size_t levels, std::size_t meshes) {
-  const bool coarser = settings.newton.preconditioner.kind == Preconditioner::multigrid || settings.nested;
+  const bool coarser = asks_for(settings.newton.preconditioner.kind, asks::coarser) || settings.nested;
   const std::size_t all = coarser ? levels : 1;
   const auto kept = static_cast<std::size_t>(std::max(settings.coarsest_nested, 0));
   const std::size_t solved = settings.nested && all > kept ? std::min(all - kept, meshes) : 1;

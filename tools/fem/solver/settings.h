@@ -1,6 +1,8 @@
 // Everything that one may choose of the solver, and what its steps report; plain values.
 #pragma once
 
+#include <fem/solver/preconditioner_rows.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,8 +23,6 @@ struct LinearResult {
   LinearStatus status = LinearStatus::running;
   double reduction = 1;  ///< of sqrt(r . z)
 };
-
-enum class Preconditioner { multigrid, schwarz, block_jacobi, none };
 
 /// A way to multiply the tangent with a vector.
 enum class Product {

@@ -1,6 +1,6 @@
 #include "measure.h"
 
-#include <fem/solver/multigrid/scattered.h>
+#include <fem/solver/levels/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <physgen/error.h>
 #include <truthcube/memory.h>

@@ -1,9 +1,9 @@
 // Kernels: the steps of conjugate gradients between two products of a vendor's library, as few passes over the vectors
 // as there can be. Vectors have no gaps, as libraries want them, and are 0 in prescribed components, since the rows,
-// columns and block inverses there are 0. Signs are those of fem/solver/multigrid/vector_steps.h.
+// columns and block inverses there are 0. Signs are those of fem/solver/levels/vector_steps.h.
 #pragma once
 
-#include <fem/solver/multigrid/vector_steps.h>
+#include <fem/solver/levels/vector_steps.h>
 
 namespace physgen::truthcube {
 

@@ -1,6 +1,6 @@
 // Which levels of a V-cycle CUDA runs in one kernel.
 #include <fem/solver/hierarchy/background_grid.h>
-#include <fem/solver/multigrid/level_views.h>
+#include <fem/solver/preconditioners/multigrid/level_views.h>
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -1,5 +1,5 @@
 // Blocks and supernodes of the Schwarz preconditioner on irregular meshes, and where pieces stay apart.
-#include <fem/solver/schwarz/schwarz_hierarchy.h>
+#include <fem/solver/preconditioners/schwarz/schwarz_hierarchy.h>
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,8 +1,8 @@
 // The operator of the multilevel Schwarz preconditioner by itself: against dense algebra, and what it makes of blocks
 // that are not positive definite.
 #include <fem/solver/elastic/tangent_blocks.h>
-#include <fem/solver/multigrid/scaled_blocks.h>
-#include <fem/solver/schwarz/schwarz_host.h>
+#include <fem/solver/levels/scaled_blocks.h>
+#include <fem/solver/preconditioners/schwarz/preconditioner.h>
 #include <fem/solver/solvers/all_arrays.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ struct Prepared {
       : graph(make_level_graphs(mesh).front()),
         hierarchy(make_schwarz_hierarchy(graph, mesh[0].rest)),
         level(graph, nullptr) {
-    level.use_schwarz(graph, mesh[0].rest);
+    Schwarz::make_arrays(level, graph, mesh[0].rest);
     for (index_t e = 0; e < level.edge_count(); ++e) {
       level.edge_stiffness.view()[e].E() = Matrix3<Real>(blocks[std::size_t(e)].cast<Real>());
     }

@@ -42,7 +42,7 @@ enum class TangentLists {
 template <class Space>
 [[nodiscard]] TangentLists tangent_lists(const NewtonSettings& settings) {
   if (settings.product == Product::assembled) return TangentLists::of_edges;
-  const bool blocks = settings.preconditioner.kind != Preconditioner::none;
+  const bool blocks = asks_for(settings.preconditioner.kind, asks::inverses);
   return blocks || Space::kind == SpaceKind::host ? TangentLists::of_nodes : TangentLists::none;
 }
 

@@ -132,31 +132,6 @@ struct OfLevel {
   };
 };
 
-/// The multilevel Schwarz preconditioner of one level.
-struct OfSchwarz {
-  struct Schwarz {
-    PHYSGEN_ARRAY(per("node"), input()) Array<quasistatic::SchwarzNodeObject, Real> nodes;
-    PHYSGEN_ARRAY(per("slot"), input()) Array<quasistatic::SchwarzSlotObject, Real> slots;
-    PHYSGEN_ARRAY(per("block"), input("parent", "children", "arrived"))
-    Array<quasistatic::SchwarzBlockObject, Real> blocks;
-    PHYSGEN_ARRAY(per("supernode"), input()) Array<elasticity::IncidenceRangeObject, float> supernode_term_ranges;
-    PHYSGEN_ARRAY(per("supernode_term"), input()) Array<quasistatic::SchwarzTermObject, float> supernode_term_entries;
-    PHYSGEN_ARRAY(per("pair"), input()) Array<elasticity::IncidenceRangeObject, float> pair_term_ranges;
-    PHYSGEN_ARRAY(per("pair_term"), input()) Array<quasistatic::SchwarzTermObject, float> pair_term_entries;
-    PHYSGEN_ARRAY(per("block"), input()) Array<elasticity::IncidenceRangeObject, float> block_edge_ranges;
-    PHYSGEN_ARRAY(per("block_edge"), input()) Array<quasistatic::SchwarzPairObject, float> block_edge_entries;
-
-    // Supernodes of all levels but the first.
-    PHYSGEN_ARRAY(per("supernode")) Array<quasistatic::SupernodeObject, Real> supernodes;
-    PHYSGEN_ARRAY(per("pair")) Array<elasticity::EdgeStiffnessObject, Real> pair_stiffness;
-    /// r, summed over the nodes of each supernode.
-    PHYSGEN_ARRAY(per("supernode")) Array<elasticity::NodeForceDifferentialObject, Real> residual;
-    /// z
-    PHYSGEN_ARRAY(per("supernode")) Array<elasticity::NodeDisplacementObject, Real> correction;
-    PHYSGEN_ARRAY(per("factor")) Array<quasistatic::SchwarzFactorObject, Real> factors;
-  };
-};
-
 /// The rigid planes that the body may touch.
 struct OfPlanes {
   struct Planes {

@@ -45,7 +45,7 @@ auto in_half() {
 
 }  // namespace detail
 
-/// The blocks of edges, and the factors of Schwarz blocks, as they are computed.
+/// The blocks of edges, and the factors of preconditioners' blocks, as they are computed.
 struct StoredAsComputed {
   static constexpr bool rounds = false;
   template <class Tag, class Array>

@@ -4,10 +4,10 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <fem/solver/levels/vector_steps.h>
 #include <fem/solver/linear/residual_norms.h>
 #include <fem/solver/linear/tangent_product.h>
-#include <fem/solver/multigrid/multigrid.h>
-#include <fem/solver/multigrid/vector_steps.h>
+#include <fem/solver/preconditioners/all.h>
 
 namespace physgen::fem {
 

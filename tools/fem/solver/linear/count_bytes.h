@@ -3,8 +3,7 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product.h>
-#include <fem/solver/multigrid/cycle.h>
-#include <fem/solver/schwarz/schwarz.h>
+#include <fem/solver/preconditioners/multigrid/cycle.h>
 #include <physgen/rows.h>
 #include <physgen/view.h>
 
@@ -92,10 +91,14 @@ class ByteCounter {
   /// Since this was made; of loops one round.
   [[nodiscard]] index_t bytes() const { return bytes_; }
   void add(index_t bytes) { bytes_ += bytes; }
+  template <class Kernel>
+  void count(const Kernel& kernel) {
+    add(detail::bytes_of_views(kernel));
+  }
 
   template <class Kernel>
   void run(index_t n, const Kernel& kernel) {
-    if (n > 0) add(detail::bytes_of_views(kernel));
+    if (n > 0) count(kernel);
   }
   template <class Kernel, class Fold, class Then>
   void reduce(index_t n, const Kernel& kernel, Fold /*fold*/, const Then& /*then*/) {
@@ -130,13 +133,6 @@ void add_scaled_edges(ByteCounter<Space>& on, Level& level) {
     on.add(detail::bytes_of_views(product.edge_stiffness) + detail::bytes_of_views(product.displacements) +
            detail::bytes_of_views(product.differentials) + level.rows.bytes());
   }
-}
-
-/// Blocks of the Schwarz preconditioner.
-template <class Space, class... Views>
-void apply_blocks(ByteCounter<Space>& on, const SchwarzProduct<Views...>& product,
-                  const std::vector<Index>& /*first_block*/) {
-  on.add(detail::bytes_of_views(product));
 }
 
 }  // namespace physgen::fem

@@ -1,13 +1,9 @@
-// The steps that executors do in ways of their own: on CUDA, where the file is compiled for it, and else on the CPU, so
-// that one source is the program of both.
+// The products that executors do in ways of their own: on CUDA, where the file is compiled for it, and else on the CPU,
+// so that one source is the program of both.
 #pragma once
 
 #ifdef __CUDACC__
 #include <fem/solver/linear/product_cuda.h>
-#include <fem/solver/multigrid/coarse_inverse_cuda.h>
-#include <fem/solver/multigrid/small_levels_cuda.h>
-#include <fem/solver/schwarz/schwarz_cuda.h>
 #else
 #include <fem/solver/linear/product_host.h>
-#include <fem/solver/schwarz/schwarz_host.h>
 #endif

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product_cuda.h>
-#include <fem/solver/multigrid/cycle.h>
-#include <fem/solver/multigrid/row_product.h>
-#include <fem/solver/multigrid/small_levels_cuda.h>
 #include <fem/solver/performs_in.h>
 #include <physgen/cuda/executor.h>
 
@@ -20,42 +17,6 @@ void multiply(On& on, const SymmetricProduct<Views...>& product, const EdgeSums&
 template <PerformsIn<Cuda> On, class... Views>
 void add_edges(On& on, const SymmetricProduct<Views...>& product, const EdgeSums& sums) {
   on.perform([&](Stream stream) { add_edges(Cuda{}, product, sums, SumOrder::any, stream); });
-}
-
-namespace detail {
-
-template <class On, class Level, class DisplacementView, class DifferentialView>
-void add_scaled_edges(On& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
-  if (level.rows.is_empty()) {
-    add_edges(on, scaled_product(level, x, y), level.sums);
-  } else {
-    run_rows(on, level.nodes(), AddRowProduct{level.rows.view(), level.scaled_edges.const_view(), x, y});
-  }
-}
-
-}  // namespace detail
-
-/// r += the edges' part of K d of a level's scaled stiffness.
-template <PerformsIn<Cuda> On, class Level>
-void add_scaled_edges(On& on, Level& level) {
-  detail::add_scaled_edges(on, level, level.direction.const_view(), level.residual.view());
-}
-
-/// y = K x of a level's scaled stiffness.
-template <PerformsIn<Cuda> On, class Level, class DisplacementView, class DifferentialView>
-void multiply_scaled(On& on, Level& level, const DisplacementView& x, const DifferentialView& y) {
-  on.run(level.nodes(), MultiplyNodes{level.scaled_nodes.const_view(), x, y});
-  detail::add_scaled_edges(on, level, x, y);
-}
-
-/// At each entry of rows, where a level has them.
-template <PerformsIn<Cuda> On, class Level, class Kernel>
-void scale_edges(On& on, Level& level, const Kernel& kernel) {
-  if (level.rows.is_empty()) {
-    on.run(level.edge_count(), kernel);
-  } else {
-    on.run(level.scaled_edges.size(), AtEntries{kernel, level.node_edges.const_view().entries()});
-  }
 }
 
 }  // namespace physgen::fem

@@ -14,8 +14,8 @@
 #include <fem/kernels/stress_differential.h>
 #include <fem/solver/elastic/corner_sums.h>
 #include <fem/solver/elastic/evaluate_tets.h>
-#include <fem/solver/multigrid/linear_level.h>
-#include <fem/solver/multigrid/scaled_blocks.h>
+#include <fem/solver/levels/linear_level.h>
+#include <fem/solver/levels/scaled_blocks.h>
 #include <fem/solver/settings.h>
 #include <physgen/add.h>
 #include <physgen/kernel.h>
@@ -275,7 +275,7 @@ void add_tangents(On& on, Arrays& a, const DisplacementView& dx, const Different
 /// array.
 template <class On, class Arrays, class Level>
 void prepare_nodes(On& on, Arrays& a, Level& level, const PreconditionerSettings& settings) {
-  if (settings.kind == Preconditioner::none) return;
+  if (!asks_for(settings.kind, asks::inverses)) return;
   const auto node_tets = a.node_tets.const_view();
   const auto tangent = a.chunk_arrays->tangent.const_view();
   const auto blocks = level.node_stiffness.view();

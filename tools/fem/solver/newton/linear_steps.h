@@ -169,9 +169,9 @@ void solve_linear_matrix_free(On& on, typename On::Loop& loop, Body& a, Level& l
   };
   const auto precondition = [&] {
     if (blocks) {
-      on.run(n, ApplyBlockJacobi{level.inverse.const_view(), level.residual.const_view(), level.correction.view()});
+      BlockJacobi::apply(on, level);
     } else {
-      on.run(n, CopyResidual{level.residual.const_view(), level.correction.view()});
+      NoPreconditioner::apply(on, level);
     }
   };
   take_linear_step(on, a, level, v, [&] {

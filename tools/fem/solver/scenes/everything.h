@@ -4,6 +4,7 @@
 #include <fem/materials/stable_neo_hookean.h>
 #include <fem/solver/arrays/solver_groups.h>
 #include <fem/solver/linear/performed_steps.h>
+#include <fem/solver/preconditioners/schwarz/schwarz_group.h>
 #include <fem/solver/solvers/solver_program.h>
 #include <physgen/scene.h>
 

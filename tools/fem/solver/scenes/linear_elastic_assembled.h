@@ -5,6 +5,8 @@
 #include <fem/solver/arrays/solver_groups.h>
 #include <fem/solver/linear/performed_steps.h>
 #include <fem/solver/newton/linear_steps.h>
+#include <fem/solver/preconditioners/extra_arrays.h>
+#include <fem/solver/preconditioners/schwarz/schwarz_group.h>
 #include <physgen/scene.h>
 
 #include <memory>
@@ -28,11 +30,11 @@ struct PHYSGEN_SCENE() linear_elastic_assembled : fem::groups::OfLinear,
   static void program(On& on, Linear& linear, Level& level, Schwarz& schwarz, Krylov& krylov, Stresses& stresses,
                       const fem::NewtonSettings& settings, const fem::LameParameters& lame, double load) {
     using namespace fem;
-    using Over = LevelOver<Real, typename On::Space, StoredInHalf, AssembledAnywhere, Level, SchwarzOver<Schwarz>,
+    using Over = LevelOver<Real, typename On::Space, StoredInHalf, AssembledAnywhere, Level, ExtraOver<Schwarz>,
                            NoArrays, NoArrays>;
     std::vector<std::unique_ptr<Over>> levels;
     levels.push_back(std::make_unique<Over>(std::move(level)));
-    levels[0]->schwarz = std::make_unique<SchwarzOver<Schwarz>>(std::move(schwarz));
+    levels[0]->extra = std::make_unique<ExtraOver<Schwarz>>(std::move(schwarz));
     typename On::Loop loop;
     begin_linear(on, linear, *levels[0], lame, load);
     prepare_linear(on, linear, levels, lame, settings.preconditioner);

@@ -3,7 +3,8 @@
 
 #include <everything.scene.h>
 #include <fem/solver/elastic/equilibrium_arrays.h>
-#include <fem/solver/multigrid/linear_level.h>
+#include <fem/solver/levels/linear_level.h>
+#include <fem/solver/preconditioners/extra_arrays.h>
 
 namespace physgen::fem {
 
@@ -15,7 +16,7 @@ using EquilibriumArrays = EquilibriumOver<
 /// @tparam Stored StoredAsComputed or StoredInHalf
 template <class Real, class Space, class Stored>
 using LinearLevel = LevelOver<Real, Space, Stored, AnyChoice, scenes::everything_scene::Level<Space, Real, Stored>,
-                              SchwarzOver<scenes::everything_scene::Schwarz<Space, Real, Stored>>,
+                              ExtraOver<scenes::everything_scene::Schwarz<Space, Real, Stored>>,
                               PlanesOver<scenes::everything_scene::Planes<Space, Real>>,
                               InertiaOver<scenes::everything_scene::Inertia<Space, Real>>>;
 

@@ -5,8 +5,8 @@
 #include <fem/solver/arrays/host_points.h>
 #include <fem/solver/arrays/node_vectors.h>
 #include <fem/solver/loads/loading_arrays.h>
-#include <fem/solver/multigrid/make_linear_levels.h>
 #include <fem/solver/newton/linear_steps.h>
+#include <fem/solver/preconditioners/make_linear_levels.h>
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/linear_body.h>
 #include <fem/solver/solvers/make_executor.h>
@@ -159,7 +159,7 @@ class LinearSolverOf final : public EquilibriumSolver {
       solve_linear(*on_, loop_, body_, linear_, vectors_, newton, linear_tolerance());
     } else {
       Level& level = *linear_[0];
-      const bool blocks = newton.preconditioner.kind == Preconditioner::block_jacobi;
+      const bool blocks = asks_for(newton.preconditioner.kind, asks::inverses);
       if (blocks && !prepared) prepare_linear_nodes(*on_, body_, level, lame_);
       solve_linear_matrix_free(*on_, loop_, body_, level, vectors_, lame_, blocks, linear_tolerance(),
                                newton.most_iterations);

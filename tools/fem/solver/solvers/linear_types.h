@@ -2,7 +2,8 @@
 #pragma once
 
 #include <fem/solver/arrays/run_time_choices.h>
-#include <fem/solver/multigrid/linear_level.h>
+#include <fem/solver/levels/linear_level.h>
+#include <fem/solver/preconditioners/extra_arrays.h>
 #include <linear_elastic.scene.h>
 #include <linear_elastic_assembled.scene.h>
 
@@ -17,7 +18,7 @@ struct LinearAssembledArrays {
   using Level =
       LevelOver<Real, Space, Stored, AssembledAnywhere,
                 scenes::linear_elastic_assembled_scene::Level<Space, Real, Stored>,
-                SchwarzOver<scenes::linear_elastic_assembled_scene::Schwarz<Space, Real, Stored>>, NoArrays, NoArrays>;
+                ExtraOver<scenes::linear_elastic_assembled_scene::Schwarz<Space, Real, Stored>>, NoArrays, NoArrays>;
   using Vectors = scenes::linear_elastic_assembled_scene::Krylov<Space, Real>;
 };
 

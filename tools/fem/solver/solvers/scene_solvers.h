@@ -19,7 +19,7 @@ namespace physgen::fem {
                                                                    const SolverSettings& settings);
 
 /// Motion of the scene implicit_dynamics: of stable Neo-Hookean bodies, in float, whose volumes are those of tets or
-/// patches, by every preconditioner of assembled products on meshes but Schwarz.
+/// patches, by every preconditioner of assembled products on meshes without extra arrays.
 /// @throw Error naming what settings, levels or loading ask for that it has not; and as make_implicit_solver() does
 [[nodiscard]] std::unique_ptr<DynamicSolver> make_scene_implicit_solver(const std::vector<MeshLevel>& levels,
                                                                         const Loading& loading,

@@ -6,7 +6,7 @@
 #include <fem/solver/arrays/run_time_choices.h>
 #include <fem/solver/elastic/equilibrium_arrays.h>
 #include <fem/solver/elastic/evaluate.h>
-#include <fem/solver/multigrid/linear_level.h>
+#include <fem/solver/levels/linear_level.h>
 #include <fem/solver/settings.h>
 #include <implicit_dynamics.scene.h>
 #include <quasistatic.scene.h>
@@ -17,7 +17,7 @@
 
 namespace physgen::fem {
 
-/// A level without Schwarz blocks, planes and inertia. @tparam Group Level of a scene
+/// A level without extra arrays of preconditioners, planes and inertia. @tparam Group Level of a scene
 template <class Choices, class Group>
 using SceneLevel =
     LevelOver<float, typename Group::Space, StoredAsComputed, Choices, Group, NoArrays, NoArrays, NoArrays>;

@@ -4,8 +4,8 @@
 
 #include <fem/solver/arrays/host_points.h>
 #include <fem/solver/loads/loading_arrays.h>
-#include <fem/solver/multigrid/make_linear_levels.h>
 #include <fem/solver/newton/newton.h>
+#include <fem/solver/preconditioners/make_linear_levels.h>
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/make_executor.h>
 

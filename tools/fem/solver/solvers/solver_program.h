@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fem/solver/newton/implicit_step.h>
+#include <fem/solver/preconditioners/extra_arrays.h>
 #include <fem/solver/solvers/nested_newton.h>
 
 #include <memory>
@@ -25,7 +26,7 @@ struct EachGroup<std::vector<Group>> {
 /// References to the groups of arrays of a scene, or to NoArrays; solver_groups.h says what is in each. Levels are one
 /// group, or a vector of them, finest first, on the first of which equilibrium is solved; so is inertia, which then has
 /// a group for each level.
-template <class Body_, class Patches_, class Rings_, class Chunk_, class Level_, class Schwarz_, class Planes_,
+template <class Body_, class Patches_, class Rings_, class Chunk_, class Level_, class Extra_, class Planes_,
           class Inertia_, class Krylov_>
 struct SolverGroups {
   using Body = Body_;
@@ -34,7 +35,7 @@ struct SolverGroups {
   using Chunk = Chunk_;
   using Levels = Level_;
   using Level = typename detail::EachGroup<Level_>::type;
-  using Schwarz = Schwarz_;
+  using Extra = Extra_;
   using Planes = Planes_;
   using Inertias = Inertia_;
   using Inertia = typename detail::EachGroup<Inertia_>::type;
@@ -44,7 +45,7 @@ struct SolverGroups {
   Rings& rings;
   Chunk& chunk;
   Levels& levels;
-  Schwarz& schwarz;
+  Extra& extra;
   Planes& planes;
   Inertias& inertia;
   Krylov& krylov;
@@ -65,11 +66,11 @@ struct ProgramTypes {
   using Space = typename On::Space;
   using Patches = OverGroup<PatchesOver, typename Groups::Patches>;
   using Rings = OverGroup<RingsOver, typename Groups::Rings>;
-  using Schwarz = OverGroup<SchwarzOver, typename Groups::Schwarz>;
+  using Extra = OverGroup<ExtraOver, typename Groups::Extra>;
   using Planes = OverGroup<PlanesOver, typename Groups::Planes>;
   using Inertia = OverGroup<InertiaOver, typename Groups::Inertia>;
   using Arrays = EquilibriumOver<Real, typename Groups::Body, Patches, Rings, typename Groups::Chunk>;
-  using Level = LevelOver<Real, Space, Stored, Choices, typename Groups::Level, Schwarz, Planes, Inertia>;
+  using Level = LevelOver<Real, Space, Stored, Choices, typename Groups::Level, Extra, Planes, Inertia>;
   using Vectors = typename Groups::Krylov;
   using Material = MaterialSteps<Material_>;
 };
@@ -78,7 +79,7 @@ struct ProgramTypes {
 struct MeshFacts {
   std::vector<TetChunk> chunks;
   std::vector<EdgeSums> sums;                  ///< of each level, where the stiffness is assembled
-  std::vector<Index> first_block, first_pair;  ///< where there is a Schwarz preconditioner, as SchwarzHierarchy's
+  ExtraFacts extra;                            ///< where a preconditioner has arrays beside those of levels
   double plane_stiffness = 0;                  ///< of rigid planes, per area [Pa/m]
   double rounding_force = 0;                   ///< see NewtonSettings
   double node_stiffness = 0;                   ///< of a node, elastic and by inertia, for bodies that move [N/m]
@@ -117,11 +118,8 @@ class SolverProgram : private NestedNewton<On, Types> {
       if (level.assembled) level.sums = std::move(facts.sums.at(linear_.size() - 1));
     });
     auto& level = *linear_.front();
-    take(level.schwarz, groups.schwarz);
-    where(level.schwarz, [&](auto& schwarz) {
-      schwarz.first_block = facts.first_block;
-      schwarz.first_pair = facts.first_pair;
-    });
+    take(level.extra, groups.extra);
+    where(level.extra, [&](auto& extra) { static_cast<ExtraFacts&>(extra) = facts.extra; });
     take(level.planes, groups.planes);
     where(level.planes, [&](auto& planes) { planes.per_area = facts.plane_stiffness; });
     for_each_inertia([](auto& over, auto& group) { take(over, group); });
@@ -147,7 +145,7 @@ class SolverProgram : private NestedNewton<On, Types> {
       if (linear_[l]->assembled) facts_.sums[l] = std::move(linear_[l]->sums);
       group = std::move(static_cast<typename Groups::Level&>(*linear_[l++]));
     });
-    give_back(level.schwarz, groups_.schwarz);
+    give_back(level.extra, groups_.extra);
     give_back(level.planes, groups_.planes);
     for_each_inertia([](auto& over, auto& group) { give_back(over, group); });
     groups_.krylov = std::move(*vectors_.front());

@@ -41,12 +41,9 @@ void require_settings(const SolverSettings& settings) {
   require_least("the number of iterations of conjugate gradients", newton.most_iterations, 1);
   require_least("the number of halvings of a step", newton.most_halvings, 0);
   require_least("the number of bisections of an increment", settings.most_bisections, 0);
-  if (newton.product == Product::matrix_free && preconditioner.kind != Preconditioner::block_jacobi &&
-      preconditioner.kind != Preconditioner::none) {
-    throw Error(
-        "the matrix-free product goes with block Jacobi or no preconditioner: levels of multigrid and blocks of "
-        "Schwarz are formed from "
-        "blocks of edges, which it does without");
+  if (newton.product == Product::matrix_free && asks_for(preconditioner.kind, asks::edges)) {
+    throw Error("the matrix-free product goes with the preconditioners " + preconditioners_without(asks::edges) + ": " +
+                row_of(preconditioner.kind).name + " is formed from blocks of edges, which it does without");
   }
   require_least("the degree of the smoother", preconditioner.degree, 1);
   require_least("the number of power iterations", preconditioner.first_power_steps, 1);
@@ -158,7 +155,9 @@ void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& 
   require((newton.product == Product::assembled) == scene.assembled,
           scene.assembled ? "assembles its stiffness, and the matrix-free product is asked for"
                           : "assembles no stiffness, and the assembled product is asked for");
-  require(newton.preconditioner.kind != Preconditioner::schwarz, "has no Schwarz preconditioner");
+  const PreconditionerRow& preconditioner = row_of(newton.preconditioner.kind);
+  require((preconditioner.asked & asks::arrays) == 0,
+          "has no " + std::string(preconditioner.title) + " preconditioner");
   require(loading.planes.empty(), "has no rigid planes");
   for (const MeshLevel& level : levels) {
     require(!level.is_grid(), "has no levels of a background grid; give meshes whose coarsest is small");

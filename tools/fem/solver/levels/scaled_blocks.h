@@ -3,6 +3,7 @@
 // semidefinite.
 #pragma once
 
+#include <fem/solver/arrays/packed_rows.h>
 #include <fem/solver/free_part.h>
 #include <physgen/kernel.h>
 #include <physgen/rows.h>
@@ -157,6 +158,17 @@ struct KeepTranslations {
 template <class Format, class... Views>
 [[nodiscard]] KeepTranslations<Format, Views...> keep_translations(const Views&... views) {
   return {views...};
+}
+
+/// The scales of a level's nodes, their scaled blocks and the inverses of these. @param unit whether all scales are 1
+template <class On, class Level>
+void scale_nodes(On& on, Level& level, bool unit) {
+  const index_t n = level.nodes();
+  const auto scales = level.scales.view();
+  const auto inverse = level.inverse.view();
+  on.run(n, ComputeNodeScale{unit, level.node_stiffness.const_view(), scales});
+  on.run(n, ScaleNodes{level.node_stiffness.const_view(), level.constraints.const_view(), level.scales.const_view(),
+                       level.scaled_nodes.view(), inverse});
 }
 
 }  // namespace physgen::fem

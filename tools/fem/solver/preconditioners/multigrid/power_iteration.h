@@ -3,8 +3,8 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <fem/solver/multigrid/scattered.h>
-#include <fem/solver/multigrid/smoother.h>
+#include <fem/solver/levels/scattered.h>
+#include <fem/solver/preconditioners/multigrid/smoother.h>
 
 namespace physgen::fem {
 

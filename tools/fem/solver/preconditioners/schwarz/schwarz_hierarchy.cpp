@@ -1,4 +1,4 @@
-#include <fem/solver/schwarz/schwarz_hierarchy.h>
+#include <fem/solver/preconditioners/schwarz/schwarz_hierarchy.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,23 +1,17 @@
-// The preconditioner: one V-cycle of multigrid with Galerkin levels, smoothed by Chebyshev polynomials of block Jacobi;
-// or a multilevel Schwarz preconditioner, or block Jacobi alone. Programs over an executor, so that they run on the CPU
-// and on CUDA alike.
+// The levels of multigrid, from the finest stiffness: coarser stiffness, scaled copies, eigenvalues.
 #pragma once
 
 #include <fem/solver/elastic/tangent_blocks.h>
+#include <fem/solver/levels/linear_level.h>
+#include <fem/solver/levels/scaled_blocks.h>
 #include <fem/solver/loads/inertia.h>
 #include <fem/solver/loads/rigid_planes.h>
-#include <fem/solver/multigrid/cycle.h>
-#include <fem/solver/multigrid/galerkin.h>
-#include <fem/solver/multigrid/grid_galerkin.h>
-#include <fem/solver/multigrid/linear_level.h>
-#include <fem/solver/multigrid/power_iteration.h>
-#include <fem/solver/multigrid/scaled_blocks.h>
-#include <fem/solver/multigrid/vector_steps.h>
-#include <fem/solver/schwarz/schwarz.h>
+#include <fem/solver/preconditioners/multigrid/cycle.h>
+#include <fem/solver/preconditioners/multigrid/galerkin.h>
+#include <fem/solver/preconditioners/multigrid/grid_galerkin.h>
+#include <fem/solver/preconditioners/multigrid/power_iteration.h>
 #include <fem/solver/settings.h>
 #include <physgen/reduce.h>
-
-#include <vector>
 
 namespace physgen::fem {
 
@@ -38,13 +32,7 @@ void scale_edges(On& on, Level& level, const Kernel& kernel) {
 template <class On, class Level>
 void prepare_level(On& on, Level& level, const PreconditionerSettings& settings, bool fresh) {
   const index_t n = level.nodes();
-  const auto scales = level.scales.view();
-  const auto inverse = level.inverse.view();
-  const bool unit = settings.kind == Preconditioner::none || settings.kind == Preconditioner::schwarz;
-  on.run(n, ComputeNodeScale{unit, level.node_stiffness.const_view(), scales});
-  on.run(n, ScaleNodes{level.node_stiffness.const_view(), level.constraints.const_view(), level.scales.const_view(),
-                       level.scaled_nodes.view(), inverse});
-  if (settings.kind != Preconditioner::multigrid) return;
+  scale_nodes(on, level, false);
   scale_edges(on, level,
               ScaleEdges{level.edges.const_view(), level.constraints.const_view(), level.edge_stiffness.const_view(),
                          level.scales.const_view(), level.scaled_edges.view()});
@@ -119,38 +107,6 @@ void coarsen_stiffness(On& on, Level& fine, Level& coarse) {
                                                          fine.translations.const_view(), coarse.translations.view()});
     });
     on.run(coarse.nodes(), AddTranslationStiffness{coarse.translations.const_view(), coarse.node_stiffness.view()});
-  }
-}
-
-/// Everything that depends on the stiffness of level `top`, which is given: coarser stiffness, scaled copies,
-/// eigenvalues, the coarsest inverse. @param levels finest first
-template <class On, class Levels>
-void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings, bool fresh) {
-  prepare_level(on, *levels[top], settings, fresh);
-  if (settings.kind == Preconditioner::schwarz) prepare_schwarz(on, *levels[top]);
-  if (settings.kind != Preconditioner::multigrid) return;
-  for (std::size_t l = top; l + 1 < levels.size(); ++l) {
-    auto& fine = *levels[l];
-    auto& coarse = *levels[l + 1];
-    coarsen_stiffness(on, fine, coarse);
-    prepare_level(on, coarse, settings, fresh);
-  }
-  invert_coarsest(on, *levels.back());
-}
-
-/// z = M r of level `top`, both scaled. r is used up.
-template <class On, class Levels>
-void precondition(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings) {
-  auto& level = *levels[top];
-  const index_t n = level.nodes();
-  if (settings.kind == Preconditioner::none) {
-    on.run(n, CopyResidual{level.residual.const_view(), level.correction.view()});
-  } else if (settings.kind == Preconditioner::block_jacobi) {
-    on.run(n, ApplyBlockJacobi{level.inverse.const_view(), level.residual.const_view(), level.correction.view()});
-  } else if (settings.kind == Preconditioner::schwarz) {
-    apply_schwarz(on, level);
-  } else if constexpr (std::remove_cvref_t<decltype(level)>::Choices::assembled) {
-    v_cycle(on, levels, top, settings);
   }
 }
 

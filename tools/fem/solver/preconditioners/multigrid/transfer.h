@@ -3,8 +3,8 @@
 #pragma once
 
 #include <fem/solver/free_part.h>
-#include <fem/solver/multigrid/interpolation.h>
-#include <fem/solver/multigrid/smoother.h>
+#include <fem/solver/preconditioners/multigrid/interpolation.h>
+#include <fem/solver/preconditioners/multigrid/smoother.h>
 #include <fem/solver/row_sums.h>
 #include <physgen/kernel.h>
 #include <physgen/rows.h>

@@ -3,7 +3,7 @@
 
 #include <fem/solver/arrays/over_groups.h>
 #include <fem/solver/arrays/solver_arrays.h>
-#include <fem/solver/schwarz/schwarz_hierarchy.h>
+#include <fem/solver/preconditioners/schwarz/schwarz_hierarchy.h>
 
 #include <algorithm>
 #include <utility>
@@ -14,10 +14,14 @@ namespace physgen::fem {
 /// Objects that a block's factor takes: see quasistatic::SchwarzFactor.
 inline constexpr index_t schwarz_factors = 17 * schwarz_slots;
 
-/// @tparam Group with the arrays of Schwarz in solver_groups.h
-template <class Group>
-struct SchwarzOver : Group {
+/// What the host knows of the blocks of a mesh.
+struct SchwarzFacts {
   std::vector<Index> first_block, first_pair;  ///< as SchwarzHierarchy's
+};
+
+/// @tparam Group with the arrays of Schwarz in schwarz_group.h
+template <class Group>
+struct SchwarzOver : Group, SchwarzFacts {
   RowsOf<decltype(Group::supernode_term_ranges), decltype(Group::supernode_term_entries)> supernode_terms{
       this->supernode_term_ranges, this->supernode_term_entries};
   RowsOf<decltype(Group::pair_term_ranges), decltype(Group::pair_term_entries)> pair_terms{this->pair_term_ranges,
@@ -28,7 +32,7 @@ struct SchwarzOver : Group {
   explicit SchwarzOver(Group&& arrays) : Group(std::move(arrays)) {}
   /// @param edges of the mesh
   SchwarzOver(const SchwarzHierarchy& hierarchy, index_t edges)
-      : first_block(hierarchy.first_block), first_pair(hierarchy.first_pair) {
+      : SchwarzFacts{hierarchy.first_block, hierarchy.first_pair} {
     const auto of_supernodes = rows<Terms>("source", hierarchy, edges, hierarchy.supernode_terms);
     const auto of_pairs = rows<Terms>("source", hierarchy, edges, hierarchy.pair_terms);
     const auto of_blocks = rows<Edges>("edge", hierarchy, edges, hierarchy.block_edges);

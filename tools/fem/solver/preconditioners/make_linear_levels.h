@@ -2,7 +2,8 @@
 #pragma once
 
 #include <fem/solver/hierarchy/hierarchy.h>
-#include <fem/solver/multigrid/linear_level.h>
+#include <fem/solver/levels/linear_level.h>
+#include <fem/solver/preconditioners/all.h>
 #include <fem/solver/settings.h>
 
 #include <algorithm>
@@ -29,19 +30,19 @@ struct LevelsInUse {
 template <class Level>
 [[nodiscard]] std::vector<std::unique_ptr<Level>> make_linear_levels(const LevelsInUse& used,
                                                                      const SolverSettings& settings) {
-  const PreconditionerSettings& preconditioner = settings.newton.preconditioner;
+  const Preconditioner kind = settings.newton.preconditioner.kind;
   std::vector<std::unique_ptr<Level>> made;
   for (std::size_t l = 0; l < used.graphs.size(); ++l) {
     const LevelGraph* next = l + 1 < used.graphs.size() ? &used.graphs[l + 1] : nullptr;
     if (settings.newton.product == Product::assembled) {
       made.push_back(std::make_unique<Level>(used.graphs[l], next));
     } else {
-      const MatrixFree needs{preconditioner.kind != Preconditioner::none, next != nullptr};
+      const MatrixFree needs{asks_for(kind, asks::inverses), next != nullptr};
       made.push_back(std::make_unique<Level>(used.graphs[l], needs));
     }
-    if (l < used.solved && preconditioner.kind == Preconditioner::schwarz) {
-      made.back()->use_schwarz(used.graphs[l], used.levels[l].rest);
-    }
+    if (l >= used.solved) continue;
+    with_preconditioner(kind,
+                        [&]<class Type>() { Type::make_arrays(*made.back(), used.graphs[l], used.levels[l].rest); });
   }
   return made;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fem/solver/performs_in.h>
-#include <fem/solver/schwarz/schwarz.h>
+#include <fem/solver/preconditioners/schwarz/schwarz.h>
 #include <physgen/cuda/executor.h>
 
 namespace physgen::fem {

@@ -10,7 +10,6 @@
 #include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/loads/inertia_arrays.h>
 #include <fem/solver/loads/plane_arrays.h>
-#include <fem/solver/schwarz/schwarz_arrays.h>
 
 #include <algorithm>
 #include <utility>
@@ -27,8 +26,8 @@ struct MatrixFree {
 /// @tparam Stored_ StoredAsComputed or StoredInHalf
 /// @tparam Choices_ what is asked for at run time: AnyChoice, or another of run_time_choices.h
 /// @tparam Group with the arrays of Level in solver_groups.h
-/// @tparam Schwarz SchwarzOver, Planes PlanesOver, Inertia InertiaOver, or NoArrays
-template <class Real_, class Space_, class Stored_, class Choices_, class Group, class Schwarz, class Planes,
+/// @tparam Extra ExtraOver, Planes PlanesOver, Inertia InertiaOver, or NoArrays
+template <class Real_, class Space_, class Stored_, class Choices_, class Group, class Extra, class Planes,
           class Inertia>
 struct LevelOver : Group {
   using Real = Real_;
@@ -41,7 +40,7 @@ struct LevelOver : Group {
   bool is_grid = false;   ///< a level of a background grid
   EdgeSums sums;
   EdgeRows rows;              ///< on CUDA, of few nodes: scaled_edges then has a block for each of their entries
-  Optional<Schwarz> schwarz;  ///< where that preconditioner is used
+  Optional<Extra> extra;      ///< of the preconditioner that is used
   Optional<Planes> planes;    ///< where the body may touch some
   Optional<Inertia> inertia;  ///< where it moves
   RowsOf<decltype(Group::node_edge_ranges), decltype(Group::node_edge_entries)> node_edges{this->node_edge_ranges,
@@ -102,15 +101,10 @@ struct LevelOver : Group {
     if (needs.coarser) put(this->parents, host_parents(graph));
   }
 
-  /// @param rest position of each node
-  void use_schwarz(const LevelGraph& graph, const std::vector<Point>& rest) {
-    make(schwarz, make_schwarz_hierarchy(graph, rest), edge_count());
-  }
-
   [[nodiscard]] index_t nodes() const { return this->constraints.size(); }
   [[nodiscard]] index_t edge_count() const { return this->edge_stiffness.size(); }
   [[nodiscard]] index_t bytes() const {
-    return Group::bytes() + sums.bytes() + rows.bytes() + bytes_where(schwarz) + bytes_where(planes) +
+    return Group::bytes() + sums.bytes() + rows.bytes() + bytes_where(extra) + bytes_where(planes) +
            bytes_where(inertia);
   }
 

@@ -1,8 +1,8 @@
 // The coarsest inverse on CUDA, in one thread block. For CUDA translation units.
 #pragma once
 
-#include <fem/solver/multigrid/coarse_inverse.h>
 #include <fem/solver/performs_in.h>
+#include <fem/solver/preconditioners/multigrid/coarse_inverse.h>
 #include <physgen/cuda/executor.h>
 
 namespace physgen::fem {

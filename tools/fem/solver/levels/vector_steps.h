@@ -7,7 +7,6 @@
 
 #include <fem/numerics/scalar.h>
 #include <fem/solver/free_part.h>
-#include <fem/solver/multigrid/smoother.h>
 #include <fem/solver/settings.h>
 #include <physgen/kernel.h>
 
@@ -173,38 +172,6 @@ struct ScaleResidual {
 };
 template <class... Views>
 ScaleResidual(Views...) -> ScaleResidual<Views...>;
-
-/// Block Jacobi in scaled unknowns: z = D r.
-template <class InverseView, class ResidualView, class CorrectionView>
-struct ApplyBlockJacobi {
-  using Scalar = typename CorrectionView::Precision;
-  InverseView inverse;         ///< quasistatic::NodeInverse
-  ResidualView residual;       ///< elasticity::NodeForceDifferential
-  CorrectionView corrections;  ///< elasticity::NodeDisplacement, written
-
-  template <class I>
-  PHYSGEN_FUNCTION void operator()(I i) const {
-    using S = lanes_t<Scalar, I>;
-    corrections[i].dx() = detail::block_jacobi<S>(inverse, residual, i);
-  }
-};
-template <class... Views>
-ApplyBlockJacobi(Views...) -> ApplyBlockJacobi<Views...>;
-
-/// No preconditioner: z = r.
-template <class ResidualView, class CorrectionView>
-struct CopyResidual {
-  using Scalar = typename CorrectionView::Precision;
-  ResidualView residual;       ///< elasticity::NodeForceDifferential
-  CorrectionView corrections;  ///< elasticity::NodeDisplacement, written
-
-  template <class I>
-  PHYSGEN_FUNCTION void operator()(I i) const {
-    corrections[i].dx() = residual[i].df().get();
-  }
-};
-template <class... Views>
-CopyResidual(Views...) -> CopyResidual<Views...>;
 
 }  // namespace physgen::fem
 

@@ -4,7 +4,7 @@
 #undef I
 
 #include <fem/solver/performs_in.h>
-#include <fem/solver/schwarz/schwarz.h>
+#include <fem/solver/preconditioners/schwarz/schwarz.h>
 #include <physgen/executor.h>
 
 #include <Eigen/Core>

@@ -3,10 +3,10 @@
 // a launch does. Kernels that sum rows, here and elsewhere, give a row to lanes of a warp. For CUDA translation units.
 #pragma once
 
-#include <fem/solver/multigrid/cycle.h>
-#include <fem/solver/multigrid/level_views.h>
-#include <fem/solver/multigrid/row_product.h>
 #include <fem/solver/performs_in.h>
+#include <fem/solver/preconditioners/multigrid/cycle.h>
+#include <fem/solver/preconditioners/multigrid/level_views.h>
+#include <fem/solver/preconditioners/multigrid/row_product.h>
 #include <physgen/cuda/executor.h>
 
 #include <algorithm>

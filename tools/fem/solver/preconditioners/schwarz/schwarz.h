@@ -5,11 +5,13 @@
 
 #include <fem/solver/arrays/over_groups.h>
 #include <fem/solver/free_part.h>
-#include <fem/solver/schwarz/schwarz_arrays.h>
+#include <fem/solver/performs_in.h>
+#include <fem/solver/preconditioners/schwarz/schwarz_arrays.h>
 #include <physgen/kernel.h>
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace physgen::fem {
 
@@ -196,7 +198,7 @@ SchwarzProduct(index_t, Views...) -> SchwarzProduct<Views...>;
 /// without prescribed components
 template <class On, class Level>
 void prepare_schwarz(On& on, Level& level) {
-  where(level.schwarz, [&](auto& s) {
+  where(level.extra, [&](auto& s) {
     const StiffnessOfNodes of_nodes{level.scaled_nodes.const_view(), level.edge_stiffness.const_view(),
                                     level.edges.const_view(), level.constraints.const_view()};
     const StiffnessOfSupernodes of_supernodes{s.supernodes.const_view(), s.pair_stiffness.const_view()};
@@ -219,10 +221,16 @@ void prepare_schwarz(On& on, Level& level) {
   });
 }
 
+/// Counts what applying the blocks moves.
+template <OnlyCounts On, class... Views>
+void apply_blocks(On& on, const SchwarzProduct<Views...>& product, const std::vector<Index>& /*first_block*/) {
+  on.count(product);
+}
+
 /// z = M r of a level.
 template <class On, class Level>
 void apply_schwarz(On& on, Level& level) {
-  where(level.schwarz, [&](auto& s) {
+  where(level.extra, [&](auto& s) {
     apply_blocks(
         on,
         SchwarzProduct{s.node_blocks(), s.slots.const_view(), s.blocks.view(), s.factors.const_view(),

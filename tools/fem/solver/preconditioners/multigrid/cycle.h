@@ -3,10 +3,10 @@
 #pragma once
 
 #include <fem/kernels/symmetric_product.h>
-#include <fem/solver/multigrid/coarse_inverse.h>
-#include <fem/solver/multigrid/smoother.h>
-#include <fem/solver/multigrid/transfer.h>
 #include <fem/solver/performs_in.h>
+#include <fem/solver/preconditioners/multigrid/coarse_inverse.h>
+#include <fem/solver/preconditioners/multigrid/smoother.h>
+#include <fem/solver/preconditioners/multigrid/transfer.h>
 #include <fem/solver/settings.h>
 
 #include <cstddef>

@@ -1,23 +1,16 @@
-// Kernels: block Jacobi on one level, and Chebyshev polynomials of it, in scaled unknowns. K is df/dx, negative
+// Kernels: Chebyshev polynomials of block Jacobi on one level, in scaled unknowns. K is df/dx, negative
 // semidefinite: -D K has positive eigenvalues, and r = f + K z is the force that a correction z leaves.
 #pragma once
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
 #include <fem/numerics/scalar.h>
+#include <fem/solver/preconditioners/jacobi/block_jacobi.h>
 #include <physgen/kernel.h>
 
 namespace physgen::fem {
 
 namespace detail {
-
-/// D r of node(s) i.
-template <class S, class InverseView, class ResidualView, class I>
-PHYSGEN_FUNCTION inline Vector3<S> block_jacobi(const InverseView& inverse, const ResidualView& residual, I i) {
-  const Matrix3<S> D = inverse[i].D();
-  const Vector3<S> r = residual[i].df(), zero = Vector3<S>::Constant(S(RealOf<S>(0)));
-  return multiply_add<S>(D, r, zero);
-}
 
 /// The interval of Chebyshev polynomials: [low, 1] times an estimate of the largest eigenvalue, which is raised by a
 /// tenth since power iterations come from below.

@@ -1,0 +1,62 @@
+// What a preconditioner is: a struct of static functions, over an executor and levels by name.
+//
+//   struct Example {
+//     /// Its arrays on a level on which equilibrium is solved, level.extra, where it asks for some. @param rest
+//     positions template <class Level> static void make_arrays(Level& level, const LevelGraph& graph, const
+//     std::vector<Point>& rest);
+//     /// Forecasts what make_arrays() allocates. @tparam Extra the type of *level.extra, or NoArrays
+//     template <class Extra> static PreconditionerBytes bytes(std::int64_t nodes, std::int64_t edges);
+//     /// Everything that depends on the stiffness of level `top`, which is given. Leaves scales in
+//     levels[top]->scales.
+//     /// @param fresh whether power iterations and their like begin anew
+//     template <class On, class Levels> static void prepare(On& on, Levels& levels, std::size_t top,
+//                                                           const PreconditionerSettings& settings, bool fresh);
+//     /// z = M r: levels[top]->correction from levels[top]->residual, both scaled. r is used up.
+//     template <class On, class Levels> static void apply(On& on, Levels& levels, std::size_t top,
+//                                                         const PreconditionerSettings& settings);
+//   };
+#pragma once
+
+#include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/settings.h>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace physgen::fem {
+
+/// A forecast from the numbers of a level's nodes and edges; from above where the lists of a mesh decide.
+struct PreconditionerBytes {
+  std::int64_t device = 0;  ///< of its arrays, in the memory of the device
+  std::int64_t lists = 0;   ///< in the host's memory while they are made
+};
+
+namespace detail {
+struct AnyExecutor {};
+struct AnyLevel {};
+using AnyLevels = std::vector<std::unique_ptr<AnyLevel>>;
+}  // namespace detail
+
+template <class Type>
+concept MakesArrays = requires(detail::AnyLevel& level, const LevelGraph& graph, const std::vector<Point>& rest) {
+  { Type::make_arrays(level, graph, rest) } -> std::same_as<void>;
+};
+template <class Type>
+concept ForecastsBytes = requires {
+  { Type::template bytes<detail::AnyLevel>(std::int64_t{}, std::int64_t{}) } -> std::same_as<PreconditionerBytes>;
+};
+template <class Type>
+concept PreparesLevels =
+    requires(detail::AnyExecutor& on, detail::AnyLevels& levels, const PreconditionerSettings& settings) {
+      { Type::prepare(on, levels, std::size_t{}, settings, true) } -> std::same_as<void>;
+    };
+template <class Type>
+concept AppliesToLevels =
+    requires(detail::AnyExecutor& on, detail::AnyLevels& levels, const PreconditionerSettings& settings) {
+      { Type::apply(on, levels, std::size_t{}, settings) } -> std::same_as<void>;
+    };
+
+}  // namespace physgen::fem

@@ -1,0 +1,50 @@
+// No preconditioner.
+#pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
+
+#include <fem/solver/levels/scaled_blocks.h>
+#include <fem/solver/levels/preconditioner.h>
+
+namespace physgen::fem {
+
+/// z = r.
+template <class ResidualView, class CorrectionView>
+struct CopyResidual {
+  using Scalar = typename CorrectionView::Precision;
+  ResidualView residual;       ///< elasticity::NodeForceDifferential
+  CorrectionView corrections;  ///< elasticity::NodeDisplacement, written
+
+  template <class I>
+  PHYSGEN_FUNCTION void operator()(I i) const {
+    corrections[i].dx() = residual[i].df().get();
+  }
+};
+template <class... Views>
+CopyResidual(Views...) -> CopyResidual<Views...>;
+
+struct NoPreconditioner {
+  template <class Level>
+  static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
+  template <class Extra>
+  static PreconditionerBytes bytes(std::int64_t /*nodes*/, std::int64_t /*edges*/) {
+    return {};
+  }
+  template <class On, class Levels>
+  static void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& /*settings*/,
+                      bool /*fresh*/) {
+    scale_nodes(on, *levels[top], true);
+  }
+  template <class On, class Levels>
+  static void apply(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& /*settings*/) {
+    apply(on, *levels[top]);
+  }
+  template <class On, class Level>
+  static void apply(On& on, Level& level) {
+    on.run(level.scales.size(), CopyResidual{level.residual.const_view(), level.correction.view()});
+  }
+};
+
+}  // namespace physgen::fem
+
+#pragma pop_macro("I")
