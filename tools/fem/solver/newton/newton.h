@@ -2,9 +2,10 @@
 // Newton's method itself is the refinement.
 #pragma once
 
-#include <fem/solver/elastic/evaluate.h>
 #include <fem/solver/elastic/mean_pressures.h>
 #include <fem/solver/linear/conjugate_gradients.h>
+#include <fem/solver/newton/evaluate_state.h>
+#include <fem/solver/newton/line_search.h>
 #include <fem/solver/newton/newton_steps.h>
 #include <fem/solver/newton/return_to_rest.h>
 
@@ -13,34 +14,6 @@
 #include <functional>
 
 namespace physgen::fem {
-
-/// Energy, forces and residual of the state at `positions`.
-/// @param evaluator an Evaluator of these arrays, or MaterialSteps
-/// @param restart averaged volumes begin their linearised pressure anew
-template <class On, class Arrays, class Level, class Evaluate, class Positions, class Forces>
-auto evaluate_state(On& on, Arrays& a, Level& level, Evaluate& evaluator, const Positions& positions,
-                    const Forces& forces, const AtLoad& at, bool restart) {
-  const auto state = a.state.view();
-  evaluator.evaluate_volumes(on, a, positions, restart);
-  for (const TetChunk& chunk : a.chunks) {
-    evaluator.evaluate_forces(on, a, chunk, positions);
-    on.run(chunk.nodes(), SumForces{chunk, at.load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
-                                    a.loads.const_view(), forces});
-  }
-  const auto measure = [&](const auto& planes, const auto& inertia) {
-    on.reduce(a.nodes(),
-              MeasureForces{at.load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(),
-                            positions, forces, planes, inertia},
-              Sum{}, StoreForces{state});
-  };
-  const auto measure_with = [&](const auto& inertia) {
-    if (!where(level.planes, [&](auto& planes) { measure(planes.at(at), inertia); })) measure(NoPlanes{}, inertia);
-  };
-  if (!where(level.inertia, [&](auto& own) { measure_with(own.at_step()); })) measure_with(NoInertia{});
-  on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
-            StoreSmallestRatio{state});
-  return on.value(a.state);
-}
 
 /// The stiffness of a level at the arrays' positions. @pre they are those of the last evaluate_state()
 template <class On, class Arrays, class Level, class Evaluate>
@@ -138,12 +111,8 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
   auto& level = *levels[top];
   const index_t n = a.nodes();
   NewtonResult result;
-  const auto energy_of = [](const auto& s) { return s.elastic + s.volumetric + s.loads; };
-  const auto free_of = [](const auto& s) { return std::sqrt(s.free_square); };
   const auto positions = a.positions.view();
-  const auto trial = a.trial.view();
   const auto forces = a.forces.view();
-  const auto trial_forces = a.trial_forces.view();
 
   AtLoad at(load, has_increment ? settings.start_load : load);
   auto state = evaluate_state(on, a, level, evaluator, a.positions.const_view(), forces, at, restart);
@@ -154,19 +123,19 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
   };
   if (settings.start_is_given && !(state.smallest_ratio > 0)) begin_nearer_to_rest();
   // The error left by a coarser mesh's equilibrium lies where F changes most, and no linear solve takes all of it away.
-  double before = free_of(state), forcing = settings.is_interpolated ? settings.most_forcing : settings.least_forcing;
-  // A full step may raise the energy where the one behind it makes up for that; if it does not, none may any more.
-  bool risky = false, may_risk = true, fresh = true;
-  double risked_energy = 0, risked_free = 0;
+  double before = free_force(state),
+         forcing = settings.is_interpolated ? settings.most_forcing : settings.least_forcing;
+  Risk risk;
+  bool fresh = true;
   // Forces are measured against those on prescribed components, now or at the last equilibrium: they may vanish.
   const auto scale_of = [&](const auto& s) { return std::max(std::sqrt(s.fixed_square), settings.last_reaction); };
   const auto residual_of = [&](const auto& s) {
     const double scale = scale_of(s);
-    return scale > 0 ? free_of(s) / scale : (free_of(s) > 0 ? 1.0 : 0.0);
+    return scale > 0 ? free_force(s) / scale : (free_force(s) > 0 ? 1.0 : 0.0);
   };
   const double start_free = before;
   const auto has_converged = [&](const auto& s) {
-    const double free = free_of(s);
+    const double free = free_force(s);
     if (settings.absolute_tolerance > 0) return free <= settings.absolute_tolerance;
     if (residual_of(s) <= settings.tolerance) return true;
     // Where nothing holds the body: against the forces at the beginning. And rounding is all that is left where a step
@@ -190,7 +159,7 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
       if (!inverted || result.returns == settings.most_returns) return finish(NewtonStatus::converged);
       // Nothing pulls, and yet tets are flat or inverted: a saddle, or another minimum.
       begin_nearer_to_rest();
-      before = free_of(state);
+      before = free_force(state);
       fresh = true;
     }
     if (result.steps == settings.most_steps) return finish(NewtonStatus::too_many_steps);
@@ -221,59 +190,23 @@ NewtonResult find_equilibrium(On& on, typename On::Loop& loop, Arrays& a, Levels
                           true, forcing);
       step.filtered = true;
       step.iterations += linear.iterations;
+      return !has_no_step(linear);
     };
-    if (!settings.all_prescribed && has_failed(linear)) solve_filtered();
+    if (!settings.all_prescribed && has_failed(linear)) (void)solve_filtered();
     if (!settings.all_prescribed && has_no_step(linear)) {
       return finish(NewtonStatus::linear_solver);
     }
     if (has_increment) on.run(n, AddIncrement{a.increment.const_view(), v.step.view()});
 
-    double length = 1;
-    for (;;) {
-      on.reduce(n,
-                Advance{length, has_increment, a.positions.const_view(), a.forces.const_view(), v.step.const_view(),
-                        a.increment.const_view(), level.constraints.const_view(), trial},
-                Sum{}, StoreWork{a.state.view()});
-      const double work = on.value(a.state).work;
-      if (step.halvings == 0) {
-        advance_pressures(on, a, evaluator.volume(), v.step.const_view());
-      } else {
-        shorten_pressures(on, a, length);
-      }
-      const auto next = evaluate_state(on, a, level, evaluator, a.trial.const_view(), trial_forces, load, false);
-      const bool finite = std::isfinite(energy_of(next)) && std::isfinite(next.free_square);
-      const double rounding = 1e-13 * (std::abs(state.elastic) + std::abs(state.volumetric) + std::abs(state.loads));
-      const bool falls = energy_of(next) <= energy_of(state) - 1e-4 * length * work + rounding;
-      const bool closer = free_of(next) <= 0.9 * free_of(state);
-      const bool may_rise =
-          settings.full_steps_first && step.halvings == 0 && may_risk && !risky && next.smallest_ratio > 0;
-      if (finite && (has_increment || !settings.line_search || falls || closer || may_rise)) {
-        if (risky) may_risk = energy_of(next) < risked_energy || free_of(next) <= 0.9 * risked_free;
-        risky = !has_increment && !falls && !closer;
-        risked_energy = energy_of(state);
-        risked_free = free_of(state);
-        state = next;
-        break;
-      }
-      if (has_increment) return finish(NewtonStatus::not_finite);
-      if (!step.filtered) {  // conjugate gradients have not met the negative curvature that there may be
-        shorten_pressures(on, a, 0.0);
-        solve_filtered();
-        if (has_no_step(linear)) {
-          return finish(NewtonStatus::linear_solver);
-        }
-        continue;
-      }
-      if (step.halvings == settings.most_halvings) return finish(NewtonStatus::no_descent);
-      ++step.halvings;
-      length /= 2;
-    }
+    const NewtonStatus found =
+        search_along_step(on, a, level, v, evaluator, settings, load, has_increment, state, risk, step, solve_filtered);
+    if (found != NewtonStatus::converged) return finish(found);
     result.halvings += step.halvings;
     result.filtered += step.filtered ? 1 : 0;
     result.iterations += step.iterations;
     on.run(n, KeepPositions{a.trial.const_view(), positions});
     on.run(n, KeepForces{a.trial_forces.const_view(), forces});
-    const double free = free_of(state);
+    const double free = free_force(state);
     forcing = has_increment ? settings.least_forcing
                             : std::max(settings.least_forcing,
                                        std::min(settings.most_forcing, 0.9 * (free / before) * (free / before)));
