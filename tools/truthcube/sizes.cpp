@@ -6,17 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <string>
 
 namespace physgen::truthcube {
 
 namespace {
 
-constexpr std::array members{&LevelCounts::nodes,        &LevelCounts::tets,        &LevelCounts::edges,
-                             &LevelCounts::tet_edges,    &LevelCounts::patches,     &LevelCounts::edge_patches,
-                             &LevelCounts::node_patches, &LevelCounts::ring_nodes,  &LevelCounts::children,
-                             &LevelCounts::edge_terms,   &LevelCounts::grid_parents};
+constexpr std::array<std::int64_t LevelCounts::*, 12> members{
+    &LevelCounts::nodes,        &LevelCounts::edges,        &LevelCounts::children,      &LevelCounts::edge_terms,
+    &LevelCounts::grid_parents, &LevelCounts::tets,         &LevelCounts::tet_edges,     &LevelCounts::patches,
+    &LevelCounts::edge_patches, &LevelCounts::node_patches, &LevelCounts::patch_parents, &LevelCounts::ring_nodes};
 
 /// The polynomial of degree 3 with these values at 1, 2, 3, 4. Exact: it sums multiples of whole numbers.
 std::int64_t extrapolate(std::array<std::int64_t, 4> values, std::int64_t at) {
@@ -53,14 +52,6 @@ SmallCubes count_small_cubes(VolumeTreatment volume) {
   return small;
 }
 
-std::int64_t entries(const fem::IncidenceList& list) { return static_cast<std::int64_t>(list.entries.size()); }
-
-std::int64_t pairs_in_patches(const fem::VolumePatches& patches) {
-  std::int64_t pairs = 0;
-  for (const std::int64_t count : patches.node_counts) pairs += count * (count - 1) / 2;
-  return pairs;
-}
-
 /// Cells of a side up to which cubes are made to be counted.
 int most_made(VolumeTreatment volume) {
   const int first = first_cells(volume);
@@ -91,23 +82,6 @@ std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume, const Sma
 std::vector<LevelCounts> count_cube(int cells, VolumeTreatment volume) {
   return cells <= most_made(volume) ? count_levels(make_levels(cells, volume, 2))
                                     : count_cube(cells, volume, count_small_cubes(volume));
-}
-
-std::vector<LevelCounts> count_levels(const std::vector<fem::MeshLevel>& levels) {
-  const std::vector<fem::LevelGraph> graphs = fem::make_level_graphs(levels);
-  std::vector<LevelCounts> counts;
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    const fem::MeshLevel& level = levels[l];
-    const fem::LevelGraph& graph = graphs[l];
-    counts.push_back(
-        {graph.nodes, static_cast<std::int64_t>(level.mesh.tets.size()), static_cast<std::int64_t>(graph.edges.size()),
-         static_cast<std::int64_t>(level.mesh.edges.size()), static_cast<std::int64_t>(level.patches.nodes.size()),
-         pairs_in_patches(level.patches),
-         std::accumulate(level.patches.node_counts.begin(), level.patches.node_counts.end(), std::int64_t{0}),
-         level.averages_at_nodes ? graph.nodes + 2 * static_cast<std::int64_t>(level.mesh.edges.size()) : 0,
-         entries(graph.children), entries(graph.edge_terms), static_cast<std::int64_t>(graph.grid_parents.size())});
-  }
-  return counts;
 }
 
 std::int64_t largest_number(const std::vector<LevelCounts>& levels) {

@@ -49,6 +49,12 @@ class EdgeSums {
   [[nodiscard]] index_t nodes() const { return nodes_; }
   [[nodiscard]] index_t edges() const { return edges_; }
   [[nodiscard]] index_t bytes() const { return indices_.bytes() + contributions_.bytes(); }
+  /// The future bytes() of products on the host, or on CUDA in SumOrder::any.
+  template <class Real>
+  [[nodiscard]] static index_t bytes_for(index_t nodes, index_t edges, SpaceKind space) {
+    if (space != SpaceKind::host) return 0;
+    return (2 * (nodes + 1) + edges) * index_t{sizeof(Index)} + edges * index_t{sizeof(Contribution<Real>)};
+  }
   /// Per node: the first of its edges as m (and one past the last node).
   [[nodiscard]] const Index* first() const { return indices(0); }
   /// Per node: where the contributions of its edges as n begin (and one past the last node).

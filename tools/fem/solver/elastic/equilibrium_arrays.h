@@ -7,8 +7,11 @@
 #include <fem/solver/elastic/rest_shapes.h>
 #include <fem/solver/elastic/ring_arrays.h>
 #include <fem/solver/elastic/tet_chunks.h>
+#include <fem/solver/hierarchy/level_counts.h>
 
+#include <algorithm>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,29 +30,35 @@ struct PatchesOver : Group {
       this->node_patch_ranges, this->node_patch_entries};
 
   explicit PatchesOver(Group&& arrays) : Group(std::move(arrays)) {}
-  PatchesOver(const MeshLevel& level, const EdgeParts& parts, bool injects, TangentLists lists) {
-    const auto patches = index_t(level.patches.nodes.size());
-    const bool products = lists == TangentLists::of_nodes && Group::Space::kind == SpaceKind::host;
+  /// @param mesh the level's
+  PatchesOver(const MeshLevel& level, const LevelCounts& mesh, const EdgeParts& parts, bool injects,
+              TangentLists lists) {
+    const index_t patches = mesh.patches;
     PackedRows<Host> of_edges, of_nodes;
     if (lists == TangentLists::of_edges) {
       of_edges = packed_rows<EdgePatchEntry>(parts.edge_patches, patches, "patches");
     } else if (lists == TangentLists::of_nodes) {
       of_nodes = packed_rows<NodePatchEntry>(make_node_patches(level), patches, "patches");
     }
-    this->allocate({.tet = index_t(level.patches.tet_patch.size()),
-                    .patch = patches,
-                    .child = injects ? index_t(level.patch_parents.size()) : 0,
-                    .edge = of_edges.ranges().size(),
-                    .edge_patch = of_edges.entries().size(),
-                    .node = of_nodes.ranges().size(),
-                    .node_patch = of_nodes.entries().size(),
-                    .change = products ? patches : 0});
+    this->allocate(counts(mesh, injects, lists));
     put(this->tet_patches, host_tet_patches(level.patches));
     put(this->nodes, host_nodes(level.patches));
     if (injects) put(this->parents, host_parents(level));
     put_rows(this->patch_tet_ranges, this->patch_tet_entries, host_patch_tets(level));
     put_rows(this->edge_patch_ranges, this->edge_patch_entries, of_edges);
     put_rows(this->node_patch_ranges, this->node_patch_entries, of_nodes);
+  }
+
+  [[nodiscard]] static auto counts(const LevelCounts& mesh, bool injects, TangentLists lists) {
+    const bool edges = lists == TangentLists::of_edges, nodes = lists == TangentLists::of_nodes;
+    return typename Group::Counts{.tet = mesh.tets,
+                                  .patch = mesh.patches,
+                                  .child = injects ? mesh.patch_parents : 0,
+                                  .edge = edges ? mesh.edges : 0,
+                                  .edge_patch = edges ? mesh.edge_patches : 0,
+                                  .node = nodes ? mesh.nodes : 0,
+                                  .node_patch = nodes ? mesh.node_patches : 0,
+                                  .change = nodes && Group::Space::kind == SpaceKind::host ? mesh.patches : 0};
   }
 
  private:
@@ -113,13 +122,29 @@ struct EquilibriumOver : Body {
         chunk_arrays(shared),
         spacing(mean_spacing(level.mesh, level.rest)) {
     const EdgeParts parts = lists == TangentLists::of_edges ? make_edge_parts(level, graph) : EdgeParts{};
-    fill(level, graph, lists, parts);
-    if (!level.patches.nodes.empty()) make(patches, level, parts, injects, lists);
-    if (level.averages_at_nodes) make(rings, level.mesh);
+    const LevelCounts mesh = counts_of(level, graph);
+    fill(level, mesh, lists, parts);
+    if (mesh.patches > 0) make(patches, level, mesh, parts, injects, lists);
+    if (mesh.ring_nodes > 0) make(rings, level.mesh, mesh);
     if (shared != nullptr) return;
-    const index_t tets = chunks.front().tets();
     chunk_arrays = std::make_shared<Chunk>();
-    chunk_arrays->allocate({.chunk_tet = tets, .kept_tet = lists == TangentLists::of_edges ? tets : tet_count()});
+    chunk_arrays->allocate(chunk_counts(chunks.front().tets(), tet_count(), lists));
+  }
+
+  /// The bytes() of such arrays before they are made.
+  [[nodiscard]] static index_t bytes_for(const LevelCounts& mesh, bool injects, TangentLists lists) {
+    index_t bytes = Body::bytes(counts(mesh, lists));
+    if constexpr (!std::is_same_v<Patches, NoArrays>) {
+      if (mesh.patches > 0) bytes += Patches::bytes(Patches::counts(mesh, injects, lists));
+    }
+    if constexpr (!std::is_same_v<Rings, NoArrays>) {
+      if (mesh.ring_nodes > 0) bytes += Rings::bytes(Rings::counts(mesh));
+    }
+    return bytes;
+  }
+  /// The same of chunk_arrays.
+  [[nodiscard]] static index_t bytes_for_chunks(index_t tets, TangentLists lists) {
+    return Chunk::bytes(chunk_counts(std::min(tets, most_chunk_tets(Body::Space::kind)), tets, lists));
   }
 
   [[nodiscard]] index_t nodes() const { return this->rest.size(); }
@@ -129,17 +154,24 @@ struct EquilibriumOver : Body {
   [[nodiscard]] index_t bytes() const { return Body::bytes() + bytes_where(patches) + bytes_where(rings); }
 
  private:
-  void fill(const MeshLevel& level, const LevelGraph& graph, TangentLists lists, const EdgeParts& parts) {
-    const auto tets = index_t(level.mesh.tets.size());
+  static auto counts(const LevelCounts& mesh, TangentLists lists) {
+    const bool edges = lists == TangentLists::of_edges;
+    return typename Body::Counts{.tet = mesh.tets,
+                                 .node = mesh.nodes,
+                                 .corner = 4 * mesh.tets,
+                                 .edge = edges ? mesh.edges : 0,
+                                 .tet_edge = edges ? 6 * mesh.tets : 0,
+                                 .volume = mesh.ring_nodes > 0 ? mesh.nodes : mesh.patches};
+  }
+  static auto chunk_counts(index_t chunk, index_t tets, TangentLists lists) {
+    return typename Chunk::Counts{.chunk_tet = chunk, .kept_tet = lists == TangentLists::of_edges ? chunk : tets};
+  }
+  void fill(const MeshLevel& level, const LevelCounts& mesh, TangentLists lists, const EdgeParts& parts) {
+    const index_t tets = mesh.tets;
     const auto of_nodes = packed_rows<NodeTetEntry>(level.mesh.node_tets, tets, "tets");
     PackedRows<Host> of_edges;
     if (lists == TangentLists::of_edges) of_edges = packed_rows<EdgeTetEntry>(parts.edge_tets, tets, "tets");
-    this->allocate({.tet = tets,
-                    .node = graph.nodes,
-                    .corner = of_nodes.entries().size(),
-                    .edge = of_edges.ranges().size(),
-                    .tet_edge = of_edges.entries().size(),
-                    .volume = level.averages_at_nodes ? index_t{graph.nodes} : index_t(level.patches.nodes.size())});
+    this->allocate(counts(mesh, lists));
     put(this->tets, host_tets(level));
     put_rows(this->node_tet_ranges, this->node_tet_entries, of_nodes);
     put_rows(this->edge_tet_ranges, this->edge_tet_entries, of_edges);

@@ -4,6 +4,7 @@
 #include <fem/mesh/rings.h>
 #include <fem/solver/arrays/over_groups.h>
 #include <fem/solver/arrays/solver_arrays.h>
+#include <fem/solver/hierarchy/level_counts.h>
 
 #include <utility>
 #include <vector>
@@ -16,11 +17,15 @@ struct RingsOver : Group {
   RowsOf<decltype(Group::node_ranges), decltype(Group::node_entries)> nodes{this->node_ranges, this->node_entries};
 
   explicit RingsOver(Group&& arrays) : Group(std::move(arrays)) {}
-  explicit RingsOver(const TetMesh& mesh) {
+  RingsOver(const TetMesh& mesh, const LevelCounts& of_mesh) {
     const auto rings = host_rings(make_rings(mesh));
-    this->allocate({.node = mesh.nodes, .neighbour = rings.entries().size()});
+    this->allocate(counts(of_mesh));
     put(this->node_ranges, rings.ranges());
     put(this->node_entries, rings.entries());
+  }
+
+  [[nodiscard]] static auto counts(const LevelCounts& mesh) {
+    return typename Group::Counts{.node = mesh.nodes, .neighbour = mesh.ring_nodes};
   }
 
  private:

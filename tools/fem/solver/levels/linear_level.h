@@ -8,6 +8,7 @@
 #include <fem/solver/arrays/solver_arrays.h>
 #include <fem/solver/arrays/stored.h>
 #include <fem/solver/assembled_stiffness.h>
+#include <fem/solver/hierarchy/level_counts.h>
 #include <fem/solver/loads/inertia_arrays.h>
 #include <fem/solver/loads/plane_arrays.h>
 
@@ -55,9 +56,7 @@ struct LevelOver : Group {
   LevelOver(const LevelGraph& graph, const LevelGraph* coarser)
       : is_grid(graph.is_grid),
         sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
-        rows(Space::kind == SpaceKind::cuda && graph.nodes <= EdgeRows::most_nodes
-                 ? EdgeRows(as_mesh(graph), Space::kind)
-                 : EdgeRows()) {
+        rows(has_rows(graph.nodes) ? EdgeRows(as_mesh(graph), Space::kind) : EdgeRows()) {
     const index_t nodes = graph.nodes, edges = index_t(graph.edges.size());
     const auto of_nodes = packed_rows<NodeEdgeEntry>(graph.node_edges, edges, "edges");
     const bool on_grid = !graph.grid_parents.empty();
@@ -66,20 +65,8 @@ struct LevelOver : Group {
       of_children = packed_rows<ChildEntry>(graph.children, nodes, "nodes");
       of_terms = packed_rows<EdgeTermEntry>(graph.edge_terms, std::max(nodes, edges), "edges");
     }
-    this->allocate({.node = nodes,
-                    .edge = edges,
-                    .edge_node = nodes,
-                    .edge_end = of_nodes.entries().size(),
-                    .block_node = nodes,
-                    .smoother = 1,
-                    .child = coarser != nullptr && !on_grid ? nodes : 0,
-                    .grid_child = coarser != nullptr && on_grid ? nodes : 0,
-                    .parent = of_children.ranges().size(),
-                    .child_entry = of_children.entries().size(),
-                    .coarse_edge = of_terms.ranges().size(),
-                    .edge_term = of_terms.entries().size(),
-                    .grid_node = graph.is_grid || on_grid ? nodes : 0,
-                    .coarse_pair = coarser == nullptr && nodes <= most_coarse_nodes ? nodes * nodes : 0});
+    const GraphCounts own = counts_of(graph), next = coarser == nullptr ? GraphCounts() : counts_of(*coarser);
+    this->allocate(counts(own, coarser == nullptr ? nullptr : &next));
     if (!rows.is_empty()) this->scaled_edges.resize(2 * edges);
     put(this->constraints, host_constraints(graph));
     put(this->edges, host_edges(graph));
@@ -94,11 +81,25 @@ struct LevelOver : Group {
     }
   }
   LevelOver(const LevelGraph& graph, MatrixFree needs) : assembled(false) {
-    this->allocate(
-        {.node = graph.nodes, .block_node = needs.blocks ? graph.nodes : 0, .child = needs.coarser ? graph.nodes : 0});
+    this->allocate(counts(graph.nodes, needs));
     put(this->constraints, host_constraints(graph));
     put(this->scales, host_unit_scales(graph));
     if (needs.coarser) put(this->parents, host_parents(graph));
+  }
+
+  /// The bytes() of such levels before they are made, without extra arrays, planes and inertia. @param coarser or null
+  [[nodiscard]] static index_t bytes_for(const GraphCounts& level, const GraphCounts* coarser) {
+    index_t bytes =
+        Group::bytes(counts(level, coarser)) + EdgeSums::bytes_for<Real>(level.nodes, level.edges, Space::kind);
+    if (has_rows(level.nodes)) {
+      using Blocks = decltype(Group::scaled_edges);
+      bytes += EdgeRows::bytes_for(level.nodes, level.edges) + bytes_of_array<Blocks>(2 * level.edges) -
+               bytes_of_array<Blocks>(level.edges);
+    }
+    return bytes;
+  }
+  [[nodiscard]] static index_t bytes_for(const GraphCounts& level, MatrixFree needs) {
+    return Group::bytes(counts(level.nodes, needs));
   }
 
   [[nodiscard]] index_t nodes() const { return this->constraints.size(); }
@@ -129,6 +130,29 @@ struct LevelOver : Group {
   }
 
  private:
+  static auto counts(const GraphCounts& level, const GraphCounts* coarser) {
+    const index_t n = level.nodes;
+    const bool last = coarser == nullptr;
+    return typename Group::Counts{.node = n,
+                                  .edge = level.edges,
+                                  .edge_node = n,
+                                  .edge_end = 2 * level.edges,
+                                  .block_node = n,
+                                  .smoother = 1,
+                                  .child = last ? 0 : n - level.grid_parents,
+                                  .grid_child = last ? 0 : level.grid_parents,
+                                  .parent = last ? 0 : coarser->nodes,
+                                  .child_entry = last ? 0 : level.children,
+                                  .coarse_edge = last ? 0 : coarser->edges,
+                                  .edge_term = last ? 0 : level.edge_terms,
+                                  .grid_node = level.is_grid ? n : level.grid_parents,
+                                  .coarse_pair = last && n <= most_coarse_nodes ? n * n : 0};
+  }
+  static auto counts(index_t nodes, MatrixFree needs) {
+    return typename Group::Counts{
+        .node = nodes, .block_node = needs.blocks ? nodes : 0, .child = needs.coarser ? nodes : 0};
+  }
+  static bool has_rows(index_t nodes) { return Space::kind == SpaceKind::cuda && nodes <= EdgeRows::most_nodes; }
   static auto host_constraints(const LevelGraph& graph) {
     quasistatic::NodeConstraintArray<Real> array(graph.nodes);
     for (index_t n = 0; n < array.size(); ++n) array.view()[n].fixed() = graph.fixed[std::size_t(n)];

@@ -20,8 +20,12 @@ struct InertiaOver : Group {
   /// @param masses_of_nodes [kg] @param solved whether equilibrium is solved on the level
   InertiaOver(const std::vector<double>& masses_of_nodes, bool solved) {
     const auto nodes = index_t(masses_of_nodes.size());
-    this->allocate({.node = nodes, .moving_node = solved ? nodes : 0, .measure = solved ? 1 : 0});
+    this->allocate(counts(nodes, solved));
     put(this->masses, host_masses(masses_of_nodes));
+  }
+
+  [[nodiscard]] static auto counts(index_t nodes, bool solved) {
+    return typename Group::Counts{.node = nodes, .moving_node = solved ? nodes : 0, .measure = solved ? 1 : 0};
   }
 
   /// For kernels. @pre equilibrium is solved on the level

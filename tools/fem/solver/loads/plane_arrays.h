@@ -24,13 +24,18 @@ struct PlanesOver : Group {
   /// @param stiffness_per_area [Pa/m]
   PlanesOver(const MeshLevel& level, const std::vector<RigidPlane>& given, double stiffness_per_area)
       : per_area(stiffness_per_area) {
-    this->allocate(
-        {.plane = index_t(given.size()), .surface_node = level.mesh.nodes, .node = level.mesh.nodes, .contact = 1});
+    this->allocate(counts(level.mesh.nodes, index_t(given.size()), true));
     put(this->planes, host_planes(given));
     put(this->areas, host_areas(level));
   }
   /// Makes those of a level of the preconditioner alone.
-  explicit PlanesOver(index_t nodes) { this->allocate({.node = nodes}); }
+  explicit PlanesOver(index_t nodes) { this->allocate(counts(nodes, 0, false)); }
+
+  /// @param solved whether equilibrium is solved on the level
+  [[nodiscard]] static auto counts(index_t nodes, index_t planes, bool solved) {
+    if (!solved) return typename Group::Counts{.node = nodes};
+    return typename Group::Counts{.plane = planes, .surface_node = nodes, .node = nodes, .contact = 1};
+  }
 
   /// For kernels. @pre equilibrium is solved on the level
   [[nodiscard]] auto at(const AtLoad& load) const {

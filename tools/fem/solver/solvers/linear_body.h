@@ -4,10 +4,21 @@
 #include <fem/solver/arrays/solver_arrays.h>
 #include <fem/solver/elastic/linear_elastic.h>
 #include <fem/solver/elastic/rest_shapes.h>
+#include <fem/solver/hierarchy/level_counts.h>
 #include <fem/solver/loads/loading_arrays.h>
 #include <fem/solver/quasistatic.h>
 
 namespace physgen::fem {
+
+/// @tparam Body the group Linear of a scene
+template <class Body>
+[[nodiscard]] typename Body::Counts linear_counts(const LevelCounts& mesh, bool assembled) {
+  return {.tet = mesh.tets,
+          .node = mesh.nodes,
+          .corner = 4 * mesh.tets,
+          .edge = assembled ? mesh.edges : 0,
+          .tet_edge = assembled ? 6 * mesh.tets : 0};
+}
 
 /// Makes the arrays of a body at rest.
 /// @param body the group Linear of a scene
@@ -19,11 +30,7 @@ void fill_linear_body(Body& body, const MeshLevel& level, const LevelGraph& grap
   const auto of_nodes = packed_rows<NodeTetEntry>(level.mesh.node_tets, tets, "tets");
   PackedRows<Host> of_edges;
   if (assembled) of_edges = packed_rows<EdgeTetEntry>(make_edge_parts(level, graph).edge_tets, tets, "tets");
-  body.allocate({.tet = tets,
-                 .node = level.mesh.nodes,
-                 .corner = of_nodes.entries().size(),
-                 .edge = of_edges.ranges().size(),
-                 .tet_edge = of_edges.entries().size()});
+  body.allocate(linear_counts<Body>(counts_of(level, graph), assembled));
   put(body.tets, host_tets(level));
   put(body.rest, host_rest_shapes(level));
   put_rows(body.node_tet_ranges, body.node_tets, of_nodes);
