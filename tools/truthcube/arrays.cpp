@@ -1,5 +1,7 @@
 #include "arrays.h"
 
+#include <fem/solver/solvers/scene_solvers.h>
+
 namespace physgen::truthcube {
 
 namespace {
@@ -14,25 +16,24 @@ bool has_implicit_dynamics(const Options& options) {
 
 }  // namespace
 
+const fem::SceneRow* equilibrium_row(SceneKind scene) {
+  const auto rows = fem::equilibrium_scenes();
+  const int row = static_cast<int>(scene) - 1;  // the first kind is `everything`, and rows follow
+  return row >= 0 && row < static_cast<int>(rows.size()) ? &rows[static_cast<std::size_t>(row)] : nullptr;
+}
+
 std::string arrays_of(const Options& options) {
+  if (const fem::SceneRow* row = equilibrium_row(options.scene)) return row->name;
   switch (options.scene) {
-    case SceneKind::quasistatic:
-      return "quasistatic";
-    case SceneKind::matrix_free:
-      return "quasistatic_matrix_free";
-    case SceneKind::fixed_corotated:
-      return "quasistatic_fixed_corotated";
     case SceneKind::explicit_dynamics:
       return "explicit_dynamics";
     case SceneKind::implicit_dynamics:
-      if (has_implicit_dynamics(options)) return "implicit_dynamics";
-      break;
+      return has_implicit_dynamics(options) ? "implicit_dynamics" : "everything";
     case SceneKind::linear_elastic:
       return options.solver.newton.product == fem::Product::assembled ? "linear_elastic_assembled" : "linear_elastic";
-    case SceneKind::everything:
-      break;
+    default:
+      return "everything";
   }
-  return "everything";
 }
 
 }  // namespace physgen::truthcube

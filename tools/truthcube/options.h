@@ -1,6 +1,7 @@
 // Everything that one may choose of a run; plain values, which parse.h makes of a command line.
 #pragma once
 
+#include <fem/solver/scene_rows.h>
 #include <fem/solver/settings.h>
 
 #include <filesystem>
@@ -17,15 +18,13 @@ enum class TopPlate { bonded, frictionless };
 enum class Plates { held, contact };
 
 /// The problem that is solved; see scene_choice.h.
+#define PHYSGEN_SCENE_KIND(scene, ...) scene,
 enum class SceneKind {
   everything,
-  quasistatic,
-  matrix_free,
-  fixed_corotated,
-  implicit_dynamics,
-  explicit_dynamics,
+  PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_SCENE_KIND) PHYSGEN_IMPLICIT_SCENES(PHYSGEN_SCENE_KIND) explicit_dynamics,
   linear_elastic
 };
+#undef PHYSGEN_SCENE_KIND
 
 /// Settings of scenes that move.
 struct MotionOptions {

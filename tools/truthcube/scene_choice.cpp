@@ -10,13 +10,13 @@
 
 namespace physgen::truthcube {
 
+#define PHYSGEN_SCENE_NAME(scene, word, ...) {word, SceneKind::scene},
 const Names<SceneKind> scene_kinds{{"everything", SceneKind::everything},
-                                   {"quasistatic", SceneKind::quasistatic},
-                                   {"matrix-free", SceneKind::matrix_free},
-                                   {"fixed-corotated", SceneKind::fixed_corotated},
-                                   {"implicit-dynamics", SceneKind::implicit_dynamics},
+                                   PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_SCENE_NAME)  //
+                                   PHYSGEN_IMPLICIT_SCENES(PHYSGEN_SCENE_NAME)     //
                                    {"explicit-dynamics", SceneKind::explicit_dynamics},
                                    {"linear-elastic", SceneKind::linear_elastic}};
+#undef PHYSGEN_SCENE_NAME
 
 namespace {
 
@@ -53,18 +53,21 @@ void choose_tets(Options& options, const Given& given, const std::string& who) {
 }
 
 /// The choices of scenes whose solver is compiled for them alone.
-void choose_declared(Options& options, const Given& given, const std::string& material, bool assembled) {
+void choose_declared(Options& options, const Given& given, const fem::SceneRow& row) {
   refuse(options, given, {"--historical"}, "that is a choice of --scene everything");
-  choose(options, given, "--material", material, options.solver.material, material);
+  choose(options, given, "--material", row.material, options.solver.material, std::string(row.material));
   choose(options, given, "--precision", "float", options.solver.precision, fem::TangentPrecision::float32);
   choose(options, given, "--plates", "held", options.plates, Plates::held);
   fem::NewtonSettings& newton = options.solver.newton;
-  choose(options, given, "--product", assembled ? "assembled" : "matrix-free", newton.product,
-         assembled ? fem::Product::assembled : fem::Product::matrix_free);
+  choose(options, given, "--product", row.assembled ? "assembled" : "matrix-free", newton.product,
+         row.assembled ? fem::Product::assembled : fem::Product::matrix_free);
   if (const auto kind = newton.preconditioner.kind; fem::asks_for(kind, fem::asks::arrays)) {
     throw Error(scene_name(options) + " has no --preconditioner " + fem::row_of(kind).name +
                 ": that is a choice of --scene everything");
   }
+  if (!row.tets) choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
+  if (!row.patches) choose_tets(options, given, std::string(row.bodies) + " bodies take");
+  if (!row.assembled && !given("--preconditioner")) newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
 }
 
 void apply_motion(Options& options, const Given& given) {
@@ -81,22 +84,8 @@ void apply_motion(Options& options, const Given& given) {
 
 void apply_scene(Options& options, const Given& given) {
   fem::NewtonSettings& newton = options.solver.newton;
+  if (const fem::SceneRow* row = equilibrium_row(options.scene)) choose_declared(options, given, *row);
   switch (options.scene) {
-    case SceneKind::everything:
-      break;
-    case SceneKind::quasistatic:
-      choose_declared(options, given, "stable-neo-hookean", true);
-      choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
-      break;
-    case SceneKind::matrix_free:
-      choose_declared(options, given, "stable-neo-hookean", false);
-      choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
-      if (!given("--preconditioner")) newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-      break;
-    case SceneKind::fixed_corotated:
-      choose_declared(options, given, "fixed-corotated", true);
-      choose_tets(options, given, "fixed corotated bodies take");
-      break;
     case SceneKind::implicit_dynamics:
       apply_motion(options, given);
       choose(options, given, "--product", "assembled", newton.product, fem::Product::assembled);
@@ -129,6 +118,8 @@ void apply_scene(Options& options, const Given& given) {
       choose(options, given, "--plates", "held", options.plates, Plates::held);
       choose_tets(options, given, "linear elasticity takes");
       options.solver.nested = false;
+      break;
+    default:
       break;
   }
   if (options.scene != SceneKind::explicit_dynamics) {

@@ -100,12 +100,11 @@ template <class Space>
 RunBytes bytes_on(const std::vector<LevelCounts>& levels, const fem::SolverSettings& settings,
                   const RunArrays& arrays) {
   const std::string& names = arrays.names;
-  if (names == "quasistatic") return bytes_with<fem::QuasistaticArrays<Space>>(levels, settings, arrays);
-  if (names == "quasistatic_matrix_free") return bytes_with<fem::MatrixFreeArrays<Space>>(levels, settings, arrays);
-  if (names == "quasistatic_fixed_corotated") {
-    return bytes_with<fem::FixedCorotatedArrays<Space>>(levels, settings, arrays);
-  }
-  if (names == "implicit_dynamics") return bytes_with<fem::ImplicitDynamicsArrays<Space>>(levels, settings, arrays);
+#define PHYSGEN_BYTES_OF_SCENE(scene, ...) \
+  if (names == #scene) return bytes_with<fem::SceneArrays<scenes::scene, Space>>(levels, settings, arrays);
+  PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_BYTES_OF_SCENE)
+  PHYSGEN_IMPLICIT_SCENES(PHYSGEN_BYTES_OF_SCENE)
+#undef PHYSGEN_BYTES_OF_SCENE
   return fem::in_precision(settings.precision, [&]<class Real, class Stored>() {
     if (names == "explicit_dynamics") return explicit_bytes<Real, Space>(levels.front(), arrays.fixed_order);
     if (names == "linear_elastic") return bytes_with<fem::LinearByTetsArrays<Real, Space>>(levels, settings, arrays);

@@ -176,11 +176,11 @@ TEST_P(Bytes, of_scenes_are_those_of_the_solvers_that_run_them_alone) {
     settings.material = "stable-neo-hookean";
     if (volume == VolumeTreatment::patches) expect_bytes(SceneKind::quasistatic);
     settings.material = "fixed-corotated";
-    if (volume == VolumeTreatment::tets) expect_bytes(SceneKind::fixed_corotated);
+    if (volume == VolumeTreatment::tets) expect_bytes(SceneKind::quasistatic_fixed_corotated);
     settings.newton.product = fem::Product::matrix_free;
     settings.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
     settings.material = "stable-neo-hookean";
-    if (volume == VolumeTreatment::patches) expect_bytes(SceneKind::matrix_free);
+    if (volume == VolumeTreatment::patches) expect_bytes(SceneKind::quasistatic_matrix_free);
   }
   if (volume == VolumeTreatment::nodes) return;
   settings.nested = false;

@@ -3,14 +3,19 @@
 
 #include <fem/solver/dynamic_solver.h>
 #include <fem/solver/quasistatic.h>
+#include <fem/solver/scene_rows.h>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace physgen::fem {
 
-/// Equilibria of a scene by name: quasistatic, quasistatic_matrix_free, quasistatic_fixed_corotated.
+/// The rows of PHYSGEN_EQUILIBRIUM_SCENES.
+[[nodiscard]] std::span<const SceneRow> equilibrium_scenes();
+
+/// Equilibria of one of these scenes by name.
 /// @throw Error when there is no such scene; naming what settings, levels or loading ask for that it has not; and as
 /// make_solver() does
 [[nodiscard]] std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene,
@@ -28,16 +33,13 @@ namespace physgen::fem {
 /// Each is compiled by itself: see scene_solver.in. @pre nothing is asked for that the scene has not
 using MakeSceneSolver = std::unique_ptr<EquilibriumSolver>(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                            const SolverSettings& settings);
-MakeSceneSolver make_host_quasistatic_solver, make_host_quasistatic_matrix_free_solver,
-    make_host_quasistatic_fixed_corotated_solver;
-/// In a build with CUDA.
-MakeSceneSolver make_cuda_quasistatic_solver, make_cuda_quasistatic_matrix_free_solver,
-    make_cuda_quasistatic_fixed_corotated_solver;
-
 using MakeSceneImplicitSolver = std::unique_ptr<DynamicSolver>(const std::vector<MeshLevel>& levels,
                                                                const Loading& loading, const DynamicSettings& settings);
-MakeSceneImplicitSolver make_host_implicit_dynamics_solver;
-/// In a build with CUDA.
-MakeSceneImplicitSolver make_cuda_implicit_dynamics_solver;
+/// Those on CUDA are in a build with CUDA.
+#define PHYSGEN_DECLARE_SOLVERS(scene, word, Material, Choices, volumes, Make, ...) \
+  Make make_host_##scene##_solver, make_cuda_##scene##_solver;
+PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_DECLARE_SOLVERS, MakeSceneSolver)
+PHYSGEN_IMPLICIT_SCENES(PHYSGEN_DECLARE_SOLVERS, MakeSceneImplicitSolver)
+#undef PHYSGEN_DECLARE_SOLVERS
 
 }  // namespace physgen::fem

@@ -1,3 +1,4 @@
+#include <fem/solver/arrays/run_time_choices.h>
 #include <fem/solver/material_names.h>
 #include <fem/solver/solvers/require.h>
 #include <fem/solver/solvers/scene_solvers.h>
@@ -6,7 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <span>
+#include <type_traits>
 
 namespace physgen::fem {
 
@@ -116,34 +118,40 @@ std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& lev
 
 namespace {
 
-/// The choices that a scene is declared with.
-struct DeclaredScene {
-  const char* name;
-  const char* material;
-  bool assembled;
-  bool patches;  ///< whether volumes may be averaged over them
-  bool tets;     ///< whether volumes may be those of tets
-};
-/// The same, with its solvers of equilibria.
-struct SolvedScene : DeclaredScene {
+/// The name by which users choose a material.
+template <class Material>
+const char* name_of_material() {
+  const char* found = "";
+  for_each_material([&]<class Other>(const char* name) {
+    if (std::is_same_v<Other, Material>) found = name;
+  });
+  return found;
+}
+
+enum class Volumes { by_patches, by_tets, by_either };
+#define PHYSGEN_SCENE_ROW(scene, word, Material, Choices, volumes, ...) \
+  SceneRow{#scene,                                                      \
+           word,                                                        \
+           name_of_material<Material<double>>(),                        \
+           Material<double>::name,                                      \
+           Choices::assembled,                                          \
+           Volumes::volumes != Volumes::by_tets,                        \
+           Volumes::volumes != Volumes::by_patches},
+const SceneRow implicit_scene[] = {PHYSGEN_IMPLICIT_SCENES(PHYSGEN_SCENE_ROW)};
+
+/// The solvers of a scene in the order of the rows.
+struct SceneSolver {
   MakeSceneSolver *on_cpu, *on_cuda;
 };
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
-#define PHYSGEN_SCENE_SOLVERS(scene) &make_host_##scene##_solver, &make_cuda_##scene##_solver
+#define PHYSGEN_SCENE_SOLVER(scene, ...) {&make_host_##scene##_solver, &make_cuda_##scene##_solver},
 #else
-#define PHYSGEN_SCENE_SOLVERS(scene) &make_host_##scene##_solver, nullptr
+#define PHYSGEN_SCENE_SOLVER(scene, ...) {&make_host_##scene##_solver, nullptr},
 #endif
-constexpr SolvedScene solved_scenes[] = {
-    {{"quasistatic", "stable-neo-hookean", true, true, false}, PHYSGEN_SCENE_SOLVERS(quasistatic)},
-    {{"quasistatic_matrix_free", "stable-neo-hookean", false, true, false},
-     PHYSGEN_SCENE_SOLVERS(quasistatic_matrix_free)},
-    {{"quasistatic_fixed_corotated", "fixed-corotated", true, false, true},
-     PHYSGEN_SCENE_SOLVERS(quasistatic_fixed_corotated)}};
-#undef PHYSGEN_SCENE_SOLVERS
-constexpr DeclaredScene implicit_scene{"implicit_dynamics", "stable-neo-hookean", true, true, true};
+constexpr SceneSolver scene_solvers[] = {PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_SCENE_SOLVER)};
 
 /// @throw Error naming what is asked for that the scene has not
-void require_declared(const DeclaredScene& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
+void require_declared(const SceneRow& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
                       const SolverSettings& settings) {
   const auto require = [&](bool holds, const std::string& what) {
     if (!holds) throw Error("the scene " + std::string(scene.name) + " " + what);
@@ -179,24 +187,31 @@ void require_implicit(const std::vector<MeshLevel>& levels, const Loading& loadi
 
 }  // namespace
 
+std::span<const SceneRow> equilibrium_scenes() {
+  static const SceneRow rows[] = {PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_SCENE_ROW)};
+  return rows;
+}
+
 std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels,
                                                      const Loading& loading, const SolverSettings& settings) {
-  const auto* solved = std::ranges::find_if(solved_scenes, [&](const auto& known) { return scene == known.name; });
-  if (solved == std::end(solved_scenes)) {
+  const auto rows = equilibrium_scenes();
+  const auto row = std::ranges::find_if(rows, [&](const SceneRow& known) { return scene == known.name; });
+  if (row == rows.end()) {
     std::string names;
-    for (const SolvedScene& known : solved_scenes) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    for (const SceneRow& known : rows) names += (names.empty() ? "" : ", ") + std::string(known.name);
     throw Error("there is no solver of a scene '" + scene + "'; there are " + names);
   }
-  require_declared(*solved, levels, loading, settings);
+  require_declared(*row, levels, loading, settings);
   require_nonlinear(levels, loading, settings);
-  if (settings.device == Device::cpu) return solved->on_cpu(levels, loading, settings);
-  if (solved->on_cuda == nullptr) refuse_cuda();
-  return solved->on_cuda(levels, loading, settings);
+  const SceneSolver& solver = scene_solvers[row - rows.begin()];
+  if (settings.device == Device::cpu) return solver.on_cpu(levels, loading, settings);
+  if (solver.on_cuda == nullptr) refuse_cuda();
+  return solver.on_cuda(levels, loading, settings);
 }
 
 std::unique_ptr<DynamicSolver> make_scene_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                           const DynamicSettings& settings) {
-  require_declared(implicit_scene, levels, loading, settings.solver);
+  require_declared(implicit_scene[0], levels, loading, settings.solver);
   require_implicit(levels, loading, settings);
   if (settings.solver.device == Device::cpu) return make_host_implicit_dynamics_solver(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
