@@ -34,6 +34,16 @@ struct PreconditionerBytes {
   std::int64_t lists = 0;   ///< in the host's memory while they are made
 };
 
+/// A base of preconditioners that have no arrays beside those of levels.
+struct WithoutArrays {
+  template <class Level>
+  static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
+  template <class Extra>
+  static PreconditionerBytes bytes(std::int64_t /*nodes*/, std::int64_t /*edges*/) {
+    return {};
+  }
+};
+
 namespace detail {
 struct AnyExecutor {};
 struct AnyLevel {};

@@ -1,19 +1,13 @@
 // The preconditioner block Jacobi: the inverses of the nodes' blocks.
 #pragma once
 
+#include <fem/solver/levels/preconditioner.h>
 #include <fem/solver/levels/scaled_blocks.h>
 #include <fem/solver/preconditioners/jacobi/block_jacobi.h>
-#include <fem/solver/levels/preconditioner.h>
 
 namespace physgen::fem {
 
-struct BlockJacobi {
-  template <class Level>
-  static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
-  template <class Extra>
-  static PreconditionerBytes bytes(std::int64_t /*nodes*/, std::int64_t /*edges*/) {
-    return {};  // levels have the inverses
-  }
+struct BlockJacobi : WithoutArrays {
   template <class On, class Levels>
   static void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& /*settings*/,
                       bool /*fresh*/) {

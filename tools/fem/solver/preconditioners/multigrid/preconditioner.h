@@ -1,8 +1,8 @@
 // The preconditioner multigrid: one V-cycle over Galerkin levels, smoothed by Chebyshev polynomials of block Jacobi.
 #pragma once
 
-#include <fem/solver/preconditioners/multigrid/multigrid.h>
 #include <fem/solver/levels/preconditioner.h>
+#include <fem/solver/preconditioners/multigrid/multigrid.h>
 #ifdef __CUDACC__
 #include <fem/solver/preconditioners/multigrid/coarse_inverse_cuda.h>
 #include <fem/solver/preconditioners/multigrid/scaled_product_cuda.h>
@@ -13,13 +13,7 @@
 
 namespace physgen::fem {
 
-struct Multigrid {
-  template <class Level>
-  static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
-  template <class Extra>
-  static PreconditionerBytes bytes(std::int64_t /*nodes*/, std::int64_t /*edges*/) {
-    return {};  // levels have its arrays
-  }
+struct Multigrid : WithoutArrays {
   template <class On, class Levels>
   static void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings, bool fresh) {
     prepare_level(on, *levels[top], settings, fresh);

@@ -3,8 +3,8 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <fem/solver/levels/scaled_blocks.h>
 #include <fem/solver/levels/preconditioner.h>
+#include <fem/solver/levels/scaled_blocks.h>
 
 namespace physgen::fem {
 
@@ -23,13 +23,7 @@ struct CopyResidual {
 template <class... Views>
 CopyResidual(Views...) -> CopyResidual<Views...>;
 
-struct NoPreconditioner {
-  template <class Level>
-  static void make_arrays(Level& /*level*/, const LevelGraph& /*graph*/, const std::vector<Point>& /*rest*/) {}
-  template <class Extra>
-  static PreconditionerBytes bytes(std::int64_t /*nodes*/, std::int64_t /*edges*/) {
-    return {};
-  }
+struct NoPreconditioner : WithoutArrays {
   template <class On, class Levels>
   static void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& /*settings*/,
                       bool /*fresh*/) {

@@ -1,8 +1,8 @@
 // The multilevel Schwarz preconditioner.
 #pragma once
 
-#include <fem/solver/levels/scaled_blocks.h>
 #include <fem/solver/levels/preconditioner.h>
+#include <fem/solver/levels/scaled_blocks.h>
 #include <fem/solver/preconditioners/schwarz/schwarz.h>
 #ifdef __CUDACC__
 #include <fem/solver/preconditioners/schwarz/schwarz_cuda.h>
