@@ -8,9 +8,9 @@
 
 namespace physgen {
 
-/// Adds the values of the kernel's object(s) `own` to what `to` refers to. Other threads, and other lanes of the pack,
-/// may add to the same object: each addition is atomic. In which order, and so with which last bits, is open; sums that
-/// have the same bits on every run are gathers over Rows (rows.h).
+/// Adds the values of the kernel's object(s) `own` to what `to` refers to. Other threads of the process, and other
+/// lanes of the pack, may add to the same object: each addition is atomic. In which order, and so with which last bits,
+/// is open; sums that have the same bits on every run are gathers over Rows (rows.h).
 /// @param own the kernel's own index: of a PartialPack, the lanes outside the range are left out
 /// @param to a field that is stored as it is computed, of an object named by a gathered index or by `own`
 template <class I, class To>

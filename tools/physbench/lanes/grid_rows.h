@@ -44,7 +44,7 @@ void measure_hexahedra(const Bench& bench) {
                                                                                      positions.const_view()},
       [&] {
         for (auto& one : plain) {
-          const auto at = [&](int c) -> const Vector3<Real>& { return x[u(one.nodes[c])].x; };
+          const auto at = [&](int c) -> const auto& { return x[u(one.nodes[c])].x; };
           const Vector3<Real> d = at(6) - at(0), a = at(1) - at(0), b = at(2) - at(5), c = at(3) - at(0),
                               e = at(4) - at(0), g = at(7) - at(2), h = at(6) - at(3);
           one.volume = (d.dot(a.cross(b)) + d.dot(c.cross(g)) + d.dot(e.cross(h))) * Real(1.0 / 6);

@@ -1,4 +1,5 @@
-// The cursor of W objects named by an index batch. Included by host translation units only.
+// The cursor of W objects named by an index batch. Included by host translation units only. Where the objects follow
+// each other, as neighbours of a grid do, tiles and SoA are read by one or two registers, else lane by lane.
 #pragma once
 
 #include <physgen/detail/simd_cursor.h>
@@ -25,6 +26,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   Cursor(Byte* base, Pitch pitch, const xsimd::batch<U, A>& index, Losses* losses)
       : Base(losses, 0), base_(base), pitch_(pitch) {
     index.store_aligned(index_.data());
+    if constexpr (reads_runs) run_ = is_run(index);
   }
 
   [[nodiscard]] Cursor nested(int offset) const {
@@ -45,6 +47,47 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
  private:
   friend Base;
   [[nodiscard]] index_t further(int l) const { return index_[static_cast<std::size_t>(l)]; }
+
+  /// Whether elements of W objects that follow each other lie in at most two pieces.
+  static constexpr bool reads_runs = [] {
+    if constexpr (requires { std::integral_constant<index_t, Pitch::value()>(); }) return Pitch::value() >= W;
+    return std::is_same_v<Pitch, WholePitch>;
+  }();
+  /// Whether lane l names object index[0] + l. With the compiler's own vectors, as in simd_rows.h.
+  [[nodiscard]] bool is_run(const xsimd::batch<U, A>& index) const {
+    using Unsigned = std::make_unsigned_t<U>;
+    const auto given = std::bit_cast<detail::register_t<Unsigned, W>>(index);
+    const auto off = given ^ (detail::counting_register<Unsigned, W>() + given[0]);
+    std::uint64_t any = 0;
+    for (const std::uint64_t word : std::bit_cast<std::array<std::uint64_t, sizeof off / 8>>(off)) any |= word;
+    return any == 0 && further(W - 1) - further(0) == W - 1;  // no number overflowed
+  }
+  template <class T>
+  [[nodiscard]] batch_t<T, W> read(int offset) const {
+    if constexpr (reads_runs) {
+      if (run_) return read_run<T>(offset);
+    }
+    return [&]<int... l>(std::integer_sequence<int, l...>) {  // by way of memory, it would wait for all its lanes
+      return std::bit_cast<batch_t<T, W>>(detail::register_t<T, W>{*address<T>(offset, l)...});
+    }(std::make_integer_sequence<int, W>());
+  }
+  /// The piece in the first object's tile, and that in the last one's. Each load begins or ends with elements of
+  /// others, of these two tiles.
+  template <class T>
+  [[nodiscard]] batch_t<T, W> read_run(int offset) const {
+    const auto low = batch_t<T, W>::load_unaligned(address<T>(offset, 0));
+    if constexpr (std::is_same_v<Pitch, WholePitch>) {
+      return low;
+    } else {
+      const index_t in_first = pitch_.value() - pitch_.lane(further(0));
+      if (in_first >= W) return low;
+      const auto high = batch_t<T, W>::load_unaligned(address<T>(offset, W - 1) - (W - 1));
+      using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+      using Lanes = detail::register_t<Bits, W>;
+      const Lanes first = detail::counting_register<Bits, W>() < Lanes{} + static_cast<Bits>(in_first);
+      return std::bit_cast<batch_t<T, W>>((std::bit_cast<Lanes>(low) & first) | (std::bit_cast<Lanes>(high) & ~first));
+    }
+  }
 
   template <class T>
   void read_lanes(int offset, std::array<T, W>& lanes) const {
@@ -85,6 +128,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
   Byte* base_;
   Pitch pitch_;
   int offset_ = 0;  ///< in the record, of base_
+  bool run_ = false;
   alignas(64) std::array<U, W> index_;
 };
 

@@ -22,6 +22,14 @@ struct Register {
 template <class T, int kCount>
 using register_t = typename Register<T, kCount>::type;
 
+/// 0, 1, 2, ...
+template <class T, int kCount>
+[[gnu::always_inline]] inline register_t<T, kCount> counting_register() {
+  return []<int... k>(std::integer_sequence<int, k...>) {
+    return register_t<T, kCount>{k...};
+  }(std::make_integer_sequence<int, kCount>());
+}
+
 /// The words that begin at address(first), address(first + step), ..., one behind the other.
 template <class T, int kWords, class Address>
 [[gnu::always_inline]] inline auto join_words(const Address& address, int first, int step) {
