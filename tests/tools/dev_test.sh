@@ -186,6 +186,7 @@ case $rule in
     ;;
   run_builds_no_more_than_is_run)
     for name in physbench_first physbench_cpu physbench_errors physbench; do program build/first/bin/$name; done
+    program build/release/bin/physbench_solves
     dev 0 run
     called 'cmake --preset first -DPHYSGEN_CUDA=OFF$'
     called 'cmake --build --preset first -j [0-9]* --target physbench_first$'
@@ -199,6 +200,9 @@ case $rule in
       called 'cmake --build --preset first -j [0-9]* --target physbench_errors$'
       called "physbench_errors $word\$"
     done
+    dev 0 run linear_solves --cells 8
+    called 'cmake --build --preset release -j [0-9]* --target physbench_solves$'
+    called 'physbench_solves linear_solves --cells 8$'
     fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else echo 9.0; fi'
     dev 0 run errors
     called 'cmake --build --preset first -j [0-9]* --target physbench$'

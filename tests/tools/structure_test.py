@@ -23,9 +23,10 @@ ROOMS = (
     *("tools/fem/numerics", "tools/fem/materials", "tools/fem/mesh", "tools/fem/kernels", "tools/fem/reference"),
     *(f"tools/fem/solver{folder}" for folder in SOLVER),
     *("tools/fem/dynamics", "tools/fem/solver/scenes"),
+    *("tools/truthcube/output", "tools/truthcube"),
     *("tools/physbench/data", "tools/physbench/kernels", "tools/physbench/measure", "tools/physbench/coalescing"),
-    *("tools/physbench/groups", "tools/physbench/vendor", "tools/physbench/report", "tools/physbench"),
-    *("tools/truthcube/output", "tools/truthcube", "tools/truthcube/linear_solves", "tools/examples"),
+    *("tools/physbench/groups", "tools/physbench/vendor", "tools/physbench/report", "tools/physbench/linear_solves"),
+    *("tools/physbench", "tools/examples"),
 )
 LONGEST = 300  # of a file that people write, in lines
 WRITTEN = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", "CMakeLists.txt", "tools/dev")  # how their paths end

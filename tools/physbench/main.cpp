@@ -13,6 +13,7 @@
 #include "measure/replay.h"
 #include "options.h"
 #include "report/progress.h"
+#include "report/results_file.h"
 #include "report/table.h"
 
 namespace physgen::bench {
@@ -128,13 +129,13 @@ int run(int argc, char** argv) {
   if (options.table) {
     display = std::make_unique<TableReporter>(session.rows(), facts);
   } else if (options.json) {
-    display = std::make_unique<PlainNames<benchmark::JSONReporter>>();
+    display = std::make_unique<PlainNames<ResultsReporter>>(options.group);
   } else {
     display = std::make_unique<PlainNames<benchmark::ConsoleReporter>>();
   }
   if (options.table) std::cout << announcement(session.rows(), threads()) << std::flush;
   Watch watch(*display);
-  PlainNames<benchmark::JSONReporter> file;
+  PlainNames<ResultsReporter> file(options.group);
   benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
   return watch.failed ? 1 : 0;
 }

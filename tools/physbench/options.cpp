@@ -120,6 +120,12 @@ Options parse(const std::vector<std::string>& arguments) {
       ->type_name("FILE");
   app.add_option("--benchmark_filter", options.filter, "the rows to run, as a regular expression")->type_name("REGEX");
   app.add_flag("--help", help, "this text");
+  std::vector<std::pair<std::string, CLI::App*>> own;  // flags that one group has
+  for (const Group& group : registry().groups) {
+    if (!group.add_flags) continue;
+    own.emplace_back(group.name, app.add_option_group("Flags of the group " + group.name));
+    group.add_flags(*own.back().second);
+  }
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
     app.parse(std::move(reversed));
@@ -130,8 +136,11 @@ Options parse(const std::vector<std::string>& arguments) {
   bool min_time = false;
   for (const std::string& flag : app.remaining()) {
     if (!flag.starts_with("--benchmark_") && !flag.starts_with("--v=")) {
-      const std::string near =
-          nearest(flag.substr(0, flag.find('=')), {"--threads", "--objects", "--all", "--table", "--json"});
+      std::vector<std::string> flags{"--threads", "--objects", "--all", "--table", "--json"};
+      for (const auto& [name, group] : own) {
+        for (const CLI::Option* option : group->get_options()) flags.push_back("--" + option->get_lnames().front());
+      }
+      const std::string near = nearest(flag.substr(0, flag.find('=')), flags);
       throw Error("there is no flag " + flag + (near.empty() ? ";" : "; did you mean " + near + "?") +
                   " physbench --help lists them");
     }
@@ -142,6 +151,14 @@ Options parse(const std::vector<std::string>& arguments) {
     options.benchmark_flags.push_back(flag);
   }
   const Group& group = find_group(options.group);
+  for (const auto& [name, flags] : own) {
+    if (name == options.group) continue;
+    for (const CLI::Option* option : flags->get_options()) {
+      if (option->count() == 0) continue;
+      throw Error(option->get_name() + " is a flag of the group " + name + ": write physbench " + name + " " +
+                  option->get_name());
+    }
+  }
   options.filtered = !options.filter.empty();
   if (options.filtered && all) throw Error("--all takes no --benchmark_filter: remove one of them");
   if (!options.filtered) options.filter = options.list ? "" : all || group.first.empty() ? group.filter : group.first;

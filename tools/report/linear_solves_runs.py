@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs linear_solves for the comparison of one linear solve by several methods and collects the rows:
+"""Runs physbench linear_solves for the comparison of one linear solve by several methods and collects the rows:
 linear_solves_runs.py PROGRAM -o FILE.json [--device cpu|cuda] [--cells N] [--counts N ...] [--large N] [--repeat N]
 
   --cells   the cube on which all methods are compared, with the device's copy beside them (0: none)
@@ -13,40 +13,41 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-import sources  # noqa: E402
+import kernel_hashes  # noqa: E402
+import result_lines  # noqa: E402
+from truthcube import linear_solves  # noqa: E402
 
-# Folders and files that the figures depend on.
-MEASURED = ("runtime", "generated", "tools/fem", "tools/truthcube")
 # Poisson's ratios with the treatment of the volume: those of one volume share their mesh.
 BODIES = (("tets", ["0.45"]), ("patches", ["0.49", "0.499"]))
 
 
 def arguments_of(options):
-    """The runs, as arguments of linear_solves."""
+    """The runs, as arguments of physbench linear_solves."""
     for volume, poissons in BODIES:
         body = ["--volume", volume, "--poisson", *poissons, "--device", options.device]
         if options.cells:
             methods = ["multigrid", "schwarz", "block-jacobi"] + ["vendor"] * (options.device == "cuda")
             yield ["--cells", str(options.cells), "--method", *methods, "--precision", "half", "float", "--norm", "euclidean",
-                   "--copies", "--repeat", str(options.repeat), *body]
+                   "--repeat", str(options.repeat), *body]
         if any(options.counts):  # not times, so one solve is enough
             yield ["--cells", *map(str, options.counts), "--method", "multigrid", "--norm", "preconditioned", "euclidean",
                    "--repeat", "1", *body]
     if options.large:
         yield ["--cells", str(options.large), "--volume", "tets", "--poisson", "0.45", "--method", "multigrid",
-               "block-jacobi", "--device", options.device, "--copies", "--repeat", "3"]
+               "block-jacobi", "--device", options.device, "--repeat", "3"]
 
 
 def run(program, arguments):
     """The rows of one run, with its table on the way."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "rows.json"
-        status = subprocess.run([program, *arguments, "--output", str(file)], check=False).returncode
+        words = ["linear_solves", *arguments, f"--json={file}", "--benchmark_min_time=0"]  # a sample is a median
+        status = subprocess.run([program, *words], check=False).returncode
         if not file.exists():
-            sys.exit(f"{program} {' '.join(arguments)}: exit status {status} and no rows")
-        rows = json.loads(file.read_text())["rows"]
+            sys.exit(f"{program} {' '.join(words)}: exit status {status} and no rows")
+        rows = linear_solves.rows_of(json.loads(file.read_text()), file.name)
     for row in rows:
-        row["command"] = "linear_solves " + " ".join(arguments)
+        row["command"] = "physbench linear_solves " + " ".join(arguments)
     return rows
 
 
@@ -116,11 +117,10 @@ def main():
     options = parser.parse_args()
     rows = []
     for arguments in arguments_of(options):
-        print("linear_solves", *arguments, flush=True)
+        print("physbench linear_solves", *arguments, flush=True)
         rows += run(options.program, arguments)
         # Kept on the way, so that a run that is cut short leaves what was measured.
-        text = json.dumps({"sources": sources.text(sources.hashes(groups=MEASURED)), "rows": rows}, indent=1)
-        pathlib.Path(options.output).write_text(text + "\n")
+        result_lines.write(options.output, {"kernels": kernel_hashes.of([options.program]), "rows": rows})
     for summary in (ratios, halves, counts, shares):
         print("", *summary(rows), sep="\n")
 

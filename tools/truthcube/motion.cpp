@@ -21,7 +21,7 @@ namespace physgen::truthcube {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int most_halvings = 6;         // of a time step for which there is no equilibrium
+constexpr int most_halved_steps = 6;     // of a time step for which there is no equilibrium
 constexpr int steps_between_looks = 32;  // whether an explicit motion is finite: a look takes as long as a step
 
 fem::DynamicSettings settings_of(const Options& options) {
@@ -53,7 +53,7 @@ struct Effort {
 };
 
 /// A time step, in halves where there is no equilibrium at its end.
-void advance(const Options& options, fem::DynamicSolver& solver, double length, int halvings, Effort& effort) {
+void advance(const Options& options, fem::DynamicSolver& solver, double length, int halved_steps, Effort& effort) {
   const MotionOptions& motion = options.motion;
   const double load = compression_at(solver.time() + length, motion.duration, options.compressions.back());
   const fem::NewtonResult result = solver.step(length, load);
@@ -63,9 +63,9 @@ void advance(const Options& options, fem::DynamicSolver& solver, double length, 
   effort.status = result.status;
   if (result.status == fem::NewtonStatus::converged) {
     ++effort.steps;
-  } else if (halvings < most_halvings) {
-    advance(options, solver, length / 2, halvings + 1, effort);
-    if (effort.status == fem::NewtonStatus::converged) advance(options, solver, length / 2, halvings + 1, effort);
+  } else if (halved_steps < most_halved_steps) {
+    advance(options, solver, length / 2, halved_steps + 1, effort);
+    if (effort.status == fem::NewtonStatus::converged) advance(options, solver, length / 2, halved_steps + 1, effort);
   }
 }
 
@@ -129,10 +129,10 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
     if (effort.status != fem::NewtonStatus::converged) {
       std::fprintf(
           stderr,
-          "truthcube: no equilibrium with inertia behind %g s, with time steps down to %.3g s, after %d Newton "
+          "truthcube: no equilibrium with inertia behind %g s, with time steps halved down to %.3g s, after %d Newton "
           "steps, with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or more "
           "--cells.\n",
-          solver.time(), length / (1 << most_halvings), effort.newton, effort.residual,
+          solver.time(), length / (1 << most_halved_steps), effort.newton, effort.residual,
           describe(suspect, scene).c_str());
       return Outcome::not_converged;
     }

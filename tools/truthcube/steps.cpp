@@ -60,8 +60,8 @@ std::string compressions_of(const BeadTable& table) {
 
 }  // namespace
 
-/// Watches the Newton steps of one solve, whose increments may be halved: what the last increment came to that found
-/// its equilibrium.
+/// Watches the Newton steps of one solve, whose load may be bisected: what the last increment of the load came to
+/// that found its equilibrium.
 class LastEquilibrium {
  public:
   explicit LastEquilibrium(const fem::EquilibriumSolver& solver) : solver_(solver), load_(solver.load()) {}

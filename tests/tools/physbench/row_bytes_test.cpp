@@ -7,9 +7,8 @@
 
 #include "groups/forces.h"
 #include "groups/schemes.h"
-#include "kernels/add_force_differential.h"
-#include "kernels/element_force_differential.h"
 #include "kernels/force_chain.h"
+#include "kernels/force_differential.h"
 #include "kernels/matrix_free.h"
 #include "kernels/newton_update.h"
 #include "kernels/stress_derivative.h"

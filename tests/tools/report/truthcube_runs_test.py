@@ -193,6 +193,23 @@ class RunsTest(unittest.TestCase):
         ]
         return [{**common, **row, **(of_first if number == 0 else {})} for number, row in enumerate(made)]
 
+    def test_rows_of_physbench_are_rows_of_the_ratio_table(self):
+        numbers = {"poisson": 0.45, "compression": 0.0, "tolerance": 1e-4, "product_bytes": 5e6, "iteration_bytes": 6e7}
+        times = {"median_ms": 4.4, "assembly_ms": 0.5, "setup_ms": 1.0, "product_ms": 0.1, "product_copy_ms": 0.05, "copy_ms": 1.1}
+        solved = {**numbers, **times, "iterations": 3, "iteration_count": 11.0, "err_max": 4e-5}
+        body = "cuda/1572864/tets_0.45_euclidean"
+        results = [{"name": "linear_solve/multigrid/half/" + body, **solved}]
+        results.append({"name": "linear_solve/none/float/" + body, "error_message": "not finite"})
+        row, failed = linear_solves.rows_of({"context": {"gpu": "A GPU, CUDA 13.0"}, "benchmarks": results}, "a.json")
+        self.assertEqual((row["cells"], row["precision"], row["iterations"], row["device"]), (64, "half", 11, "A GPU"))
+        self.assertEqual((row["solve_seconds"], row["setup_seconds"], row["residual"]), (4.4e-3, 1e-3, 4e-5))
+        self.assertAlmostEqual(row["seconds_per_iteration"] / row["iteration_copy_seconds"], 4)
+        self.assertEqual((failed["status"], failed["solve_seconds"]), ("not finite", None))
+        lines = linear_solves.lines({"rows": [row, failed]}, "a.json")[1]
+        self.assertEqual(lines[0][4:6], ["4.4 in 11", "not finite"])
+        with self.assertRaisesRegex(RunError, "a.json: svd/aos/float/host/8 is no row of linear_solves; measure again"):
+            linear_solves.rows_of({"benchmarks": [{"name": "svd/aos/float/host/8"}]}, "a.json")
+
     def test_ratios_are_of_times_over_multigrid(self):
         head, lines = linear_solves.lines({"rows": self.rows()}, "a.json")
         self.assertEqual(head[2], "multigrid : block Jacobi : vendor's library")

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "kernels/add_force_differential.h"
+#include "kernels/force_differential.h"
 #include "measure/kernel_case.h"
 #include "measure/registry.h"
 #include "measure/scene_data.h"

@@ -4,8 +4,8 @@
 
 #include <fem/kernels/groups.h>
 
-#include "kernels/element_force_differential.h"
 #include "kernels/force_chain.h"
+#include "kernels/force_differential.h"
 
 namespace physgen::bench {
 

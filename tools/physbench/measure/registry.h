@@ -8,6 +8,10 @@
 
 #include "measure/row.h"
 
+namespace CLI {
+class App;
+}
+
 namespace physgen::bench {
 
 /// The numbers of objects that rows have.
@@ -26,6 +30,7 @@ struct Group {
   std::string filter = ".";  ///< which rows run with --all
   std::string first = {};    ///< which run where the user asks for nothing else; empty: all. NOLINT: g++ wants it said
   std::string also = {};     ///< the group whose rows belong to this one, too. NOLINT: g++ wants it said
+  std::function<void(CLI::App&)> add_flags = {};  ///< those of this group alone. NOLINT: as above
 };
 
 /// The rows that one file adds to a group.

@@ -21,12 +21,15 @@ struct Accuracy {
   std::optional<fem::reference::ErrorSummary> orthogonality;  ///< of the rotations, where there are any [eps]
   std::int64_t failures = 0;                                  ///< results that are not finite, or off by a percent
   std::string worst;                                          ///< the command that runs the worst input again
+  std::vector<std::pair<std::string, double>> more;  ///< numbers of this row alone, by their names in the results
+  std::string note;                                  ///< of this row alone, for readers
 };
 
 /// A kernel with its inputs and output in place, ready to run again and again; the functions own what they need.
 struct Case {
   double bytes = 0;              ///< that the kernel must read and write, whatever the layout
   std::function<double()> run;   ///< runs the kernel over all objects. @return its time [s]
+  std::size_t fewest = 5;        ///< runs of which a median is taken
   std::function<double()> copy;  ///< copies as many bytes, half read, half written. @return its time [s]
   /// Runs the kernel on a poisoned output and compares all of it with the reference.
   /// @throws Error when an element was not written

@@ -57,8 +57,7 @@ void Session::run(const Row& row, benchmark::State& state) {
       state.SetIterationTime(times_.back());
     }
     // Google Benchmark is content with one iteration of a slow row; a median is not.
-    constexpr std::size_t fewest = 5;
-    while (times_.size() < fewest) measure();
+    while (times_.size() < case_.fewest) measure();
     progress_.end();
   } catch (const std::exception& error) {
     progress_.end();
@@ -89,12 +88,13 @@ void Session::report(const Row& row, benchmark::State& state) const {
     put(what + counter::max, errors.max);
   };
   put_errors(row.errors_in_eps ? counter::err_eps : counter::err, accuracy_.errors);
+  for (const auto& [name, value] : accuracy_.more) put(name, value);
+  state.SetLabel(row.errors_in_eps ? accuracy_.worst : accuracy_.note);
   if (!row.errors_in_eps) return;
   if (accuracy_.orthogonality) put_errors(counter::orth_eps, *accuracy_.orthogonality);
   put(counter::failures, static_cast<double>(accuracy_.failures));
   put(counter::samples, static_cast<double>(accuracy_.errors.count));
   put(counter::worst_index, static_cast<double>(accuracy_.errors.worst_index));
-  state.SetLabel(accuracy_.worst);
 }
 
 }  // namespace physgen::bench

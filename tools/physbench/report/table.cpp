@@ -134,7 +134,8 @@ void TableReporter::print_row(const Row& row, const Row* before, const Numbers& 
   if (counters.contains("err_p50")) {
     out << format("  %8.1e %8.1e %8.1e", counters.at("err_p50"), counters.at("err_p99"), counters.at("err_max"));
   }
-  out << "\n";
+  const std::string& note = finished_.at(row.name()).label;
+  out << (note.empty() ? "" : "  " + note) << "\n";
 }
 
 }  // namespace physgen::bench

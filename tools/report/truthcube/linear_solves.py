@@ -1,6 +1,7 @@
 """The ratio table: times of one linear solve of the Truth Cube by several methods, to equal residuals. Its file holds a
 list `rows` of objects {cells, poisson, volume, method, setup_seconds, solve_seconds, iterations, residual, device}; they
-may also have compression, norm, tolerance, precision and status, as those of the program linear_solves do."""
+may also have compression, norm, tolerance, precision and status. rows_of() makes them of what physbench linear_solves
+writes."""
 from . import records
 from .records import RunError
 
@@ -11,12 +12,48 @@ METHODS = {
     "none": "no preconditioner",
     "vendor": "vendor's library",
 }
-AGAIN = "measure again with linear_solves"
+AGAIN = "measure again with tools/report/linear_solves_runs.py"
 CONVERGED = "converged"
 EQUAL = 10  # residuals of one tolerance differ by less than this factor: a method ends at an iteration, not between
 _KINDS = {"cells": int, "poisson": float, "volume": str, "method": str, "setup_seconds": float, "solve_seconds": float,
           "iterations": int, "residual": float, "device": str}  # fmt: skip
 _BODY = ("device", "cells", "poisson", "volume", "compression", "norm", "tolerance")
+_SECONDS = {"solve_ms": "median_ms", "assembly_ms": "assembly_ms", "setup_ms": "setup_ms", "product_ms": "product_ms",
+            "product_copy_ms": "product_copy_ms"}  # fmt: skip
+_OF_RUN = ("compression", "tolerance")  # the same for all rows of a file, and missing where a solve has failed
+_NUMBERS = ("product_bytes", "iteration_bytes")
+
+
+def rows_of(results, name):
+    """The rows of a JSON file of physbench linear_solves. A time that was not measured is None; so are all of a solve
+    that has failed, whose status says why. @throws RunError naming what is missing"""
+    context = results.get("context", {}) if isinstance(results, dict) else {}
+    measured = results.get("benchmarks", []) if isinstance(results, dict) else []
+    of_run = {key: result[key] for key in _OF_RUN for result in measured if key in result}
+    found = []
+    for result in measured:
+        words = result["name"].split("/")
+        if len(words) != 6 or words[0] != "linear_solve":
+            raise RunError(f"{name}: {result['name']} is no row of linear_solves; {AGAIN}")
+        volume, poisson, norm = words[5].split("_")
+        row = {"tets": int(words[4]), "poisson": float(poisson), "volume": volume, "method": words[1],
+               "precision": words[2], "norm": norm, "status": result.get("error_message", CONVERGED)}  # fmt: skip
+        row["cells"] = round((row["tets"] / 6) ** (1 / 3))
+        row |= of_run | {key: result.get(key) for key in _NUMBERS}
+        row["iterations"] = int(result.get("iteration_count", 0))
+        row["residual"] = result.get("err_max")
+        for key, counter in _SECONDS.items():
+            row[key.replace("_ms", "_seconds")] = None if result.get(counter) is None else result[counter] / 1e3
+        solved = row["solve_seconds"] is not None and row["iterations"] > 0
+        row["seconds_per_iteration"] = row["solve_seconds"] / row["iterations"] if solved else None
+        row["iteration_copy_seconds"] = result["copy_ms"] / 1e3 / row["iterations"] if solved else None
+        row["vendor_product"] = result.get("label", "") if row["method"] == "vendor" else None
+        row["device"] = context.get("gpu" if words[3] == "cuda" else "cpu", "").split(",")[0]
+        row["command"] = context.get("command", "")
+        found.append(row)
+    if not found:
+        raise RunError(f"{name}: no rows of physbench linear_solves; {AGAIN}")
+    return found
 
 
 def groups(content, name):
