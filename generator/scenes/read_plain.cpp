@@ -161,7 +161,7 @@ std::string Plain::not_in_statement(const clang::Stmt& statement) const {
     if (variable == nullptr || llvm::isa<clang::DecompositionDecl>(variable) || !variable->hasLocalStorage() ||
         variable->hasAttrs() || variable->getInit() == nullptr ||
         !(is_number(variable->getType()) || is_plain_struct(variable->getType())))
-      return "a declaration that is none of a value" + here;
+      return "a declaration of something other than a value" + here;
     if (const std::string found = not_in(variable->getInit()); !found.empty())
       return "the declaration of " + variable->getNameAsString() + " by " + found;
   }

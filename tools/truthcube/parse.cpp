@@ -78,8 +78,8 @@ void check(const Options& options) {
   for (const double c : options.compressions) {
     const std::string what = "--compress takes ascending numbers between 0 and 1, plate travel over height; ";
     require(c != 0, what + "0 is no compression: the body is at rest, where no force acts; begin with a larger number");
-    require(std::isfinite(c) && c > 0 && c < 1, what + number(c) + " is none of them");
-    require(c > before, what + number(c) + " does not fit behind " + number(before));
+    require(std::isfinite(c) && c > 0 && c < 1, what + number(c) + " is not such a number");
+    require(c > before, what + number(c) + " is not larger than " + number(before) + ", which stands before it");
     before = c;
   }
   if (options.volume != VolumeTreatment::tets && !fem::can_average_volume(options.solver.material)) {
@@ -89,14 +89,16 @@ void check(const Options& options) {
   const fem::NewtonSettings& newton = options.solver.newton;
   const fem::PreconditionerRow& preconditioner = fem::row_of(newton.preconditioner.kind);
   require(newton.product == fem::Product::assembled || (preconditioner.asked & fem::asks::edges) == 0,
-          "--product matrix-free goes with --preconditioner " + fem::preconditioners_without(fem::asks::edges) + ": " +
-              preconditioner.name + " is formed from blocks of edges, which it does without");
-  require(options.volume != VolumeTreatment::nodes || newton.product == fem::Product::assembled,
-          "--volume nodes goes with --product assembled: the other one, which --historical takes too, has the tangents "
-          "of tets and patches alone");
-  require(options.plates == Plates::held || newton.product == fem::Product::assembled,
-          "--plates contact goes with --product assembled: the other one, which --historical takes too, has the "
-          "stiffness of tets alone");
+          "--product matrix-free requires --preconditioner " + fem::preconditioners_without(fem::asks::edges) + ": " +
+              preconditioner.name + " is formed from blocks of edges, which this product does not make");
+  require(
+      options.volume != VolumeTreatment::nodes || newton.product == fem::Product::assembled,
+      "--volume nodes requires --product assembled: --product matrix-free, which --historical uses, too, has only the "
+      "tangents of tets and patches");
+  require(
+      options.plates == Plates::held || newton.product == fem::Product::assembled,
+      "--plates contact requires --product assembled: --product matrix-free, which --historical uses, too, has only "
+      "the stiffness of tets");
   require(!options.restart || !options.out.empty(), "--restart continues what is in --out DIR, which is missing");
   require(options.refinements == 0 || !options.mesh.empty(),
           "--refine is for a mesh of your own: the cube has --cells");

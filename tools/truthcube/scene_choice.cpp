@@ -108,8 +108,8 @@ void apply_scene(Options& options, const Given& given) {
       choose(options, given, "--plates", "held", options.plates, Plates::held);
       choose_tets(options, given, "explicit steps take");
       if (options.motion.fixed_order && options.solver.device != fem::Device::cuda) {
-        throw Error(scene_name(options) + " goes with --fixed-order on --device cuda alone: on the CPU the order of " +
-                    "sums is always fixed; leave it out");
+        throw Error(scene_name(options) + " takes --fixed-order only with --device cuda: on the CPU the order of " +
+                    "sums is always fixed; remove --fixed-order");
       }
       newton.preconditioner.kind = fem::Preconditioner::none;
       options.solver.nested = false;

@@ -244,7 +244,7 @@ TEST(ImplicitDynamics, what_it_cannot_do_is_refused_with_a_reason) {
   settings = good;
   settings.solver.newton.product = Product::matrix_free;
   settings.solver.newton.preconditioner.kind = Preconditioner::block_jacobi;
-  EXPECT_NE(refusal(settings).find("inertia goes with the assembled product"), std::string::npos);
+  EXPECT_NE(refusal(settings).find("inertia requires the assembled product"), std::string::npos);
 }
 
 TEST(ImplicitDynamics, positions_and_velocities_that_are_not_finite_are_refused_and_change_nothing) {

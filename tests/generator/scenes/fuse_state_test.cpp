@@ -137,9 +137,9 @@ TEST_F(Command, keeps_steps_apart_that_share_what_no_array_holds_or_whose_words_
            {"byhand", "it uses the variable last at kernels.h:"},
            {"counted", "Shift: it is given a call of counted() at scenes/groups.h:"},
            {"cleared", "the declaration of s by a call of cleared() at scenes/groups.h:"},
-           {"binding", "a declaration that is none of a value at scenes/groups.h:"},
-           {"enumerator", "a declaration that is none of a value at scenes/groups.h:"},
-           {"directive", "a declaration that is none of a value at scenes/groups.h:"},
+           {"binding", "a declaration of something other than a value at scenes/groups.h:"},
+           {"enumerator", "a declaration of something other than a value at scenes/groups.h:"},
+           {"directive", "a declaration of something other than a value at scenes/groups.h:"},
            {"macro", "Copy: it is given a macro at scenes/groups.h:"}})
     EXPECT_NE(why[name].find(reason), std::string::npos) << name << ": " << why[name];
 }

@@ -81,12 +81,12 @@ case $rule in
     expect err "a Young's modulus of 1e[+]30 Pa over tets of 0.02 m is out of range for float: take double precision"
     expect_exit 0 --cells 4 --young 1e30 --compress 0.1 --precision double
     expect_refused "--young 0: Young's modulus is" --young 0
-    expect_refused '--compress .* between 0 and 1, .*; 1 is none of them' --compress 1
+    expect_refused '--compress .* between 0 and 1, .*; 1 is not such a number' --compress 1
     expect_refused '--compress .*; 0 is no compression: .*; begin with a larger number' --compress 0
     expect_refused '--compress .*; 0 is no compression' --compress 0 0.05
-    expect_refused '--compress .*; -0.1 is none of them' --compress -0.1
-    expect_refused '--compress .* 0.05 does not fit behind 0.1' --compress 0.1 0.05
-    expect_refused '--compress .*; nan is none of them' --compress nan
+    expect_refused '--compress .*; -0.1 is not such a number' --compress -0.1
+    expect_refused '--compress .* 0.05 is not larger than 0.1' --compress 0.1 0.05
+    expect_refused '--compress .*; nan is not such a number' --compress nan
     for bad in -0.1 0.51 nan inf; do
       expect_refused "--plate-tolerance $bad: .* number of mean edge lengths from 0 to 0.5; 1e-04 is common" \
         --mesh a.msh --plate-tolerance $bad
@@ -104,9 +104,9 @@ case $rule in
     expect_refused 'plate-stiffness is that of --plates contact' --plate-stiffness 10
     expect_refused 'excludes' --historical --precision double
     expect_refused 'excludes' --historical --product assembled
-    expect_refused '--plates contact goes with --product assembled' --plates contact --historical
-    expect_refused '--volume nodes goes with --product assembled' --volume nodes --historical
-    expect_refused '--product matrix-free goes with --preconditioner block-jacobi, none' --product matrix-free ;;
+    expect_refused '--plates contact requires --product assembled' --plates contact --historical
+    expect_refused '--volume nodes requires --product assembled' --volume nodes --historical
+    expect_refused '--product matrix-free requires --preconditioner block-jacobi, none' --product matrix-free ;;
   materials_without_a_volume_part_run_by_tets)
     expect_exit 0 "${small[@]}" --material corotated --compress 0.02
     expect out "note: the energy of 'corotated' has no separate part of the volume to be averaged: --volume tets"

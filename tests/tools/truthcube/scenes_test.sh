@@ -69,7 +69,7 @@ case $rule in
   flags_that_choose_otherwise_are_refused)
     expect_refused 'no scene matrix-fre; did you mean matrix-free[?]' --scene matrix-fre
     expect_refused 'matrix-free requires --product matrix-free; remove --' --scene matrix-free --product assembled
-    expect_refused 'goes with --preconditioner block-jacobi, none' --scene matrix-free --preconditioner multigrid
+    expect_refused 'requires --preconditioner block-jacobi, none' --scene matrix-free --preconditioner multigrid
     expect_refused 'fixed-corotated requires --material fixed-corotated' --scene fixed-corotated --material neo-hookean
     expect_refused 'quasistatic requires --precision float; remove --' --scene quasistatic --precision double
     expect_refused 'quasistatic requires --volume patches' --scene quasistatic --volume nodes
@@ -89,7 +89,7 @@ case $rule in
     for flag in time-step duration density damping; do
       expect_refused "everything cannot take --$flag, because these are for --scene implicit-dynamics or" --$flag 1
     done
-    expect_refused 'explicit-dynamics goes with --fixed-order on --device cuda alone: on the CPU' --scene explicit-dynamics --fixed-order
+    expect_refused 'explicit-dynamics takes --fixed-order only with --device cuda: on the CPU' --scene explicit-dynamics --fixed-order
     expect_refused 'implicit-dynamics cannot take --fixed-order, because that is for the sums of --scene explicit' \
       --scene implicit-dynamics --fixed-order
     expect_refused 'everything cannot take --fixed-order' --fixed-order

@@ -93,7 +93,7 @@ Checkpoint read_all(const std::filesystem::path& path) {
   } catch (const Unusable&) {
     throw;
   } catch (const Error& error) {
-    throw Error(name + ": is damaged, or no checkpoint: " + error.what());
+    throw Error(name + ": this file is damaged, or no checkpoint: " + error.what());
   }
 }
 
@@ -123,18 +123,19 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
   const Json now = parse_settings(settings, name);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
-    throw Error(name + ": there is no checkpoint of this name, and a run that is to be continued does not start anew");
+    throw Error(name + ": there is no checkpoint of this name to continue from; remove --restart to begin anew");
   }
   Checkpoint c = read_all(path);
   const std::string differing = differences(parse_settings(c.settings, name), now);
   if (!differing.empty()) {
-    throw Error(
-        name + ": is of a run with other settings: " + differing +
-        "; it goes on with the flags of that run alone, which are `command` in the run.json beside it. What an " +
-        "older version of truthcube wrote, with other settings, is begun anew, without --restart");
+    throw Error(name + ": this checkpoint belongs to a run with other settings: " + differing +
+                "; continue it with the flags of that run, which are `command` in the run.json beside it. If an older "
+                "version " +
+                "of truthcube wrote it, remove --restart to begin anew");
   }
   if (c.mesh_hash != mesh_hash) {
-    throw Error(name + ": is of another mesh (" + std::to_string(c.positions.size() / 3) + " positions)");
+    throw Error(name + ": this checkpoint belongs to another mesh (" + std::to_string(c.positions.size() / 3) +
+                " positions)");
   }
   return c;
 }

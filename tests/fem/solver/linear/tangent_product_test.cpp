@@ -120,7 +120,7 @@ TEST(MatrixFree, product_is_refused_where_volumes_are_averaged_at_nodes) {
     (void)make_solver(body.levels, body.loading, settings);
     FAIL() << "no error";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("volumes averaged at nodes go with the assembled product"),
+    EXPECT_NE(std::string(error.what()).find("volumes averaged at nodes require the assembled product"),
               std::string::npos)
         << error.what();
   }
@@ -134,7 +134,7 @@ TEST(MatrixFree, product_is_refused_with_multigrid) {
     (void)make_solver(body.levels, body.loading, settings);
     FAIL() << "no error";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("goes with the preconditioners block-jacobi, none"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("requires one of the preconditioners block-jacobi, none"), std::string::npos);
   }
 }
 

@@ -44,8 +44,8 @@ void require_settings(const SolverSettings& settings) {
   require_least("the number of halvings of a step", newton.most_halvings, 0);
   require_least("the number of bisections of an increment", settings.most_bisections, 0);
   if (newton.product == Product::matrix_free && asks_for(preconditioner.kind, asks::edges)) {
-    throw Error("the matrix-free product goes with the preconditioners " + preconditioners_without(asks::edges) + ": " +
-                row_of(preconditioner.kind).name + " is formed from blocks of edges, which it does without");
+    throw Error("the matrix-free product requires one of the preconditioners " + preconditioners_without(asks::edges) +
+                ": " + row_of(preconditioner.kind).name + " is formed from blocks of edges, which it does without");
   }
   require_least("the degree of the smoother", preconditioner.degree, 1);
   require_least("the number of power iterations", preconditioner.first_power_steps, 1);
@@ -59,7 +59,7 @@ void require_nonlinear(const std::vector<MeshLevel>& levels, const Loading& load
   require_single_range(levels.front(), settings);
   require_loading(levels.front(), loading);
   if (!loading.planes.empty() && settings.newton.product == Product::matrix_free) {
-    throw Error("rigid planes go with the assembled product: the matrix-free one has the stiffness of tets alone");
+    throw Error("rigid planes require the assembled product: the matrix-free one has only the stiffness of tets");
   }
   const bool patches = !levels.front().patches.nodes.empty(), nodes_average = levels.front().averages_at_nodes;
   for (std::size_t l = 0; nodes_average && l < levels.size() && !levels[l].is_grid(); ++l) {
@@ -71,8 +71,8 @@ void require_nonlinear(const std::vector<MeshLevel>& levels, const Loading& load
   }
   if (nodes_average && settings.newton.product == Product::matrix_free) {
     throw Error(
-        "volumes averaged at nodes go with the assembled product: the matrix-free one has the tangents of tets and "
-        "patches alone");
+        "volumes averaged at nodes require the assembled product: the matrix-free one has only the tangents of tets "
+        "and patches");
   }
   for (const MeshLevel& level : levels) {
     if (level.is_grid()) continue;
@@ -181,7 +181,7 @@ void require_implicit(const std::vector<MeshLevel>& levels, const Loading& loadi
   require_nonlinear(levels, loading, settings.solver);
   require_motion(settings);
   if (settings.solver.newton.product == Product::matrix_free) {
-    throw Error("inertia goes with the assembled product: the matrix-free one has the stiffness of tets alone");
+    throw Error("inertia requires the assembled product: the matrix-free one has only the stiffness of tets");
   }
 }
 
@@ -199,7 +199,7 @@ std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, c
   if (row == rows.end()) {
     std::string names;
     for (const SceneRow& known : rows) names += (names.empty() ? "" : ", ") + std::string(known.name);
-    throw Error("there is no solver of a scene '" + scene + "'; there are " + names);
+    throw Error("no solver is built for a scene '" + scene + "'; there are " + names);
   }
   require_declared(*row, levels, loading, settings);
   require_nonlinear(levels, loading, settings);
