@@ -29,19 +29,18 @@ shorten_skipped() {
     END { if (skipped) print skipped " tests were skipped: they need a GPU, a library or a compiler that is not here" }'
 }
 
-# Programs of tests that are run as they are, and the tests of ctest that need no more than these and the package.
-quick_programs=(generator_test emit_test runtime_narrow_test fem_mesh_test fem_probe_test coalescing_test vendor_library_test)
-quick_names='^(tools_dev|pages|sources\.hang|report\.figures|physgen_generate\.[a-z_]*$|generated\.|install\.(package|links|the_example_of_readme))'
+# A selection that needs no more than the target quick_tests, whose programs of tests CMake lists in quick_tests.txt.
+quick_names='^(tools_dev|pages|sources\.hang|report\.figures|physgen_generate\.[a-z_]*$|generated.*from_schemas|install\.(links|the_example_of_readme))'
 quick_tests() {
-  local program number=0 count=$((${#quick_programs[@]} + 1)) failed=()
+  local program number=0 programs=() failed=()
   setup
-  say "compiling what $count parts of the tests need"
-  build release "${quick_programs[@]}" physgen_command physgen_schemas physgen_installed
-  for program in "${quick_programs[@]}"; do
-    say "$((++number)) of $count: $program"
+  build release quick_tests
+  mapfile -t programs <"$build/release/quick_tests.txt"
+  for program in "${programs[@]}"; do
+    say "$((++number)) of $((${#programs[@]} + 1)): $program"
     "$build/release/bin/$program" --gtest_brief=1 || failed+=("$program")
   done
-  say "$count of $count: ctest -R '$quick_names'"
+  say "$((++number)) of $number: pages, scripts, wrong calls of CMake, the installation and README's example"
   ctest --test-dir "$build/release" --output-on-failure -j "$(jobs)" -R "$quick_names" || failed+=(ctest)
   ((!${#failed[@]})) || { say "failed: ${failed[*]}"; return 1; }
   say 'all of the quick tests passed; tools/dev test runs the others, too'

@@ -55,6 +55,7 @@ void run_parts(index_t count, LoopCost& cost, const Body& body) {
   if (in_a_part) return body.call(body.what, 0, count);
   const float each = cost.ns.load(std::memory_order_relaxed);
   tbb::task_arena* arena = each * static_cast<float>(count) < worth_threads ? nullptr : arena_of_launches();
+  // This is no part beside others: a launch within it may have all threads.
   if (arena == nullptr) return run_part(cost, body, 0, count);
 
   const auto grain = static_cast<std::size_t>(std::clamp(part_takes / each, 1.0F, static_cast<float>(count)));

@@ -12,8 +12,6 @@ namespace physgen::detail {
 
 namespace {
 
-constexpr int most_threads = 4096;
-
 /// The first number of a list such as "4,2", whose others are for loops within loops. @return 0 where it is none
 int first_number(std::string_view words) {
   words = words.substr(0, words.find(','));

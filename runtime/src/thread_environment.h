@@ -5,6 +5,8 @@
 
 namespace physgen::detail {
 
+inline constexpr int most_threads = 4096;
+
 struct ThreadEnvironment {
   int count = 1;       ///< of threads, where the program asks for none
   int processors = 1;  ///< that the process may use

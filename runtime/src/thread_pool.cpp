@@ -19,8 +19,6 @@ namespace physgen {
 
 namespace {
 
-constexpr int most_threads = 4096;
-
 std::atomic<int> asked{0};  // by set_threads()
 std::atomic<bool> forked{false};
 
@@ -63,9 +61,9 @@ int threads() {
 }
 
 void set_threads(int count) {
-  if (count < 0 || count > most_threads) {
+  if (count < 0 || count > detail::most_threads) {
     throw Error("set_threads(" + std::to_string(count) + "): a number of threads is from 1 to " +
-                std::to_string(most_threads) + ", or 0 for what the environment and the processors say");
+                std::to_string(detail::most_threads) + ", or 0 for what the environment and the processors say");
   }
   asked = count;
 }

@@ -7,8 +7,10 @@
 #include <physgen/row_arrays.h>
 #include <quasistatic.physgen.h>
 
+#include <Eigen/LU>
 #include <cstring>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace physgen::test {
@@ -200,6 +202,80 @@ TEST(Lanes, change_no_bits) {
   expect_same_bits<double, Aos>();
   expect_same_bits<double, AosPadded>();
   expect_same_bits<double, Soa>();
+}
+
+/// Sums over the entries of small vectors and matrices as get() hands them out, and of expressions of these.
+template <class Vectors, class Matrices, class Results>
+struct SumsOfEntries {
+  using Scalar = typename Results::Precision;
+  Vectors x, y;
+  Matrices matrices;
+  Results sums, products, inverses;
+
+  template <class I>
+  void operator()(I i) const {
+    using namespace math;
+    using S = lanes_t<Scalar, I>;
+    const auto u = x[i].x().get(), v = y[i].x().get();
+    const auto F = matrices[i].F().get();
+    Eigen::Matrix<S, 3, 3> all;
+    all.col(0) = Eigen::Matrix<S, 3, 1>(F * u);
+    all.col(1) << u.dot(v), u.squaredNorm(), u.norm();
+    all.col(2) << F.trace(), F.determinant(), F.squaredNorm() + F.sum();
+    sums[i].F() = all;
+    all = F * F.transpose();
+    all.col(1) += F * F * u + (F - F.transpose()) * (F * S(Scalar(2)) + F).transpose() * (u - v);
+    all.col(2) << (F * F).trace(), (u - v).dot(F * v), u.transpose() * F * v;
+    products[i].F() = all;
+    inverses[i].F() = F.inverse();
+  }
+};
+
+template <class Real>
+void expect_order_of_sums() {
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<Real> value(-1, 1);
+  constexpr index_t n = 256;
+  using Vectors = NodePositionArray<Real, Host, Aos>;
+  using Matrices = DeformationGradientArray<Real, Host, Aos>;
+  Vectors x(n), y(n);
+  Matrices F(n);
+  for (index_t i = 0; i < n; ++i) {
+    for (int k = 0; k < 3; ++k) x.view()[i].x()[k] = value(random);
+    for (int k = 0; k < 3; ++k) y.view()[i].x()[k] = value(random);
+    for (int k = 0; k < 9; ++k) F.view()[i].F()(k % 3, k / 3) = value(random);
+  }
+  std::vector<Matrices> one, many;
+  const auto run = [&]<int W>(std::vector<Matrices>& results, std::integral_constant<int, W>) {
+    for (int k = 0; k < 3; ++k) results.emplace_back(n);
+    parallel_for(
+        Host{}, n,
+        lanes<W>(SumsOfEntries<typename Vectors::ConstView, typename Matrices::ConstView, typename Matrices::View>{
+            x.const_view(), y.const_view(), F.const_view(), results[0].view(), results[1].view(), results[2].view()}));
+  };
+  run(one, std::integral_constant<int, 1>());
+  run(many, std::integral_constant<int, detail::pack_lanes<Real>()>());
+  for (index_t i = 0; i < n; ++i) {
+    for (std::size_t result = 0; result < 3; ++result) {
+      for (int k = 0; k < 9; ++k) {
+        const Real a = one[result].view()[i].F()(k % 3, k / 3), b = many[result].view()[i].F()(k % 3, k / 3);
+        ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0) << "object " << i << ", result " << result << ", entry " << k;
+      }
+    }
+    const auto u = x.view()[i].x(), v = y.view()[i].x();
+    const auto G = F.view()[i].F(), sums = one[0].view()[i].F();
+    const auto sum = [](Real a, Real b, Real c) { return a + (b + c); };
+    for (int r = 0; r < 3; ++r) ASSERT_EQ(sums(r, 0), sum(G(r, 0) * u[0], G(r, 1) * u[1], G(r, 2) * u[2])) << i;
+    ASSERT_EQ(sums(0, 1), sum(u[0] * v[0], u[1] * v[1], u[2] * v[2])) << i;
+    ASSERT_EQ(sums(1, 1), sum(u[0] * u[0], u[1] * u[1], u[2] * u[2])) << i;
+    ASSERT_EQ(sums(0, 2), sum(G(0, 0), G(1, 1), G(2, 2))) << i;
+  }
+}
+TEST(Lanes, have_one_order_of_sums_over_the_entries_of_what_get_returns) {
+  expect_order_of_sums<float>();
+  expect_order_of_sums<double>();
 }
 
 }  // namespace

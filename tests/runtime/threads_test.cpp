@@ -72,12 +72,14 @@ TEST_F(Threads, throw_the_first_exception_when_all_other_calls_are_made) {
 }
 
 TEST_F(Threads, may_launch_within_a_launch) {
-  std::atomic<index_t> sum = 0;
-  parallel_for(Host{}, 50, lanes<1>([&](index_t i) {
-                 sum += static_cast<index_t>(work_of(i) > 0);
-                 parallel_for(Host{}, 300, lanes<1>([&](index_t k) { sum += work_of(k) > 0 ? k : 0; }));
-               }));
-  EXPECT_EQ(sum, 50 + 50 * (300 * 299 / 2));
+  for (const index_t outer : {1, 50, 1, 2}) {  // of one call, too, which the thread that launches makes
+    std::atomic<index_t> sum = 0;
+    parallel_for(Host{}, outer, lanes<1>([&](index_t i) {
+                   sum += static_cast<index_t>(work_of(i) > 0);
+                   parallel_for(Host{}, 300, lanes<1>([&](index_t k) { sum += work_of(k) > 0 ? k : 0; }));
+                 }));
+    EXPECT_EQ(sum, outer + outer * (300 * 299 / 2));
+  }
 }
 
 TEST_F(Threads, may_all_launch_at_once_and_change_the_number_meanwhile) {

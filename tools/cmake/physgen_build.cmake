@@ -61,10 +61,11 @@ macro(physgen_use_arch arch)
 endmacro()
 
 # physgen_precompile(target <header>...) or physgen_precompile(target REUSE_FROM other)
-# Compiles headers once for all C++ sources of `target`, or takes those of another with the same options; not for sources
-# with options of their own, whose compiler would not take them. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON compiles all as it is written. GCC forgets which precompiled headers are the
-# system's, and its false warnings of them come back; -fpch-preprocess lets ccache look into them, which also needs
-# CCACHE_SLOPPINESS=pch_defines,time_macros.
+# Compiles headers once for all C++ sources of `target`, or takes those of another with the same options, whose definitions
+# `target` has as well. Sources with options of their own do without: GCC takes headers that were compiled at another -O,
+# and then optimizes as they say. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON compiles all as it is written. GCC forgets which
+# precompiled headers are the system's, and its false warnings of them come back. -fpch-preprocess lets ccache look into
+# them, which also needs CCACHE_SLOPPINESS=pch_defines,time_macros in the environment.
 function(physgen_precompile target)
   if("${ARGV1}" STREQUAL "REUSE_FROM")
     target_precompile_headers(${target} ${ARGN})

@@ -13,6 +13,7 @@
 #include "measure/replay.h"
 #include "options.h"
 #include "report/progress.h"
+#include "report/results_file.h"
 #include "report/table.h"
 
 namespace physgen::bench {
@@ -117,6 +118,10 @@ int run(int argc, char** argv) {
     list(std::cout);
     return 0;
   }
+  if (session.rows().empty()) {
+    say_none_matched(options, all);
+    return 1;
+  }
   const Facts facts = describe_machine(threads(), command);
   for (const auto& [what, value] : facts) benchmark::AddCustomContext(what, value);
 
@@ -124,16 +129,15 @@ int run(int argc, char** argv) {
   if (options.table) {
     display = std::make_unique<TableReporter>(session.rows(), facts);
   } else if (options.json) {
-    display = std::make_unique<PlainNames<benchmark::JSONReporter>>();
+    display = std::make_unique<PlainNames<ResultsReporter>>(options.group);
   } else {
     display = std::make_unique<PlainNames<benchmark::ConsoleReporter>>();
   }
   if (options.table) std::cout << announcement(session.rows(), threads()) << std::flush;
   Watch watch(*display);
-  PlainNames<benchmark::JSONReporter> file;
-  const std::size_t ran = benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
-  if (ran == 0) say_none_matched(options, all);
-  return ran == 0 || watch.failed ? 1 : 0;
+  PlainNames<ResultsReporter> file(options.group);
+  benchmark::RunSpecifiedBenchmarks(&watch, options.to_file ? &file : nullptr);
+  return watch.failed ? 1 : 0;
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ const Group& find_group(const std::string& name) {
   std::vector<std::string> names;
   std::ranges::transform(groups, std::back_inserter(names), &Group::name);
   const std::string near = nearest(name, names);
-  throw Error("there is no group '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
+  throw Error("there is no group '" + name + "'" + (near.empty() ? ";" : "; did you mean '" + near + "'?") +
               " physbench --help lists them");
 }
 
@@ -141,7 +141,7 @@ Options parse(const std::vector<std::string>& arguments) {
         for (const CLI::Option* option : group->get_options()) flags.push_back("--" + option->get_lnames().front());
       }
       const std::string near = nearest(flag.substr(0, flag.find('=')), flags);
-      throw Error("there is no flag " + flag + (near.empty() ? "" : "; did you mean " + near + "?") +
+      throw Error("there is no flag " + flag + (near.empty() ? ";" : "; did you mean " + near + "?") +
                   " physbench --help lists them");
     }
     min_time = min_time || flag.starts_with("--benchmark_min_time");

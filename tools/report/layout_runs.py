@@ -6,13 +6,13 @@ The first build has the layouts of the schemas, the second one layout for all ar
 each body the builds take turns: the whole solve, to 18.25 % by nested steps, and one linear solve at rest. Each time is
 the shortest (truthcube) or the median (linear_solves) of solves behind a first one. Needs nothing but Python."""
 import argparse
-import json
 import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 import linear_solves_runs  # noqa: E402
-import sources  # noqa: E402
+import kernel_hashes  # noqa: E402
+import result_lines  # noqa: E402
 import truthcube_runs  # noqa: E402
 from truthcube import layouts, records  # noqa: E402
 
@@ -37,16 +37,16 @@ def main():
     parser.add_argument("--cells", type=int, default=64)
     options = parser.parse_args()
     place = ["--device", options.device, "--cells", str(options.cells)]
-    bodies = []
+    bodies, programs = [], [build / "bin" / name for build in options.builds for name in ("truthcube", "linear_solves")]
     for poisson, volume in truthcube_runs.BODIES:
         bodies.append([measure(build, place, poisson, volume) for build in options.builds])
-        file = {"sources": sources.text(sources.hashes(groups=truthcube_runs.MEASURED)), "bodies": bodies}
-        pathlib.Path(options.output).write_text(json.dumps(file, indent=1) + "\n")
+        file = {"kernels": kernel_hashes.of(programs), "bodies": bodies}
+        result_lines.write(options.output, file)
         print(*layouts.lines(file, options.output)[1][-1], sep="; ", flush=True)
 
 
 if __name__ == "__main__":
     try:
         main()
-    except (OSError, records.RunError) as error:
+    except (OSError, ValueError, records.RunError) as error:
         sys.exit(f"layout_runs.py: {error}")

@@ -13,11 +13,10 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-import sources  # noqa: E402
+import kernel_hashes  # noqa: E402
+import result_lines  # noqa: E402
 from truthcube import linear_solves  # noqa: E402
 
-# Folders and files that the figures depend on.
-MEASURED = ("runtime", "generated", "tools/fem", "tools/truthcube", "tools/physbench")
 # Poisson's ratios with the treatment of the volume: those of one volume share their mesh.
 BODIES = (("tets", ["0.45"]), ("patches", ["0.49", "0.499"]))
 
@@ -121,8 +120,7 @@ def main():
         print("physbench linear_solves", *arguments, flush=True)
         rows += run(options.program, arguments)
         # Kept on the way, so that a run that is cut short leaves what was measured.
-        text = json.dumps({"sources": sources.text(sources.hashes(groups=MEASURED)), "rows": rows}, indent=1)
-        pathlib.Path(options.output).write_text(text + "\n")
+        result_lines.write(options.output, {"kernels": kernel_hashes.of([options.program]), "rows": rows})
     for summary in (ratios, halves, counts, shares):
         print("", *summary(rows), sep="\n")
 

@@ -86,7 +86,7 @@ def build(sections, files):
 def _summary(files):
     machines = sorted({row.machine for file in files for row in file.rows})
     rows = sum(len(file.rows) for file in files)
-    older = sum(file.sources != "as here" for file in files)
+    older = sum(file.kernels != "as here" for file in files)
     listed = html.escape("; ".join(machines)) or "none"
     return (
         f"{rows} rows of {len(files)} file{'s' * (len(files) != 1)}. Machines: {listed}. "

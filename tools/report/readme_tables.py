@@ -1,10 +1,9 @@
-"""Tables of READMEs, each made from one file of results, and numbers as READMEs print them.
+"""Tables of pages, each made from one file of results, with a caption where machine and number of objects are not in it.
 
 A table stands between `<!-- figures: NAME, from FILE.json -->` and `<!-- end of figures -->`; NAME is in TABLES, whose function makes
-all its lines. The table of packages comes in the same way from their list, tools/packages.txt."""
-import json
-
-from truthcube import bead_errors, layouts, linear_solves, records, scenes
+all its lines. The table of packages comes in the same way from their list, tools/packages.txt. Rows are found by name,
+`kernel/layout/storage/space/objects`, where `*` stands for anything within a part."""
+from truthcube import bead_errors, layouts, linear_solves, records, runs, scenes
 
 
 # ---- Numbers ---------------------------------------------------------------------------------------------------------
@@ -16,12 +15,6 @@ def count(number):
     return f"{number:,.0f}"
 
 
-def limits(values, form=".2f"):
-    """The smallest and the largest, for `{} to {}`."""
-    values = list(values)
-    return [format(min(values), form), format(max(values), form)]
-
-
 def eps(value):
     return f"{value:.1f} eps" if value < 1e4 else f"{value:.0e} eps"
 
@@ -30,12 +23,8 @@ def error(row, which):
     return f"{row.error(which):.1e}"
 
 
-def mebibytes(row):
-    return row.counter("bytes_per_object") * row.objects / 2**20
-
-
-def copy_fractions(file, *patterns):
-    return limits(row.copy_fraction for row in file.all(*patterns))
+def times(before, after):
+    return f"{before.ms / after.ms:.2f}x"
 
 
 # ---- Tables ----------------------------------------------------------------------------------------------------------
@@ -44,21 +33,38 @@ def _lines(header, body):
     return head + "|---" * len(header) + "|\n" + "".join(lines)
 
 
-PAPER = ["dp_from_df", "stress_derivative", "add_force_differential", "element_force_differential"]  # these come first
+def _captioned(row, words, table):
+    """A table with the machine and the number of objects of its rows above it."""
+    return f"{row.machine}, {count(row.objects)} {words}:\n\n{table}"
+
+
+PAPER = {"dp_from_df": 8.33, "stress_derivative": 6.72, "add_force_differential": 5.13}  # table 1, over AoS, GTX 285, 2010
+FIRST = [*PAPER, "element_force_differential"]  # these come first
 
 
 def _kernels(file):
-    """Every kernel in float on the GPU that has all three layouts; all but the first times are of tiles."""
+    """Every kernel in float on the GPU that has all three layouts; all but the first times are of tiles. Behind them what
+    has AoS and tiles alone, or AoS alone."""
     kernels = list(dict.fromkeys(row.kernel for row in file.all("*/soa/float/cuda/*")))
     body = []
-    for kernel in sorted(kernels, key=lambda name: PAPER.index(name) if name in PAPER else len(PAPER)):
+    for kernel in sorted(kernels, key=lambda name: FIRST.index(name) if name in FIRST else len(FIRST)):
         aos, soa, tiles = (file.one(f"{kernel}/{layout}/float/cuda/*") for layout in ("aos", "soa", "aosoa32"))
-        body.append(
-            [kernel, f"{tiles.counter('bytes_per_object'):.0f}", ms(aos), ms(soa), ms(tiles)]
-            + [f"{tiles.copy_fraction:.2f}", f"{aos.ms / tiles.ms:.2f}x", error(tiles, "p50"), error(tiles, "max")]
-        )
-    header = "kernel,bytes,AoS [ms],SoA [ms],AoSoA-32 [ms],/copy,over AoS,err p50,max"
-    return _lines(header.split(","), body)
+        body.append(_kernel(kernel, aos, soa, tiles))
+    chain = [file.one(f"force_chain_separate/{layout}/float/cuda/*") for layout in ("aos", "aosoa32")]
+    body.append(_kernel("force_chain_separate", chain[0], None, chain[1]))
+    body.append(_kernel("svd over three arrays", file.one("svd/aos_three_arrays/float/cuda/*"), None, None))
+    header = "kernel,objects,bytes,AoS [ms],SoA [ms],AoSoA-32 [ms],/copy,over AoS,the paper's,err p50,max"
+    return f"{file.one('svd/aosoa32/float/cuda/*').machine}, float:\n\n" + _lines(header.split(","), body)
+
+
+def _kernel(name, aos, soa, tiles):
+    best = tiles or aos
+    return [
+        *(name, count(best.objects), f"{best.counter('bytes_per_object'):.0f}"),
+        *(ms(row) if row else "" for row in (aos, soa, tiles)),
+        *((f"{tiles.copy_fraction:.2f}", times(aos, tiles)) if tiles else ("", "")),
+        *(f"{PAPER[name]:.2f}x" if name in PAPER else "", error(best, "p50"), error(best, "max")),
+    ]
 
 
 FAST = {
@@ -73,7 +79,7 @@ def _fast(file):
     body = []
     for kernel, words in FAST.items():
         aos, tiles = (file.one(f"{kernel}/{layout}/float/cuda/*") for layout in ("aos", "aosoa32"))
-        body.append([words, ms(aos), ms(tiles), f"{aos.ms / tiles.ms:.2f}x", f"{tiles.copy_fraction:.2f}"])
+        body.append([words, ms(aos), ms(tiles), times(aos, tiles), f"{tiles.copy_fraction:.2f}"])
     return _lines(["kernel", "array of structs [ms]", "AoSoA-32 [ms]", "", "/copy"], body)
 
 
@@ -95,7 +101,8 @@ def _errors(file):
                 f"{sum(row.counter('failures') for row in sets):.0f}",
             ]
         )
-    return _lines(["", "ms", "/copy", "max error", "U, V orthogonal to", "failures"], body)
+    table = _lines(["", "ms", "/copy", "max error", "U, V orthogonal to", "failures"], body)
+    return _captioned(file.one("svd/aosoa32/float/cuda/*/random"), "objects of float", table)
 
 
 STORAGE = {
@@ -104,20 +111,27 @@ STORAGE = {
     "quaternion_half": "and the stress derivative in half",
     "quaternion16_half": "16-bit quaternions, the derivative in half",
     "quaternion16_all_half": "and dF, dP in half",
+    "quaternion16": "16-bit quaternions alone",
+    "bfloat16_derivative": "the stress derivative in bfloat16 alone",
 }
 
 
-def _storage(file):
-    """dP from dF in AoSoA-32 on the GPU, in ever fewer bytes."""
-    aos = file.one("dp_from_df/aos/float/cuda/*")
-    body = []
-    for storage, words in STORAGE.items():
-        row = file.one(f"dp_from_df/aosoa32/{storage}/cuda/*")
-        body.append(
-            [words, f"{row.counter('bytes_per_object'):.0f}", ms(row), f"{aos.ms / row.ms:.2f}x"]
+def _storage_in(tiles, storages, others):
+    """dP from dF in tiles, in ever fewer bytes, behind other layouts of floats."""
+
+    def table(file):
+        layout, space = tiles.split("/")
+        aos = file.one(f"dp_from_df/aos/float/{space}/*")
+        found = [(words, file.one(f"dp_from_df/{name}/float/{space}/*")) for name, words in others.items()]
+        found += [(STORAGE[name], file.one(f"dp_from_df/{layout}/{name}/{space}/*")) for name in storages]
+        body = [
+            [words, f"{row.counter('bytes_per_object'):.0f}", ms(row), times(aos, row)]
             + [error(row, which) for which in ("p50", "p99", "max")]
-        )
-    return _lines(["storage", "bytes", "ms", "over AoS", "err p50", "p99", "max"], body)
+            for words, row in found
+        ]
+        return _captioned(aos, "objects", _lines(["storage", "bytes", "ms", "over AoS", "err p50", "p99", "max"], body))
+
+    return table
 
 
 FUSED = {
@@ -139,12 +153,88 @@ def _fused_in(tiles):
             fused, apart = file.one(f"{kernel}/{tiles}/*"), file.one(f"{separate}/{tiles}/*")
             per_tet = fused.counter("bytes_per_object") * fused.objects / tets
             body.append(
-                [words, ms(apart), ms(fused), f"{apart.ms / fused.ms:.2f}x", f"{per_tet:.0f}"]
+                [words, ms(apart), ms(fused), times(apart, fused), f"{per_tet:.0f}"]
                 + [f"{fused.copy_fraction:.2f}", error(fused, "p50"), error(fused, "max")]
             )
-        return _lines("group,separate [ms],fused [ms],,bytes per tet,/copy,err p50,max".split(","), body)
+        table = _lines("group,separate [ms],fused [ms],,bytes per tet,/copy,err p50,max".split(","), body)
+        return _captioned(file.one(f"newton_update_fused/{tiles}/*"), "tets in float", table)
 
     return table
+
+
+COPY, READ, TRANSFER = "the device's own copy", "a pass that only reads as many bytes", "a plain transfer"
+PACKING = "packing such objects into one array of the host, with all its cores"
+CONVERSIONS = [
+    ("copies between Aos, Soa and Aosoa<32>, objects of 36 and 48 bytes", "convert_*/*_to_*/float/cuda/*", COPY),
+    ("such copies that also convert float to half", "convert_*/*_to_*/half/cuda/*", COPY),
+    ("transfers with conversion, from and to pinned memory", "transfer_pinned_*/*/*/cuda/*", TRANSFER),
+    ("transfers with conversion, from and to pageable memory, in float", "transfer_pageable_*/*/float/cuda/*", TRANSFER),
+    ("transfers with conversion, from and to pageable memory, to half", "transfer_pageable_*/*/half/cuda/*", TRANSFER),
+    ("objects that lie scattered on the host, to the device", "transfer_scattered_*/*/*/cuda/*", PACKING),
+]
+DOT_PRODUCTS = [(f"dot product of 2^{k} vectors, in one launch, with the same bits as on the CPU", f"dot_product/*/*/cuda/{2**k}", READ) for k in (24, 22)]
+
+
+def _rates(operations):
+    """The smallest and the largest rate of rows of an operation."""
+
+    def table(file):
+        body = []
+        for words, pattern, of in operations:
+            found = [row.copy_fraction for row in file.all(pattern) if "padded" not in row.layout]
+            body.append([words, f"{min(found):.2f} to {max(found):.2f}", of])
+        return _lines(["operation", "rate", "of"], body)
+
+    return table
+
+
+def _transfers(file):
+    """Who converts: floats on the host to halves on the device."""
+    found = [file.one(f"transfer_{of}_48/aos_to_aosoa32/half/cuda/*") for of in ("pinned", "pageable")]
+    table = _lines(["from", "ms"], [[f"{of} memory", ms(row, 1)] for of, row in zip(("pinned", "pageable"), found)])
+    return _captioned(found[0], "objects of 48 bytes, floats on the host, to halves", table)
+
+
+def _launches(file):
+    """Few objects cost their launch."""
+    found = [row for row in file.all("dp_from_df/aosoa32/float/cuda/*") if row.objects <= 2**18]
+    return _lines(["objects", *(count(row.objects) for row in found)], [["µs", *(f"{row.ms * 1e3:.1f}" for row in found)]])
+
+
+def _products(file):
+    """The product with the assembled stiffness, ours and that of the vendor's library."""
+    names = {
+        "symmetric_fast": "symmetric half, with atomics",
+        "symmetric_deterministic": "symmetric half, in a fixed order",
+        "cusparse_bsr_columns": "cuSPARSE, full blocks by columns",
+        "cusparse_bsr_rows": "cuSPARSE, full blocks by rows",
+    }
+    found = [(words, file.one(f"*/{name}/float/cuda/*")) for name, words in names.items()]
+    table = _lines(["product", "ms", "/copy"], [[words, ms(row), f"{row.copy_fraction:.2f}"] for words, row in found])
+    return _captioned(found[0][1], "nodes", table)
+
+
+GATHERS = {"ordered": "as the mesh is made", "random": "at random", "renumbered": "random, renumbered"}
+
+
+def _gathers(file):
+    """Nodes that are gathered, in each layout under each numbering."""
+    kept = {"aos": "Aos", "aos_padded": "AosPadded", "soa": "Soa", "aosoa32": "Aosoa<32>"}
+    body = [
+        [words, *(ms(file.one(f"gather_nodes/{layout}/float/cuda/*/{of}")) for layout in kept)] for of, words in GATHERS.items()
+    ]
+    table = _lines(["numbering", *(f"{name} [ms]" for name in kept.values())], body)
+    return _captioned(file.all("gather_nodes/*/float/cuda/*/*")[0], "tets", table)
+
+
+def _sectors(file):
+    """Sectors per request, as the model of coalescing counts them."""
+    layouts_of = {"aos": "AoS", "soa": "SoA", "aosoa32": "tiles"}
+    body = []
+    for kernel in ("dp_from_df", "stress_derivative", "deformation_gradient"):
+        found = [file.one(f"{kernel}/{layout}/float/cuda/*") for layout in layouts_of]
+        body.append([f"`{kernel}`", *(f"{row.counter('sectors_per_request'):.1f}" for row in found)])
+    return _lines(["sectors per request", *layouts_of.values()], body)
 
 
 def _packages(text):
@@ -156,75 +246,31 @@ def _packages(text):
     return _lines(["package", "what for"], [[names[name], reason] for name, reason in lines.items()])
 
 
-def _truthcube(text):
-    """Runs of truthcube_runs.py: one line for each."""
-    body = []
-    for run in json.loads(text)["runs"]:
-        settings, steps = run["settings"], run["steps"]
-        total = {key: sum(step[key] for step in steps) for key in ("newton_iterations", "pcg_iterations", "seconds")}
-        warm = [step["warm_seconds"] for step in steps]  # null where nothing was solved again
-        body.append(
-            [
-                f"{run['tets']:,}",
-                f"{settings['poisson']:g}, {settings['volume']}",
-                settings["stepping"] if settings["stepping"] == "nested" else f"{len(steps)} loads",
-                settings["preconditioner"],
-                f"{total['newton_iterations']}",
-                f"{total['pcg_iterations']}",
-                f"{steps[-1]['residual']:.1e}",
-                f"{total['seconds'] * 1e3:.0f} ms",
-                "–" if None in warm else f"{sum(warm) * 1e3:.0f} ms",
-                f"{run['setup_seconds']:.1f} s",
-                f"{run['bytes'] / run['nodes']:.0f}",
-            ]
-        )
-    head = ["tets", "nu, volume by", "stepping", "preconditioner", "Newton steps", "PCG iterations", "residual"]
-    head += ["solved first in", "again in", "set up in", "bytes per node"]
-    return _lines(head, body)
-
-
-def _linear_solves(text):
-    """Rows of the program linear_solves: one line for each body and machine."""
-    name = "linear_solves.json"
-    return _lines(*linear_solves.lines(records.parse(text, name), name))
-
-
-def _iterations(text):
-    """Iterations of multigrid over cubes: one line for each body and norm."""
-    name = "linear_solves_counts.json"
-    return _lines(*linear_solves.iterations(records.parse(text, name), name))
-
-
-def _beads(text):
-    """Runs of truthcube_runs.py --errors: one line for each mesh."""
-    name = "runs of truthcube_runs.py --errors"
-    return _lines(*bead_errors.lines(records.parse(text, name), name))
-
-
-def _layouts(text):
-    """Two builds of layout_runs.py: one line for each body."""
-    name = "layouts.json"
-    return _lines(*layouts.lines(records.parse(text, name), name))
-
-
-def _scenes(text):
-    """Scenes of scene_runs.py: one line for each."""
-    name = "scenes.json"
-    return _lines(*scenes.lines(records.parse(text, name), name))
+def _of_cubes(lines, name):
+    """A table of a file of truthcube: `lines` makes its header and rows of the file's content."""
+    return lambda text: _lines(*lines(records.parse(text, name), name))
 
 
 TABLES = {
     "fast": _fast,
     "kernels": _kernels,
     "errors": _errors,
-    "storage": _storage,
+    "storage": _storage_in("aosoa32/cuda", list(STORAGE)[:5], {"aos": "array of structs", "record": "whole records of 48 scalars"}),
+    "storage_host": _storage_in("aosoa16/host", ["float", *list(STORAGE)[1:3], *list(STORAGE)[5:]], {"aos": "array of structs"}),
+    "conversions": _rates(CONVERSIONS),
+    "dot_products": _rates(DOT_PRODUCTS),
+    "transfers": _transfers,
+    "launches": _launches,
+    "products": _products,
+    "gathers": _gathers,
+    "sectors": _sectors,
     "fused": _fused_in("aosoa32/float/cuda"),
     "fused_host": _fused_in("aosoa16/float/host"),
     "packages": _packages,
-    "truthcube": _truthcube,
-    "linear_solves": _linear_solves,
-    "iterations": _iterations,
-    "layouts": _layouts,
-    "scenes": _scenes,
-    "beads": _beads,
+    "truthcube": _of_cubes(runs.lines, "runs of truthcube_runs.py"),
+    "linear_solves": _of_cubes(linear_solves.lines, "linear_solves.json"),
+    "iterations": _of_cubes(linear_solves.iterations, "linear_solves_counts.json"),
+    "layouts": _of_cubes(layouts.lines, "layouts.json"),
+    "scenes": _of_cubes(scenes.lines, "scenes.json"),
+    "beads": _of_cubes(bead_errors.lines, "runs of truthcube_runs.py --errors"),
 }

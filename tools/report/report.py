@@ -17,10 +17,13 @@ def main(arguments=None):
         prog="report.py", description=HELP, epilog="Exit status: 0 done, 2 wrong use or a file that is not physbench's."
     )
     parser.add_argument("results", nargs="+", metavar="RESULTS.json", help="files written by physbench --json=FILE")
+    parser.add_argument(
+        "--builds", default=rows.BUILDS, metavar="DIR", help="the folder of builds whose compiled kernels results are compared with; build"
+    )
     parser.add_argument("-o", "--output", required=True, metavar="DIR", help="folder to write to; made if missing")
     options = parser.parse_args(arguments)
     try:
-        results = rows.load(options.results)
+        results = rows.load(options.results, options.builds)
         outputs = _build(results)
         _write(options.output, outputs)
     except rows.ResultsError as error:

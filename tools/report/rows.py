@@ -1,13 +1,16 @@
 """Reads and checks the JSON files that physbench writes, and finds rows in them."""
+import fnmatch
 import functools
 import json
 import math
 import os
+import pathlib
 import re
 from dataclasses import dataclass, replace
 
-import sources
+import kernel_hashes
 
+BUILDS = pathlib.Path(__file__).resolve().parents[2] / "build"  # of this checkout
 VERSION = "1"  # of results: names and meanings of rows and counters. Files that state none are of this one, too
 EPS = {"float": 2.0**-23, "double": 2.0**-52}  # what err_eps_* are in
 
@@ -71,7 +74,7 @@ class ResultFile:
     context: dict
     rows: list
     failures: list  # (name, message)
-    sources: str  # what it measured: "as here", "other: runtime", "not stated"
+    kernels: str  # what it measured: "as here", "other: scene/host/svd", "not compared: ...", "not stated"
 
 
 @dataclass(frozen=True)
@@ -81,18 +84,12 @@ class Results:
     replaced: int  # rows that a later file has again
 
 
-@functools.cache
-def _present_sources():
-    """Hashes of the checkout that this file is in, which are read once: nobody edits it while a report is made."""
-    return sources.hashes()
-
-
-def load(paths, here=None):
+def load(paths, builds=BUILDS):
     """Reads files. Of rows that several files have from one machine, the last file's count.
 
-    @param here hashes of the sources that count as the present ones; without it, of the checkout that this file is in
+    @param builds the folder of builds whose compiled kernels count as the present ones
     @throws ResultsError that names the file and what is wrong with it"""
-    here = here or _present_sources()
+    here = kernel_hashes.of_builds(builds)
     files = [_read(path, here) for path in paths]
     unique = {(row.machine, row.name): row for file in files for row in file.rows}
     peers = {key: len(same) for key, same in grouped(unique.values(), "machine", "kernel", "set", "objects")}
@@ -113,15 +110,16 @@ def _read(path, here):
         raise ResultsError(f"{path}: JSON, but not of physbench --json (no context with 'physgen', or no benchmarks)")
     _check_version(path, context)
     name = os.path.basename(path)
-    measured, older = _sources(path, context, here)
-    older = (older, f"{name} ({str(context.get('date', 'no date'))[:10]})") if older else ()
-    rows, failures = {}, []
+    dated = f"{name} ({str(context.get('date', 'no date'))[:10]})"
+    rows, failures, compared = {}, [], set()
     for entry in content["benchmarks"]:
         if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
             raise ResultsError(f"{path}: a benchmark has no name")
         if entry.get("run_type") == "aggregate":
             continue  # means and deviations of repetitions: the repetitions themselves are there, too
-        row = _row(path, entry, context, older)
+        short, why = _kernels(path, entry, here)
+        compared.update(short)
+        row = _row(path, entry, context, (why, dated) if why else ())
         if entry.get("error_occurred"):
             failures.append((row.name, str(entry.get("error_message", "no message"))))
         elif row.ms is None or row.ms <= 0:
@@ -131,7 +129,7 @@ def _read(path, here):
     if not rows and not failures:
         raise ResultsError(f"{path}: no rows")
     middle = [sorted(same, key=lambda row: row.ms)[(len(same) - 1) // 2] for same in rows.values()]
-    return ResultFile(name, context, middle, failures, measured)
+    return ResultFile(name, context, middle, failures, "; ".join(sorted(compared)) or "as here")
 
 
 def _check_version(path, context):
@@ -143,21 +141,24 @@ def _check_version(path, context):
         )
 
 
-def _sources(path, context, here):
-    """The file's words on its sources, in short; and in words where they are not those of `here`."""
-    if "sources" not in context:
-        return "not stated", "files that do not say which sources they measured"
-    stated = sources.parse(context["sources"])
-    if stated is None:
+def _kernels(path, entry, here):
+    """What tells a row's compiled kernels from those of builds, in short words; and why it may be older than the code."""
+    if "kernels" not in entry:
+        return {"not stated"}, "files of before results had hashes of their compiled kernels"
+    stated = [tuple(part.split(" ")) for part in str(entry["kernels"]).split(", ")]
+    if not all(len(part) == 2 and re.fullmatch("[0-9a-f]{16}", part[1]) for part in stated):
         raise ResultsError(
-            f"{path}: context.sources is '{context['sources']}', not names and hashes as physbench writes them "
-            "(tools/report/sources.py prints this checkout's); measure again instead of editing the file"
+            f"{path}: {entry['name']}: kernels is '{entry['kernels']}', not names and hashes as physbench writes them; "
+            "measure again instead of editing the file"
         )
-    other = [group for group in {**here, **stated} if here.get(group) != stated.get(group)]
-    if not other:
-        return "as here", ""
-    listed = ", ".join(other)
-    return f"other: {listed}", f"files that measured other sources than this checkout's (those of {listed} differ)"
+    unknown = sorted(key for key, _ in stated if key not in here)
+    other = sorted(key for key, hashed in stated if hashed not in here.get(key, {hashed}))
+    if other:
+        listed = ", ".join(other)
+        return {f"other: {key}" for key in other}, f"files that measured other compiled kernels than the builds here (those of {listed})"
+    if unknown:
+        return {f"not compared: {key}" for key in unknown}, "files that were not compared, since no build here has their kernels"
+    return set(), ""
 
 
 def _row(path, entry, context, older):
@@ -177,6 +178,35 @@ def _machine(space, context):
     cpu = re.sub(r"\((R|TM|tm)\)", "", str(context.get("cpu", "CPU")))
     threads = re.match(r"\d+", str(context.get("threads", "")))
     return " ".join(cpu.split()) + (f", {threads[0]} thread{'s' * (threads[0] != '1')}" if threads else "")
+
+
+class NamedRows:
+    """The rows of a file, found by their names, in which `*` stands for anything within a part."""
+
+    def __init__(self, path):
+        self.path, self.rows = path, load([str(path)]).files[0].rows
+        self._found = {}  # of patterns that were asked for
+
+    def all(self, *patterns):
+        """Rows whose names fit one of the patterns. @throws ResultsError where none fits"""
+        if patterns not in self._found:
+            self._found[patterns] = [row for row in self.rows if any(_fits(row.name, pattern) for pattern in patterns)]
+        found = list(self._found[patterns])
+        if not found:
+            raise ResultsError(f"{self.path} has no row {' or '.join(patterns)}; measure it, or ask for another name")
+        return found
+
+    def one(self, pattern):
+        """The only row of that name. @throws ResultsError where there is none, or more than one"""
+        found = self.all(pattern)
+        if len(found) > 1:
+            raise ResultsError(f"{self.path} has {len(found)} rows {pattern}; ask for one")
+        return found[0]
+
+
+def _fits(name, pattern):
+    name, pattern = name.split("/"), pattern.split("/")
+    return len(name) == len(pattern) and all(map(fnmatch.fnmatchcase, name, pattern))
 
 
 # ---- Finding rows ----------------------------------------------------------------------------------------------------

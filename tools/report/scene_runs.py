@@ -7,7 +7,6 @@ of both on one thread of the CPU, by turns: that of a load for equilibria, a tim
 processor spent, so that other programs do not change it much: that of several steps less that of one step, each the
 shortest of --repeats. With --cells 0 nothing is timed, and any build does, since bytes are the same in all. Needs nothing but Python."""
 import argparse
-import json
 import pathlib
 import re
 import resource
@@ -15,10 +14,12 @@ import subprocess
 import sys
 
 sys.dont_write_bytecode = True
-import sources  # noqa: E402
+import kernel_hashes  # noqa: E402
+import result_lines  # noqa: E402
 import truthcube_runs  # noqa: E402
 from truthcube import records, scenes  # noqa: E402
 
+CHECKOUT = pathlib.Path(__file__).resolve().parents[2]
 FLOAT = ["--precision", "float"]
 STABLE = ["--material", "stable-neo-hookean"]
 BY_TETS = ["--product", "matrix-free", "--preconditioner", "block-jacobi"]
@@ -102,21 +103,21 @@ def main():
     for name, flags, others in SCENES:
         both = [["--scene", name, *flags]] + ([["--scene", "everything", *others]] if others else [])
         own, *everything = best(options, name, both)
-        rows.append({"scene": name, "scalars": scenes.scalars(sources.CHECKOUT, name, own["flags"]), "own": own})
+        rows.append({"scene": name, "scalars": scenes.scalars(CHECKOUT, name, own["flags"]), "own": own})
         if everything:
             rows[-1]["everything"] = everything[0]
         file = {
-            "sources": sources.text(sources.hashes(groups=truthcube_runs.MEASURED)),
+            "kernels": kernel_hashes.of([options.program]),
             "machine": where,
             "cells": options.cells,
             "scenes": rows,
         }
-        pathlib.Path(options.output).write_text(json.dumps(file, indent=1) + "\n")
+        result_lines.write(options.output, file)
         print(*scenes.lines(file, options.output)[1][-1], sep="; ", flush=True)
 
 
 if __name__ == "__main__":
     try:
         main()
-    except (OSError, records.RunError) as error:
+    except (OSError, ValueError, records.RunError) as error:
         sys.exit(f"scene_runs.py: {error}")

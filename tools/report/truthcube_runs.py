@@ -6,7 +6,6 @@ those of a finer mesh with patches (--finest). Each is a program of its own, whi
 behind the first is in the plot, both are in the table. A small run comes before them, so that none waits for files and
 drivers to be loaded. Needs nothing but Python."""
 import argparse
-import json
 import os
 import pathlib
 import re
@@ -15,11 +14,10 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-import sources  # noqa: E402
+import kernel_hashes  # noqa: E402
+import result_lines  # noqa: E402
 from truthcube import beads, records  # noqa: E402
 
-# Folders and files that the figures depend on.
-MEASURED = ("runtime", "generated", "tools/fem", "tools/truthcube")
 # Poisson's ratio and the treatment of the volume, for the table.
 BODIES = (("0.45", "tets"), ("0.49", "patches"), ("0.499", "patches"))
 # How the load is reached: at once, from coarser meshes; or in the paper's three steps.
@@ -154,7 +152,7 @@ def main():
     options = parser.parse_args()
     options.cells = options.cells or ([8, 16, 32, 64] if options.errors else [64])
     where = machine(options)
-    measured = sources.text(sources.hashes(groups=MEASURED))
+    measured = kernel_hashes.of([options.program])
     runs, place = [], ["--device", options.device, *(["--threads", str(options.threads)] if options.threads else [])]
     run(options.program, [*place, "--cells", "4", "--compress", "0.05"])
     reference = oracle_beads if options.errors else None
@@ -166,13 +164,13 @@ def main():
         outcome = [[step["seconds"], step.get("beads", {}).get("rms_mm", "")] for step in runs[-1].get("steps", [])]
         print(runs[-1]["command"], *outcome, runs[-1].get("failed", ""), flush=True)
         # Kept on the way, so that runs that are cut short leave what was measured.
-        file = {"sources": measured, "machine": where, "repeats": options.repeats, "runs": runs}
-        pathlib.Path(options.output).write_text(json.dumps(file, indent=1) + "\n")
+        file = {"kernels": measured, "machine": where, "repeats": options.repeats, "runs": runs}
+        result_lines.write(options.output, file)
     return 1 if any("failed" in run for run in runs) else 0
 
 
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except records.RunError as error:
+    except (records.RunError, OSError, ValueError) as error:
         sys.exit(f"truthcube_runs.py: {error}")

@@ -28,7 +28,8 @@ std::string scene_name(const Options& options) { return "--scene " + name_of(sce
 void refuse(const Options& options, const Given& given, std::initializer_list<const char*> flags,
             const std::string& reason) {
   for (const char* flag : flags) {
-    if (given(flag)) throw Error(scene_name(options) + " cannot take " + flag + ", because " + reason + "; remove " + flag);
+    if (given(flag))
+      throw Error(scene_name(options) + " cannot take " + flag + ", because " + reason + "; remove " + flag);
   }
 }
 
@@ -37,7 +38,8 @@ template <class Value>
 void choose(const Options& options, const Given& given, const char* flag, const std::string& word, Value& value,
             const Value& chosen) {
   if (given(flag) && value != chosen) {
-    throw Error(scene_name(options) + " requires " + flag + " " + word + "; remove " + flag + ", or use --scene everything");
+    throw Error(scene_name(options) + " requires " + flag + " " + word + "; remove " + flag +
+                ", or use --scene everything");
   }
   value = chosen;
 }

@@ -1,4 +1,5 @@
-// The version of physgen: CMake, the commands and results take it from here. CHANGELOG.md says what each version changed.
+// The version of physgen: CMake, the commands and results take it from here. CHANGELOG.md says what each version
+// changed.
 #pragma once
 
 #define PHYSGEN_VERSION "0.2.0"

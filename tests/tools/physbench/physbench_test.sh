@@ -14,6 +14,7 @@ expect_exit() {
 }
 expect() { grep -qE -- "$2" "$1" || fail "not found: $2"; }
 expect_no() { ! grep -qE -- "$2" "$1" || fail "found: $2"; }
+values() { sed 's/, "/,\n"/g; s/}\(,\?\)$/\n}\1/' "$json"; }  # a line each, as awk reads them
 small=(--objects=1000 --threads=1 --benchmark_min_time=0.001)
 
 case $rule in
@@ -57,7 +58,7 @@ case $rule in
         ++rows
         if (!($2 <= allowed) || $2 == "NaN") { print name, $2; wrong = 1 }
       }
-      END { exit wrong || rows < 50 }' "$json" >&2 || fail 'rows as above, or too few'
+      END { exit wrong || rows < 50 }' <(values) >&2 || fail 'rows as above, or too few'
     ;;
   every_group_has_rows_near_their_reference)
     for group in storage:10:2e-2 conversions:12:1e-7 gathers:8:1e-3 forces:5:1e-2 reduce:4:1e-6 growth:6:1e-3; do
@@ -69,7 +70,7 @@ case $rule in
       awk -F'[:,] *' -v least="$least" -v allowed="$allowed" '
         $1 ~ /"name"/ { name = $2; ++rows }
         $1 ~ /"err_max"/ && (!($2 <= (name ~ /bfloat16/ ? 0.3 : allowed)) || $2 == "NaN") { print name, $2; wrong = 1 }
-        END { if (rows < least) print rows, "rows"; exit wrong || rows < least }' "$json" >&2 || fail "group $name: rows as above"
+        END { if (rows < least) print rows, "rows"; exit wrong || rows < least }' <(values) >&2 || fail "group $name: rows as above"
     done ;;
   json_has_counters_and_machine)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000$'
@@ -77,13 +78,19 @@ case $rule in
       err_max '"cpu"' '"threads"' '"compiler"' '"command"' '"date"'; do
       expect "$json" "$word"
     done ;;
-  json_names_the_sources_of_the_checkout)
+  json_has_a_row_a_line)
+    expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^(svd|stress)/aosoa16/float/host/1000$'
+    expect "$json" '^ *[{]"name": "stress/aosoa16/float/host/1000", .*"err_max": [^,]*[}],?$'
+    is_formed='import sys; sys.path.insert(0, sys.argv[1]); import result_lines; print(result_lines.is_formed(open(sys.argv[2]).read()))'
+    [[ $(/usr/bin/python3 -B -c "$is_formed" "${BASH_SOURCE%/*}/../../../tools/report" "$json") == True ]] || fail 'other lines' ;;
+  json_names_the_compiled_kernels_of_rows)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000$'
     expect "$json" '"results_version": "[0-9]+"'
-    report=${BASH_SOURCE%/*}/../../../tools/report
-    expect "$json" "\"sources\": \"$(/usr/bin/python3 "$report/sources.py")\""
-    as_here='import sys; sys.path.insert(0, sys.argv[1]); import rows; print(rows.load(sys.argv[2:]).files[0].sources)'
-    [[ $(/usr/bin/python3 -B -c "$as_here" "$report" "$json") == 'as here' ]] || fail 'the report takes them for others' ;;
+    expect "$json" '"kernels": "scene/host/svd [0-9a-f]{16}"[}]'
+    expect_exit 0 errors "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000/hard$'
+    expect "$json" '"kernels": "set/host/svd [0-9a-f]{16}"[}]'
+    expect_exit 0 storage "${small[@]}" --json="$json" --benchmark_filter='^dp_from_df/aosoa16/float/host/1000$'
+    expect "$json" '"kernels": "storage/host [0-9a-f]{16}, scene/host/dp_from_df [0-9a-f]{16}"[}]' ;;
   without_a_command_there_are_no_rows_of_sets)
     expect_exit 0 "${small[@]}"
     expect "$out" '^CPU, float$'
@@ -98,7 +105,7 @@ case $rule in
     expect "$out" '^ +near_rest '
     expect "$out" '^ +hard '
     expect "$out" '^  physbench replay svd float 0x1'
-    [[ -z $(awk 'length > 160 && !/replay|^(command|sources) /' "$out") ]] || fail 'a line of more than 160 columns' ;;
+    [[ -z $(awk 'length > 160 && !/replay|^command /' "$out") ]] || fail 'a line of more than 160 columns' ;;
   errors_on_every_set_are_within_what_kernels_promise)
     # 3 sweeps do not converge in double: that is why 4 are the usual number.
     expect_exit 0 errors "${small[@]}" --objects=2000 --json="$json" --benchmark_filter='/aosoa16/.*/host/'
@@ -110,7 +117,7 @@ case $rule in
         ++numbers
         if (!($2 <= allowed) || $2 == "NaN") { print name, $1, $2; wrong = 1 }
       }
-      END { exit wrong || numbers < 160 }' "$json" >&2 || fail 'numbers as above, or too few'
+      END { exit wrong || numbers < 160 }' <(values) >&2 || fail 'numbers as above, or too few'
     ;;
   json_of_a_set_has_errors_in_eps_and_the_worst_input)
     expect_exit 0 errors "${small[@]}" --json="$json" --benchmark_filter='^svd/aosoa16/float/host/1000/hard$'
@@ -172,6 +179,6 @@ case $rule in
     awk -F'[:,] *' '
       $1 ~ /"name"/ { name = $2 }
       $1 ~ /"err_max"/ { ++rows; if (!($2 <= (name ~ /float/ ? 1e-3 : 1e-12))) { print name, $2; wrong = 1 } }
-      END { exit wrong || rows != 4 }' "$json" >&2 || fail 'errors as above, or not 4 rows' ;;
+      END { exit wrong || rows != 4 }' <(values) >&2 || fail 'errors as above, or not 4 rows' ;;
   *) fail 'no such rule' ;;
 esac

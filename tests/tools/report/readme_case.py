@@ -13,12 +13,10 @@ sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TOOL = ROOT / "tools" / "report" / "readme_numbers.py"
 sys.path.insert(0, str(TOOL.parent))
-import readme_figures  # noqa: E402
 import readme_numbers  # noqa: E402
-import readme_sentences  # noqa: E402
 
 PACKAGES = "tools/packages.txt"
-MEASURED = readme_sentences.MEASURED
+MEASURED = "tools/report/results/README.md"
 Done = collections.namedtuple("Done", "returncode stdout stderr")
 
 
@@ -38,9 +36,9 @@ class ReadmeCase(unittest.TestCase):
         """A copy of what the command reads and writes."""
         self.temporary = tempfile.TemporaryDirectory()
         self.root = pathlib.Path(self.temporary.name)
-        for readme in readme_figures.READMES:
-            (self.root / readme).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / readme, self.root / readme)
+        for page in readme_numbers.PAGES:
+            (self.root / page).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / page, self.root / page)
         shutil.copytree(ROOT / readme_numbers.RESULTS, self.root / readme_numbers.RESULTS, dirs_exist_ok=True)
         shutil.copy(ROOT / PACKAGES, self.root / PACKAGES)
 
@@ -77,6 +75,10 @@ class ReadmeCase(unittest.TestCase):
         text = path.read_text(encoding="utf-8")
         self.assertIn(old, text)
         path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+    def append(self, name, text):
+        path = self.root / name
+        path.write_text(path.read_text(encoding="utf-8") + text, encoding="utf-8")
 
     def refused(self, *words):
         for option in ("--check", "--write"):

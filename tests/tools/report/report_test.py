@@ -18,7 +18,6 @@ sys.path.insert(0, str(TOOL))
 import drawing  # noqa: E402
 import names  # noqa: E402
 import rows  # noqa: E402
-import sources  # noqa: E402
 
 
 class ReportTest(unittest.TestCase):
@@ -30,12 +29,16 @@ class ReportTest(unittest.TestCase):
         cls.folder = pathlib.Path(cls.temporary.name)
         cls.all_kinds = cls.folder / "all_kinds.json"
         content = report_test_rows.results()
+        cls.builds = cls.folder / "build"
+        hashes = cls.builds / "made_up/tools/physbench/hashes/all.txt"
+        hashes.parent.mkdir(parents=True)
+        hashes.write_text("".join(sorted({row["kernels"] + "\n" for row in content["benchmarks"]})))
         cls.all_kinds.write_text(json.dumps(content))
         content["benchmarks"] = [row for row in content["benchmarks"] if row["name"].startswith("gather_nodes/")]
         cls.gathers = cls.folder / "gathers.json"
         cls.gathers.write_text(json.dumps(content))
         for name, files in (("all", [cls.all_kinds]), ("measured", CHECKED_IN)):
-            done = report(*files, "-o", cls.folder / name)
+            done = report(*files, "-o", cls.folder / name, "--builds", cls.builds)
             if done.returncode != 0 or done.stderr:
                 raise AssertionError(f"exit {done.returncode}: {done.stderr}")
         cls.all = Page(cls.folder / "all" / "index.html")
@@ -96,7 +99,7 @@ class ReportTest(unittest.TestCase):
 
     def test_output_is_the_same_on_every_run(self):
         again = self.folder / "again"
-        self.assertEqual(report_of_a_process(self.all_kinds, "-o", again), (0, ""))
+        self.assertEqual(report_of_a_process(self.all_kinds, "-o", again, "--builds", self.builds), (0, ""))
         for path in (self.folder / "all").iterdir():
             self.assertEqual(path.read_bytes(), (again / path.name).read_bytes(), path.name)
 
@@ -142,19 +145,20 @@ class ReportTest(unittest.TestCase):
         ][:1]
         later = self.folder / "later.json"
         later.write_text(json.dumps(slower))
-        results = rows.load([self.all_kinds, later])
+        results = rows.load([self.all_kinds, later], self.builds)
         self.assertEqual(results.replaced, 1)
         same = rows.where(results.rows, kernel="stress_derivative", layout="aosoa32", objects=8388608, set="")
         self.assertEqual([row.ms for row in same], [7.0])
 
     # ---- What is older than the code -----------------------------------------------------------------------------
-    def page_of_gathers_with(self, **context):
-        """The page of all kinds of rows, with those of gather_nodes from a file whose context says something else."""
+    def page_of_gathers_with(self, kernels):
+        """The page of all kinds of rows, with those of gather_nodes from a file that says something else of their kernels."""
         content = json.loads(self.gathers.read_text())
-        content["context"].update(context)
-        content["context"] = {name: value for name, value in content["context"].items() if value is not None}
+        for row in content["benchmarks"]:
+            row.update(kernels=kernels) if kernels else row.pop("kernels")
         (self.folder / "other.json").write_text(json.dumps(content))
-        done = report_of_words(self.all_kinds, self.folder / "other.json", "-o", self.folder / "marked")
+        files = (self.all_kinds, self.folder / "other.json")
+        done = report_of_words(*files, "-o", self.folder / "marked", "--builds", self.builds)
         self.assertEqual(done.returncode, 0, done.stderr)
         return Page(self.folder / "marked" / "index.html")
 
@@ -166,27 +170,28 @@ class ReportTest(unittest.TestCase):
         self.assertIn("1 of the files may be older than the code", page.source)
         self.assertRegex(page.source, rf"<td[^>]*>{listed}</td>")
 
-    def test_results_of_the_present_sources_are_not_marked(self):
+    def test_results_of_the_kernels_of_a_build_are_not_marked(self):
         self.assertNotIn("older than the code", self.all.source)
         self.assertIn("as here", self.all.text[SECTIONS[9]])
 
-    def test_section_with_results_of_other_sources_says_which_differ(self):
-        found = sources.hashes()
-        found["runtime"] = "0123456789abcdef"
-        page = self.page_of_gathers_with(sources=sources.text(found))
-        why = "other sources than this checkout's (those of runtime differ)"
-        self.check_only_gathers_are_marked(page, why, "other: runtime")
+    def test_section_with_results_of_other_kernels_says_which_differ(self):
+        page = self.page_of_gathers_with("scene/cuda/gather_nodes fedcba9876543210")
+        why = "measured other compiled kernels than the builds here (those of scene/cuda/gather_nodes)"
+        self.check_only_gathers_are_marked(page, why, "other: scene/cuda/gather_nodes")
 
-    def test_section_with_results_that_name_no_sources_says_so(self):
-        page = self.page_of_gathers_with(sources=None, results_version=None)
-        self.check_only_gathers_are_marked(page, "do not say which sources they measured", "not stated")
+    def test_section_with_results_that_name_no_kernels_says_so(self):
+        page = self.page_of_gathers_with(None)
+        self.check_only_gathers_are_marked(page, "of before results had hashes of their compiled kernels", "not stated")
+
+    def test_section_with_results_of_kernels_that_no_build_has_says_so(self):
+        page = self.page_of_gathers_with("scene/cuda/gather_nodes 0123456789abcdef, gathers/cuda 0123456789abcdef")
+        why = "were not compared, since no build here has their kernels"
+        self.check_only_gathers_are_marked(page, why, "not compared: gathers/cuda")
 
     def test_every_section_knows_the_rows_that_it_shows(self):
-        content = json.loads(self.all_kinds.read_text())
-        del content["context"]["sources"]
-        (self.folder / "unstated.json").write_text(json.dumps(content))
-        self.assertEqual(report_of_words(self.folder / "unstated.json", "-o", self.folder / "unstated").returncode, 0)
-        page = Page(self.folder / "unstated" / "index.html")
+        arguments = (self.all_kinds, "-o", self.folder / "unbuilt", "--builds", self.folder / "no build")
+        self.assertEqual(report_of_words(*arguments).returncode, 0)
+        page = Page(self.folder / "unbuilt" / "index.html")
         for section in SECTIONS[:-1]:
             self.assertIn("May be older than the code", page.text[section])
 
@@ -235,11 +240,11 @@ class ReportTest(unittest.TestCase):
                 rf"context.results_version is '{re.escape(str(version))}'.* version 1; measure again with this",
             )
 
-    def test_sources_that_physbench_does_not_write_are_refused(self):
+    def test_kernels_that_physbench_does_not_write_are_refused(self):
         content = json.loads(self.gathers.read_text())
-        for wrong in ("", "runtime", "runtime 0123", "runtime 0123456789abcdeF", 3, None, ["runtime 0123456789abcdef"]):
-            content["context"]["sources"] = wrong
-            self.check_refused(json.dumps(content), "context.sources is .* measure again")
+        for wrong in ("", "a/b", "a/b 0123", "a/b 0123456789abcdeF", 3, None, ["a/b 0123456789abcdef"]):
+            content["benchmarks"][0]["kernels"] = wrong
+            self.check_refused(json.dumps(content), "gather_nodes/.*: kernels is .* measure again")
 
     def test_wrong_use_exits_with_2(self):
         self.assertEqual(report().returncode, 2)

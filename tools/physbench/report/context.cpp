@@ -12,7 +12,6 @@
 
 #include "measure/registry.h"
 #include "report/format.h"
-#include "report/sources.h"
 
 namespace physgen::bench {
 
@@ -48,7 +47,6 @@ Facts describe_machine(int threads, const std::string& command) {
               {"compiler", compiler()},
               {"physgen", PHYSGEN_VERSION},
               {"results_version", "1"},  // tools/report/rows.py reads this version: names and meanings of counters
-              {"sources", source_hashes()},
               {"command", command}};
   if (gpu.missing.empty()) {
     for (const auto& [name, missing] : registry().libraries) {

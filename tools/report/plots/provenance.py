@@ -17,10 +17,10 @@ FIELDS = {
 def section(results):
     blocks = [
         Table(
-            ["file", "rows", *FIELDS.values(), "sources"],
-            [[file.name, str(len(file.rows)), *_context(file), file.sources] for file in results.files],
-            "What measured each file, when, and whether with the sources of this checkout: where they are others or "
-            "are not stated, the code may have changed since.",
+            ["file", "rows", *FIELDS.values(), "kernels"],
+            [[file.name, str(len(file.rows)), *_context(file), file.kernels] for file in results.files],
+            "What measured each file, when, and whether its compiled kernels are those of a build of this checkout: where they are "
+            "others or are not stated, the code may have changed since. Another compiler or processor has other kernels, too.",
         )
     ]
     commands = "\n".join(f"{_command(file)}" for file in results.files)

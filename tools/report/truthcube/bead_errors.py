@@ -11,7 +11,7 @@ REACTIONS = f"{beads.ORACLE}/README.md"
 
 def oracle_reactions():
     """The checked-in reference: {(upper plate, compression): over Young's modulus [m^2]}. @throws RunError"""
-    text = (beads.ROOT / REACTIONS).read_text(encoding="utf-8")
+    text = " ".join((beads.ROOT / REACTIONS).read_text(encoding="utf-8").split())
     found = re.search(r"Reaction / E \[1e-4 m\^2\], c = ([\d., ]+): bonded ([-\d., ]+); frictionless ([-\d., ]+)\.", text)
     if found is None:
         raise RunError(f"{REACTIONS} has no line of reactions")

@@ -198,10 +198,12 @@ struct traits<physgen::MatrixValue<S, R, C>> : traits<Matrix<S, R, C>> {
   enum { Flags = int(traits<Matrix<S, R, C>>::Flags) & int(RowMajorBit) };
 };
 
+// Without PacketAccessBit sums over the entries of one object have the order that they have in packs and on CUDA,
+// 0 + (1 + 2), where Eigen's own vectors add (0 + 1) + 2.
 template <class S, int R, int C>
 struct evaluator<physgen::MatrixValue<S, R, C>> : evaluator<Matrix<S, R, C>> {
   using XprType = physgen::MatrixValue<S, R, C>;
-  enum { Flags = int(evaluator<Matrix<S, R, C>>::Flags) & ~int(DirectAccessBit) };
+  enum { Flags = int(evaluator<Matrix<S, R, C>>::Flags) & ~int(DirectAccessBit | PacketAccessBit) };
   EIGEN_DEVICE_FUNC EIGEN_STRONG_INLINE explicit evaluator(const XprType& value)
       : evaluator<Matrix<S, R, C>>(value.plain()) {}
 };
@@ -215,14 +217,21 @@ struct Assignment<Matrix<S, R, C>, physgen::MatrixValue<S, R, C>, assign_op<S, S
   }
 };
 
-// What is read several times, as by products, is read as a Matrix: with the same arithmetic, to the last bit.
+// What is read several times, as factors of products, is a value, too: an expression's, once it is evaluated.
+template <class Derived>
+  requires(physgen::detail::of_values<Derived> && std::is_same_v<typename traits<Derived>::XprKind, MatrixXpr> &&
+           size_at_compile_time<traits<Derived>::RowsAtCompileTime, traits<Derived>::ColsAtCompileTime>::ret != Dynamic)
+struct plain_object_eval<Derived, Dense> {
+  using type = physgen::MatrixValue<typename traits<Derived>::Scalar, traits<Derived>::RowsAtCompileTime,
+                                    traits<Derived>::ColsAtCompileTime>;
+};
 template <class S, int R, int C, int n, class Plain>
 struct nested_eval<physgen::MatrixValue<S, R, C>, n, Plain> {
-  using type = const Matrix<S, R, C>;
+  using type = const physgen::MatrixValue<S, R, C>;
 };
 template <class S, int R, int C, int n, class Plain>
 struct nested_eval<const physgen::MatrixValue<S, R, C>, n, Plain> {
-  using type = const Matrix<S, R, C>;
+  using type = const physgen::MatrixValue<S, R, C>;
 };
 
 // Products of large matrices read it where it lies, as they read a Matrix.
