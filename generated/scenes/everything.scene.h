@@ -2,7 +2,7 @@
 // and the kernels that it runs: change these, not this file.
 #pragma once
 
-#include <physgen/scene_arrays.h>
+#include <physgen/scenes/scene_arrays.h>
 
 #include <contact.physgen.h>
 #include <dynamics.physgen.h>

@@ -2,8 +2,8 @@
 // and the kernels that it runs: change these, not this file.
 #pragma once
 
-#include <physgen/local_array.h>
-#include <physgen/scene_arrays.h>
+#include <physgen/arrays/local_array.h>
+#include <physgen/scenes/scene_arrays.h>
 
 #include <elasticity.physgen.h>
 

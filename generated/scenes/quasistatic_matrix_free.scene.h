@@ -2,7 +2,7 @@
 // scenes/quasistatic_matrix_free.h and the kernels that it runs: change these, not this file.
 #pragma once
 
-#include <physgen/scene_arrays.h>
+#include <physgen/scenes/scene_arrays.h>
 
 #include <elasticity.physgen.h>
 #include <quasistatic.physgen.h>

@@ -39,8 +39,8 @@ class Header {
                            " and the kernels that it runs: change these, not this file.");
     out_.line("#pragma once");
     out_.line();
-    if (has_locals()) out_.line("#include <physgen/local_array.h>");
-    out_.line("#include <physgen/scene_arrays.h>");
+    if (has_locals()) out_.line("#include <physgen/arrays/local_array.h>");
+    out_.line("#include <physgen/scenes/scene_arrays.h>");
     out_.line();
     std::set<std::string> headers;
     for (const Group& group : scene_.groups)

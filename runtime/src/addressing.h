@@ -1,8 +1,8 @@
 // The law of addresses over an array without its types, prepared for loops over its objects.
 #pragma once
 
+#include <physgen/arrays/untyped_array.h>
 #include <physgen/layout/address.h>
-#include <physgen/untyped_array.h>
 
 namespace physgen::detail {
 

@@ -1,8 +1,8 @@
 // Counts values of whole arrays that formats cannot hold, and keeps the counters of arrays.
-#include <physgen/array_losses.h>
-#include <physgen/buffer.h>
-#include <physgen/chunked_transfer.h>
+#include <physgen/arrays/array_losses.h>
+#include <physgen/arrays/chunked_transfer.h>
 #include <physgen/device.h>
+#include <physgen/memory/buffer.h>
 
 #include <sstream>
 #include <string>

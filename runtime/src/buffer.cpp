@@ -1,7 +1,7 @@
 // Allocation of buffers; CUDA and pinned memory come from the backend.
-#include <physgen/buffer.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
+#include <physgen/memory/buffer.h>
 #include <sys/mman.h>
 #include <unistd.h>
 

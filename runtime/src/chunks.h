@@ -1,8 +1,8 @@
 // Cuts a range of objects for transfers into chunks of a few MiB that begin and end with whole tiles.
 #pragma once
 
+#include <physgen/arrays/untyped_array.h>
 #include <physgen/layout/pitch.h>
-#include <physgen/untyped_array.h>
 
 #include <algorithm>
 

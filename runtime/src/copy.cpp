@@ -1,6 +1,6 @@
 // Copies between arrays without their types: who does which of them.
-#include <physgen/array_losses.h>
-#include <physgen/copy.h>
+#include <physgen/arrays/array_losses.h>
+#include <physgen/arrays/copy.h>
 #include <physgen/device.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Words of messages: the name of an array, and refusals of copies and of fields that it does not store.
 #pragma once
 
+#include <physgen/arrays/untyped_array.h>
 #include <physgen/error.h>
-#include <physgen/untyped_array.h>
 
 #include <string>
 

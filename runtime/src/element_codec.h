@@ -2,7 +2,7 @@
 // of whole arrays call it. A new stored type needs a case in decode() and encode(), and for speed, of 16 bits, a codec.
 #pragma once
 
-#include <physgen/object_info.h>
+#include <physgen/fields/object_info.h>
 
 #include <bit>
 #include <cstring>

@@ -1,8 +1,8 @@
 // Conversions between arrays that host code can reach.
 #pragma once
 
-#include <physgen/losses.h>
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/losses.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen::detail {
 

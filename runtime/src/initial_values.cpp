@@ -1,9 +1,9 @@
 // Initial values of objects, on the host and by the backend.
+#include <physgen/arrays/initial_values.h>
 #include <physgen/detail/count_losses.h>
 #include <physgen/detail/launch.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
-#include <physgen/initial_values.h>
 
 #include <sstream>
 

@@ -1,6 +1,6 @@
 // Checks of lists of object numbers, and lists that follow from them.
+#include <physgen/arrays/object_numbers.h>
 #include <physgen/error.h>
-#include <physgen/object_numbers.h>
 
 #include <algorithm>
 

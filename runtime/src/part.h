@@ -1,8 +1,8 @@
 // Parts of arrays: some objects of an array, in the same form, in memory of their own.
 #pragma once
 
+#include <physgen/arrays/untyped_array.h>
 #include <physgen/layout/pitch.h>
-#include <physgen/untyped_array.h>
 
 namespace physgen::detail {
 

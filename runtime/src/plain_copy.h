@@ -1,7 +1,7 @@
 // Copies between arrays that store the same records: bytes move in as few runs as the layouts allow.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen::detail {
 

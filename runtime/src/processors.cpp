@@ -1,7 +1,7 @@
 // Reads affinity and control groups.
 #include "processors.h"
 
-#include <physgen/processors.h>
+#include <physgen/launch/processors.h>
 #include <sched.h>
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // Single elements of arrays without their types, by number, as doubles.
-#include <physgen/array_losses.h>
-#include <physgen/buffer.h>
+#include <physgen/arrays/array_losses.h>
+#include <physgen/arrays/single_elements.h>
 #include <physgen/detail/count_losses.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
-#include <physgen/single_elements.h>
+#include <physgen/memory/buffer.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // See thread_environment.h.
 #include "thread_environment.h"
 
-#include <physgen/processors.h>
+#include <physgen/launch/processors.h>
 
 #include <algorithm>
 #include <charconv>

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <physgen/runtime.h>
-#include <physgen/simd_access.h>
+#include <physgen/simd/simd_access.h>
 
 #include <array>
 #include <type_traits>

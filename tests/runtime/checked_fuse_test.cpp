@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <physgen/fuse.h>
 #include <physgen/kernel.h>
-#include <physgen/math.h>
+#include <physgen/kernels/math.h>
 #include <physgen/parallel_for.h>
 
 #include "test_objects.h"

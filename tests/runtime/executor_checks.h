@@ -3,7 +3,7 @@
 
 #include <elasticity.physgen.h>
 #include <gtest/gtest.h>
-#include <physgen/reduce.h>
+#include <physgen/launch/reduce.h>
 
 #include <cmath>
 

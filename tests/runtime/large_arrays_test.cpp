@@ -1,5 +1,5 @@
 // Arrays of more objects than 32 bits count, of more bytes than there are, and arrays that many threads read.
-#include <physgen/simd_access.h>
+#include <physgen/simd/simd_access.h>
 
 #include <array>
 #include <fstream>

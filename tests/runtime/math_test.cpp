@@ -1,6 +1,6 @@
 // Scalar functions of kernels, for single numbers and packs of all widths.
 #include <gtest/gtest.h>
-#include <physgen/simd_access.h>
+#include <physgen/simd/simd_access.h>
 
 #include <random>
 

@@ -1,6 +1,6 @@
 // How many processors a process may use, read from files as Linux writes them.
 #include <gtest/gtest.h>
-#include <physgen/processors.h>
+#include <physgen/launch/processors.h>
 #include <processors.h>
 #include <sched.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <physgen/kernel.h>
-#include <physgen/reduce_workspace.h>
+#include <physgen/launch/reduce_workspace.h>
 
 #include <cmath>
 #include <limits>

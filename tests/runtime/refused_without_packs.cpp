@@ -1,8 +1,8 @@
 // Packs without the header that they need: a compiler must refuse them, and name the header. refused.py compares what
 // it reports.
 #include <elasticity.physgen.h>
-#include <physgen/lanes.h>
-#include <physgen/math.h>
+#include <physgen/kernels/lanes.h>
+#include <physgen/kernels/math.h>
 #include <physgen/rows.h>
 
 using namespace physgen;
@@ -13,11 +13,11 @@ using Derivatives = elasticity::StressDerivativeArray<float>;
 struct Batch {};
 }  // namespace
 
-/// refused a_pack_of_an_array: SIMD access on the CPU needs <physgen/simd_access.h>
+/// refused a_pack_of_an_array: SIMD access on the CPU needs <physgen/simd/simd_access.h>
 void a_pack_of_an_array(const Derivatives::View& view) { (void)view[Pack<8>{0}]; }
-/// refused the_lanes_of_a_pack: SIMD access on the CPU needs <physgen/simd_access.h>
+/// refused the_lanes_of_a_pack: SIMD access on the CPU needs <physgen/simd/simd_access.h>
 using the_lanes_of_a_pack = lanes_t<float, PartialPack<8>>;
-/// refused a_root_of_a_pack: include <physgen/simd.h> for packs
+/// refused a_root_of_a_pack: include <physgen/simd/simd.h> for packs
 using a_root_of_a_pack = math::ScalarTraits<Batch>::Real;
 
 // ---- What is not refused ----

@@ -1,8 +1,8 @@
 // Rows of random entries, and the vectors of vectors that they are held against.
 #pragma once
 
-#include <physgen/in_lanes.h>
-#include <physgen/math.h>
+#include <physgen/kernels/math.h>
+#include <physgen/launch/in_lanes.h>
 #include <physgen/row_arrays.h>
 
 #include <limits>

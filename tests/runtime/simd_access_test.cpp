@@ -1,5 +1,5 @@
 // SIMD access: packs and gathered batches read and write the same elements as plain indices do, in every layout.
-#include <physgen/add.h>
+#include <physgen/kernels/add.h>
 #include <physgen/parallel_for.h>
 
 #include <algorithm>

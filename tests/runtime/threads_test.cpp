@@ -1,7 +1,7 @@
 // Launches on several threads: what they call, what they throw, and who may launch.
 #include <gtest/gtest.h>
+#include <physgen/launch/processors.h>
 #include <physgen/parallel_reduce.h>
-#include <physgen/processors.h>
 #include <physgen/threads.h>
 #include <sys/wait.h>
 #include <unistd.h>

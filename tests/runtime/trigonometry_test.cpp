@@ -1,7 +1,7 @@
 // sin, cos and tan of packs of doubles, next to multiples of pi/2 above all, where an argument's own distance from them
 // is all that the result has.
 #include <gtest/gtest.h>
-#include <physgen/simd_access.h>
+#include <physgen/simd/simd_access.h>
 
 #include <array>
 #include <cfloat>

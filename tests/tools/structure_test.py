@@ -28,6 +28,9 @@ ROOMS = (
     *("tools/physbench/groups", "tools/physbench/vendor", "tools/physbench/report", "tools/physbench/linear_solves"),
     *("tools/physbench", "tools/examples"),
 )
+# The headers that users include; all others stand in folders that say what for.
+DOORS = """config device error executor format fuse gather kernel layout mirror parallel_for parallel_reduce probe
+    row_arrays rows runtime scene schema threads topology version""".split()
 LONGEST = 300  # of a file that people write, in lines
 WRITTEN = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", "CMakeLists.txt", "tools/dev")  # how their paths end
 
@@ -163,6 +166,13 @@ class StructureTest(unittest.TestCase):
 
     def test_public_headers_begin_with_what_they_offer(self):
         self.assertEqual(details_first(ROOT), [])
+
+    def test_the_headers_on_top_of_the_runtime_are_those_that_users_include(self):
+        folder = ROOT / "runtime/include/physgen"
+        self.assertEqual(sorted(path.stem for path in folder.glob("*.h")), DOORS)
+        page = (ROOT / "runtime/README.md").read_text(encoding="utf-8")
+        for path in folder.iterdir():
+            self.assertTrue(path.is_file() or f"`{path.name}/`" in page or f"/{path.name}/`" in page, path)
 
     def test_both_backends_have_the_same_files(self):
         with_cuda, without = backends(ROOT)

@@ -12,7 +12,7 @@
 //     pinned and CUDA memory; in checked builds only those of the latter kind.
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 namespace physgen {
 

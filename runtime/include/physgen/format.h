@@ -38,7 +38,7 @@
 #include <physgen/format/half.h>
 #include <physgen/format/native.h>
 #include <physgen/format/nothing.h>
-#include <physgen/format/probe.h>
+#include <physgen/format/probe_traits.h>
 #include <physgen/format/quaternion.h>
 #include <physgen/format/scaled.h>
 #include <physgen/format/snorm16.h>

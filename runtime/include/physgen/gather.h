@@ -2,8 +2,8 @@
 // is written comes first, as in copy(to, from).
 #pragma once
 
-#include <physgen/array.h>
-#include <physgen/chunked_transfer.h>
+#include <physgen/arrays/array.h>
+#include <physgen/arrays/chunked_transfer.h>
 #include <physgen/detail/host_loop.h>
 #include <physgen/detail/object_pointers.h>
 

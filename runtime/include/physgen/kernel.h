@@ -14,8 +14,8 @@
 // No SIMD is included here, so that CUDA translation units can; parallel_for.h adds what packs need.
 #pragma once
 
-#include <physgen/add.h>
 #include <physgen/detail/lanewise.h>
-#include <physgen/lanes.h>
-#include <physgen/math.h>
-#include <physgen/pack.h>
+#include <physgen/kernels/add.h>
+#include <physgen/kernels/lanes.h>
+#include <physgen/kernels/math.h>
+#include <physgen/kernels/pack.h>

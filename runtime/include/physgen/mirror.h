@@ -1,7 +1,7 @@
 // The same objects on the host and on the device; a round trip moves only those that changed.
 #pragma once
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 #include <physgen/detail/changed_objects.h>
 
 #include <utility>

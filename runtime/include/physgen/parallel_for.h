@@ -3,15 +3,15 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <physgen/add.h>
 #include <physgen/detail/check_numbers.h>
 #include <physgen/detail/host_loop.h>
 #include <physgen/detail/kernel_calls.h>
 #include <physgen/detail/simd_rows.h>
-#include <physgen/in_lanes.h>
+#include <physgen/kernels/add.h>
+#include <physgen/launch/in_lanes.h>
 #include <physgen/layout.h>
-#include <physgen/simd_lanes.h>
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
+#include <physgen/simd/simd_lanes.h>
 
 #include <array>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <physgen/detail/host_reduction.h>
+#include <physgen/launch/reduce.h>
 #include <physgen/parallel_for.h>
-#include <physgen/reduce.h>
 
 #include <memory>
 

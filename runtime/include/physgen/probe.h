@@ -26,8 +26,8 @@
 // `physgen usage`, by Clang, which also says which step, at which place, and reads code for devices.
 #pragma once
 
+#include <physgen/probe/access_format.h>
 #include <physgen/probe/array.h>
 #include <physgen/probe/executor.h>
-#include <physgen/probe/format.h>
-#include <physgen/probe/registry.h>
+#include <physgen/probe/field_accesses.h>
 #include <physgen/probe/steps.h>

@@ -4,9 +4,9 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/arrays/view.h>
 #include <physgen/detail/row_visit.h>
-#include <physgen/lanes.h>
-#include <physgen/view.h>
+#include <physgen/kernels/lanes.h>
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // Generated code includes this: views, arrays and everything they are made of, but neither SIMD nor CUDA headers.
 #pragma once
 
-#include <physgen/array.h>
-#include <physgen/view.h>
+#include <physgen/arrays/array.h>
+#include <physgen/arrays/view.h>

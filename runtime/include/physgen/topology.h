@@ -2,9 +2,9 @@
 // in several arrays of one element set at once; and indices follow the objects they name.
 #pragma once
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
+#include <physgen/arrays/object_numbers.h>
 #include <physgen/detail/array_sets.h>
-#include <physgen/object_numbers.h>
 
 #include <span>
 #include <string_view>

@@ -2,7 +2,7 @@
 // one in no_cuda/, without.
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <cstddef>
 #include <string>

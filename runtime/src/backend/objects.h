@@ -1,7 +1,7 @@
 // Objects in CUDA memory: their initial values, and counts of values that formats cannot hold.
 #pragma once
 
-#include <physgen/losses.h>
+#include <physgen/arrays/losses.h>
 
 #include "../convert.h"
 

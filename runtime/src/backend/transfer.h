@@ -1,7 +1,7 @@
 // Copies that convert where an array lies in CUDA memory. The same files implement physgen/chunked_transfer.h.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen::backend {
 

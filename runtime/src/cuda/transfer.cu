@@ -6,7 +6,7 @@
 //   - The functions of formats of a program's own are called by the processor, also for pinned memory.
 // tools/physbench/README.md, "Who converts", says which of them were measured. A copy goes in chunks: while
 // one travels, the processor is at the next one.
-#include <physgen/chunked_transfer.h>
+#include <physgen/arrays/chunked_transfer.h>
 #include <physgen/cuda/check.h>
 #include <physgen/device.h>
 

@@ -1,7 +1,7 @@
 // A build without CUDA has nowhere to transfer objects to.
 #include "../backend/transfer.h"
 
-#include <physgen/chunked_transfer.h>
+#include <physgen/arrays/chunked_transfer.h>
 #include <physgen/error.h>
 
 #include "parts/reason.h"

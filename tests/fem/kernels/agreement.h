@@ -9,7 +9,7 @@
 #include <fem/kernels/stress_derivative.h>
 #include <fem/kernels/stress_differential.h>
 #include <fem/materials/materials.h>
-#include <physgen/in_lanes.h>
+#include <physgen/launch/in_lanes.h>
 #ifdef __CUDACC__
 #include <physgen/cuda/parallel_for.h>
 #else

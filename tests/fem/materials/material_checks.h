@@ -6,7 +6,7 @@
 #include <fem/reference/distribution.h>
 #include <fem/reference/principal.h>
 #include <gtest/gtest.h>
-#include <physgen/simd.h>
+#include <physgen/simd/simd.h>
 
 #include <algorithm>
 #include <cmath>

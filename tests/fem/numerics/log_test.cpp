@@ -4,7 +4,7 @@
 #include <fem/reference/distribution.h>
 #include <fem/reference/quad.h>
 #include <gtest/gtest.h>
-#include <physgen/simd.h>
+#include <physgen/simd/simd.h>
 
 #include <cstdio>
 

@@ -8,7 +8,7 @@
 #include <fem/reference/matrix_families.h>
 #include <fem/reference/svd_errors.h>
 #include <gtest/gtest.h>
-#include <physgen/in_lanes.h>
+#include <physgen/launch/in_lanes.h>
 
 #include <cstring>
 #include <vector>

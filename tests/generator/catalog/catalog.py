@@ -124,7 +124,7 @@ struct CentredHalf : Scaled<Half<>, Affine{.scale = kRange.high / 2 - kRange.low
 
 def add_shape(tree):
     """Lower triangular matrices: factors of Cholesky's."""
-    tree.insert("runtime/include/physgen/shape.h", r"(?=/// Diagonal N x N matrix)",
+    tree.insert("runtime/include/physgen/fields/shape.h", r"(?=/// Diagonal N x N matrix)",
                 """/// Lower triangular N x N matrix: the lower triangle, column by column. The value is the full matrix.
 template <int N>
 struct Lower : Symmetric<N> {

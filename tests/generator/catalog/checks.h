@@ -2,7 +2,7 @@
 // catalogue, as arguments; values come back through generated accessors and through the runtime's copies.
 #pragma once
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 
 #include <cmath>
 #include <cstdio>

@@ -30,7 +30,7 @@ HEAD = """#include <unistd.h>
 
 #include <Eigen/Dense>
 %s
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 
 template <class Array>
 void use() {

@@ -19,7 +19,7 @@ KERNELS = """#pragma once
 #include <points.physgen.h>
 #include <physgen/fuse.h>
 #include <physgen/kernel.h>
-#include <physgen/lanes.h>
+#include <physgen/kernels/lanes.h>
 using namespace physgen;  // as tools/examples/kernels.md has it, and scenes use physgen::scene
 
 /// to = 2 from + by

@@ -2,7 +2,7 @@
 // kernels that it runs: change these, not this file.
 #pragma once
 
-#include <physgen/scene_arrays.h>
+#include <physgen/scenes/scene_arrays.h>
 
 #include <m.physgen.h>
 

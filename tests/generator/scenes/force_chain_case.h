@@ -4,7 +4,7 @@
 
 #include <force_chain.program.h>
 #include <gtest/gtest.h>
-#include <physgen/copy.h>
+#include <physgen/arrays/copy.h>
 #include <scenes/force_chain.h>
 
 #include <bit>

@@ -34,7 +34,8 @@ inline std::string scene_of(const std::vector<Block>& blocks, const std::string&
                "\n    }\n";
     program = replaced(program, "M}", "body.m_" + block.name + ".view()}");
   }
-  return "#pragma once\n#include <physgen/scene.h>\n#include <physgen/reduce.h>\n#include \"kernels.h\"\n" + before +
+  return "#pragma once\n#include <physgen/scene.h>\n#include <physgen/launch/reduce.h>\n#include \"kernels.h\"\n" +
+         before +
          "using namespace physgen::scene;\nstruct PHYSGEN_SCENE() groups {\n  using Real = float;\n  struct Body {\n"
          "    PHYSGEN_ARRAY(per(\"particle\"), input()) Array<m::ParticleObject, Real> in;\n"
          "    PHYSGEN_ARRAY(per(\"particle\"), input()) Array<m::LinkObject, Real> links;\n"

@@ -16,9 +16,9 @@ struct PHYSGEN_OBJECT() Total { Scalar a; };
 
 inline const std::string particles_kernels = R"(#pragma once
 #include <particles.physgen.h>
-#include <physgen/add.h>
+#include <physgen/kernels/add.h>
 #include <physgen/kernel.h>
-#include <physgen/lanes.h>
+#include <physgen/kernels/lanes.h>
 #define STEP(NAME) template <class... V> NAME(V...) -> NAME<V...>;
 
 /// Both fields.

@@ -1,8 +1,8 @@
 // NaN in some objects of one field, for tests of what a digest says of it.
 #pragma once
 
+#include <physgen/arrays/untyped_array.h>
 #include <physgen/executor.h>
-#include <physgen/untyped_array.h>
 
 #include <cstring>
 #include <fstream>

@@ -1,9 +1,9 @@
 // Kernels that use their own objects, others, and sums at others, by themselves and in fused kernels; read by the
 // analysis. Arrays are named by what is done to them.
 #include <elasticity.physgen.h>
-#include <physgen/add.h>
 #include <physgen/fuse.h>
 #include <physgen/kernel.h>
+#include <physgen/kernels/add.h>
 #include <physgen/probe.h>
 
 namespace neighbours {

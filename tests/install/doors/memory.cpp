@@ -1,6 +1,6 @@
 // Asks for memory of a GPU: it gets some, or CUDA's reason why not.
-#include <physgen/buffer.h>
 #include <physgen/error.h>
+#include <physgen/memory/buffer.h>
 
 #include <cstdio>
 #include <cstring>

@@ -1,7 +1,7 @@
 // Numbered objects in every space, for tests of what is ordered in streams.
 #pragma once
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 
 #include "gpu_fixture.h"
 #include "test_objects.h"

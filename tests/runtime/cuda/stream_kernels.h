@@ -1,7 +1,7 @@
 // Kernels that keep a stream busy, or break the device, for host code.
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 namespace physgen::test {
 

@@ -1,7 +1,7 @@
 // Kernels on the device over arrays that prune fields: the results are those of arrays that store all, and stores to
 // pruned fields write nowhere. Compiled twice: also with PHYSGEN_CHECKED.
-#include <physgen/buffer.h>
 #include <physgen/cuda/parallel_for.h>
+#include <physgen/memory/buffer.h>
 
 #include "gpu_fixture.h"
 #include "nothing_kernels.h"

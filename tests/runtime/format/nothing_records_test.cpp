@@ -1,7 +1,7 @@
 // Records of objects of which some fields, or all, are not stored: the others have bytes of their own, and numbers as
 // if all were.
 #include <gtest/gtest.h>
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 
 #include "nothing_formats.h"
 

@@ -8,9 +8,9 @@
 #include <fem/kernels/groups.h>
 #include <fem/numerics/scalar.h>
 #include <fem/solver/loads/time_step.h>
-#include <physgen/reduce.h>
+#include <physgen/launch/reduce.h>
+#include <physgen/memory/space.h>
 #include <physgen/rows.h>
-#include <physgen/space.h>
 
 namespace physgen::fem {
 

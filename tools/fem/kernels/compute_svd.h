@@ -5,8 +5,8 @@
 #undef I
 
 #include <fem/numerics/svd.h>
-#include <physgen/pack.h>
-#include <physgen/quaternion.h>
+#include <physgen/kernels/pack.h>
+#include <physgen/kernels/quaternion.h>
 
 namespace physgen::fem {
 

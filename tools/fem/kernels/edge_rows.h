@@ -4,8 +4,8 @@
 #pragma once
 
 #include <fem/mesh/mesh.h>
-#include <physgen/buffer.h>
-#include <physgen/space.h>
+#include <physgen/memory/buffer.h>
+#include <physgen/memory/space.h>
 
 namespace physgen::fem {
 

@@ -7,7 +7,7 @@
 #undef I
 
 #include <fem/numerics/scalar.h>
-#include <physgen/add.h>
+#include <physgen/kernels/add.h>
 #include <physgen/rows.h>
 
 namespace physgen::fem {

@@ -4,7 +4,7 @@
 #undef I
 
 #include <fem/materials/material.h>
-#include <physgen/pack.h>
+#include <physgen/kernels/pack.h>
 
 namespace physgen::fem {
 

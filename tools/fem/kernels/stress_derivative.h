@@ -5,7 +5,7 @@
 #undef I
 
 #include <fem/materials/definiteness.h>
-#include <physgen/pack.h>
+#include <physgen/kernels/pack.h>
 
 namespace physgen::fem {
 

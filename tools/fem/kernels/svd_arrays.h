@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fem/kernels/compute_svd.h>
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 #include <physgen/error.h>
 
 #include <string>

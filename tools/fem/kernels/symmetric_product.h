@@ -8,9 +8,9 @@
 #include <elasticity.physgen.h>
 #include <fem/mesh/mesh.h>
 #include <fem/numerics/scalar.h>
-#include <physgen/buffer.h>
-#include <physgen/pack.h>
-#include <physgen/space.h>
+#include <physgen/kernels/pack.h>
+#include <physgen/memory/buffer.h>
+#include <physgen/memory/space.h>
 
 namespace physgen::fem {
 

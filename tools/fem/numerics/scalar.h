@@ -4,7 +4,7 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <physgen/math.h>
+#include <physgen/kernels/math.h>
 
 #include <Eigen/Core>
 

@@ -1,7 +1,7 @@
 // Concepts of executors, for functions that do a step in a way of their own in a space.
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 namespace physgen::fem {
 

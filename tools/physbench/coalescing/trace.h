@@ -4,7 +4,7 @@
 // compares.
 #pragma once
 
-#include <physgen/view.h>
+#include <physgen/arrays/view.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The names of a kernel's arrays, and these arrays in one layout, storage and space.
 #pragma once
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 
 #include <concepts>
 #include <tuple>

@@ -2,9 +2,9 @@
 #include "measure/cuda.h"
 
 #include <cuda_runtime_api.h>
-#include <physgen/buffer.h>
 #include <physgen/cuda/check.h>
 #include <physgen/device.h>
+#include <physgen/memory/buffer.h>
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // The GPU as a device of rows: events around one run, and the device's own copy that kernels are compared with.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // Checks of results: that everything was written, and how far it is from the reference.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // The copy on the CPU.
 #include "measure/host.h"
 
-#include <physgen/buffer.h>
 #include <physgen/detail/host_loop.h>
+#include <physgen/memory/buffer.h>
 #include <physgen/threads.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "report/context.h"
 
 #include <benchmark/benchmark.h>
-#include <physgen/simd_lanes.h>
+#include <physgen/simd/simd_lanes.h>
 #include <physgen/version.h>
 #include <sys/resource.h>
 #include <unistd.h>

@@ -3,8 +3,8 @@
 // it has no rows.
 #if __has_include(<cusolverDn.h>)
 #include <cusolverDn.h>
-#include <physgen/buffer.h>
 #include <physgen/cuda/check.h>
+#include <physgen/memory/buffer.h>
 
 #include <Eigen/LU>
 #include <algorithm>

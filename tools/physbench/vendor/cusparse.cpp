@@ -1,6 +1,6 @@
 // Rows of cuSPARSE's product of a block sparse matrix, for comparison: cusparseSpMV over 3x3 blocks of the whole
 // stiffness, rounded to float.
-#include <physgen/buffer.h>
+#include <physgen/memory/buffer.h>
 
 #include <limits>
 #include <memory>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cuda_runtime_api.h>
-#include <physgen/buffer.h>
+#include <physgen/memory/buffer.h>
 
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 // Runs the steps of a program over arrays on a CUDA device; see executor.h. Included by CUDA translation units only.
 #pragma once
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 #include <physgen/cuda/check.h>
 #include <physgen/cuda/parallel_for.h>
 #include <physgen/cuda/parallel_reduce.h>

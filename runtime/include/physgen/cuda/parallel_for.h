@@ -1,12 +1,12 @@
 // Runs a kernel over objects on a CUDA device: one thread per object. Included by CUDA translation units only.
 #pragma once
 
-#include <physgen/add.h>
 #include <physgen/cuda/check.h>
 #include <physgen/detail/check_numbers.h>
 #include <physgen/detail/host_loop.h>
-#include <physgen/lanes.h>
-#include <physgen/space.h>
+#include <physgen/kernels/add.h>
+#include <physgen/kernels/lanes.h>
+#include <physgen/memory/space.h>
 
 namespace physgen {
 

@@ -5,8 +5,8 @@
 #include <physgen/cuda/parallel_for.h>
 #include <physgen/detail/cuda_reduction.h>
 #include <physgen/detail/host_loop.h>
-#include <physgen/reduce.h>
-#include <physgen/reduce_workspace.h>
+#include <physgen/launch/reduce.h>
+#include <physgen/launch/reduce_workspace.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Steps of changes of topology over the arrays of a set without their types: sizes, waiting, objects picked by number.
 #pragma once
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 
 #include <array>
 #include <concepts>

@@ -1,7 +1,7 @@
 // Remembers which objects of a mirror are newer on which side.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 #include <map>
 #include <optional>

@@ -5,8 +5,8 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/arrays/view.h>
 #include <physgen/detail/one_lane.h>
-#include <physgen/view.h>
 
 namespace physgen {
 

@@ -13,9 +13,9 @@
 // runtime/README.md has the measurement that the rule comes from.
 #pragma once
 
-#include <physgen/in_lanes.h>
+#include <physgen/fields/object_info.h>
+#include <physgen/launch/in_lanes.h>
 #include <physgen/layout.h>
-#include <physgen/object_info.h>
 #include <physgen/rows.h>
 
 #include <string_view>

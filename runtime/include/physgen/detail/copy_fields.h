@@ -3,8 +3,8 @@
 // by an Error.
 #pragma once
 
-#include <physgen/object_info.h>
-#include <physgen/space.h>
+#include <physgen/fields/object_info.h>
+#include <physgen/memory/space.h>
 
 #include <span>
 

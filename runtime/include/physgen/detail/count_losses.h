@@ -1,8 +1,8 @@
 // Counts values that a storage format could not hold, from any number of threads at once, on host and device.
 #pragma once
 
+#include <physgen/arrays/losses.h>
 #include <physgen/format.h>
-#include <physgen/losses.h>
 
 #include <bit>
 #include <cmath>

@@ -5,9 +5,9 @@
 #undef I
 
 #include <physgen/detail/count_losses.h>
-#include <physgen/field_ref.h>
+#include <physgen/fields/field_ref.h>
+#include <physgen/kernels/pack.h>
 #include <physgen/layout/address.h>
-#include <physgen/pack.h>
 
 #include <atomic>
 #include <bit>
@@ -117,7 +117,7 @@ PHYSGEN_FUNCTION inline void add_atomically(T& to, T value) {
 /// @tparam I the kind of index; integral here, SIMD packs in simd_access.h
 template <class Byte, class Layout, RecordSize kRecord, class I>
 class Cursor : private LossSink {
-  static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd_access.h>");
+  static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd/simd_access.h>");
   using Pitch = typename Layout::Pitch;
 
  public:

@@ -2,7 +2,7 @@
 // template, so that `using namespace physgen;` beside `using namespace physgen::scene;` finds one Array.
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <type_traits>
 

@@ -3,13 +3,13 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <physgen/array.h>
+#include <physgen/arrays/array.h>
 #include <physgen/detail/check_numbers.h>
 #include <physgen/detail/chosen_lanes.h>
 #include <physgen/detail/local_cursor.h>
 #include <physgen/detail/reduction.h>
-#include <physgen/in_lanes.h>
-#include <physgen/lanes.h>
+#include <physgen/kernels/lanes.h>
+#include <physgen/launch/in_lanes.h>
 
 #include <concepts>
 #include <type_traits>

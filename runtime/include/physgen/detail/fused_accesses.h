@@ -2,10 +2,10 @@
 // which of the kernel's objects, so that a race between two of these is an error when it happens. Kept for one launch.
 #pragma once
 
+#include <physgen/arrays/losses.h>
 #include <physgen/error.h>
-#include <physgen/losses.h>
-#include <physgen/object_info.h>
-#include <physgen/pack.h>
+#include <physgen/fields/object_info.h>
+#include <physgen/kernels/pack.h>
 
 #include <algorithm>
 #include <array>

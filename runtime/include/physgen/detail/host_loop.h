@@ -4,7 +4,7 @@
 
 #include <physgen/detail/launch.h>
 #include <physgen/error.h>
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <atomic>
 #include <exception>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <physgen/detail/kernel_calls.h>
-#include <physgen/reduce.h>
+#include <physgen/launch/reduce.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include <physgen/detail/chosen_lanes.h>
 #include <physgen/detail/host_loop.h>
-#include <physgen/simd_lanes.h>
+#include <physgen/simd/simd_lanes.h>
 
 #include <concepts>
 #include <type_traits>

@@ -4,8 +4,8 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <physgen/math.h>
-#include <physgen/matrix_value.h>
+#include <physgen/kernels/math.h>
+#include <physgen/kernels/matrix_value.h>
 
 namespace physgen::math {
 

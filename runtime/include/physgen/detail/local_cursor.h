@@ -6,7 +6,7 @@
 
 #include <physgen/detail/copy_fields.h>
 #include <physgen/detail/cursor.h>
-#include <physgen/record.h>
+#include <physgen/fields/record.h>
 
 namespace physgen {
 template <class Object, class Real, class Formats, class Tag, class Layout>

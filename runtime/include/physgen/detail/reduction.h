@@ -3,8 +3,8 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <physgen/lanes.h>
-#include <physgen/matrix_value.h>
+#include <physgen/kernels/lanes.h>
+#include <physgen/kernels/matrix_value.h>
 
 #include <array>
 #include <type_traits>

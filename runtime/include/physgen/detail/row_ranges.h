@@ -1,7 +1,7 @@
 // Checks and changes of rows without the types of their arrays.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 #include <optional>
 #include <span>

@@ -3,7 +3,7 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
-#include <physgen/view.h>
+#include <physgen/arrays/view.h>
 
 #include <type_traits>
 

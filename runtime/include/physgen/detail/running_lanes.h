@@ -1,7 +1,7 @@
 // Which lanes the kernel that runs on this thread was called for. Host translation units alone include it.
 #pragma once
 
-#include <physgen/pack.h>
+#include <physgen/kernels/pack.h>
 
 namespace physgen::detail {
 

@@ -4,7 +4,7 @@
 
 #include <physgen/detail/lanewise.h>
 #include <physgen/detail/simd_numbers.h>
-#include <physgen/simd_access.h>
+#include <physgen/simd/simd_access.h>
 
 #include <cstdint>
 

@@ -6,7 +6,7 @@
 #include <physgen/detail/running_lanes.h>
 #include <physgen/detail/simd_formats.h>
 #include <physgen/detail/transposed.h>
-#include <physgen/simd.h>
+#include <physgen/simd/simd.h>
 
 #include <array>
 

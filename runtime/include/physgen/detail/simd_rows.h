@@ -5,7 +5,7 @@
 
 #include <physgen/detail/transposed.h>
 #include <physgen/rows.h>
-#include <physgen/simd_lanes.h>
+#include <physgen/simd/simd_lanes.h>
 
 #include <bit>
 

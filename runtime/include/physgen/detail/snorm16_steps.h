@@ -2,7 +2,7 @@
 #pragma once
 
 #include <physgen/detail/rounding.h>
-#include <physgen/element_type.h>
+#include <physgen/format/element_type.h>
 
 #include <bit>
 #include <cmath>

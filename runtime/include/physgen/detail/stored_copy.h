@@ -2,7 +2,7 @@
 // stay, where a value read and stored again would be rounded a second time, or a rotation take another quaternion.
 #pragma once
 
-#include <physgen/object_info.h>
+#include <physgen/fields/object_info.h>
 
 namespace physgen {
 

@@ -3,7 +3,7 @@
 
 #include <physgen/detail/bfloat16_bits.h>
 #include <physgen/detail/rounding.h>
-#include <physgen/element_type.h>
+#include <physgen/format/element_type.h>
 
 namespace physgen::format {
 

@@ -2,7 +2,7 @@
 // references to them are plain C++ references.
 #pragma once
 
-#include <physgen/element_type.h>
+#include <physgen/format/element_type.h>
 
 namespace physgen::format {
 

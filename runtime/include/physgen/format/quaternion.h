@@ -5,7 +5,7 @@
 #include <physgen/format/native.h>
 #include <physgen/format/nothing.h>
 #include <physgen/format/snorm16.h>
-#include <physgen/quaternion.h>
+#include <physgen/kernels/quaternion.h>
 
 namespace physgen::format {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <physgen/detail/snorm16_steps.h>
-#include <physgen/element_type.h>
+#include <physgen/format/element_type.h>
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,9 @@
 // Arrays for programs whose reads and writes are looked for: they have no objects in memory.
 #pragma once
 
-#include <physgen/probe/format.h>
+#include <physgen/arrays/view.h>
+#include <physgen/probe/access_format.h>
 #include <physgen/rows.h>
-#include <physgen/view.h>
 
 namespace physgen {
 

@@ -3,9 +3,9 @@
 // is reached from there.
 #pragma once
 
-#include <physgen/lanes.h>
-#include <physgen/probe/registry.h>
-#include <physgen/reduce.h>
+#include <physgen/kernels/lanes.h>
+#include <physgen/launch/reduce.h>
+#include <physgen/probe/field_accesses.h>
 
 #ifndef __CUDACC__
 #include <physgen/parallel_for.h>

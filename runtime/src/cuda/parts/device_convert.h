@@ -1,7 +1,7 @@
 // Conversions between arrays in CUDA memory.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen::cuda {
 

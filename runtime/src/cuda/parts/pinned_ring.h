@@ -2,7 +2,7 @@
 #pragma once
 
 #include <physgen/config.h>
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <cstddef>
 

@@ -2,7 +2,7 @@
 // are.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen::cuda {
 

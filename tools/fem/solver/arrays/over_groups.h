@@ -2,8 +2,8 @@
 // writes it for one scene or another; what a program has no arrays for, it does not compile.
 #pragma once
 
+#include <physgen/arrays/view.h>
 #include <physgen/rows.h>
-#include <physgen/view.h>
 
 #include <limits>
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include <elasticity.physgen.h>
 #include <physgen/format/half.h>
-#include <physgen/scene_arrays.h>
+#include <physgen/scenes/scene_arrays.h>
 #include <quasistatic.physgen.h>
 
 #include <type_traits>

@@ -8,7 +8,7 @@
 #include <fem/solver/elastic/patch_volume.h>
 #include <fem/solver/elastic/tet_stress.h>
 #include <fem/solver/material_split.h>
-#include <physgen/reduce.h>
+#include <physgen/launch/reduce.h>
 
 #include <memory>
 

@@ -4,7 +4,7 @@
 
 #include <fem/mesh/mesh.h>
 #include <physgen/config.h>
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 
 #include <fem/kernels/symmetric_product.h>
 #include <fem/solver/preconditioners/multigrid/cycle.h>
+#include <physgen/arrays/view.h>
 #include <physgen/rows.h>
-#include <physgen/view.h>
 
 #include <tuple>
 #include <type_traits>

@@ -17,8 +17,8 @@
 #include <fem/solver/levels/linear_level.h>
 #include <fem/solver/levels/scaled_blocks.h>
 #include <fem/solver/settings.h>
-#include <physgen/add.h>
 #include <physgen/kernel.h>
+#include <physgen/kernels/add.h>
 
 namespace physgen::fem {
 

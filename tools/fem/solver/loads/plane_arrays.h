@@ -7,7 +7,7 @@
 #include <fem/solver/arrays/solver_arrays.h>
 #include <fem/solver/loads/rigid_planes.h>
 #include <fem/solver/quasistatic.h>
-#include <physgen/reduce.h>
+#include <physgen/launch/reduce.h>
 
 #include <utility>
 #include <vector>

@@ -11,7 +11,7 @@
 #include <fem/solver/preconditioners/multigrid/grid_galerkin.h>
 #include <fem/solver/preconditioners/multigrid/power_iteration.h>
 #include <fem/solver/settings.h>
-#include <physgen/reduce.h>
+#include <physgen/launch/reduce.h>
 
 namespace physgen::fem {
 

@@ -3,12 +3,12 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/arrays/untyped_array.h>
 #include <physgen/detail/cursor.h>
 #include <physgen/error.h>
+#include <physgen/fields/object_ref.h>
 #include <physgen/layout.h>
-#include <physgen/object_ref.h>
-#include <physgen/space.h>
-#include <physgen/untyped_array.h>
+#include <physgen/memory/space.h>
 
 #include <cstdio>
 #include <string>

@@ -4,8 +4,8 @@
 #undef I
 
 #include <physgen/detail/simd_casts.h>
-#include <physgen/lanes.h>
-#include <physgen/simd_access.h>
+#include <physgen/kernels/lanes.h>
+#include <physgen/simd/simd_access.h>
 
 namespace physgen {
 

@@ -1,7 +1,7 @@
 // The lists in which probes register themselves: every use of a probe makes an object before main() begins.
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <string_view>
 

@@ -2,9 +2,9 @@
 // object before main() begins, whether the code that uses it ever runs or not.
 #pragma once
 
-#include <physgen/detail/probe_registry.h>
-#include <physgen/object_info.h>
-#include <physgen/space.h>
+#include <physgen/detail/probe_uses.h>
+#include <physgen/fields/object_info.h>
+#include <physgen/memory/space.h>
 
 #include <algorithm>
 #include <string>

@@ -118,7 +118,7 @@ template <int W>
 /// The type of an element of type T under an index of type I: T itself, or a SIMD batch. simd_cursor.h specialises it.
 template <class T, class I>
 struct Lanes {
-  static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd_access.h>");
+  static_assert(std::is_integral_v<I>, "SIMD access on the CPU needs <physgen/simd/simd_access.h>");
   using type = T;
 };
 template <class T, class I, class Frame>

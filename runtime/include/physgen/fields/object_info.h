@@ -2,8 +2,8 @@
 #pragma once
 
 #include <physgen/detail/own_codec.h>
+#include <physgen/fields/shape.h>
 #include <physgen/format.h>
-#include <physgen/shape.h>
 
 #include <array>
 #include <string_view>

@@ -2,8 +2,8 @@
 // behind the objects of an array, and before a copy.
 #pragma once
 
-#include <physgen/losses.h>
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/losses.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <physgen/format/nothing.h>
-#include <physgen/probe/registry.h>
+#include <physgen/probe/field_accesses.h>
 
 namespace physgen {
 

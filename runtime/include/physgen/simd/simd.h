@@ -6,7 +6,7 @@
 
 #ifdef __CUDACC__
 #error \
-    "physgen/simd.h and parallel_for.h are for host translation units (.cpp); .cu: <physgen/cuda/parallel_for.h>, float, double"
+    "physgen/simd/simd.h and parallel_for.h are for host translation units (.cpp); .cu: <physgen/cuda/parallel_for.h>, float, double"
 #endif
 
 #include <physgen/detail/simd_functions.h>
@@ -14,7 +14,7 @@
 #include <physgen/detail/simd_numbers.h>
 #include <physgen/detail/simd_repairs.h>
 #include <physgen/detail/simd_roots.h>
-#include <physgen/math.h>
+#include <physgen/kernels/math.h>
 
 #include <Eigen/Core>
 #include <type_traits>

@@ -7,7 +7,7 @@
 
 #include <physgen/detail/reference_rules.h>
 #include <physgen/detail/stored_copy.h>
-#include <physgen/format/probe.h>
+#include <physgen/format/probe_traits.h>
 
 #include <type_traits>
 #include <utility>

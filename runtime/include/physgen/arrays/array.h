@@ -1,16 +1,16 @@
 // The object array: objects of one generated type in one layout and one memory space, with an object count and a pitch.
 #pragma once
 
-#include <physgen/array_losses.h>
-#include <physgen/buffer.h>
-#include <physgen/copy.h>
+#include <physgen/arrays/array_losses.h>
+#include <physgen/arrays/copy.h>
+#include <physgen/arrays/initial_values.h>
+#include <physgen/arrays/single_elements.h>
+#include <physgen/arrays/view.h>
 #include <physgen/detail/copy_fields.h>
 #include <physgen/detail/declared_array.h>
 #include <physgen/device.h>
-#include <physgen/initial_values.h>
-#include <physgen/record.h>
-#include <physgen/single_elements.h>
-#include <physgen/view.h>
+#include <physgen/fields/record.h>
+#include <physgen/memory/buffer.h>
 
 #include <algorithm>
 #include <limits>

@@ -6,8 +6,8 @@
 #undef I
 
 #include <physgen/detail/check_number.h>
-#include <physgen/element_ref.h>
-#include <physgen/pack.h>
+#include <physgen/fields/element_ref.h>
+#include <physgen/kernels/pack.h>
 
 #include <concepts>
 

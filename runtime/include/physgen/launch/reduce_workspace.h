@@ -1,9 +1,9 @@
 // Memory for reductions on a CUDA device, made once and handed to each, so that none of them allocates.
 #pragma once
 
-#include <physgen/buffer.h>
 #include <physgen/error.h>
-#include <physgen/reduce.h>
+#include <physgen/launch/reduce.h>
+#include <physgen/memory/buffer.h>
 
 namespace physgen {
 

@@ -2,7 +2,7 @@
 // precision and space. In which order they and other work happen is the rule of streams (device.h).
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen {
 

@@ -1,7 +1,7 @@
 // Single elements of arrays without their types, by number, as doubles: for setting up, looking and testing.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen {
 

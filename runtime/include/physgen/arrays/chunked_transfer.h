@@ -3,7 +3,7 @@
 // later transfers.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 #include <memory>
 

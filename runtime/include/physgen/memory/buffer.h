@@ -1,7 +1,7 @@
 // Owned memory of one space: the lowest of the three levels (buffer, object array, generated classes).
 #pragma once
 
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <string>
 #include <utility>

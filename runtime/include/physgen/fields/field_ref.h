@@ -3,11 +3,11 @@
 // by their numbers.
 #pragma once
 
-#include <physgen/checks.h>
-#include <physgen/element_ref.h>
+#include <physgen/fields/checks.h>
+#include <physgen/fields/element_ref.h>
+#include <physgen/fields/shape.h>
 #include <physgen/format.h>
-#include <physgen/matrix_value.h>
-#include <physgen/shape.h>
+#include <physgen/kernels/matrix_value.h>
 
 #include <initializer_list>
 

@@ -2,9 +2,9 @@
 // and the tag of an object type.
 #pragma once
 
-#include <physgen/object_info.h>
-#include <physgen/object_ref.h>
-#include <physgen/space.h>
+#include <physgen/fields/object_info.h>
+#include <physgen/fields/object_ref.h>
+#include <physgen/memory/space.h>
 
 #include <algorithm>
 #include <array>

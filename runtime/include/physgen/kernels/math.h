@@ -3,7 +3,7 @@
 // finds those of packs.
 #pragma once
 
-#include <physgen/pack.h>
+#include <physgen/kernels/pack.h>
 
 #include <bit>
 #include <cmath>
@@ -145,7 +145,7 @@ struct MantissaExponent {
 /// The operations that generic code needs of a scalar type beyond its arithmetic; simd.h specialises it for packs.
 template <class S>
 struct ScalarTraits {
-  static_assert(std::numeric_limits<S>::is_iec559, "include <physgen/simd.h> for packs");
+  static_assert(std::numeric_limits<S>::is_iec559, "include <physgen/simd/simd.h> for packs");
   using Real = S;                  ///< the type of one number: S itself, or the element type of a pack
   static constexpr int width = 1;  ///< how many numbers one S holds
 

@@ -1,7 +1,7 @@
 // The initial values of new objects, over arrays without their types.
 #pragma once
 
-#include <physgen/untyped_array.h>
+#include <physgen/arrays/untyped_array.h>
 
 namespace physgen {
 

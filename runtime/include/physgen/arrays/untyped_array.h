@@ -2,9 +2,9 @@
 // and spaces are written once over it, not once per pair of types.
 #pragma once
 
+#include <physgen/fields/object_info.h>
 #include <physgen/layout/address.h>
-#include <physgen/object_info.h>
-#include <physgen/space.h>
+#include <physgen/memory/space.h>
 
 #include <span>
 #include <string_view>
