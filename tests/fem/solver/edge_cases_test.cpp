@@ -228,8 +228,7 @@ TEST(BadInput, moduli_and_lengths_beyond_single_precision_are_refused_and_double
     settings.youngs_modulus = modulus;
     for (const TangentPrecision precision : {TangentPrecision::half, TangentPrecision::float32}) {
       settings.precision = precision;
-      EXPECT_NE(refusal(body, settings).find("is out of range for float: take double precision"),
-                std::string::npos)
+      EXPECT_NE(refusal(body, settings).find("is out of range for float: take double precision"), std::string::npos)
           << modulus << " " << scale;
     }
     settings.precision = TangentPrecision::float64;

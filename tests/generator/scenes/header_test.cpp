@@ -88,10 +88,10 @@ TEST(ProbeUnit, gives_the_program_a_probe_for_every_array_and_something_for_ever
   auto scene = chain();
   scene.parameters = {"double"};
   const auto text = scenes::probe_unit(scene, "Host", "/x/chain.h");
-  for (const char* line : {"#include \"/x/chain.h\"\n",
-                           "physgen::ProbeOf<m::SvdArray<float, Space>, tags_of_Body::svd> svd;\n",
-                           "struct svd { static constexpr const char* name = \"body.svd\"; };\n",
-                           "::scenes::chain::program(on, the_body, some<double>());\n"})
+  for (const char* line :
+       {"#include \"/x/chain.h\"\n", "physgen::ProbeOf<m::SvdArray<float, Space>, tags_of_Body::svd> svd;\n",
+        "struct svd { static constexpr const char* name = \"body.svd\"; };\n",
+        "::scenes::chain::program(on, the_body, some<double>());\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line << "in\n" << text;
 }
 

@@ -4,18 +4,15 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/detail/add_atomically.h>
 #include <physgen/detail/count_losses.h>
 #include <physgen/fields/field_ref.h>
 #include <physgen/kernels/pack.h>
 #include <physgen/layout/address.h>
 
-#include <atomic>
 #include <bit>
 #include <type_traits>
 
-#if __has_include(<sys/single_threaded.h>)
-#include <sys/single_threaded.h>
-#endif
 #ifdef __CUDACC__
 #include <cuda_runtime_api.h>
 #endif
@@ -90,23 +87,6 @@ template <RecordSize kRecord>
 template <RecordSize kRecord>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr bool may_write_words(int offset, int bytes) {
   return offset % 16 == 0 && (bytes % 16 == 0 || offset + bytes == kRecord.content);
-}
-
-/// Adds `value` to an element that several threads may add to. While a process has never had a second thread, the C
-/// library says so, and it is a plain sum: the atomic one takes some 20 cycles.
-template <class T>
-PHYSGEN_FUNCTION inline void add_atomically(T& to, T value) {
-#ifdef __CUDA_ARCH__
-  atomicAdd(&to, value);
-#else
-#if __has_include(<sys/single_threaded.h>)
-  if (__libc_single_threaded != 0) {
-    to += value;
-    return;
-  }
-#endif
-  std::atomic_ref<T>(to).fetch_add(value, std::memory_order_relaxed);
-#endif
 }
 
 }  // namespace detail

@@ -8,16 +8,9 @@
 
 #include <physgen/config.h>
 #include <physgen/detail/scalar_of.h>
+#include <physgen/detail/step_lanes.h>
 
 namespace physgen {
-
-namespace detail {
-
-/// How many objects the steps of a fused kernel are called with where it is called with a pack: each with as many as by
-/// itself, or all with those that lanes<W>() states.
-enum class StepLanes { chosen, stated };
-
-}  // namespace detail
 
 /// The kernel that lanes<W>() makes.
 template <int W, class Kernel>
