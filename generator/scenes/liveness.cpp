@@ -8,15 +8,16 @@ namespace {
 
 class LivenessFinder {
  public:
-  LivenessFinder(const Scene& scene, const usage::Usage& usage) : scene_(scene), usage_(usage) {}
+  LivenessFinder(const Scene& scene, const usage::Usage& usage) : scene_(scene), usage_(usage) {
+    for (const usage::StepUse& step : usage.steps) dead_.push_back(&step);
+  }
 
   Liveness find() && {
     for (const auto& step : usage_.steps) known_names(step.fields);
     known_names(usage_.unattributed);
     roots();
     fixpoint();
-    result_.complete = result_.errors.empty();
-    if (result_.complete) dead_steps();
+    if (result_.complete = result_.errors.empty(); result_.complete) dead_steps();
     return std::move(result_);
   }
 
@@ -28,15 +29,16 @@ class LivenessFinder {
   void known_names(const std::vector<usage::FieldUse>& uses) {
     for (const auto& use : uses) {
       std::vector<std::string> names;
-      if (const Array* array = scenes::find(scene_, use.array); array != nullptr) {
-        for (const Field& field : array->fields) names.push_back(field.name);
-        if (std::ranges::count(names, use.field) == 0)
-          error(array->location, "in " + use.array + " " + unknown("field", use.field, names));
-      } else {
+      const Array* array = scenes::find(scene_, use.array);
+      if (array == nullptr) {
         for (const Group& group : scene_.groups)
           for (const Array& one : group.arrays) names.push_back(group.full_name(one));
         error(scene_.location, unknown("array", use.array, names));
+        continue;
       }
+      for (const Field& field : array->fields) names.push_back(field.name);
+      if (std::ranges::count(names, use.field) == 0)
+        error(array->location, "in " + use.array + " " + unknown("field", use.field, names));
     }
   }
 
@@ -93,14 +95,8 @@ class LivenessFinder {
 
   const Scene& scene_;
   const usage::Usage& usage_;
-  std::vector<const usage::StepUse*> dead_ = pointers(usage_.steps);  // those that are not found live
+  std::vector<const usage::StepUse*> dead_;  // those that are not found live
   Liveness result_;
-
-  static std::vector<const usage::StepUse*> pointers(const std::vector<usage::StepUse>& steps) {
-    std::vector<const usage::StepUse*> result;
-    for (const usage::StepUse& step : steps) result.push_back(&step);
-    return result;
-  }
 };
 
 }  // namespace

@@ -37,10 +37,24 @@ bool is_of_numbers(const clang::Stmt* constant) {
          std::all_of(constant->child_begin(), constant->child_end(), is_of_numbers);
 }
 
+bool is_specialised(const auto& whole) {
+  return std::any_of(whole.spec_begin(), whole.spec_end(), [](const auto* one) {
+    return one->getTemplateSpecializationKind() == clang::TSK_ExplicitSpecialization;
+  });
+}
+
+/// Whether a function takes as many arguments as a call of another may give it.
+bool may_take(const clang::FunctionDecl* one, const clang::FunctionDecl& other) {
+  if (one == nullptr) return false;
+  const bool is_open = one->isVariadic() || (one->getNumParams() > 0 && one->parameters().back()->isParameterPack());
+  return one->getMinRequiredArguments() <= other.getNumParams() &&
+         (is_open || one->getNumParams() >= other.getMinRequiredArguments());
+}
+
 class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
  public:
-  IndexUse(const clang::FunctionDecl& function, const clang::FunctionDecl& pattern, const Names& names)
-      : names_(names) {
+  IndexUse(const clang::FunctionDecl& function, const clang::FunctionDecl& pattern, Names& names)
+      : names_(names), sees_arrays_(sees_arrays(function, names)) {
     for (unsigned i = 0; i < function.getNumParams() && i < pattern.getNumParams(); ++i) {
       if (!is_pack(function.getParamDecl(i)->getType())) continue;
       indices_.insert(pattern.getParamDecl(i));
@@ -88,7 +102,7 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     return asks(question->getOperand(), question->getBeginLoc());
   }
   bool VisitRequiresExpr(clang::RequiresExpr* question) {
-    say(question->getBeginLoc());
+    if (sees_arrays_) say(question->getBeginLoc());
     return true;
   }
   bool VisitIfStmt(clang::IfStmt* choice) {
@@ -112,7 +126,7 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     return element != nullptr && element->getRHS() == own && &named != element->getLHS();
   }
   bool asks(const clang::Expr* of, clang::SourceLocation place) {
-    if (mentions_variable(of)) say(place);
+    if (sees_arrays_ && mentions_variable(of)) say(place);
     return true;
   }
   void say(clang::SourceLocation place, const char* what = "asks what its index is") {
@@ -120,6 +134,7 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
   }
 
   const Names& names_;
+  const bool sees_arrays_;
   std::set<const clang::ValueDecl*> indices_;
   std::set<const clang::TemplateTypeParmDecl*> types_;
   std::set<clang::SourceLocation> known_;  // where their names may stand
@@ -133,7 +148,7 @@ bool is_pack(clang::QualType type) {
   return Names::is_physgen(record, "Pack") || Names::is_physgen(record, "PartialPack");
 }
 
-std::string asked_of_index(const clang::FunctionDecl& function, const Names& names) {
+std::string asked_of_index(const clang::FunctionDecl& function, Names& names) {
   const auto* pattern = function.getTemplateInstantiationPattern();
   if (pattern == nullptr) pattern = &function;
   IndexUse use(function, *pattern, names);
@@ -153,30 +168,34 @@ bool sees_arrays(const clang::FunctionDecl& function, Names& names) {
   });
 }
 
-std::string asked_by_call(const clang::CallExpr& call, Names& names) {
-  const auto* callee = call.getDirectCallee();
-  if (callee == nullptr) return {};
-  const std::string where = " at " + usage::text_of(names.place(call.getBeginLoc()));
-  if (names.is_library(callee->getLocation())) {
-    const clang::DeclContext* outer = callee->getDeclContext();
-    while (!outer->isTranslationUnit() && !outer->getParent()->isTranslationUnit()) outer = outer->getParent();
-    const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(outer);
-    const bool is_runtime = space != nullptr && space->getName() == "physgen";
-    return !is_runtime && std::any_of(call.arg_begin(), call.arg_end(),
-                                      [](const clang::Expr* one) { return is_pack(one->getType()); })
-               ? "hands its index to a library" + where
-               : "";
-  }
-  if (!sees_arrays(*callee, names)) return {};
-  const auto named = callee->getDeclContext()->lookup(callee->getDeclName());
-  const auto* whole = named.isSingleResult() ? llvm::dyn_cast<clang::FunctionTemplateDecl>(named.front()) : nullptr;
-  const bool is_one =
-      whole == nullptr ? named.isSingleResult()
-                       : !whole->hasAssociatedConstraints() &&
-                             std::none_of(whole->spec_begin(), whole->spec_end(), [](const clang::FunctionDecl* one) {
-                               return one->getTemplateSpecializationKind() == clang::TSK_ExplicitSpecialization;
-                             });
-  return is_one ? "" : "has types choose the function that it calls" + where;
+bool is_one_text(const clang::CXXRecordDecl& record) {
+  const auto* special = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&record);
+  if (special == nullptr) return true;
+  llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> partial;
+  special->getSpecializedTemplate()->getPartialSpecializations(partial);
+  return partial.empty() && !is_specialised(*special->getSpecializedTemplate());
+}
+
+std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function, bool& is_known) {
+  std::vector<const clang::FunctionDecl*> result;
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
+  if (method != nullptr && method->getParent()->isLambda()) return result;
+  is_known = is_known && (method == nullptr || is_one_text(*method->getParent()));
+  const auto add = [&](const clang::NamedDecl* named) {
+    named = named->getUnderlyingDecl();
+    if (!may_take(named->getAsFunction(), function)) return;
+    if (const auto* one = llvm::dyn_cast<clang::FunctionDecl>(named); one != nullptr && !one->isDeleted())
+      result.push_back(one);
+    if (const auto* whole = llvm::dyn_cast<clang::FunctionTemplateDecl>(named))
+      is_known = is_known && !whole->hasAssociatedConstraints() && !is_specialised(*whole) &&
+                 function.getPrimaryTemplate() != nullptr &&
+                 function.getPrimaryTemplate()->getCanonicalDecl() == whole->getCanonicalDecl();
+  };
+  if (llvm::isa<clang::CXXConversionDecl>(function))
+    for (const clang::NamedDecl* one : method->getParent()->getVisibleConversionFunctions()) add(one);
+  else
+    for (const clang::NamedDecl* one : function.getDeclContext()->lookup(function.getDeclName())) add(one);
+  return result;
 }
 
 }  // namespace physgen::scenes

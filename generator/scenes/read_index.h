@@ -2,10 +2,11 @@
 // does.
 #pragma once
 
-#include <clang/AST/Decl.h>
+#include <clang/AST/DeclCXX.h>
 #include <clang/AST/Expr.h>
 
 #include <string>
+#include <vector>
 
 #include "usage/names.h"
 
@@ -20,12 +21,15 @@ namespace physgen::scenes {
 
 /// The list: an index is what objects are named by, `view[i]`, and an argument of functions; and its type is asked by
 /// `lanes_t<Scalar, I>` alone. What `if constexpr` chooses depends on no type, which another precision may change.
-/// @param function an instantiated one of the program that sees arrays
+/// @param function an instantiated one of the program
 /// @return what else it does, "asks what its index is at kernel.h:3:5"; empty: nothing
-[[nodiscard]] std::string asked_of_index(const clang::FunctionDecl& function, const usage::Names& names);
+[[nodiscard]] std::string asked_of_index(const clang::FunctionDecl& function, usage::Names& names);
 
-/// The same of the choice of the function that is called: the runtime's functions may be given an index, and those of
-/// the program that see arrays have one text for all types.
-[[nodiscard]] std::string asked_by_call(const clang::CallExpr& call, usage::Names& names);
+/// Whether a class has the same text in another precision.
+[[nodiscard]] bool is_one_text(const clang::CXXRecordDecl& record);
+
+/// A function of the program and the others that another precision may choose in its place.
+/// @param is_known false, if these may be others than those that are returned: of a template with others of its name
+[[nodiscard]] std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function, bool& is_known);
 
 }  // namespace physgen::scenes

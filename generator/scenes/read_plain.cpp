@@ -1,8 +1,10 @@
 // See read_plain.h.
 #include "scenes/read_plain.h"
 
+#include <clang/AST/ASTContext.h>
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Lex/Lexer.h>
 
 #include <algorithm>
 
@@ -72,24 +74,20 @@ class Escapes : public clang::RecursiveASTVisitor<Escapes> {
   std::set<const clang::DeclRefExpr*> harmless_;
 };
 
-/// What an expression is, for a reader.
-std::string kind_of(const clang::Expr& whole) {
-  const clang::Expr& expression = *whole.IgnoreImplicit();
-  if (const auto* call = llvm::dyn_cast<clang::CallExpr>(&expression))
-    return "a call" + (call->getDirectCallee() == nullptr || call->getDirectCallee()->getIdentifier() == nullptr
-                           ? std::string()
-                           : " of " + call->getDirectCallee()->getNameAsString() + "()");
-  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(&expression))
-    return "the variable " + named->getDecl()->getNameAsString();
-  if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(&expression))
-    return "a constructor of " + made->getConstructor()->getParent()->getNameAsString();
-  return llvm::isa<clang::LambdaExpr>(expression) ? "a lambda" : "an expression";
-}
-
 }  // namespace
 
+std::string quoted(const clang::Stmt& statement, const clang::ASTContext& context, const usage::Names& names) {
+  const auto& sources = context.getSourceManager();
+  const std::string words =
+      clang::Lexer::getSourceText(sources.getExpansionRange(statement.getSourceRange()), sources, context.getLangOpts())
+          .str();
+  const std::size_t end = std::min(words.find('\n'), std::size_t(60));
+  return "'" + words.substr(0, end) + (end < words.size() ? "...' at " : "' at ") +
+         usage::text_of(names.place(statement.getBeginLoc()));
+}
+
 Plain::Plain(const clang::FunctionDecl& program, const Scene& scene, const usage::Names& names)
-    : scene_(scene), names_(names) {
+    : context_(program.getASTContext()), scene_(scene), names_(names) {
   Escapes escapes;
   escapes.TraverseStmt(program.getBody());
   escaped_ = std::move(escapes.found);
@@ -112,8 +110,8 @@ std::string Plain::not_in(const clang::Expr* expression) const {
       if (found.empty() && part != nullptr) found = not_in(llvm::cast<clang::Expr>(part));
     return found;
   };
-  const std::string here = " at " + usage::text_of(names_.place(expression->getBeginLoc()));
-  if (expression->getBeginLoc().isMacroID() || expression->getEndLoc().isMacroID()) return "a macro" + here;
+  if (expression->getBeginLoc().isMacroID() || expression->getEndLoc().isMacroID())
+    return "the macro " + quoted(*expression, context_, names_);
   const bool is_of_numbers = is_number(expression->getType());
   if (llvm::isa<clang::IntegerLiteral, clang::FloatingLiteral, clang::CXXBoolLiteralExpr, clang::ImplicitValueInitExpr>(
           expression))
@@ -135,9 +133,8 @@ std::string Plain::not_in(const clang::Expr* expression) const {
   if (llvm::isa<clang::ConditionalOperator>(expression) && is_of_numbers) return all_of(expression->children());
   if (const auto* list = llvm::dyn_cast<clang::InitListExpr>(expression);
       list != nullptr && (is_of_numbers || is_plain_struct(list->getType()) || list->getType()->isArrayType())) {
-    if (list->hasArrayFiller() && !llvm::isa<clang::ImplicitValueInitExpr>(list->getArrayFiller()))
-      return "an expression" + here;
-    return all_of(list->inits());
+    if (!list->hasArrayFiller() || llvm::isa<clang::ImplicitValueInitExpr>(list->getArrayFiller()))
+      return all_of(list->inits());
   }
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expression);
       made != nullptr && is_copy(*made) && is_plain_struct(made->getType()))
@@ -146,22 +143,19 @@ std::string Plain::not_in(const clang::Expr* expression) const {
   if (const auto* named = owner(expression); named != nullptr && expression->isGLValue()) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
     if (variable != nullptr && is_readable(*variable)) return {};
-    return kind_of(*named) + here;
   }
-  return kind_of(*expression) + here;
+  return quoted(*expression, context_, names_);
 }
 
 std::string Plain::not_in_statement(const clang::Stmt& statement) const {
-  const std::string here = " at " + usage::text_of(names_.place(statement.getBeginLoc()));
-  if (const auto* expression = llvm::dyn_cast<clang::Expr>(&statement)) return kind_of(*expression) + here;
   const auto* group = llvm::dyn_cast<clang::DeclStmt>(&statement);
-  if (group == nullptr) return "a statement" + here;
+  if (group == nullptr) return quoted(statement, context_, names_);
   for (const clang::Decl* one : group->decls()) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
     if (variable == nullptr || llvm::isa<clang::DecompositionDecl>(variable) || !variable->hasLocalStorage() ||
         variable->hasAttrs() || variable->getInit() == nullptr ||
         !(is_number(variable->getType()) || is_plain_struct(variable->getType())))
-      return "a declaration of something other than a value" + here;
+      return "a declaration of something other than a value, " + quoted(statement, context_, names_) + ",";
     if (const std::string found = not_in(variable->getInit()); !found.empty())
       return "the declaration of " + variable->getNameAsString() + " by " + found;
   }

@@ -18,7 +18,7 @@ class Plain {
  public:
   Plain(const clang::FunctionDecl& program, const Scene& scene, const usage::Names& names);
 
-  /// @return what of it is not on the list, "a call of log() at x.h:3:5"; empty: all of it is
+  /// @return what of it is not on the list, "'log(2)' at x.h:3:5"; empty: all of it is
   [[nodiscard]] std::string not_in(const clang::Expr* expression) const;
   /// The same of a statement between steps: only a declaration `const auto x = ...;` of such a value is on the list.
   [[nodiscard]] std::string not_in_statement(const clang::Stmt& statement) const;
@@ -26,10 +26,15 @@ class Plain {
  private:
   [[nodiscard]] bool is_readable(const clang::VarDecl& variable) const;
 
+  const clang::ASTContext& context_;
   const Scene& scene_;
   const usage::Names& names_;
   std::set<const clang::VarDecl*> escaped_;  // may be changed by what does not name them
 };
+
+/// The beginning of its text, and where it stands: "'log(2)' at x.h:3:5"
+[[nodiscard]] std::string quoted(const clang::Stmt& statement, const clang::ASTContext& context,
+                                 const usage::Names& names);
 
 /// Whether a type holds numbers, views of the scene's arrays, and structs of these, and nothing that could lead to
 /// other memory, of which nobody sees what kernels do there for which object.

@@ -17,13 +17,11 @@ namespace {
 
 using usage::Names;
 
-/// Whether control may leave a function, or jump, from within a statement.
+/// Whether control may leave a function from within a statement. Jumps keep a kernel from being joined.
 bool leaves(const clang::Stmt* statement) {
   if (statement == nullptr || llvm::isa<clang::LambdaExpr>(statement)) return false;
-  if (llvm::isa<clang::ReturnStmt, clang::GotoStmt, clang::IndirectGotoStmt, clang::AsmStmt, clang::CoreturnStmt,
-                clang::CoawaitExpr, clang::CoyieldExpr>(statement))
-    return true;
-  return std::any_of(statement->child_begin(), statement->child_end(), leaves);
+  return llvm::isa<clang::ReturnStmt>(statement) ||
+         std::any_of(statement->child_begin(), statement->child_end(), leaves);
 }
 
 /// A static constant of a class or of one that it derives from.
@@ -76,11 +74,11 @@ bool Stores::statement(const clang::Stmt* statement, Fields& stored) {
   if (const auto* declarations = llvm::dyn_cast<clang::DeclStmt>(statement)) {
     for (const clang::Decl* declared : declarations->decls())
       if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(declared)) expression(variable->getInit(), stored);
-    return !leaves(statement);
+    return true;
   }
   if (llvm::isa<clang::Expr>(statement)) {
     expression(statement, stored);
-    return !leaves(statement);  // by a statement in an expression
+    return true;
   }
   return !leaves(statement);  // loops and the like may run their bodies or not
 }
@@ -93,7 +91,6 @@ bool Stores::branches(const clang::IfStmt& branch, Fields& stored) {
     return taken ? statement(*taken, stored) : !leaves(&branch);
   }
   expression(branch.getCond(), stored);
-  if (leaves(branch.getCond())) return false;
   Fields yes, no;
   const bool after_yes = statement(branch.getThen(), yes), after_no = statement(branch.getElse(), no);
   std::set_intersection(yes.begin(), yes.end(), no.begin(), no.end(), std::inserter(stored, stored.end()));
@@ -101,18 +98,14 @@ bool Stores::branches(const clang::IfStmt& branch, Fields& stored) {
 }
 
 void Stores::expression(const clang::Stmt* expression, Fields& stored) {
-  if (expression == nullptr || llvm::isa<clang::LambdaExpr, clang::UnaryExprOrTypeTraitExpr, clang::CXXNoexceptExpr,
-                                         clang::RequiresExpr, clang::CXXTypeidExpr, clang::StmtExpr>(expression))
+  if (expression == nullptr ||
+      llvm::isa<clang::LambdaExpr, clang::UnaryExprOrTypeTraitExpr, clang::CXXNoexceptExpr, clang::RequiresExpr>(
+          expression))
     return;
   if (const auto* choice = llvm::dyn_cast<clang::AbstractConditionalOperator>(expression))
     return this->expression(choice->getCond(), stored);
   if (const auto* both = llvm::dyn_cast<clang::BinaryOperator>(expression); both != nullptr && both->isLogicalOp())
     return this->expression(both->getLHS(), stored);
-  if (const auto* one = llvm::dyn_cast<clang::GenericSelectionExpr>(expression))
-    return this->expression(one->isResultDependent() ? nullptr : one->getResultExpr(), stored);
-  if (const auto* called = llvm::dyn_cast<clang::CallExpr>(expression);
-      called && called->isUnevaluatedBuiltinCall(context_))
-    return;
   for (const clang::Stmt* child : expression->children()) this->expression(child, stored);
   if (const auto* called = llvm::dyn_cast<clang::CallExpr>(expression)) call(called->getDirectCallee(), stored);
   if (const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expression)) call(made->getConstructor(), stored);

@@ -3,8 +3,8 @@
 
     programs.py --physgen PHYSGEN --folder FOLDER --runtime LIBRARY... [--seed SEED] [--minutes N] [--first NUMBER] [--known] -- COMPILER FLAGS...
 
-A random block has steps, and between them statements of 40 kinds, most of which do something. With --known, the programs of
-attack_programs.py and own_programs.py come first. A block whose numbers differ is printed. Exit status 1 if any does."""
+A random block has steps, and between them statements of 40 kinds, most of which do something; some of its kernels are made of the
+parts of kernel_programs.py. With --known, all known programs come first. A block whose numbers differ is printed. Exit status 1 if any does."""
 import argparse
 import os
 import random
@@ -14,6 +14,7 @@ import time
 from pathlib import Path
 
 from attack_programs import MINE, REVIEWED
+from kernel_programs import EFFECTS, HARMLESS, KERNELS, kernel
 from own_programs import OF_LINES, OWN
 from scene_programs import Block, Defect, Harness
 
@@ -26,7 +27,7 @@ inline float changed(float& x) { x += 1.5F; return x; }
 inline float asked(float x) { return x + 1; }
 constexpr float doubled(float x) { return x * 2; }
 constexpr float stored(Held h) { *h.p = 3; return 1; }
-"""
+""" + "\n".join(head for _, head, _ in EFFECTS + HARMLESS) + "\n"
 
 # Names that a block may use, and how they are declared in it: s and t are numbers that may change.
 DECLARED = {
@@ -62,7 +63,7 @@ class Maker:
     """Makes the block of a seed and a number."""
 
     def __init__(self, seed, number):
-        self.choose, self.number, self.names = random.Random(f"{seed}/{number}"), number, []
+        self.choose, self.number, self.names, self.kernels = random.Random(f"{seed}/{number}"), number, [], []
 
     def argument(self):
         named = self.names and self.choose.random() < 0.4
@@ -74,7 +75,17 @@ class Maker:
             return f"on.run({count}, Both{{{source}, ACC.view(), {target}}});"
         if kind < 0.4:
             return f"on.run({count}, Combine{{{source}, ACC.view(), {target}}});"
+        if kind < 0.7:
+            return f"on.run({count}, {self.made()}{{{source}, {target}}});"
         return f"on.run({count}, Shift{{{source}, {target}, {self.argument()}}});"
+
+    def made(self):
+        """The name of a kernel, one of four of which does something on the side."""
+        parts = self.choose.sample(HARMLESS, self.choose.choice([1, 1, 2, 3])) + (self.choose.sample(EFFECTS, 1) if self.choose.random() < 0.25 else [])
+        self.choose.shuffle(parts)
+        name = f"Made{self.number}x{len(self.kernels)}"
+        self.kernels.append(kernel(name, "\n".join(f"{{\n{text}\n}}" for _, _, text in parts))[0])
+        return name
 
     def statement(self):
         text, name = self.choose.choice(STATEMENTS), f"z{len(self.names)}"
@@ -99,38 +110,40 @@ class Maker:
             text = f"for (int loop = 0; loop < 2; ++loop) {{\n{text}\n}}"
         counts = "const std::uint8_t few = N;\nconst index_t half = N / 2;\nconst short short_count = short(IN.size());\n"
         text = counts + "float s = 1.5F, t = 2;\nconst float c = 0.25F;\n" + "\n".join(used) + "\n" + text
-        return Block(f"r{self.number}", text)
+        return Block(f"r{self.number}", text, "\n".join(self.kernels))
 
 
 class Fuzzer:
     def __init__(self, arguments):
         self.folder = Path(arguments.folder).resolve()
         self.seed, self.number, self.failures, self.joined = arguments.seed, arguments.first, 0, 0
-        self.harness = Harness(str(Path(arguments.physgen).resolve()), self.folder / "work",
+        self.harness = Harness(str(Path(arguments.physgen).resolve()), self.folder / "work", BEFORE,
                                [str(Path(library).resolve()) for library in arguments.runtime], arguments.compiler)
 
-    def known(self):
-        for blocks in (REVIEWED + OWN, OF_LINES):
-            joined, differ = self.harness.run(blocks, MINE)
-            for block in blocks:
-                if block.joined != (block.name in joined):
-                    self.fail(f"{block.name} is {'' if block.name in joined else 'not '}joined")
-                if block.name in differ:
-                    self.fail(f"{block.name} has other numbers:\n{block.text}")
-            print(f"{len(blocks)} known programs, {len(joined)} joined, {self.failures} failed", flush=True)
-
-    def round(self):
-        blocks = [Maker(self.seed, self.number + k).block() for k in range(BLOCKS)]
-        blocks[0].before = BEFORE
-        joined, differ = self.harness.run(blocks)
-        for block in blocks:
-            if block.name in differ:
-                self.fail(f"seed {self.seed}, block {block.name} has other numbers:\n{block.text}")
+    def round(self, known=()):
+        """@param known blocks beside the random ones, of which it is known whether they are joined"""
+        blocks = [Maker(self.seed, self.number + k).block() for k in range(BLOCKS)] + list(known)
         self.number += BLOCKS
-        self.joined += len(joined)
+        names = self.harness.joined(blocks, MINE)
+        joined = [block for block in blocks if block.name in names]
+        differ = self.harness.differ(joined, MINE) if joined else set()
+        for block in blocks:
+            if block in known and block.joined != (block.name in names):
+                self.fail(f"{block.name} is {'' if block.name in names else 'not '}joined")
+            if block.name in differ:
+                self.fail(f"seed {self.seed}, block {block.name} has other numbers:\n{block.before}{block.text}")
+        random_ones = len(joined) - sum(block in known for block in joined)
+        self.joined += random_ones
         print(f"seed {self.seed}, blocks up to {self.number}: steps of {self.joined} joined, {self.failures} failed", flush=True)
-        if not joined:
+        if random_ones == 0:
             self.fail(f"no steps of blocks up to {self.number} are joined: the fuzzer says nothing any more")
+
+    def known(self):
+        known = REVIEWED + OWN + KERNELS
+        self.round(known)
+        print(f"{len(known) + len(OF_LINES)} known programs, {sum(block.joined for block in known)} of them to be joined", flush=True)
+        for name in self.harness.joined(OF_LINES):
+            self.fail(f"{name} is joined")
 
     def fail(self, what):
         self.failures += 1
@@ -153,9 +166,7 @@ def main():
     end = time.monotonic() + 60 * arguments.minutes
     shutil.rmtree(fuzzer.folder / "work", ignore_errors=True)
     try:
-        if arguments.known:
-            fuzzer.known()
-        fuzzer.round()
+        fuzzer.known() if arguments.known else fuzzer.round()
         while time.monotonic() < end:
             fuzzer.round()
     except Defect as defect:

@@ -1,8 +1,9 @@
 """Scenes whose programs are made of blocks, each with arrays of its own; and what physgen joins of them, run.
 
 A block is C++ between whose steps anything may stand. In its text IN is the input, MID, MORE and ACC are arrays of the block, OUT
-and ACC are outputs, N is the number of objects. All blocks stand in one program, which is compiled once as it is written over
-arrays with every field, and once as physgen has joined it, and both are run: in float and in double, twice each."""
+and ACC are outputs, N is the number of objects. All blocks stand in one program, of which physgen says which blocks it joins.
+These stand in another, which is compiled once as it is written over arrays with every field, and once as physgen has joined it,
+and both are run: in float and in double, twice each."""
 import json
 import re
 import subprocess
@@ -139,7 +140,7 @@ def arrays(block):
     return [(word, f"{word.lower()}_{block.name}", ", output()" if word in ("OUT", "ACC") else "") for word in sorted(used)]
 
 
-def scene(blocks):
+def scene(blocks, before):
     declared, program = "", ""
     for block in blocks:
         text = re.sub(r"\bIN\b", "body.in", re.sub(r"\bN\b", "n", block.text))
@@ -153,8 +154,15 @@ def scene(blocks):
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
+#include <cfenv>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
+#include <iostream>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -163,7 +171,7 @@ def scene(blocks):
 #include <variant>
 #include <vector>
 #include "kernels.h"
-{"".join(block.before + chr(10) for block in blocks if block.before)}
+{before}{"".join(block.before + chr(10) for block in blocks if block.before)}
 using namespace physgen::scene;
 struct PHYSGEN_SCENE() blocks {{
   using Real = float;
@@ -182,11 +190,12 @@ struct PHYSGEN_SCENE() blocks {{
 
 
 class Harness:
-    """@param runtime the libraries that programs are linked to
+    """@param before what stands before all blocks at namespace scope
+    @param runtime the libraries that programs are linked to
     @param compiler with the flags of generated headers, which physgen is given, too"""
 
-    def __init__(self, physgen, folder, runtime, compiler, count=533):
-        self.physgen, self.folder, self.runtime, self.count = physgen, folder, runtime, count
+    def __init__(self, physgen, folder, before, runtime, compiler, count=533):
+        self.before, self.physgen, self.folder, self.runtime, self.count = before, physgen, folder, runtime, count
         self.compiler = [*compiler, "-I.", "-Igenerated", "-Iinc"]
         flags = iter(self.compiler[1:])
         self.flags = []
@@ -207,20 +216,27 @@ class Harness:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
 
-    def run(self, blocks, mine="#pragma once\n"):
-        """@return names of the blocks of which steps are joined, and of those whose numbers are others then"""
+    def write_all(self, blocks, mine):
         self.write("points.h", SCHEMA)
         self.write("kernels.h", KERNELS)
         self.write("inc/physgen/mine.h", mine)
-        self.write("scenes/blocks.h", scene(blocks))
+        self.write("scenes/blocks.h", scene(blocks, self.before))
+        self.call(self.physgen, "generate", "points.h", "-o", "generated")
+
+    def joined(self, blocks, mine="#pragma once\n", *options):
+        """@return names of the blocks of which steps are joined: what physgen writes of the others is their own text"""
+        self.write_all(blocks, mine)
+        self.call(self.physgen, "scene", "scenes/blocks.h", "-o", "out", *options, "--", *self.flags)
+        text = json.dumps(json.loads((self.folder / "out/blocks.need.json").read_text())["groups"])
+        return {block.name for block in blocks if any(f'body.{name}"' in text for _, name, _ in arrays(block))}
+
+    def differ(self, blocks, mine="#pragma once\n"):
+        """@return names of the blocks whose numbers are others where their steps are joined"""
+        joined = self.joined(blocks, mine, "--everything")
+        if joined != {block.name for block in blocks}:
+            raise Defect(f"{len(joined)} of {len(blocks)} blocks are joined in a scene of their own, which all were in another")
         prints = "".join(f'    print("{block.name}", body.{name});\n' for block in blocks for _, name, option in arrays(block) if option)
         self.write("main.cpp", MAIN % {"count": self.count, "prints": prints})
-        self.call(self.physgen, "generate", "points.h", "-o", "generated")
-        self.call(self.physgen, "scene", "scenes/blocks.h", "-o", "out", "--everything", "--", *self.flags)
         self.call(*self.compiler, "-O0", "-w", "main.cpp", *self.runtime, "-o", "main")
-        needs = json.loads((self.folder / "out/blocks.need.json").read_text())
-        text = json.dumps(needs["groups"])
-        joined = {block.name for block in blocks if any(f'body.{name}"' in text for _, name, _ in arrays(block))}
         separate, fused = (self.call("./main", way).splitlines() for way in ("separate", "joined"))
-        differ = {a.split()[0] for a, b in zip(separate, fused, strict=True) if a != b}
-        return joined, differ
+        return {a.split()[0] for a, b in zip(separate, fused, strict=True) if a != b}

@@ -118,29 +118,29 @@ TEST_F(Command, keeps_steps_apart_that_share_what_no_array_holds_or_whose_words_
     for (const auto& local : group.at("locals")) locals.push_back(local.at("array"));
   EXPECT_EQ(locals, std::vector<std::string>{"body.m_harmless"}) << needs.at("groups");
   for (const auto& [name, reason] : std::map<std::string, std::string>{
-           {"member", "CopyByMember: it uses the variable kept at kernels.h:"},
-           {"sharedpointer", "CopyByPointer: it uses the variable shared at kernels.h:"},
-           {"twice", "Shift: it is given a call of twice() at scenes/groups.h:"},
+           {"member", "CopyByMember: it uses the variable 'state.kept' at kernels.h:"},
+           {"sharedpointer", "CopyByPointer: it holds '*shared' at kernels.h:"},
+           {"twice", "Shift: it is given 'twice(2)' at scenes/groups.h:"},
            {"holder", "CopyByHolder: its holder is neither a number nor a view of the scene's arrays, at kernels.h:"},
            {"box", "CopyByBox: its box is neither a number nor a view of the scene's arrays, at kernels.h:"},
-           {"constant", "CopyByConst: it casts const away at kernels.h:"},
-           {"constructor", "CopyByConstructor: it uses the variable last at kernels.h:"},
-           {"destructor", "CopyByDestructor: it uses the variable last at kernels.h:"},
-           {"invoking", "CopyInvoking: it uses the variable last at kernels.h:"},
-           {"applying", "CopyApplying: it uses the variable last at kernels.h:"},
-           {"random", "CopyRandom: it calls rand(), which is not known, at kernels.h:"},
+           {"constant", "CopyByConst: its number is neither a number nor a view of the scene's arrays, at kernels.h:"},
+           {"constructor", "CopyByConstructor: it uses the variable 'last' at kernels.h:"},
+           {"destructor", "CopyByDestructor: it runs a destructor at kernels.h:"},
+           {"invoking", "CopyInvoking: it uses the variable 'last' at kernels.h:"},
+           {"applying", "CopyApplying: it holds 'count' at kernels.h:"},
+           {"random", "CopyRandom: it holds 'std::rand()' at kernels.h:"},
            {"elsewhere", "CopyElsewhere: it holds a directive of the preprocessor at kernels.h:"},
-           {"unevaluated", "no earlier step of the group is sure to store all of body.m_unevaluated.a"},
+           {"unevaluated", "CopyUnevaluated: it holds '__builtin_constant_p((to[i].a() = a, 1))' at kernels.h:"},
            {"addressed", "CopyAddressed: it asks what its index is at kernels.h:"},
            {"zeroed", "CopyZeroed: it asks what its index is at kernels.h:"},
            {"cast", "CopyCast: it asks what its index is at kernels.h:"},
-           {"byhand", "it uses the variable last at kernels.h:"},
-           {"counted", "Shift: it is given a call of counted() at scenes/groups.h:"},
-           {"cleared", "the declaration of s by a call of cleared() at scenes/groups.h:"},
-           {"binding", "a declaration of something other than a value at scenes/groups.h:"},
-           {"enumerator", "a declaration of something other than a value at scenes/groups.h:"},
-           {"directive", "a declaration of something other than a value at scenes/groups.h:"},
-           {"macro", "Copy: it is given a macro at scenes/groups.h:"}})
+           {"byhand", "it uses the variable 'last' at kernels.h:"},
+           {"counted", "Shift: it is given 'counted(2)' at scenes/groups.h:"},
+           {"cleared", "the declaration of s by 'cleared(body.further.view())' at scenes/groups.h:"},
+           {"binding", "a declaration of something other than a value, 'const auto [in, two]"},
+           {"enumerator", "a declaration of something other than a value, 'enum { in, out };' at scenes/groups.h:"},
+           {"directive", "a declaration of something other than a value, 'using namespace m;' at scenes/groups.h:"},
+           {"macro", "Copy: it is given the macro 'SOURCE' at scenes/groups.h:"}})
     EXPECT_NE(why[name].find(reason), std::string::npos) << name << ": " << why[name];
 }
 

@@ -1,0 +1,291 @@
+// See read_body.h.
+#include "scenes/read_body.h"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/ExprCXX.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Lex/Lexer.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "scenes/read_index.h"
+#include "scenes/read_plain.h"
+
+namespace physgen::scenes {
+namespace {
+
+using usage::Names;
+
+/// Casts that change a value and lead to no other memory.
+bool is_listed(const clang::CastExpr& cast) {
+  switch (cast.getCastKind()) {
+    case clang::CK_NoOp:
+    case clang::CK_LValueToRValue:
+    case clang::CK_IntegralCast:
+    case clang::CK_IntegralToBoolean:
+    case clang::CK_IntegralToFloating:
+    case clang::CK_FloatingToIntegral:
+    case clang::CK_FloatingToBoolean:
+    case clang::CK_FloatingCast:
+    case clang::CK_ArrayToPointerDecay:
+    case clang::CK_FunctionToPointerDecay:
+    case clang::CK_BuiltinFnToFnPtr:
+    case clang::CK_ConstructorConversion:
+    case clang::CK_UserDefinedConversion:
+    case clang::CK_DerivedToBase:
+    case clang::CK_UncheckedDerivedToBase:
+    case clang::CK_ToVoid:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_listed(const clang::Stmt& statement) {
+  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(&statement))
+    return is_listed(*cast) &&
+           llvm::isa<clang::ImplicitCastExpr, clang::CStyleCastExpr, clang::CXXStaticCastExpr,
+                     clang::CXXFunctionalCastExpr>(cast) &&
+           (!llvm::isa<clang::CStyleCastExpr, clang::CXXFunctionalCastExpr>(cast) || cast->isPRValue());
+  if (const auto* unary = llvm::dyn_cast<clang::UnaryOperator>(&statement))
+    return (unary->getOpcode() != clang::UO_AddrOf && unary->getOpcode() != clang::UO_Deref &&
+            !unary->getType()->isPointerType()) ||
+           llvm::isa<clang::CXXThisExpr>(unary->getSubExpr()->IgnoreParenImpCasts());
+  return llvm::isa<
+      clang::CompoundStmt, clang::DeclStmt, clang::NullStmt, clang::IfStmt, clang::ForStmt, clang::WhileStmt,
+      clang::DoStmt, clang::BreakStmt, clang::ContinueStmt, clang::ReturnStmt, clang::SwitchStmt, clang::SwitchCase,
+      clang::AttributedStmt, clang::IntegerLiteral, clang::FloatingLiteral, clang::CXXBoolLiteralExpr,
+      clang::CharacterLiteral, clang::ParenExpr, clang::BinaryOperator, clang::ConditionalOperator, clang::MemberExpr,
+      clang::DeclRefExpr, clang::CXXThisExpr, clang::CallExpr, clang::CXXConstructExpr, clang::InitListExpr,
+      clang::DesignatedInitExpr, clang::CXXParenListInitExpr, clang::CXXInheritedCtorInitExpr,
+      clang::ArraySubscriptExpr, clang::MaterializeTemporaryExpr, clang::CXXBindTemporaryExpr, clang::ExprWithCleanups,
+      clang::ConstantExpr, clang::SubstNonTypeTemplateParmExpr, clang::CXXDefaultArgExpr, clang::CXXDefaultInitExpr,
+      clang::ImplicitValueInitExpr, clang::CXXScalarValueInitExpr, clang::LambdaExpr, clang::UnaryExprOrTypeTraitExpr,
+      clang::TypeTraitExpr>(statement);
+}
+
+/// Whether an assert() ends the program here.
+bool fails(const clang::CallExpr& call) {
+  const auto* callee = call.getDirectCallee();
+  return callee != nullptr && callee->isExternC() && callee->getName() == "__assert_fail";
+}
+
+/// Functions of std that compute, and those that hand a value on or call what they are given.
+bool is_listed_in_std(const clang::FunctionDecl& function) {
+  static const std::set<llvm::StringRef> names = {
+      "abs",  "fabs",  "fma",   "sqrt", "cbrt",     "exp",      "exp2",   "expm1", "log",
+      "log2", "log10", "log1p", "pow",  "sin",      "cos",      "tan",    "asin",  "acos",
+      "atan", "atan2", "sinh",  "cosh", "tanh",     "hypot",    "fmin",   "fmax",  "floor",
+      "ceil", "round", "trunc", "fmod", "copysign", "isfinite", "isnan",  "isinf", "signbit",
+      "min",  "max",   "clamp", "move", "forward",  "get",      "invoke", "apply", "as_const"};
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
+  if (method == nullptr) return function.getIdentifier() != nullptr && names.contains(function.getName());
+  static const std::set<llvm::StringRef> classes = {"array", "pair", "tuple", "numeric_limits", "integral_constant"};
+  return method->getParent()->getIdentifier() != nullptr && classes.contains(method->getParent()->getName());
+}
+
+/// Functions of the runtime's headers of numbers, rows, views and references to objects.
+bool is_listed_in_runtime(const clang::FunctionDecl& function) {
+  static const std::set<llvm::StringRef> headers = {"add.h",
+                                                    "cursor.h",
+                                                    "element_ref.h",
+                                                    "field_ref.h",
+                                                    "folds.h",
+                                                    "gather.h",
+                                                    "in_lanes.h",
+                                                    "lanes.h",
+                                                    "lanewise.h",
+                                                    "math.h",
+                                                    "matrix_value.h",
+                                                    "object_ref.h",
+                                                    "pack.h",
+                                                    "quaternion.h",
+                                                    "rows.h",
+                                                    "shape.h",
+                                                    "value_views.h",
+                                                    "view.h",
+                                                    "row_visit.h",
+                                                    "rounding.h",
+                                                    "transposed.h",
+                                                    "reference_rules.h",
+                                                    "value_expressions.h"};
+  const auto& sources = function.getASTContext().getSourceManager();
+  const llvm::StringRef file = sources.getFilename(sources.getFileLoc(function.getLocation())).rsplit('/').second;
+  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
+  const llvm::StringRef name = function.getIdentifier() == nullptr ? llvm::StringRef() : function.getName();
+  return (headers.contains(file) || file.starts_with("simd")) && name != "store_where" &&
+         (method == nullptr || !Names::is_physgen(method->getParent(), "View") || name.empty() || name == "get" ||
+          name == "put");
+}
+
+/// Visits a function, and those that it calls. Functions of libraries are looked through for those of the program that
+/// they call, such as those that std::invoke() is given.
+class Body : public clang::RecursiveASTVisitor<Body> {
+ public:
+  Body(Names& names, const clang::ASTContext& context) : names_(names), context_(context) {}
+  [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
+
+  std::string find(const clang::FunctionDecl& function) {
+    queue_.push_back(&function);
+    seen_.insert(function.getCanonicalDecl());
+    if (!names_.is_library(function.getLocation())) found_ = asked_of_index(function, names_);
+    while (!queue_.empty() && found_.empty()) {
+      const auto* next = queue_.back();
+      queue_.pop_back();
+      in_library_ = is_library(*next);
+      if (!in_library_) own_text(*next);
+      if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(next))
+        for (const auto* member : constructor->inits()) TraverseStmt(member->getInit());
+      TraverseStmt(next->getBody());
+    }
+    return found_;
+  }
+
+  bool TraverseStmt(clang::Stmt* statement) {
+    if (statement == nullptr) return true;
+    if (const auto* call = llvm::dyn_cast<clang::CallExpr>(statement); call != nullptr && fails(*call)) return true;
+    if (!in_library_ && !is_listed(*statement)) say(*statement);
+    return found_.empty() && clang::RecursiveASTVisitor<Body>::TraverseStmt(statement);
+  }
+  /// What it captures is its constructor's; its body is a function of its own.
+  bool TraverseLambdaExpr(clang::LambdaExpr* lambda) {
+    for (clang::Expr* captured : lambda->capture_inits())
+      if (!TraverseStmt(captured)) return false;
+    return true;
+  }
+  static bool TraverseStaticAssertDecl(clang::StaticAssertDecl* /*claim*/) { return true; }
+  static bool TraverseTypeLoc(clang::TypeLoc /*type*/, bool /*qualifier*/ = true) { return true; }
+
+  bool VisitExpr(clang::Expr* expression) {
+    if (in_library_) return true;
+    if (expression->getType().isVolatileQualified()) return say(*expression);
+    const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expression);
+    if (expression->isPRValue() && is_pack(expression->getType()) && !llvm::isa<clang::CastExpr>(expression) &&
+        (made == nullptr || !made->getConstructor()->isCopyOrMoveConstructor()))
+      return say("makes an index", expression->getBeginLoc());
+    return true;
+  }
+  bool VisitCallExpr(clang::CallExpr* call) {
+    const auto* callee = call->getDirectCallee();
+    callees_.insert(call->getCallee()->IgnoreParenImpCasts());
+    if (callee == nullptr) return in_library_ || say(*call);
+    return called(*callee, *call);
+  }
+  bool VisitCXXConstructExpr(clang::CXXConstructExpr* made) {
+    return is_pack(made->getType()) || made->getConstructor()->isTrivial() || called(*made->getConstructor(), *made);
+  }
+  bool VisitCXXInheritedCtorInitExpr(clang::CXXInheritedCtorInitExpr* made) {
+    return called(*made->getConstructor(), *made);
+  }
+  bool VisitMemberExpr(clang::MemberExpr* member) { return named(*member->getMemberDecl(), *member); }
+  bool VisitDeclRefExpr(clang::DeclRefExpr* reference) { return named(*reference->getDecl(), *reference); }
+  bool VisitDeclStmt(clang::DeclStmt* statement) {
+    for (const clang::Decl* one : statement->decls()) {
+      if (in_library_ || llvm::isa<clang::TypedefNameDecl, clang::StaticAssertDecl, clang::UsingDecl>(one)) continue;
+      const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
+      const auto is_harmless = [](const clang::Attr* a) { return llvm::isa<clang::UnusedAttr>(a); };
+      if (variable == nullptr || !(variable->hasLocalStorage() || variable->isConstexpr()) ||
+          variable->getType()->isPointerType() || !std::ranges::all_of(variable->attrs(), is_harmless))
+        return say(*statement);
+    }
+    return true;
+  }
+  bool VisitVarDecl(clang::VarDecl* variable) { return destroyed(variable->getType(), variable->getLocation()); }
+  bool VisitCXXBindTemporaryExpr(clang::CXXBindTemporaryExpr* made) {
+    return destroyed(made->getType(), made->getBeginLoc());
+  }
+
+ private:
+  bool say(const std::string& what) {
+    if (found_.empty())
+      found_ = what + "; have the program compute it before the steps and give the kernel its value, or a field";
+    return false;
+  }
+  bool say(const char* what, clang::SourceLocation place) {
+    return say(what + (" at " + usage::text_of(names_.place(place))));
+  }
+  bool say(const clang::Stmt& what) { return say("holds " + quoted(what, context_, names_)); }
+
+  /// Generated headers are read as the program is.
+  [[nodiscard]] bool is_library(const clang::Decl& declared) const {
+    const auto& sources = context_.getSourceManager();
+    return names_.is_library(declared.getLocation()) &&
+           !sources.getFilename(sources.getFileLoc(declared.getLocation())).ends_with(".physgen.h");
+  }
+  [[nodiscard]] static bool is_listed_library(const clang::FunctionDecl& function) {
+    const clang::NamespaceDecl* space = nullptr;  // the outermost
+    for (const auto* outer = function.getDeclContext(); !outer->isTranslationUnit(); outer = outer->getParent())
+      if (const auto* named = llvm::dyn_cast<clang::NamespaceDecl>(outer)) space = named;
+    if (space != nullptr && space->getName() == "physgen") return is_listed_in_runtime(function);
+    if (std::ranges::any_of(function.parameters(), [](const auto* one) { return is_pack(one->getType()); }))
+      return false;
+    if (space == nullptr) return function.getBuiltinID() != 0 && is_listed_in_std(function);
+    return space->isStdNamespace() ? is_listed_in_std(function)
+                                   : space->getName() == "Eigen" || space->getName() == "xsimd";
+  }
+  bool called(const clang::FunctionDecl& function, const clang::Expr& call) {
+    const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
+    if (!in_library_ && is_library(function) && !is_listed_library(function)) return say(call);
+    if (method != nullptr && method->isVirtual() && !is_library(function)) return say(call);
+    return follow(function, call);
+  }
+  bool follow(const clang::FunctionDecl& function, const clang::Expr& from) {
+    const clang::FunctionDecl* definition = nullptr;
+    if (!function.isDefined(definition) || definition->getBody() == nullptr)
+      return function.getBuiltinID() != 0 || function.isNoReturn() || function.isImplicit() || function.isDefaulted() ||
+             say("calls what is not known, " + quoted(from, context_, names_));
+    if (!seen_.insert(definition->getCanonicalDecl()).second) return true;
+    queue_.push_back(definition);
+    if (names_.is_library(definition->getLocation())) return true;
+    if (found_.empty()) found_ = asked_of_index(*definition, names_);
+    bool is_known = true;
+    for (const clang::FunctionDecl* one : namesakes(*definition, is_known))
+      if (!follow(*one, from)) return false;
+    return is_known || say("has types choose what it calls, " + quoted(from, context_, names_));
+  }
+  bool named(const clang::ValueDecl& declared, const clang::Expr& expression) {
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(&declared))
+      return callees_.contains(&expression) || (in_library_ ? follow(*function, expression) : say(expression));
+    const auto* variable = llvm::dyn_cast<clang::VarDecl>(&declared);
+    if (variable == nullptr || !variable->hasGlobalStorage()) return true;
+    const bool is_constant = variable->isConstexpr() || variable->getType().isConstQualified();
+    if (is_constant && (in_library_ || holds_values(variable->getType(), names_))) return true;
+    return say("uses the variable " + quoted(expression, context_, names_));
+  }
+  bool destroyed(clang::QualType type, clang::SourceLocation place) {
+    if (in_library_ || type->isDependentType()) return true;
+    const auto* record = type->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
+    if (record == nullptr || !record->hasDefinition() || record->hasTrivialDestructor()) return true;
+    const auto* destructor = record->getDestructor();  // such as Eigen's of what `matrix << 1, 2;` makes
+    return (destructor != nullptr && destructor->isUserProvided() && is_library(*destructor) &&
+            is_listed_library(*destructor)) ||
+           say("runs a destructor", place);
+  }
+  /// Code behind a directive is seen as it is compiled for the CPU alone.
+  bool own_text(const clang::FunctionDecl& function) {
+    const auto words = clang::Lexer::getSourceText(clang::CharSourceRange::getTokenRange(function.getSourceRange()),
+                                                   context_.getSourceManager(), context_.getLangOpts());
+    for (std::size_t at = 0; (at = words.find_first_of("#%", at)) != llvm::StringRef::npos; ++at)
+      if (words.substr(0, at).rtrim(" \t").ends_with("\n"))
+        return say("holds a directive of the preprocessor", function.getLocation());
+    return true;
+  }
+
+  Names& names_;
+  const clang::ASTContext& context_;
+  std::vector<const clang::FunctionDecl*> queue_;
+  std::set<const clang::Decl*> seen_;
+  std::set<const clang::Expr*> callees_;
+  bool in_library_ = false;  // where the function at hand stands
+  std::string found_;
+};
+
+}  // namespace
+
+std::string not_in_body(const clang::FunctionDecl& function, Names& names) {
+  return Body(names, function.getASTContext()).find(function);
+}
+
+}  // namespace physgen::scenes
