@@ -60,6 +60,31 @@ macro(physgen_use_arch arch)
   endif()
 endmacro()
 
+# physgen_precompile(target <header>...) or physgen_precompile(target REUSE_FROM other)
+# Compiles headers once for all C++ sources of `target`, or takes those of another with the same options, whose definitions
+# `target` has as well. Sources with options of their own do without: GCC takes headers that were compiled at another -O,
+# and then optimizes as they say. CMAKE_DISABLE_PRECOMPILE_HEADERS=ON compiles all as it is written. GCC forgets which
+# precompiled headers are the system's, and its false warnings of them come back. -fpch-preprocess lets ccache look into
+# them, which also needs CCACHE_SLOPPINESS=pch_defines,time_macros in the environment.
+function(physgen_precompile target)
+  if("${ARGV1}" STREQUAL "REUSE_FROM")
+    target_precompile_headers(${target} ${ARGN})
+  else()
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_source_file_property(options ${source} COMPILE_OPTIONS)
+    if(options)
+      set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    target_compile_options(${target} PRIVATE
+      "$<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess;-Wno-array-bounds;-Wno-nonnull;-Wno-stringop-overflow>")
+  endif()
+endfunction()
+
 # Keeps the sources of `target`, which include Clang (1.3 GB of memory each), from filling the memory: at most one at a
 # time for every 2 GiB. Ninja only.
 function(physgen_limit_compile_jobs target)
