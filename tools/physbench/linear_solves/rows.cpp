@@ -283,7 +283,7 @@ void add_rows(std::vector<Row>& rows, const Sizes& sizes, fem::Device device) {
 
 [[maybe_unused]] const bool group =
     add(Group{"linear_solves", "one linear solve of the Truth Cube by several methods, see linear_solves/README.md", 9,
-              ".", "", [](CLI::App& app) { add_solve_flags(app, flags); }});
+              ".", "", "", [](CLI::App& app) { add_solve_flags(app, flags); }});
 [[maybe_unused]] const bool host =
     add(Part{"linear_solves", 0, "linear_solve", "host",
              [](auto& rows, const Sizes& sizes) { add_rows(rows, sizes, fem::Device::cpu); }});
