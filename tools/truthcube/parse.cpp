@@ -227,7 +227,8 @@ Options parse(const std::vector<std::string>& arguments) {
   auto* product =
       add_choice(app, "--product", options.solver.newton.product, products, "product",
                  "product of the tangent with vectors: from assembled blocks of nodes and edges, or matrix-free, "
-                 "tet by tet, which takes less memory and no multigrid");
+                 "tet by tet, which takes less memory, under --preconditioner " +
+                     fem::preconditioners_without(fem::asks::edges));
   app.add_option("--tolerance", options.solver.newton.tolerance,
                  "largest relative residual of an equilibrium, 1e-14 to 0.1")
       ->type_name("T");
