@@ -1,5 +1,7 @@
 #include <fem/solver/arrays/run_time_choices.h>
 #include <fem/solver/material_names.h>
+#include <fem/solver/solvers/in_precision.h>
+#include <fem/solver/solvers/newton_solvers.h>
 #include <fem/solver/solvers/require.h>
 #include <fem/solver/solvers/scene_solvers.h>
 #include <fem/solver/solvers/solvers.h>
@@ -108,12 +110,15 @@ std::string device_name(Device device) {
 std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                const SolverSettings& settings) {
   require_nonlinear(levels, loading, settings);
-  if (settings.device == Device::cpu) return make_host_solver(levels, loading, settings);
+  return in_precision(settings.precision, [&]<class Real, class Stored>() {
+    if (settings.device == Device::cpu)
+      return NewtonSolvers<HostExecutor, Real, Stored>::make(levels, loading, settings);
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
-  return make_cuda_solver(levels, loading, settings);
+    return NewtonSolvers<CudaExecutor, Real, Stored>::make(levels, loading, settings);
 #else
-  refuse_cuda();
+    refuse_cuda();
 #endif
+  });
 }
 
 namespace {
@@ -238,12 +243,16 @@ std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLeve
 std::unique_ptr<DynamicSolver> make_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                     const DynamicSettings& settings) {
   require_implicit(levels, loading, settings);
-  if (settings.solver.device == Device::cpu) return make_host_implicit_solver(levels, loading, settings);
+  return in_precision(settings.solver.precision, [&]<class Real, class Stored>() {
+    if (settings.solver.device == Device::cpu) {
+      return NewtonSolvers<HostExecutor, Real, Stored>::make_implicit(levels, loading, settings);
+    }
 #ifdef PHYSGEN_SOLVER_HAS_CUDA
-  return make_cuda_implicit_solver(levels, loading, settings);
+    return NewtonSolvers<CudaExecutor, Real, Stored>::make_implicit(levels, loading, settings);
 #else
-  refuse_cuda();
+    refuse_cuda();
 #endif
+  });
 }
 
 }  // namespace physgen::fem
