@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "scenes/listed_code.h"
 #include "scenes/read_index.h"
 #include "scenes/read_plain.h"
 
@@ -17,108 +18,6 @@ namespace physgen::scenes {
 namespace {
 
 using usage::Names;
-
-/// Casts that change a value and lead to no other memory.
-bool is_listed(const clang::CastExpr& cast) {
-  switch (cast.getCastKind()) {
-    case clang::CK_NoOp:
-    case clang::CK_LValueToRValue:
-    case clang::CK_IntegralCast:
-    case clang::CK_IntegralToBoolean:
-    case clang::CK_IntegralToFloating:
-    case clang::CK_FloatingToIntegral:
-    case clang::CK_FloatingToBoolean:
-    case clang::CK_FloatingCast:
-    case clang::CK_ArrayToPointerDecay:
-    case clang::CK_FunctionToPointerDecay:
-    case clang::CK_BuiltinFnToFnPtr:
-    case clang::CK_ConstructorConversion:
-    case clang::CK_UserDefinedConversion:
-    case clang::CK_DerivedToBase:
-    case clang::CK_UncheckedDerivedToBase:
-    case clang::CK_ToVoid:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool is_listed(const clang::Stmt& statement) {
-  if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(&statement))
-    return is_listed(*cast) &&
-           llvm::isa<clang::ImplicitCastExpr, clang::CStyleCastExpr, clang::CXXStaticCastExpr,
-                     clang::CXXFunctionalCastExpr>(cast) &&
-           (!llvm::isa<clang::CStyleCastExpr, clang::CXXFunctionalCastExpr>(cast) || cast->isPRValue());
-  if (const auto* unary = llvm::dyn_cast<clang::UnaryOperator>(&statement))
-    return (unary->getOpcode() != clang::UO_AddrOf && unary->getOpcode() != clang::UO_Deref &&
-            !unary->getType()->isPointerType()) ||
-           llvm::isa<clang::CXXThisExpr>(unary->getSubExpr()->IgnoreParenImpCasts());
-  return llvm::isa<
-      clang::CompoundStmt, clang::DeclStmt, clang::NullStmt, clang::IfStmt, clang::ForStmt, clang::WhileStmt,
-      clang::DoStmt, clang::BreakStmt, clang::ContinueStmt, clang::ReturnStmt, clang::SwitchStmt, clang::SwitchCase,
-      clang::AttributedStmt, clang::IntegerLiteral, clang::FloatingLiteral, clang::CXXBoolLiteralExpr,
-      clang::CharacterLiteral, clang::ParenExpr, clang::BinaryOperator, clang::ConditionalOperator, clang::MemberExpr,
-      clang::DeclRefExpr, clang::CXXThisExpr, clang::CallExpr, clang::CXXConstructExpr, clang::InitListExpr,
-      clang::DesignatedInitExpr, clang::CXXParenListInitExpr, clang::CXXInheritedCtorInitExpr,
-      clang::ArraySubscriptExpr, clang::MaterializeTemporaryExpr, clang::CXXBindTemporaryExpr, clang::ExprWithCleanups,
-      clang::ConstantExpr, clang::SubstNonTypeTemplateParmExpr, clang::CXXDefaultArgExpr, clang::CXXDefaultInitExpr,
-      clang::ImplicitValueInitExpr, clang::CXXScalarValueInitExpr, clang::LambdaExpr, clang::UnaryExprOrTypeTraitExpr,
-      clang::TypeTraitExpr>(statement);
-}
-
-/// Whether an assert() ends the program here.
-bool fails(const clang::CallExpr& call) {
-  const auto* callee = call.getDirectCallee();
-  return callee != nullptr && callee->isExternC() && callee->getName() == "__assert_fail";
-}
-
-/// Functions of std that compute, and those that hand a value on or call what they are given.
-bool is_listed_in_std(const clang::FunctionDecl& function) {
-  static const std::set<llvm::StringRef> names = {
-      "abs",  "fabs",  "fma",   "sqrt", "cbrt",     "exp",      "exp2",   "expm1", "log",
-      "log2", "log10", "log1p", "pow",  "sin",      "cos",      "tan",    "asin",  "acos",
-      "atan", "atan2", "sinh",  "cosh", "tanh",     "hypot",    "fmin",   "fmax",  "floor",
-      "ceil", "round", "trunc", "fmod", "copysign", "isfinite", "isnan",  "isinf", "signbit",
-      "min",  "max",   "clamp", "move", "forward",  "get",      "invoke", "apply", "as_const"};
-  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
-  if (method == nullptr) return function.getIdentifier() != nullptr && names.contains(function.getName());
-  static const std::set<llvm::StringRef> classes = {"array", "pair", "tuple", "numeric_limits", "integral_constant"};
-  return method->getParent()->getIdentifier() != nullptr && classes.contains(method->getParent()->getName());
-}
-
-/// Functions of the runtime's headers of numbers, rows, views and references to objects.
-bool is_listed_in_runtime(const clang::FunctionDecl& function) {
-  static const std::set<llvm::StringRef> headers = {"add.h",
-                                                    "cursor.h",
-                                                    "element_ref.h",
-                                                    "field_ref.h",
-                                                    "folds.h",
-                                                    "gather.h",
-                                                    "in_lanes.h",
-                                                    "lanes.h",
-                                                    "lanewise.h",
-                                                    "math.h",
-                                                    "matrix_value.h",
-                                                    "object_ref.h",
-                                                    "pack.h",
-                                                    "quaternion.h",
-                                                    "rows.h",
-                                                    "shape.h",
-                                                    "value_views.h",
-                                                    "view.h",
-                                                    "row_visit.h",
-                                                    "rounding.h",
-                                                    "transposed.h",
-                                                    "reference_rules.h",
-                                                    "value_expressions.h"};
-  const auto& sources = function.getASTContext().getSourceManager();
-  const llvm::StringRef file = sources.getFilename(sources.getFileLoc(function.getLocation())).rsplit('/').second;
-  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
-  const llvm::StringRef name = function.getIdentifier() == nullptr ? llvm::StringRef() : function.getName();
-  return (headers.contains(file) || file.starts_with("simd")) && name != "store_where" &&
-         (method == nullptr || !Names::is_physgen(method->getParent(), "View") || name.empty() || name == "get" ||
-          name == "put");
-}
 
 /// Visits a function, and those that it calls. Functions of libraries are looked through for those of the program that
 /// they call, such as those that std::invoke() is given.
@@ -130,11 +29,14 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   std::string find(const clang::FunctionDecl& function) {
     queue_.push_back(&function);
     seen_.insert(function.getCanonicalDecl());
-    if (!names_.is_library(function.getLocation())) found_ = asked_of_index(function, names_);
+    found_ = asked_of_index(function, names_);
+    bool is_known = true;
+    (void)namesakes(function, is_known);
+    if (!is_known) say("is specialised for some types", function.getLocation());
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();
       queue_.pop_back();
-      in_library_ = is_library(*next);
+      in_library_ = next != &function && is_library(*next);
       if (!in_library_) own_text(*next);
       if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(next))
         for (const auto* member : constructor->inits()) TraverseStmt(member->getInit());
@@ -179,6 +81,9 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   bool VisitCXXInheritedCtorInitExpr(clang::CXXInheritedCtorInitExpr* made) {
     return called(*made->getConstructor(), *made);
   }
+  bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* size) {
+    return in_library_ || !size->isArgumentType() || !size->getArgumentType()->isVariablyModifiedType() || say(*size);
+  }
   bool VisitMemberExpr(clang::MemberExpr* member) { return named(*member->getMemberDecl(), *member); }
   bool VisitDeclRefExpr(clang::DeclRefExpr* reference) { return named(*reference->getDecl(), *reference); }
   bool VisitDeclStmt(clang::DeclStmt* statement) {
@@ -187,7 +92,8 @@ class Body : public clang::RecursiveASTVisitor<Body> {
       const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
       const auto is_harmless = [](const clang::Attr* a) { return llvm::isa<clang::UnusedAttr>(a); };
       if (variable == nullptr || !(variable->hasLocalStorage() || variable->isConstexpr()) ||
-          variable->getType()->isPointerType() || !std::ranges::all_of(variable->attrs(), is_harmless))
+          variable->getType()->isPointerType() || variable->getType()->isVariablyModifiedType() ||
+          !std::ranges::all_of(variable->attrs(), is_harmless))
         return say(*statement);
     }
     return true;
@@ -208,16 +114,31 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   }
   bool say(const clang::Stmt& what) { return say("holds " + quoted(what, context_, names_)); }
 
-  /// Generated headers are read as the program is.
-  [[nodiscard]] bool is_library(const clang::Decl& declared) const {
-    const auto& sources = context_.getSourceManager();
-    return names_.is_library(declared.getLocation()) &&
-           !sources.getFilename(sources.getFileLoc(declared.getLocation())).ends_with(".physgen.h");
-  }
-  [[nodiscard]] static bool is_listed_library(const clang::FunctionDecl& function) {
-    const clang::NamespaceDecl* space = nullptr;  // the outermost
+  /// The outermost namespace, or null.
+  [[nodiscard]] static const clang::NamespaceDecl* space_of(const clang::FunctionDecl& function) {
+    const clang::NamespaceDecl* space = nullptr;
     for (const auto* outer = function.getDeclContext(); !outer->isTranslationUnit(); outer = outer->getParent())
       if (const auto* named = llvm::dyn_cast<clang::NamespaceDecl>(outer)) space = named;
+    return space;
+  }
+  /// A function of the compiler's own headers that is one instruction of the processor.
+  [[nodiscard]] static bool is_intrinsic(const clang::FunctionDecl& function) {
+    return function.getIdentifier() != nullptr && function.getName().starts_with("_mm") &&
+           function.hasAttr<clang::AlwaysInlineAttr>();
+  }
+  /// Generated headers are read as the program is, and so is what is no part of the libraries that kernels use,
+  /// wherever it stands.
+  [[nodiscard]] bool is_library(const clang::FunctionDecl& function) const {
+    static const std::set<llvm::StringRef> spaces = {"std", "Eigen", "xsimd", "physgen", "__gnu_cxx"};
+    const auto& sources = context_.getSourceManager();
+    const clang::NamespaceDecl* space = space_of(function);
+    return names_.is_library(function.getLocation()) &&
+           !sources.getFilename(sources.getFileLoc(function.getLocation())).ends_with(".physgen.h") &&
+           (space == nullptr ? function.getBuiltinID() != 0 || is_intrinsic(function)
+                             : spaces.contains(space->getName()));
+  }
+  [[nodiscard]] static bool is_listed_library(const clang::FunctionDecl& function) {
+    const clang::NamespaceDecl* space = space_of(function);
     if (space != nullptr && space->getName() == "physgen") return is_listed_in_runtime(function);
     if (std::ranges::any_of(function.parameters(), [](const auto* one) { return is_pack(one->getType()); }))
       return false;
@@ -233,12 +154,15 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   }
   bool follow(const clang::FunctionDecl& function, const clang::Expr& from) {
     const clang::FunctionDecl* definition = nullptr;
-    if (!function.isDefined(definition) || definition->getBody() == nullptr)
-      return function.getBuiltinID() != 0 || function.isNoReturn() || function.isImplicit() || function.isDefaulted() ||
+    if (!function.isDefined(definition) || definition->getBody() == nullptr) {
+      const bool is_builtin = function.getBuiltinID() != 0;
+      return (is_builtin && (in_library_ || is_listed_in_std(function) || function.hasAttr<clang::ConstAttr>())) ||
+             (function.isNoReturn() && in_library_) || function.isImplicit() || function.isDefaulted() ||
              say("calls what is not known, " + quoted(from, context_, names_));
+    }
     if (!seen_.insert(definition->getCanonicalDecl()).second) return true;
     queue_.push_back(definition);
-    if (names_.is_library(definition->getLocation())) return true;
+    if (is_library(*definition)) return true;
     if (found_.empty()) found_ = asked_of_index(*definition, names_);
     bool is_known = true;
     for (const clang::FunctionDecl* one : namesakes(*definition, is_known))
@@ -267,10 +191,8 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   bool own_text(const clang::FunctionDecl& function) {
     const auto words = clang::Lexer::getSourceText(clang::CharSourceRange::getTokenRange(function.getSourceRange()),
                                                    context_.getSourceManager(), context_.getLangOpts());
-    for (std::size_t at = 0; (at = words.find_first_of("#%", at)) != llvm::StringRef::npos; ++at)
-      if (words.substr(0, at).rtrim(" \t").ends_with("\n"))
-        return say("holds a directive of the preprocessor", function.getLocation());
-    return true;
+    return (!words.contains('#') && !words.contains("%:")) ||
+           say("holds a directive of the preprocessor", function.getLocation());
   }
 
   Names& names_;

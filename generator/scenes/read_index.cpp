@@ -30,8 +30,12 @@ bool mentions_variable(const clang::Stmt* statement) {
 
 /// Whether a constant is made of numbers alone, such as parameters of a template that are no types.
 bool is_of_numbers(const clang::Stmt* constant) {
-  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(constant))
-    return llvm::isa<clang::NonTypeTemplateParmDecl>(named->getDecl());
+  if (const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(constant)) {
+    const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
+    return llvm::isa<clang::NonTypeTemplateParmDecl>(named->getDecl()) ||
+           (variable != nullptr && variable->isConstexpr() && variable->getInit() != nullptr &&
+            is_of_numbers(variable->getInit()));
+  }
   return llvm::isa<clang::IntegerLiteral, clang::CXXBoolLiteralExpr, clang::ParenExpr, clang::ImplicitCastExpr,
                    clang::ConstantExpr, clang::UnaryOperator, clang::BinaryOperator>(constant) &&
          std::all_of(constant->child_begin(), constant->child_end(), is_of_numbers);
@@ -55,8 +59,13 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
  public:
   IndexUse(const clang::FunctionDecl& function, const clang::FunctionDecl& pattern, Names& names)
       : names_(names), sees_arrays_(sees_arrays(function, names)) {
-    for (unsigned i = 0; i < function.getNumParams() && i < pattern.getNumParams(); ++i) {
+    const unsigned declared = pattern.getNumParams();
+    for (unsigned i = 0; i < function.getNumParams() && declared > 0; ++i) {
       if (!is_pack(function.getParamDecl(i)->getType())) continue;
+      if (i >= declared || pattern.getParamDecl(i)->isParameterPack()) {
+        say(pattern.getLocation());
+        break;
+      }
       indices_.insert(pattern.getParamDecl(i));
       if (const auto* type = bare_parameter(*pattern.getParamDecl(i)); type != nullptr) types_.insert(type);
     }
@@ -105,6 +114,22 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     if (sees_arrays_) say(question->getBeginLoc());
     return true;
   }
+  // Numbers that are given to templates may choose their code.
+  bool TraverseTemplateArgumentLoc(const clang::TemplateArgumentLoc& argument) {
+    if (argument.getArgument().getKind() == clang::TemplateArgument::Expression &&
+        !is_of_numbers(argument.getSourceExpression()))
+      say(argument.getLocation(), "chooses its code by types");
+    return clang::RecursiveASTVisitor<IndexUse>::TraverseTemplateArgumentLoc(argument);
+  }
+  bool VisitNonTypeTemplateParmDecl(clang::NonTypeTemplateParmDecl* number) {
+    if (number->hasDefaultArgument()) return TraverseTemplateArgumentLoc(number->getDefaultArgument());
+    return true;
+  }
+  bool VisitTypedefTypeLoc(clang::TypedefTypeLoc type) {
+    const auto* alias = type.getTypePtr()->getDecl();
+    if (names_.is_library(alias->getLocation()) || !aliases_.insert(alias).second) return true;
+    return alias->getTypeSourceInfo() == nullptr || TraverseTypeLoc(alias->getTypeSourceInfo()->getTypeLoc());
+  }
   bool VisitIfStmt(clang::IfStmt* choice) {
     if (choice->isConstexpr() && !is_of_numbers(choice->getCond()))
       say(choice->getBeginLoc(), "chooses its code by types");
@@ -138,6 +163,7 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
   std::set<const clang::ValueDecl*> indices_;
   std::set<const clang::TemplateTypeParmDecl*> types_;
   std::set<clang::SourceLocation> known_;  // where their names may stand
+  std::set<const clang::Decl*> aliases_;   // that were looked at
   std::vector<const clang::Stmt*> path_;
 };
 

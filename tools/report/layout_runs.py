@@ -25,7 +25,7 @@ def measure(build, place, poisson, volume):
     if "failed" in whole:
         raise records.RunError(f"{build}: {whole['command']}: exit status {whole['status']}: {whole['failed']}")
     methods = ["--method", "multigrid", "block-jacobi", "--norm", "euclidean"]
-    linear = linear_solves_runs.run(str(build / "bin" / "physbench_solves"), [*body, *methods])
+    linear = linear_solves_runs.run(str(build / "bin" / "physbench"), [*body, *methods])
     return {"layout": whole["layout"], "whole": whole, "linear": linear}
 
 
@@ -37,7 +37,7 @@ def main():
     parser.add_argument("--cells", type=int, default=64)
     options = parser.parse_args()
     place = ["--device", options.device, "--cells", str(options.cells)]
-    bodies, programs = [], [build / "bin" / name for build in options.builds for name in ("truthcube", "linear_solves")]
+    bodies, programs = [], [build / "bin" / name for build in options.builds for name in ("truthcube", "physbench")]
     for poisson, volume in truthcube_runs.BODIES:
         bodies.append([measure(build, place, poisson, volume) for build in options.builds])
         file = {"kernels": kernel_hashes.of(programs), "bodies": bodies}

@@ -39,7 +39,7 @@ void choose(const Options& options, const Given& given, const char* flag, const 
             const Value& chosen) {
   if (given(flag) && value != chosen) {
     throw Error(scene_name(options) + " requires " + flag + " " + word + "; remove " + flag +
-                ", or use --scene everything");
+                ", or take another scene");
   }
   value = chosen;
 }

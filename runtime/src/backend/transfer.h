@@ -1,4 +1,4 @@
-// Copies that convert where an array lies in CUDA memory. The same files implement physgen/chunked_transfer.h.
+// Copies that convert where an array lies in CUDA memory. The same files implement physgen/arrays/chunked_transfer.h.
 #pragma once
 
 #include <physgen/arrays/untyped_array.h>

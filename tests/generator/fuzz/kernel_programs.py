@@ -71,6 +71,8 @@ EFFECTS = [
     counter("copyconstructor", "const KCopied k;\nconst KCopied c = k;\nv += c.n;",
             "struct KCopied { float n = 0; KCopied() = default; KCopied(const KCopied&) : n(K += 1) {} };"),
     counter("initialiser", "v += KInitialised{}.n;", "struct KInitialised { float n = K += 1; };"),
+    counter("filler", "const KFills k[2] = {};\nv += k[1].n;", "struct KFills { float n; KFills() : n(K += 1) {} };"),
+    counter("fillerinitialiser", "const KFilled k[2] = {};\nv += k[1].n;", "struct KFilled { float n = K += 1; };"),
     counter("argument", "v += K_default();", "inline float K_default(float n = K += 1) { return n; }"),
     counter("destructor", "{ const KEnded k; }\nv += K;", "struct KEnded { ~KEnded() { K += 1; } };"),
     counter("memberdestructor", "{ const KHas k; }\nv += K;", "struct KPart { ~KPart() { K += 1; } };\nstruct KHas { KPart part; };"),
@@ -105,6 +107,13 @@ IN_DOUBLE = [
      "v += k_templated(v);"),
     ("specialised", "template <class T>\nstruct KSpecial { static T next() { return 1; } };\n"
      "template <>\nstruct KSpecial<double> { static double next() { static double n = 0; return n += 1; } };", "v += KSpecial<Scalar>::next();"),
+    ("alias", "struct KSingle { template <class T> static T read(T x) { return x; } };\n"
+     "struct KDouble { template <class T> static T read(T x) { static T n = 0; return x + (n += 1); } };",
+     "using Law = std::conditional_t<sizeof(Scalar) == 8, KDouble, KSingle>;\nv = Law::read(v);"),
+    ("argument", "template <bool kDouble, class T>\nT k_argument(T x) {\n  if constexpr (kDouble) { static T n = 0; x += n += 1; }\n  return x;\n}",
+     "v = k_argument<sizeof(Scalar) == 8>(v);"),
+    ("defaultargument", "template <class T, bool kDouble = sizeof(T) == 8>\nT k_defaulted(T x) {\n"
+     "  if constexpr (kDouble) { static T n = 0; x += n += 1; }\n  return x;\n}", "v = k_defaulted(v);"),
     ("branches", "template <class T>\nT k_branch(T x) {\n  if constexpr (sizeof(T) == 8) { static T n = 0; x += n += 1; }\n  return x;\n}", "v += k_branch(v);"),
     ("constrained", "template <class T> T k_constrained(T x) { return x; }\n"
      "template <class T> requires(sizeof(T) == 8) T k_constrained(T x) { static T n = 0; return x + (n += 1); }", "v += k_constrained(v);"),
