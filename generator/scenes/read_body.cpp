@@ -29,9 +29,11 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   std::string find(const clang::FunctionDecl& function) {
     queue_.push_back(&function);
     seen_.insert(function.getCanonicalDecl());
-    found_ = asked_of_index(function, names_);
     bool is_known = true;
-    (void)namesakes(function, is_known);
+    if (!is_library(function)) {
+      found_ = asked_of_index(function, names_);
+      (void)namesakes(function, is_known);
+    }
     if (!is_known) say("is specialised for some types", function.getLocation());
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();

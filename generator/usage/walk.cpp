@@ -123,10 +123,20 @@ class Walk {
     const auto kernels = steps->getTemplateArgs()[0].pack_elements();
     const auto* kernel = kernels.front().getAsType()->getAsCXXRecordDecl();
     const int behind = static_cast<int>(kernels.size()) - 1;
-    for (const Call& call : graph_.functions[static_cast<std::size_t>(number(&run))].calls) {
-      const auto* called = llvm::dyn_cast<clang::CXXMethodDecl>(declarations_[static_cast<std::size_t>(call.to)]);
-      if (called != nullptr && called->getOverloadedOperator() == clang::OO_Call && called->getParent() == kernel)
-        graph_.parts.push_back({call.to, names_.kernel_name(*kernel), behind});
+    add_parts(number(&run), *kernel, behind);
+  }
+  /// @param function of the runtime, on the way to the kernel
+  void add_parts(int function, const clang::CXXRecordDecl& kernel, int behind) {
+    const std::vector<Call> calls = graph_.functions[static_cast<std::size_t>(function)].calls;
+    for (const Call& call : calls) {
+      const clang::Decl* declared = declarations_[static_cast<std::size_t>(call.to)];
+      const auto* called = llvm::dyn_cast<clang::CXXMethodDecl>(declared);
+      if (called != nullptr && called->getOverloadedOperator() == clang::OO_Call && called->getParent() == &kernel)
+        graph_.parts.push_back({call.to, names_.kernel_name(kernel), behind});
+      const auto* step = llvm::dyn_cast<FunctionDecl>(declared);
+      if (step != nullptr && called == nullptr &&
+          (Names::is_physgen(step, "run_step", {"detail"}) || Names::is_physgen(step, "run_one_by_one", {"detail"})))
+        add_parts(call.to, kernel, behind);
     }
   }
 

@@ -128,7 +128,7 @@ TEST_F(Command, keeps_steps_apart_that_share_what_no_array_holds_or_whose_words_
            {"destructor", "CopyByDestructor: it runs a destructor at kernels.h:"},
            {"invoking", "CopyInvoking: it uses the variable 'last' at kernels.h:"},
            {"applying", "CopyApplying: it holds 'count' at kernels.h:"},
-           {"random", "CopyRandom: it holds 'std::rand()' at kernels.h:"},
+           {"random", "CopyRandom: it calls what is not known, 'std::rand()' at kernels.h:"},
            {"elsewhere", "CopyElsewhere: it holds a directive of the preprocessor at kernels.h:"},
            {"unevaluated", "CopyUnevaluated: it holds '__builtin_constant_p((to[i].a() = a, 1))' at kernels.h:"},
            {"addressed", "CopyAddressed: it asks what its index is at kernels.h:"},
