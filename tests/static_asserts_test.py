@@ -12,6 +12,9 @@ INVARIANTS = {
     "fields.size() > 0": "physgen refuses objects without fields, and only it writes objects",
     "std::is_trivially_copyable_v<Value> && sizeof(Value) <= 64": "values of folds are numbers, alone or with an index",
     "masks convert to bool with this xsimd": "of a version of xsimd that the build does not have",
+    "IsMaterial<Model<double>>": "rows of materials.h stand in this tree; no program adds one",
+    "material.volume_modulus();": "materials are rows of this tree; no program adds one",
+    "Concept<Type>": "rows of preconditioner_rows.h stand in this tree; solver_catalog.py adds one to a copy of it",
     "physgen::are_sound_records<": "physgen plans what the compiler finds; tests/generator/plan/proof_test.cpp has plans that it does not",
 }
 

@@ -38,7 +38,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     while (!queue_.empty() && found_.empty()) {
       const auto* next = queue_.back();
       queue_.pop_back();
-      in_library_ = next != &function && is_library(*next);
+      in_library_ = is_library(*next);
       if (!in_library_) own_text(*next);
       if (const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(next))
         for (const auto* member : constructor->inits()) TraverseStmt(member->getInit());
