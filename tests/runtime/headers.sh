@@ -13,7 +13,7 @@ headers() { # headers FOLDER PATTERN: as they are included
 }
 compile() { # compile FLAG... -x LANGUAGE FILE
   "$compiler" -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wno-unknown-pragmas -Werror \
-    "-I$root/runtime/include" "-I$root/generated" "-I$root/generated/scenes" "-I$root/schemas" "-I$root/tools" "${flags[@]}" "$@"
+    "-I$root/runtime/include" "-I$root/generated" "-I$root/generated/scenes" "-I$root/schemas" "-I$root/tools" "-I$root/tools/fem/solver" "${flags[@]}" "$@"
 }
 more=()
 accepts() { # accepts HEADER...: twice, since a header may be included twice
@@ -67,6 +67,10 @@ case $how in
   together)  # but for the vocabulary of schemas, which no program includes beside a generated header
     # As CMake compiles by default, and behind system headers that define macros of ordinary names: I, major, minor.
     flags+=(-std=gnu++20 -include complex.h -include sys/sysmacros.h)
+    work=$(mktemp -d) # with the header that the build of tools/fem/solver writes
+    trap 'rm -rf "$work"' EXIT
+    (cd "$root/generated/scenes" && printf '#include <%s>\n' *.scene.h) >"$work/solved_scenes.h"
+    flags+=("-I$work")
     programs=()
     for header in "${runtime[@]}"; do [[ $header == physgen/schema.h ]] || programs+=("$header"); done
     accepts "${programs[@]}" "${others[@]}"

@@ -110,8 +110,8 @@ IN_DOUBLE = [
     ("alias", "struct KSingle { template <class T> static T read(T x) { return x; } };\n"
      "struct KDouble { template <class T> static T read(T x) { static T n = 0; return x + (n += 1); } };",
      "using Law = std::conditional_t<sizeof(Scalar) == 8, KDouble, KSingle>;\nv = Law::read(v);"),
-    ("argument", "template <bool kDouble, class T>\nT k_argument(T x) {\n  if constexpr (kDouble) { static T n = 0; x += n += 1; }\n  return x;\n}",
-     "v = k_argument<sizeof(Scalar) == 8>(v);"),
+    ("argument", "template <bool kDouble, class T>\nT k_given(T x) {\n  if constexpr (kDouble) { static T n = 0; x += n += 1; }\n  return x;\n}",
+     "v = k_given<sizeof(Scalar) == 8>(v);"),
     ("defaultargument", "template <class T, bool kDouble = sizeof(T) == 8>\nT k_defaulted(T x) {\n"
      "  if constexpr (kDouble) { static T n = 0; x += n += 1; }\n  return x;\n}", "v = k_defaulted(v);"),
     ("branches", "template <class T>\nT k_branch(T x) {\n  if constexpr (sizeof(T) == 8) { static T n = 0; x += n += 1; }\n  return x;\n}", "v += k_branch(v);"),
