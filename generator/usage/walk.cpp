@@ -122,13 +122,10 @@ class Walk {
     const auto* steps = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(run.getParent());
     const auto kernels = steps->getTemplateArgs()[0].pack_elements();
     const auto* kernel = kernels.front().getAsType()->getAsCXXRecordDecl();
-    const int behind = static_cast<int>(kernels.size()) - 1;
-    add_parts(number(&run), *kernel, behind);
+    add_parts(number(&run), *kernel, static_cast<int>(kernels.size()) - 1);
   }
-  /// @param function of the runtime, on the way to the kernel
   void add_parts(int function, const clang::CXXRecordDecl& kernel, int behind) {
-    const std::vector<Call> calls = graph_.functions[static_cast<std::size_t>(function)].calls;
-    for (const Call& call : calls) {
+    for (const Call& call : std::vector(graph_.functions[static_cast<std::size_t>(function)].calls)) {
       const clang::Decl* declared = declarations_[static_cast<std::size_t>(call.to)];
       const auto* called = llvm::dyn_cast<clang::CXXMethodDecl>(declared);
       if (called != nullptr && called->getOverloadedOperator() == clang::OO_Call && called->getParent() == &kernel)

@@ -117,13 +117,13 @@ TEST_F(Checkpoints, of_older_versions_are_refused_with_their_settings_and_what_t
     c.settings = then;
     write_checkpoint(path, c);
     expect_error([&] { static_cast<void>(read_checkpoint(path, now, hash)); }, path.string(), parts...,
-                 "older version of truthcube", "begun anew, without --restart");
+                 "older version of truthcube", "remove --restart to begin anew");
   };
   expect_said("{" + rest + last, R"(settings: arrays: not set in the checkpoint, "everything" in this run; )"
-                                 R"(scene: not set in the checkpoint, "everything" in this run; it goes on with)");
+                                 R"(scene: not set in the checkpoint, "everything" in this run; continue it with)");
   expect_said("{" + rest + R"("scene":"quasistatic",)" + last,
               R"(settings: arrays: not set in the checkpoint, "everything" in this run; )"
-              R"(scene: "quasistatic" in the checkpoint, "everything" in this run; it goes on with)");
+              R"(scene: "quasistatic" in the checkpoint, "everything" in this run; continue it with)");
   Checkpoint c = checkpoint_of(1);
   c.settings = now;
   write_checkpoint(path, c);
