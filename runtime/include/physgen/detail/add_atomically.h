@@ -1,9 +1,10 @@
-// Sums at one element by several threads, of the host or of a device.
+// Adds to one element from several threads, on the host or on a device.
 #pragma once
 
 #include <physgen/config.h>
 
 #include <atomic>
+#include <type_traits>
 
 #if __has_include(<sys/single_threaded.h>)
 #include <sys/single_threaded.h>
@@ -20,7 +21,12 @@ PHYSGEN_FUNCTION inline void add_atomically(T& to, T value) {
 #else
 #if __has_include(<sys/single_threaded.h>)
   if (__libc_single_threaded != 0) {
-    to += value;
+    if constexpr (std::is_integral_v<T>) {  // wraps, as the atomic sum does
+      using Bits = std::make_unsigned_t<T>;
+      to = static_cast<T>(static_cast<Bits>(static_cast<Bits>(to) + static_cast<Bits>(value)));
+    } else {
+      to += value;
+    }
     return;
   }
 #endif

@@ -21,7 +21,7 @@ struct InLanes : detail::ScalarOf<Kernel> {
   template <class I>
   PHYSGEN_FUNCTION decltype(auto) operator()(const I& i) const {
     if constexpr (requires { typename Kernel::FusedSteps; }) {
-      return kernel.template run<detail::StepLanes::stated>(i);
+      return kernel.template run<W == 0 ? detail::StepLanes::chosen : detail::StepLanes::stated>(i);
     } else {
       return kernel(i);
     }
