@@ -20,13 +20,20 @@ run_tests() {
 
 # Passes ctest's output on, but for the names of tests that were skipped, of which it gives the number.
 shorten_skipped() {
-  awk '
-    /^The following tests did not run:/ { listing = 1; next }
-    listing && /\((Skipped|Disabled)\)$/ { ++skipped; next }
-    listing && /\(/ { print "did not run: " $0; next }
-    listing && !NF { next }
-    { listing = 0; print; fflush() }
-    END { if (skipped) print skipped " tests were skipped: they need a GPU, a library or a compiler that is not here" }'
+  local line listing='' skipped=0  # not awk: Debian's reads a pipe in blocks, so that lines would come late
+  while IFS= read -r line; do
+    if [[ $line == 'The following tests did not run:'* ]]; then
+      listing=1
+    elif [[ $listing && ($line == *'(Skipped)' || $line == *'(Disabled)') ]]; then
+      skipped=$((skipped + 1))
+    elif [[ $listing && $line == *'('* ]]; then
+      echo "did not run: $line"
+    elif [[ ! $listing || ${line//[[:space:]]/} ]]; then
+      listing=''
+      printf '%s\n' "$line"
+    fi
+  done
+  ((!skipped)) || echo "$skipped tests were skipped: they need a GPU, a library or a compiler that is not here"
 }
 
 # A selection that needs no more than the target quick_tests, whose programs of tests CMake lists in quick_tests.txt.

@@ -1,4 +1,4 @@
-// The digest of a scene, of uses that are written by hand.
+// Compares digests of scenes whose uses are written by hand.
 #include "scenes/digest.h"
 
 #include <gtest/gtest.h>

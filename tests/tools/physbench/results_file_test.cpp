@@ -12,10 +12,11 @@ namespace {
 
 const bool are_known = add_kernel_hashes(
     "scene/host/svd 0123456789abcdef\nset/host/svd 1123456789abcdef\nscene/cuda/svd 2123456789abcdef\n"
-    "storage/host 3123456789abcdef\nscene/host/dp_from_df 4123456789abcdef\n");
+    "storage/host 3123456789abcdef\nscene/host/dp_from_df 4123456789abcdef\nscene/host/svd/double 5123456789abcdef\n");
 
 TEST(KernelHashes, are_those_of_the_files_that_may_have_a_row) {
   EXPECT_EQ(kernels_of("kernels", "svd/aosoa16/float/host/1000"), "scene/host/svd 0123456789abcdef");
+  EXPECT_EQ(kernels_of("kernels", "svd/aosoa16/double/host/1000"), "scene/host/svd/double 5123456789abcdef");
   EXPECT_EQ(kernels_of("kernels", "svd/aos/double/cuda/1000"), "scene/cuda/svd 2123456789abcdef");
   EXPECT_EQ(kernels_of("errors", "svd/aosoa16/float/host/1000/hard"), "set/host/svd 1123456789abcdef");
   EXPECT_EQ(kernels_of("storage", "dp_from_df/aosoa16/half/host/1000"),

@@ -106,7 +106,7 @@ case $rule in
     expect_refused 'excludes' --historical --product assembled
     expect_refused '--plates contact requires --product assembled' --plates contact --historical
     expect_refused '--volume nodes requires --product assembled' --volume nodes --historical
-    expect_refused '--product matrix-free requires --preconditioner block-jacobi, none' --product matrix-free ;;
+    expect_refused '--product matrix-free requires --preconditioner block-jacobi or none' --product matrix-free ;;
   materials_without_a_volume_part_run_by_tets)
     expect_exit 0 "${small[@]}" --material corotated --compress 0.02
     expect out "note: the energy of 'corotated' has no separate part of the volume to be averaged: --volume tets"

@@ -69,7 +69,7 @@ case $rule in
   flags_that_choose_otherwise_are_refused)
     expect_refused 'no scene matrix-fre; did you mean matrix-free[?]' --scene matrix-fre
     expect_refused 'matrix-free requires --product matrix-free; remove --' --scene matrix-free --product assembled
-    expect_refused 'requires --preconditioner block-jacobi, none' --scene matrix-free --preconditioner multigrid
+    expect_refused 'requires --preconditioner block-jacobi or none' --scene matrix-free --preconditioner multigrid
     expect_refused 'fixed-corotated requires --material fixed-corotated' --scene fixed-corotated --material neo-hookean
     expect_refused 'quasistatic requires --precision float; remove --' --scene quasistatic --precision double
     expect_refused 'quasistatic requires --volume patches' --scene quasistatic --volume nodes

@@ -46,11 +46,13 @@ inline constexpr PreconditionerRow preconditioner_rows[] = {PHYSGEN_PRECONDITION
 }
 /// "a, b", the names of those that do not ask for it. @param what one of `asks`
 [[nodiscard]] inline std::string preconditioners_without(unsigned what) {
-  std::string names;
+  std::string names, last;
   for (const PreconditionerRow& row : preconditioner_rows) {
-    if ((row.asked & what) == 0) names += (names.empty() ? "" : ", ") + std::string(row.name);
+    if ((row.asked & what) != 0) continue;
+    names += (names.empty() || last.empty() ? "" : ", ") + last;
+    last = row.name;
   }
-  return names;
+  return names.empty() ? last : names + " or " + last;
 }
 /// @param what one of `asks`
 [[nodiscard]] constexpr bool asks_for(Preconditioner kind, unsigned what) { return (row_of(kind).asked & what) != 0; }

@@ -26,8 +26,9 @@ std::string kernels_of(const std::string& group, const std::string& row) {
   std::istringstream in(row);
   for (std::string part; std::getline(in, part, '/');) parts.push_back(part);
   if (parts.size() < 5) return "";
-  const std::string &kernel = parts[0], &space = parts[3];
-  const std::string of_kernel = std::string(parts.size() > 5 ? "set/" : "scene/").append(space + "/" + kernel);
+  const std::string &kernel = parts[0], &storage = parts[2], &space = parts[3];
+  std::string of_kernel = std::string(parts.size() > 5 ? "set/" : "scene/").append(space + "/" + kernel);
+  if (hashes().contains(of_kernel + "/" + storage)) of_kernel += "/" + storage;  // which has a file of its own
   std::string found;
   for (const std::string& key : {std::string(group).append("/" + space), of_kernel})
     if (const auto at = hashes().find(key); at != hashes().end())

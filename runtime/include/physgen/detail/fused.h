@@ -1,4 +1,4 @@
-// The parts of a fused kernel: the memory of its locals, and its steps in their order.
+// Makes up a fused kernel of the memory of its locals and its steps in their order.
 #pragma once
 #pragma push_macro("I")  // of <complex.h>
 #undef I

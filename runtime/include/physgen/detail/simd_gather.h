@@ -1,4 +1,4 @@
-// The cursor of W objects named by an index batch. Included by host translation units only. Where the objects follow
+// Stands on W objects that a batch of indices names. Only translation units of the host include it. Where the objects follow
 // each other, as neighbours of a grid do, tiles and SoA are read by one or two registers, else lane by lane.
 #pragma once
 
@@ -72,7 +72,7 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
     }(std::make_integer_sequence<int, W>());
   }
   /// The piece in the first object's tile, and that in the last one's. Each load begins or ends with elements of
-  /// others, of these two tiles.
+  /// others, of these two tiles, which are thrown away; other threads may be writing them.
   template <class T>
   [[nodiscard]] batch_t<T, W> read_run(int offset) const {
     const auto low = batch_t<T, W>::load_unaligned(address<T>(offset, 0));

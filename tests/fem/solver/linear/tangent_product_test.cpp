@@ -134,7 +134,7 @@ TEST(MatrixFree, product_is_refused_with_multigrid) {
     (void)make_solver(body.levels, body.loading, settings);
     FAIL() << "no error";
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("requires one of the preconditioners block-jacobi, none"),
+    EXPECT_NE(std::string(error.what()).find("requires one of the preconditioners block-jacobi or none"),
               std::string::npos);
   }
 }

@@ -1,20 +1,22 @@
 // What a preconditioner is: a struct of static functions, over an executor and levels by name.
 //
 //   struct Example {
-//     /// Its arrays on a level on which equilibrium is solved, level.extra, where it asks for some. @param rest
-//     positions template <class Level> static void make_arrays(Level& level, const LevelGraph& graph, const
-//     std::vector<Point>& rest);
-//     /// Forecasts what make_arrays() allocates. @tparam Extra the type of *level.extra, or NoArrays
-//     template <class Extra> static PreconditionerBytes bytes(std::int64_t nodes, std::int64_t edges);
-//     /// Everything that depends on the stiffness of level `top`, which is given. Leaves scales in
-//     levels[top]->scales.
-//     /// @param fresh whether power iterations and their like begin anew
-//     template <class On, class Levels> static void prepare(On& on, Levels& levels, std::size_t top,
-//                                                           const PreconditionerSettings& settings, bool fresh);
-//     /// z = M r: levels[top]->correction from levels[top]->residual, both scaled. r is used up.
-//     template <class On, class Levels> static void apply(On& on, Levels& levels, std::size_t top,
-//                                                         const PreconditionerSettings& settings);
+//     template <class Level>
+//     static void make_arrays(Level& level, const LevelGraph& graph, const std::vector<Point>& rest);
+//     template <class Extra>
+//     static PreconditionerBytes bytes(std::int64_t nodes, std::int64_t edges);
+//     template <class On, class Levels>
+//     static void prepare(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings, bool fresh);
+//     template <class On, class Levels>
+//     static void apply(On& on, Levels& levels, std::size_t top, const PreconditionerSettings& settings);
 //   };
+//
+// make_arrays() makes what it has beside a level's arrays, level.extra, on each level on which equilibrium is solved;
+// `rest` are the positions of the nodes. bytes() forecasts that; Extra is the type of *level.extra, or NoArrays.
+//
+// prepare() makes all that depends on the stiffness of level `top`, which is given, and leaves the scales in
+// levels[top]->scales; `fresh` says whether power iterations and their like begin anew. apply() is z = M r:
+// levels[top]->correction from levels[top]->residual, both scaled. It may overwrite r.
 #pragma once
 
 #include <fem/solver/hierarchy/hierarchy.h>
