@@ -178,7 +178,9 @@ struct PHYSGEN_SCENE() hidden {
   template <class On, class Body>
   static void program(On& on, Body& body) {
     on.run(body.in.size(), ::hidden::Kernel{body.in.view(), body.out.view(), body.same.view()});
+    // clang-format off
     if constexpr (requires { body.in.untyped(); }) on.run(1, ::hidden::Kernel{body.in.view(), body.out.view(), body.same.view()});  // depends
+    // clang-format on
   }
 };
 

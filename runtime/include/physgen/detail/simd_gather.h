@@ -1,5 +1,5 @@
-// Stands on W objects that a batch of indices names. Only translation units of the host include it. Where the objects follow
-// each other, as neighbours of a grid do, tiles and SoA are read by one or two registers, else lane by lane.
+// Stands on W objects that a batch of indices names. Only translation units of the host include it. Where the objects
+// follow each other, as neighbours of a grid do, tiles and SoA are read by one or two registers, else lane by lane.
 #pragma once
 
 #include <physgen/detail/simd_cursor.h>
