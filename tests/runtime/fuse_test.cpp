@@ -135,6 +135,7 @@ TYPED_TEST(FusedLanes, are_those_that_are_stated_for_all_steps) {
     run(fuse(locals(a), Spread{from, a}, fuse(locals(b), Spread{a, b}, Spread{b, this->joined.view()})));
     this->expect_same(this->apart, this->joined);
   };
+  expect(std::integral_constant<int, 0>());  // the library's choice for each
   expect(std::integral_constant<int, 1>());
   expect(std::integral_constant<int, detail::pack_lanes<TypeParam>()>());
 }

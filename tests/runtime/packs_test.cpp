@@ -3,6 +3,8 @@
 #include <physgen/kernel.h>
 #include <physgen/parallel_for.h>
 
+#include <limits>
+
 #include "in_packs.h"
 #include "test_objects.h"
 
@@ -69,6 +71,14 @@ TEST(Add, sums_lanes_that_name_one_object_and_leaves_out_what_is_no_object) {
   }
 }
 
+TEST(Add, wraps_around_where_integers_end) {
+  std::int32_t sum = std::numeric_limits<std::int32_t>::max();
+  std::int16_t narrow = std::numeric_limits<std::int16_t>::max();
+  detail::add_atomically(sum, 2);
+  detail::add_atomically(narrow, std::int16_t{2});
+  EXPECT_EQ(sum, std::numeric_limits<std::int32_t>::min() + 1);
+  EXPECT_EQ(narrow, std::numeric_limits<std::int16_t>::min() + 1);
+}
 TEST(Add, sums_what_several_threads_add) { check_sums<float, AosPadded>(200'000, 5, 199'990, 7); }
 
 /// A link to "no neighbour" in every object that is none: the initial value of an index field.
