@@ -98,6 +98,7 @@ case $rule in
     expect out 'linear_solve patches_0.49_euclidean +384 .*multigrid half .* iterations, assembly' ;;
   a_solve_that_does_not_converge_is_a_failure) # float cannot tell such a stiffness from an indefinite one
     expect_exit 1 "${small[@]}" --cells 6 --method block-jacobi --precision float --volume tets --poisson 0.4999999999 --tolerance 1e-14
+    expect rows.json '"name": "linear_solve/block-jacobi/float/host/1296/tets_0.4999999999_euclidean"'
     expect rows.json '"error_message": ".*the solve has not converged: ' ;;
   a_compressed_cube_has_another_stiffness)
     expect_exit 0 "${small[@]}" --cells 8 --method block-jacobi multigrid --precision double

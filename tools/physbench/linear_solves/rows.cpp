@@ -2,6 +2,7 @@
 #include <fem/solver/levels/scattered.h>
 #include <fem/solver/quasistatic.h>
 #include <physgen/error.h>
+#include <truthcube/names.h>
 #include <truthcube/run_bytes.h>
 #include <truthcube/scene.h>
 
@@ -240,7 +241,7 @@ void add_row(std::vector<Row>& rows, const Solve& solve, const std::vector<truth
   row.layout = name_of(solve.method);
   row.storage = name_of(solve.precision);
   row.space = on_host ? "host" : "cuda";
-  row.set = name_of(flags.volume) + format("_%g_", solve.poissons_ratio) + name_of(solve.norm);
+  row.set = name_of(flags.volume) + "_" + truthcube::number(solve.poissons_ratio) + "_" + name_of(solve.norm);
   row.objects = counts.front().tets;
   row.host_bytes = static_cast<double>(bytes.lists + (on_host ? bytes.solver : 0));
   row.device_bytes = static_cast<double>(on_host ? 0 : bytes.solver);
