@@ -149,7 +149,8 @@ class OptionReader {
                                      [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); });
     if (!is_name && array_.count < 1)
       error(range,
-            "has a per(...) that is neither a name nor a number of objects; write per(\"tet\"), with letters, digits and '_', "
+            "has a per(...) that is neither a name nor a number of objects; write per(\"tet\"), with letters, digits "
+            "and '_', "
             "or per(1)");
   }
 

@@ -130,7 +130,8 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
       std::fprintf(
           stderr,
           "truthcube: no equilibrium with inertia was found after %g s: time steps were halved down to %.3g s, and %d "
-          "Newton steps ended with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or more "
+          "Newton steps ended with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or "
+          "more "
           "--cells.\n",
           solver.time(), length / (1 << most_halved_steps), effort.newton, effort.residual,
           describe(suspect, scene).c_str());

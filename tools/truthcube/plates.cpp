@@ -89,11 +89,11 @@ double rounded_up(double tolerance) {
 void warn(std::vector<std::string>& warnings, const char* name, const Plate& plate, const PlatesOfBody& plates) {
   constexpr double mm = 1e3;
   if (plate.just_beyond > 0) {
-    warnings.push_back(
-        text("the %s plate holds the %zu nodes within %.3g mm of its plane; %lld more nodes lie just beyond, up to %.3g "
-             "mm from it. If they belong to that face, hold them by --plate-tolerance %.2g",
-             name, plate.nodes.back().size(), mm * plates.tolerance, static_cast<long long>(plate.just_beyond),
-             mm * plate.farthest_beyond, rounded_up(plate.farthest_beyond / plates.mean_edge)));
+    warnings.push_back(text(
+        "the %s plate holds the %zu nodes within %.3g mm of its plane; %lld more nodes lie just beyond, up to %.3g "
+        "mm from it. If they belong to that face, hold them by --plate-tolerance %.2g",
+        name, plate.nodes.back().size(), mm * plates.tolerance, static_cast<long long>(plate.just_beyond),
+        mm * plate.farthest_beyond, rounded_up(plate.farthest_beyond / plates.mean_edge)));
   }
   if (plate.whole_tets > 0) {
     warnings.push_back(
@@ -136,11 +136,11 @@ std::vector<std::string> warnings_of(const PlatesOfBody& plates) {
 void require_faces(const PlatesOfBody& plates) {
   const std::size_t lower = plates.lower.nodes.back().size(), upper = plates.upper.nodes.back().size();
   if (lower >= 3 && upper >= 3) return;
-  throw Error(
-      text("the plates hold the nodes within %.3g mm of the lowest and of the highest node along z. These are only %zu "
-           "and %zu, with %lld and %lld more just beyond: give the mesh flat faces there, or a larger --plate-tolerance",
-           1e3 * plates.tolerance, lower, upper, static_cast<long long>(plates.lower.just_beyond),
-           static_cast<long long>(plates.upper.just_beyond)));
+  throw Error(text(
+      "the plates hold the nodes within %.3g mm of the lowest and of the highest node along z. These are only %zu "
+      "and %zu, with %lld and %lld more just beyond: give the mesh flat faces there, or a larger --plate-tolerance",
+      1e3 * plates.tolerance, lower, upper, static_cast<long long>(plates.lower.just_beyond),
+      static_cast<long long>(plates.upper.just_beyond)));
 }
 
 }  // namespace physgen::truthcube

@@ -55,8 +55,7 @@ template <class Parse, class Run>
   try {
     options = parse(arguments);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n%s --help lists all flags.\n", name.c_str(), text_of(error).c_str(),
-                 name.c_str());
+    std::fprintf(stderr, "%s: %s\n%s --help lists all flags.\n", name.c_str(), text_of(error).c_str(), name.c_str());
     return 2;
   }
   if (!options.help.empty()) {

@@ -136,8 +136,7 @@ std::vector<std::string> adapt_solver(Options& options, const Scene& scene, cons
                                    std::to_string(scene.grid[1]) + " x " + std::to_string(scene.grid[2]) + " cells"};
     if (options.refinements == 0 && options.solver.nested) {
       options.solver.nested = false;
-      notes.back() +=
-          ", and load steps on this mesh alone: nested steps need a coarser mesh, which --refine makes";
+      notes.back() += ", and load steps on this mesh alone: nested steps need a coarser mesh, which --refine makes";
     }
     return notes;
   }

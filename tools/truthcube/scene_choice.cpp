@@ -49,8 +49,8 @@ void choose_tets(Options& options, const Given& given, const std::string& who) {
   const bool is_given = given("--volume");
   choose(options, given, "--volume", "tets", options.volume, VolumeTreatment::tets);
   if (is_given) return;
-  options.notes.push_back(who +
-                          " the change of volume tet by tet (--volume tets), which locks near a Poisson's ratio of 0.5");
+  options.notes.push_back(
+      who + " the change of volume tet by tet (--volume tets), which locks near a Poisson's ratio of 0.5");
 }
 
 /// The choices of scenes whose solver is compiled for them alone.

@@ -207,7 +207,8 @@ const std::vector<Wrong> cases = {
       "for one object"}},
     {"a_set_without_a_name",
      scene_of("PHYSGEN_ARRAY(per(\"a tet\")) Array<SvdObject, float> svds;"),
-     {"3:15: error: array 'svds' has a per(...) that is neither a name nor a number of objects; write per(\"tet\"), with "
+     {"3:15: error: array 'svds' has a per(...) that is neither a name nor a number of objects; write per(\"tet\"), "
+      "with "
       "letters, digits and '_', or per(1)"}},
     {"an_option_twice",
      scene_of("PHYSGEN_ARRAY(per(1), per(2)) Array<SvdObject, float> svds;"),

@@ -74,7 +74,9 @@ TEST_F(Checkpoints, replace_older_ones) {
   EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0);
 }
 
-TEST_F(Checkpoints, that_are_missing_are_an_error) { expect_refused("this checkpoint does not exist", "remove --restart"); }
+TEST_F(Checkpoints, that_are_missing_are_an_error) {
+  expect_refused("this checkpoint does not exist", "remove --restart");
+}
 
 TEST_F(Checkpoints, of_another_version_are_refused) {
   write_checkpoint(path, checkpoint_of(1));

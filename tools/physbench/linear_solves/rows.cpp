@@ -59,7 +59,8 @@ std::vector<Point> scattered_force(std::size_t nodes) {
 /// store in half.
 TangentPrecision precision_of(Method method, TangentPrecision asked) {
   if (method == vendor) return TangentPrecision::float32;
-  return !fem::asks_for(*method, fem::asks::edges) && asked == TangentPrecision::half ? TangentPrecision::float32 : asked;
+  return !fem::asks_for(*method, fem::asks::edges) && asked == TangentPrecision::half ? TangentPrecision::float32
+                                                                                      : asked;
 }
 
 fem::SolverSettings settings_of(const Solve& solve) {
