@@ -212,7 +212,10 @@ case $rule in
   run_installs_no_more_than_a_first_table_needs)
     : >"$work/installed"
     program build/first/bin/physbench_first
+    fake cmake '[[ $1 == --build ]] || { echo "-- The CXX compiler identification"; echo "a warning of CMake" >&2; }'
     dev 0 run
+    says 'a warning of CMake'
+    ! grep -q 'compiler identification' "$work/output" || fail 'CMake tells of its checks'
     called 'apt-get .*install .* cmake ninja-build g++ .*libbenchmark-dev$'
     ! grep 'apt-get' "$calls" | grep -qE 'clang|llvm|python3|hdf5|gtest' || fail 'more was installed'
     ;;

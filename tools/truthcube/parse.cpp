@@ -77,20 +77,20 @@ void check(const Options& options) {
   double before = 0;
   for (const double c : options.compressions) {
     const std::string what = "--compress takes ascending numbers between 0 and 1, plate travel over height; ";
-    require(c != 0, what + "0 is no compression: the body is at rest, where no force acts; begin with a larger number");
+    require(c != 0, what + "at 0 the body is at rest and no force acts; begin with a larger number");
     require(std::isfinite(c) && c > 0 && c < 1, what + number(c) + " is not such a number");
     require(c > before, what + number(c) + " is not larger than " + number(before) + ", which stands before it");
     before = c;
   }
   if (options.volume != VolumeTreatment::tets && !fem::can_average_volume(options.solver.material)) {
     throw Error("the energy of '" + options.solver.material +
-                "' has no separate part of the volume: write --volume tets, or choose another --material");
+                "' has no separate volume part to average; write --volume tets, or choose another --material");
   }
   const fem::NewtonSettings& newton = options.solver.newton;
   const fem::PreconditionerRow& preconditioner = fem::row_of(newton.preconditioner.kind);
   require(newton.product == fem::Product::assembled || (preconditioner.asked & fem::asks::edges) == 0,
           "--product matrix-free requires --preconditioner " + fem::preconditioners_without(fem::asks::edges) + ": " +
-              preconditioner.name + " is formed from blocks of edges, which this product does not make");
+              preconditioner.name + " is formed from blocks of edges, which this product does not have");
   require(
       options.volume != VolumeTreatment::nodes || newton.product == fem::Product::assembled,
       "--volume nodes requires --product assembled: --product matrix-free, which --historical uses, too, has only the "
@@ -99,9 +99,9 @@ void check(const Options& options) {
       options.plates == Plates::held || newton.product == fem::Product::assembled,
       "--plates contact requires --product assembled: --product matrix-free, which --historical uses, too, has only "
       "the stiffness of tets");
-  require(!options.restart || !options.out.empty(), "--restart continues what is in --out DIR, which is missing");
+  require(!options.restart || !options.out.empty(), "--restart continues the run in --out DIR; add --out");
   require(options.refinements == 0 || !options.mesh.empty(),
-          "--refine is for a mesh of your own: the cube has --cells");
+          "--refine is for a mesh of your own; for the cube, write more --cells");
 }
 
 }  // namespace
@@ -223,7 +223,8 @@ Options parse(const std::vector<std::string>& arguments) {
       ->default_str(built_layout());
   auto* preconditioner =
       add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners, "preconditioner",
-                 "preconditioner of conjugate gradients; schwarz: blocks of 32 nodes in levels, for any mesh");
+                 "preconditioner of conjugate gradients; for a mesh without a coarser one: " +
+                     fem::preconditioners_without(fem::asks::coarser));
   auto* product =
       add_choice(app, "--product", options.solver.newton.product, products, "product",
                  "product of the tangent with vectors: from assembled blocks of nodes and edges, or matrix-free, "
@@ -266,7 +267,7 @@ Options parse(const std::vector<std::string>& arguments) {
       !fem::can_average_volume(options.solver.material)) {
     options.volume = VolumeTreatment::tets;
     options.notes.push_back("the energy of '" + options.solver.material +
-                            "' has no separate part of the volume to be averaged: --volume tets, which lock near a "
+                            "' has no separate volume part to average: --volume tets, which locks near a "
                             "Poisson's ratio of 0.5");
   }
   require(plate_stiffness->count() == 0 || options.plates == Plates::contact,

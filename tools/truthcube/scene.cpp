@@ -47,7 +47,7 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
                       remedy = "--refine " + std::to_string(k - 1) + " takes an eighth of it";
     if (!fem::fits_32_bits(static_cast<std::size_t>(counts.nodes), static_cast<std::size_t>(counts.tets))) {
       throw Error(who + " has " + std::to_string(counts.nodes) + " nodes and " + std::to_string(counts.tets) +
-                  " tets, more than 32-bit incidences hold; " + remedy);
+                  " tets, more than 32-bit numbers can count; " + remedy);
     }
     require_memory(who, bytes_of_mesh(counts), "this machine", host_memory(), remedy);
   }
@@ -136,8 +136,7 @@ std::vector<std::string> adapt_solver(Options& options, const Scene& scene, cons
                                    std::to_string(scene.grid[1]) + " x " + std::to_string(scene.grid[2]) + " cells"};
     if (options.refinements == 0 && options.solver.nested) {
       options.solver.nested = false;
-      notes.back() +=
-          ", and load steps: nested ones need a coarser mesh of the body, which --refine would make of this one";
+      notes.back() += ", and load steps on this mesh alone: nested steps need a coarser mesh, which --refine makes";
     }
     return notes;
   }
@@ -145,12 +144,12 @@ std::vector<std::string> adapt_solver(Options& options, const Scene& scene, cons
   if (coarsest <= fem::most_coarse_nodes) return {};  // which is solved exactly
   if (levels.size() == 1) {
     options.solver.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-    return {"an odd number of cells has no coarser mesh: block Jacobi in place of multigrid; " +
-            std::to_string(options.cells + 1) + " cells would have one"};
+    return {"an odd number of cells has no coarser mesh, so block Jacobi replaces multigrid; take " +
+            std::to_string(options.cells + 1) + " cells to have one"};
   }
   return {"the coarsest mesh has " + std::to_string(coarsest) + " nodes, and more than " +
           std::to_string(fem::most_coarse_nodes) +
-          " are smoothed, not solved: powers of two, or three times them, are faster"};
+          " are smoothed, not solved: numbers of cells that are 2^k or 3 * 2^k are faster"};
 }
 
 std::string name_of_tet(const Scene& scene, Index tet) {

@@ -241,12 +241,12 @@ void Steps::compare(double compression, const std::vector<Point>& positions) con
   const auto errors = compare_beads(table, compression,
                                     interpolate_displacements(beads_->locations, level.mesh, level.rest, positions));
   if (!errors) {
-    terminal_.line("  %s has no beads of a compression of %g, and has some of %s", table.file.c_str(), compression,
+    terminal_.line("  %s has no beads at a compression of %g, only at %s", table.file.c_str(), compression,
                    compressions_of(table).c_str());
     return;
   }
   if (!table.rows.front().compression) {
-    terminal_.line("  %s names no compression: its beads are compared with every step", table.file.c_str());
+    terminal_.line("  %s has no column compression, so its beads are compared with every step", table.file.c_str());
   }
   terminal_.line("  %zu beads of %s: difference [mm] mean %.4f, RMS %.4f, 95 %% below %.4f, max %.4f", errors->beads,
                  table.file.c_str(), errors->mean, errors->rms, errors->p95, errors->max);

@@ -148,7 +148,7 @@ class Reader {
     } while (text_.empty());
     const std::int64_t said = lines_of(name);
     if (said < 0)
-      return place() + "$" + name + " begins with the counts of what follows, and not with '" + line_of() + "'" + again;
+      return place() + "$" + name + " must begin with the counts of what follows, not with '" + line_of() + "'" + again;
     std::int64_t lines = 0;
     const bool are_nodes = name == "NOD" || name == "Nodes";
     Numbers numbers;
@@ -166,8 +166,8 @@ class Reader {
       if (version_ < 4) add_row(numbers, are_nodes);
     }
     if (lines == said) return numbers.fault(are_nodes ? "node" : "element");
-    return "$" + name + " in line " + std::to_string(start) + " is to have " + std::to_string(said) +
-           " lines by its counts, and has " + std::to_string(lines) + " before " + end + " in line " +
+    return "$" + name + " in line " + std::to_string(start) + " should have " + std::to_string(said) +
+           " lines by its counts, but has " + std::to_string(lines) + " before " + end + " in line " +
            std::to_string(number_) + again;
   }
 

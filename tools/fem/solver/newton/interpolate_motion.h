@@ -63,7 +63,5 @@ struct InterpolateMotion {
     return sum / volume;
   }
 };
-template <class... Views>
-InterpolateMotion(bool, Views...) -> InterpolateMotion<Views...>;
 
 }  // namespace physgen::fem
