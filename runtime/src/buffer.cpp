@@ -1,7 +1,9 @@
 // Allocation of buffers; CUDA and pinned memory come from the backend.
 #include <physgen/device.h>
 #include <physgen/error.h>
+#include <physgen/detail/launch.h>
 #include <physgen/memory/buffer.h>
+#include <physgen/memory/host_list.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -9,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <limits>
 
 #include "backend/memory.h"
 
@@ -31,7 +34,8 @@ index_t memory_limit() {
 
 // Linux grants more than it has and kills the process that then touches it, so more than there can be is refused.
 std::byte* allocate_host(index_t bytes, std::string& why) {
-  if (const index_t limit = memory_limit(); bytes > limit) {
+  static const index_t limit = memory_limit();
+  if (bytes > limit) {
     why = "this machine has only " + std::to_string(limit) + " bytes";
     return nullptr;
   }
@@ -43,8 +47,15 @@ std::byte* allocate_host(index_t bytes, std::string& why) {
     return nullptr;
   }
   if (large) madvise(data, size, MADV_HUGEPAGE);  // a wish: nothing is lost where the system does not grant it
-  std::memset(data, 0, static_cast<std::size_t>(bytes));
   return static_cast<std::byte*>(data);
+}
+
+// On several threads: to touch memory for the first time takes longer than to fill it.
+void clear(std::byte* data, index_t bytes) {
+  constexpr index_t part = index_t{1} << 16;
+  detail::for_each_index<256>(0, (bytes + part - 1) / part, [=](index_t p) {
+    std::memset(data + p * part, 0, static_cast<std::size_t>(std::min(part, bytes - p * part)));
+  });
 }
 
 }  // namespace
@@ -58,7 +69,27 @@ Buffer::Buffer(SpaceKind space, index_t bytes, const std::string& what) : bytes_
   if (data_ == nullptr) {
     throw Error(what + ": cannot allocate " + std::to_string(bytes) + " bytes of " + name(space) + " memory: " + why);
   }
+  if (space == SpaceKind::host) clear(data_, rounded);
 }
+
+namespace detail {
+
+void* allocate_list(std::size_t count, std::size_t bytes_of_each) {
+  constexpr auto most = static_cast<std::size_t>(std::numeric_limits<index_t>::max()) / 2;
+  std::string why = "so many cannot exist";
+  void* memory = nullptr;
+  if (count <= most / bytes_of_each) {
+    const auto bytes = static_cast<index_t>(count * bytes_of_each);
+    memory = allocate_host(align_up(std::max(bytes, index_t{1}), buffer_alignment), why);
+  }
+  if (memory != nullptr) return memory;
+  throw Error("a list of " + std::to_string(count) + " entries of " + std::to_string(bytes_of_each) +
+              " bytes cannot be allocated: " + why);
+}
+
+void free_list(void* memory) noexcept { std::free(memory); }
+
+}  // namespace detail
 
 void copy_memory(std::byte* to, SpaceKind to_space, const std::byte* from, SpaceKind from_space, index_t bytes) {
   if (bytes == 0) return;
