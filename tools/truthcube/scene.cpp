@@ -2,6 +2,7 @@
 
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/check.h>
+#include <fem/mesh/graded_cube.h>
 #include <fem/mesh/refine.h>
 #include <fem/solver/hierarchy/background_grid.h>
 #include <physgen/error.h>
@@ -99,11 +100,16 @@ GivenMesh read_mesh([[maybe_unused]] const Options& options, [[maybe_unused]] st
 }
 
 std::vector<MeshLevel> make_cube(const Options& options) {
-  return fem::make_cube_levels(options.cells, cube_side, options.volume == VolumeTreatment::patches);
+  auto levels = fem::make_cube_levels(options.cells, cube_side, options.volume == VolumeTreatment::patches);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    fem::grade_cube(levels[l].rest, options.cells >> l, cube_side, options.grading);
+  }
+  return levels;
 }
 
 Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
   Scene scene;
+  if (options.is_cube()) scene.grading = options.grading;
   for (MeshLevel& level : levels) level.averages_at_nodes = options.volume == VolumeTreatment::nodes;
   scene.levels = std::move(levels);
   scene.plates = hold_between_plates(scene.levels, options.plate_tolerance);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "estimates.h"
+#include "grading.h"
 #include "interrupts.h"
 #include "suspect.h"
 
@@ -170,7 +171,8 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   const double reach = reach_past_plates(scene_, compression, positions);
   Estimates estimates;
   if (const auto coarser = solver_.coarser_equilibrium()) {
-    estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, positions, *coarser);
+    estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, positions, *coarser,
+                               order_of_errors(scene_.grading));
   }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
                            result.smallest_J, reaction, estimates.reaction, estimates.error_rms, reach, seconds,
@@ -211,10 +213,13 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
   }
   if (result.smallest_J > 0) return;
   const fem::MeshLevel& level = scene_.levels.front();
+  // Sides that fold past a plate turn cells over that are narrower than the fold.
+  const char* remedies = scene_.grading > 1
+                             ? "--plates contact, a smaller --grading, or more and smaller --compress steps"
+                             : "more and smaller --compress steps, more --cells, or --plates contact";
   terminal_.warning(
-      "at a compression of %g, %s. A real body has no such equilibrium. Try more and smaller --compress steps, more "
-      "--cells, or --plates contact.",
-      compression, describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str());
+      "at a compression of %g, %s. A real body has no such equilibrium. Try %s.", compression,
+      describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str(), remedies);
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {

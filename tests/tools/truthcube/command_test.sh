@@ -14,7 +14,7 @@ small=(--cells 4 --threads 1)
 case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
-    for flag in cells mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
+    for flag in cells grading mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
       product tolerance stepping historical out restart beads threads repeat dry-run quiet scene time-step duration density damping fixed-order \
       frames; do expect out "--$flag"; done
     expect out "layout \{$built\}"
@@ -93,6 +93,12 @@ case $rule in
     done
     expect_refused 'plate-tolerance = much; give a number there' --mesh a.msh --plate-tolerance much
     expect_refused '--plate-stiffness 0: .* from 0.001 to 1e4' --plates contact --plate-stiffness 0
+    for bad in 0 -1 0.99 nan inf; do
+      expect_refused "--grading $bad: the grading is a number from 1 on, .* 1.5 is common" --grading $bad
+    done
+    expect_refused 'grading = steep; a number is wanted there' --grading steep
+    expect_refused '--grading 3: the widest of 32 cells along a side .* 45 times .*; --grading 2[.][0-9]+ fits' --cells 32 --grading 3
+    expect_exit 0 --cells 32 --dry-run --grading "$(sed -nE 's/.*--grading ([0-9.]+) fits$/\1/p' err)"
     expect_refused '--tolerance 0: ' --tolerance 0 ;;
   flags_that_do_not_go_together_are_refused)
     expect_refused 'corotated.* no separate volume part to average; write --volume tets' --material corotated --volume patches
@@ -100,6 +106,7 @@ case $rule in
     expect_refused 'restart continues what is in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
+    expect_refused '--grading is for the cube: .*; remove --grading' --mesh a.msh --grading 1.5
     expect_refused 'plate-tolerance is for a mesh' --plate-tolerance 1e-3
     expect_refused 'plate-stiffness is that of --plates contact' --plate-stiffness 10
     expect_refused 'excludes' --historical --precision double

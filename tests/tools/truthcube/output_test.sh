@@ -211,5 +211,36 @@ case $rule in
     expect_exit 1 "${small[@]}" --beads .
     expect err 'cannot be read as a bead table: it is a folder'
     expect_no out 'solved' ;;
+  a_graded_cube_is_nearer_to_the_beads_in_about_as_many_iterations)
+    cube=(--cells 16 --threads 1 --compress 0.125)
+    for grading in 1 1.5; do
+      expect_exit 0 "${cube[@]}" --grading $grading --out o$grading --beads "$here/../../fem/solver/oracle/0.49_bonded_0.125.csv"
+      expect o$grading/run.json "\"grading\": $grading"
+      expect_no err inverted
+      declare "rms${grading/./_}=$(sed -nE 's/.* RMS ([0-9.]+), 95.*/\1/p' out)"
+      declare "pcg${grading/./_}=$(number_of pcg_iterations o$grading/run.json | sed -n 1p)"
+    done
+    # shellcheck disable=SC2154
+    awk -v graded="$rms1_5" -v uniform="$rms1" 'BEGIN { exit !(graded < 0.04 && graded < 0.6 * uniform) }' || fail "$rms1_5 mm, $rms1 mm"
+    # shellcheck disable=SC2154
+    ((10 * pcg1_5 <= 15 * pcg1)) || fail "$pcg1_5 iterations, $pcg1"
+    # What a finer mesh would give is nearer to the other code's reaction than the mesh's own.
+    awk -v mesh="$(number_of reaction o1.5/run.json)" -v estimate="$(number_of reaction_estimate o1.5/run.json)" 'function from(x) {
+      x += 11.087e-4 * 15e3; return x < 0 ? -x : x } BEGIN { exit !(from(estimate) < 0.4 * from(mesh)) }' || fail 'reactions' ;;
+  the_grading_of_uniform_cells_changes_nothing)
+    expect_exit 0 "${small[@]}" --compress 0.05 --out a
+    expect_exit 0 "${small[@]}" --compress 0.05 --out b --grading 1
+    expect_same a/beads.csv b/beads.csv
+    expect_exit 1 "${small[@]}" --compress 0.05 0.1 --out a --grading 1.25 --restart
+    expect err 'grading: 1[.]0 in the checkpoint, 1[.]25 in this run'
+    expect_exit 0 "${small[@]}" --compress 0.05 --out a --grading 1.25
+    expect_exit 0 "${small[@]}" --compress 0.05 0.1 --out a --grading 1.25 --restart
+    expect out 'continuing behind step 1' ;;
+  cells_that_are_too_narrow_for_a_fold_are_said)
+    flags=(--cells 16 --grading 2.4 --threads 1 --compress 0.1825)
+    expect_exit 0 "${flags[@]}"
+    expect err 'tets are inverted, .* Try --plates contact, a smaller --grading, or more and smaller --compress steps[.]$'
+    expect_exit 0 "${flags[@]}" --plates contact
+    expect_no err inverted ;;
   *) fail 'no such rule' ;;
 esac
