@@ -38,9 +38,6 @@ Built: every material, precision and treatment of volume, on the CPU)"
 #endif
     ",\nin the layout " PHYSGEN_TRUTHCUBE_LAYOUT
     ", with products assembled (under every preconditioner) or matrix-free"
-#ifndef PHYSGEN_TRUTHCUBE_HAS_GMSH
-    "; without Gmsh's library, so --mesh is refused"
-#endif
     ".\nAnother layout is another build: cmake -DPHYSGEN_LAYOUT=schema, aos, aos_padded, soa or aosoa.";
 
 /// @throw Error for a layout that the solver was not compiled for
@@ -165,8 +162,8 @@ Options parse(const std::vector<std::string>& arguments) {
                      "cells the larger G is, and solves take longer")
           ->type_name("G");
   app.add_option("--mesh", options.mesh,
-                 "a mesh of tets in Gmsh's format, in metres, in place of the cube; its plates "
-                 "hold its lowest and highest nodes along z")
+                 "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1), in metres, in place of the cube; its "
+                 "plates hold its lowest and highest nodes along z")
       ->excludes(cells)
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,

@@ -2,6 +2,7 @@
 
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/check.h>
+#include <fem/mesh/gmsh_file.h>
 #include <fem/mesh/graded_cube.h>
 #include <fem/mesh/refine.h>
 #include <fem/solver/hierarchy/background_grid.h>
@@ -12,9 +13,6 @@
 
 #include "memory.h"
 #include "run_bytes.h"
-#ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
-#include <fem/mesh/gmsh_file.h>
-#endif
 
 namespace physgen::truthcube {
 
@@ -33,7 +31,7 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
 
 /// @throw Error when a mesh whose tets are cut into 8 so often is too large for the memory or for 32-bit numbers,
 /// before any of it is made
-[[maybe_unused]] void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
+void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
   LevelCounts counts;
   counts.nodes = mesh.nodes;
   counts.tets = static_cast<std::int64_t>(mesh.tets.size());
@@ -56,8 +54,7 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
 
 }  // namespace
 
-GivenMesh read_mesh([[maybe_unused]] const Options& options, [[maybe_unused]] std::vector<std::string>& notes) {
-#ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
+GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
   fem::ReadMesh read = fem::read_gmsh(options.mesh);
   if (!read.left_out_nodes.empty()) {
     notes.push_back(std::to_string(read.left_out_nodes.size()) + " nodes of " + options.mesh.string() +
@@ -94,9 +91,6 @@ GivenMesh read_mesh([[maybe_unused]] const Options& options, [[maybe_unused]] st
     }
   }
   return {std::move(levels), std::move(read.tet_tags)};
-#else
-  throw Error("this build reads no meshes: install libgmsh-dev and configure it again");
-#endif
 }
 
 std::vector<MeshLevel> make_cube(const Options& options) {
