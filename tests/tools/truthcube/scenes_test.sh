@@ -90,7 +90,7 @@ case $rule in
       expect_refused "everything cannot take --$flag, because only --scene implicit-dynamics and" --$flag 1
     done
     expect_refused 'explicit-dynamics takes --fixed-order only with --device cuda: on the CPU' --scene explicit-dynamics --fixed-order
-    expect_refused 'implicit-dynamics cannot take --fixed-order, because that is for the sums of --scene explicit' \
+    expect_refused 'implicit-dynamics cannot take --fixed-order, because only --scene explicit' \
       --scene implicit-dynamics --fixed-order
     expect_refused 'everything cannot take --fixed-order' --fixed-order
     expect_refused '--density 0: the density' --scene implicit-dynamics --density 0
