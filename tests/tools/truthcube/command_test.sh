@@ -64,7 +64,7 @@ case $rule in
     done ;;
   empty_words_are_refused)
     for flag in out beads mesh poisson young damping compress cells; do
-      expect_refused "--$flag: a word is empty, as of a variable of the shell that is not set" --$flag ''
+      expect_refused "--$flag: a word is empty, perhaps because a shell variable is not set" --$flag ''
       expect_refused "--$flag: a word is empty" --$flag=
     done
     expect_refused '--compress: a word is empty' --cells 4 --compress 0.1 '' ;;
@@ -73,7 +73,7 @@ case $rule in
     expect_refused 'cells: Value -4 not in range' --cells -4
     expect_refused 'cells: Value 2.5 not in range 1 to 100000 of whole numbers' --cells 2.5
     expect_refused 'poisson = abc; give a number there' --poisson abc
-    expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; --cells 274 fits' --cells 400
+    expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; take --cells 274' --cells 400
     expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
     expect_refused "--poisson -1: Poisson's ratio is" --poisson -1
     expect_refused "--poisson nan: Poisson's ratio is" --poisson nan
@@ -103,7 +103,7 @@ case $rule in
   flags_that_do_not_go_together_are_refused)
     expect_refused 'corotated.* no separate volume part to average; write --volume tets' --material corotated --volume patches
     expect_refused 'corotated.* no separate volume part to average; write --volume tets' --material corotated --volume nodes
-    expect_refused 'restart continues what is in --out' --restart
+    expect_refused 'restart continues the run in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
     expect_refused '--grading is for the cube: .*; remove --grading' --mesh a.msh --grading 1.5
@@ -130,7 +130,7 @@ case $rule in
     expect out 'solved in' ;;
   an_odd_number_of_cells_falls_back_and_says_so)
     expect_exit 0 --cells 5 --threads 1 --compress 0.02
-    expect out 'note: an odd number of cells .* block Jacobi in place of multigrid; 6 cells'
+    expect out 'note: an odd number of cells .* block Jacobi replaces multigrid; take 6 cells'
     expect_exit 0 --cells 10 --threads 1 --compress 0.02
     expect out 'note: the coarsest mesh has 216 nodes' ;;
   a_body_without_free_nodes_is_refused)
@@ -183,7 +183,7 @@ case $rule in
       # shellcheck disable=SC2086
       "$program" $flags >/dev/full 2>err || got=$?
       ((got == 1)) || fail "exit $got of $flags"
-      expect err '^truthcube: cannot write all of the standard output; is there room where it goes[?]$'
+      expect err '^truthcube: cannot write all of the standard output; is the disk full[?]$'
     done
     [[ $(wc -l <o/beads.csv) == 344 ]] || fail 'no files' ;;
   closed_standard_streams_do_not_become_files)
