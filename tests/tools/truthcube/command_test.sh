@@ -15,7 +15,7 @@ case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
     for flag in cells grading mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
-      product tolerance stepping historical out restart beads threads repeat dry-run quiet scene time-step duration density damping fixed-order \
+      product tolerance stepping historical out restart beads threads repeat timings dry-run quiet scene time-step duration density damping fixed-order \
       frames; do expect out "--$flag"; done
     expect out "layout \{$built\}"
     expect out "in the layout $built, with products assembled .* or matrix-free"

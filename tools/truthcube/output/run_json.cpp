@@ -59,6 +59,13 @@ void visit_plates(Record& run, const Visit& visit) {
   visit("upper", run.upper_plate);
 }
 
+template <class Record, class Visit>
+void visit_stage(Record& stage, const Visit& visit) {
+  visit("name", stage.name);
+  visit("seconds", stage.seconds);
+  visit("bytes", stage.bytes);
+}
+
 template <class T>
 void take(const Json& object, const char* key, T& value) {
   const Json& found = object.at(key);
@@ -77,6 +84,11 @@ void write_run_json(const std::filesystem::path& file, const RunRecord& record) 
   visit_plates(record, [&run](const char* key, const PlateRecord& plate) {
     run["held"][key] = {{"nodes", plate.nodes}, {"area", plate.area}};
   });
+  run["setup_stages"] = Json::array();
+  for (const StageRecord& stage : record.stages) {
+    Json& entry = run["setup_stages"].emplace_back();
+    visit_stage(stage, [&entry](const char* key, const auto& value) { entry[key] = value; });
+  }
   run["settings"] = Json::parse(record.settings, nullptr, false);
   if (!run["settings"].is_object())
     throw Error(file.string() + ": the settings are not a JSON object: " + record.settings);
@@ -107,6 +119,9 @@ RunRecord read_run_json(const std::filesystem::path& file) {
         take(held.at(key), "nodes", plate.nodes);
         take(held.at(key), "area", plate.area);
       });
+    }
+    for (const Json& entry : run.value("setup_stages", Json::array())) {
+      visit_stage(record.stages.emplace_back(), [&entry](const char* key, auto& value) { take(entry, key, value); });
     }
     record.settings = run.at("settings").dump();
     for (const Json& entry : run.at("steps")) {
