@@ -34,18 +34,28 @@ Point twice_area_of(const char* who, std::size_t number, const Face& face, std::
 }  // namespace
 
 std::vector<Face> boundary_faces(const TetMesh& mesh) {
-  std::vector<Face> faces;
-  each_face(mesh.nodes, mesh.tets, [&](std::span<const FaceUse> uses) {
-    if (uses.size() != 1) return;
-    const auto [tet, corner] = uses[0].use;
-    Face face{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      face[c] = mesh.tets[static_cast<std::size_t>(tet)][outward[static_cast<std::size_t>(corner)][c]];
-    }
-    std::ranges::rotate(face, std::ranges::min_element(face));
-    faces.push_back(face);
-  });
-  return faces;
+  const auto tets_of = tets_of_nodes(mesh);
+  HostList<Index> first;
+  HostList<Face> found;
+  append_rows(
+      Host{}, mesh.nodes, [] { return FacesOfNode(); },
+      [&](index_t n, FacesOfNode& faces, std::vector<Face>& row) {
+        const auto node = static_cast<Index>(n);
+        faces.each(
+            node, mesh.tets, [&](const auto& act) { tets_of(node, act); },
+            [&](std::span<const FaceUse> uses) {
+              if (uses.size() != 1) return;
+              Face face{};
+              for (std::size_t c = 0; c < 3; ++c) {
+                face[c] = mesh.tets[static_cast<std::size_t>(uses[0].tet())]
+                                   [outward[static_cast<std::size_t>(uses[0].corner())][c]];
+              }
+              std::ranges::rotate(face, std::ranges::min_element(face));
+              row.push_back(face);
+            });
+      },
+      first, found);
+  return {found.begin(), found.end()};
 }
 
 std::vector<Index> nodes_on_plane(std::span<const Point> rest, int axis, double value, double tolerance) {
