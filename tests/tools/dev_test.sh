@@ -190,7 +190,6 @@ case $rule in
     called 'cmake --preset first -DPHYSGEN_CUDA=OFF$'
     called 'cmake --build --preset first -j [0-9]* --target physbench_first$'
     says 'Each line is one kernel over one layout'
-    : >"$calls"
     dev 0 run --threads=1 --objects=1000
     called 'physbench_first --threads=1 --objects=1000$'
     for word in errors replay; do
@@ -212,14 +211,15 @@ case $rule in
   run_installs_no_more_than_a_first_table_needs)
     : >"$work/installed"
     program build/first/bin/physbench_first
+    fake cmake '[[ $1 == --build ]] || echo "-- The CXX compiler identification"'
     dev 0 run
+    ! grep -q 'compiler identification' "$work/output" || fail 'CMake tells of its checks'
     called 'apt-get .*install .* cmake ninja-build g++ .*libbenchmark-dev$'
     ! grep 'apt-get' "$calls" | grep -qE 'clang|llvm|python3|hdf5|gtest' || fail 'more was installed'
     ;;
   run_takes_the_build_that_has_the_generator)
-    mkdir -p "$root/build/release"
-    touch "$root/build/release/CMakeCache.txt"
     program build/release/bin/physbench_first
+    touch "$root/build/release/CMakeCache.txt"
     dev 0 run
     called 'cmake --build --preset release -j [0-9]* --target physbench_first$'
     rm -r "$root/build"

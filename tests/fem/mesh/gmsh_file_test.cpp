@@ -185,8 +185,8 @@ TEST_F(GmshFile, refuses_counts_that_are_not_those_of_the_lines_and_names_both) 
   const File file = file_of(reference::box(2, 1, 1), 64);  // 12 nodes, 12 tets
   const std::string again = "; the file may be cut off or damaged: write it again";
   const auto counted = [&](const std::string& section, int start, int said, int lines, int end) {
-    return "$" + section + " in line " + std::to_string(start) + " is to have " + std::to_string(said) +
-           " lines by its counts, and has " + std::to_string(lines) + " before $End" + section + " in line " +
+    return "$" + section + " in line " + std::to_string(start) + " should have " + std::to_string(said) +
+           " lines by its counts, but has " + std::to_string(lines) + " before $End" + section + " in line " +
            std::to_string(end) + again;
   };
   const std::string second = in_version_2(file), fourth = in_version_4(file);
@@ -198,13 +198,13 @@ TEST_F(GmshFile, refuses_counts_that_are_not_those_of_the_lines_and_names_both) 
             counted("Elements", 38, 12, 13, 53));
   EXPECT_EQ(refusal(write(replaced(fourth, "$Nodes\n1 12 ", "$Nodes\n1 13 "))), counted("Nodes", 10, 27, 25, 37));
   const std::string first = in_version_1(file);
-  EXPECT_NE(refusal(write(replaced(first, "$ELM\n12\n", "$ELM\n9\n"))).find("$ELM in line 16 is to have 9 lines"),
+  EXPECT_NE(refusal(write(replaced(first, "$ELM\n12\n", "$ELM\n9\n"))).find("$ELM in line 16 should have 9 lines"),
             std::string::npos);
   EXPECT_EQ(refusal(write(replaced(second, "$Nodes\n12\n", "$Nodes\n-12\n"))),
-            "line 5: $Nodes begins with the counts of what follows, and not with '-12'" + again);
+            "line 5: $Nodes must begin with the counts of what follows, not with '-12'" + again);
   const std::string beyond = "99999999999999999999";
   EXPECT_EQ(refusal(write(replaced(second, "$Nodes\n12\n", "$Nodes\n" + beyond + "\n"))),
-            "line 5: $Nodes begins with the counts of what follows, and not with '" + beyond + "'" + again);
+            "line 5: $Nodes must begin with the counts of what follows, not with '" + beyond + "'" + again);
 }
 
 TEST_F(GmshFile, reads_texts_with_tabs_carriage_returns_and_sections_of_others) {
@@ -361,7 +361,7 @@ TEST_F(GmshFile, of_many_gigabytes_is_refused_before_memory_is_taken_for_it) {
   };
   const auto elements = text.size() - count - 8;
   EXPECT_EQ(sized(200'000'000, 9'000'000'000),
-            "has at least 200000000 tets, more than 32-bit incidences hold; mesh more coarsely, or solve parts of the "
+            "has at least 200000000 tets, more than 32-bit numbers can count; mesh more coarsely, or solve parts of the "
             "body");
   EXPECT_EQ(sized(150'000'000, 5'000'000'000), "byte " + std::to_string(count + 8) +
                                                    ": $Elements has 150000000 rows of 40 bytes from here on by its "

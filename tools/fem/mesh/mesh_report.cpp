@@ -34,7 +34,7 @@ std::vector<std::string> MeshReport::errors(Tags node_tags, Tags tet_tags) const
   };
   if (too_large) {
     lines.push_back(counted(nodes, "node") + " and " + counted(tets, "element") +
-                    " are more than 32-bit incidences hold; mesh more coarsely, or solve parts of the body");
+                    " are more than 32-bit numbers can count; mesh more coarsely, or solve parts of the body");
     return lines;
   }
   if (tets == 0) lines.emplace_back("the mesh has no tetrahedra; mesh the volume, not only its surface");

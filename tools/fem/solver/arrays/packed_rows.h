@@ -50,8 +50,8 @@ using EdgeTermEntry = PackedEntry<3>;  ///< fine node or edge, galerkin_code()
 template <class Packing>
 [[nodiscard]] PackedRows<Host> packed_rows(const IncidenceList& list, index_t elements, const char* name) {
   if (elements > Packing::most_elements) {
-    throw Error("a mesh of " + std::to_string(elements) + " " + name + ", and the solver's lists number " +
-                std::to_string(Packing::most_elements) + " at most: use fewer cells");
+    throw Error("the mesh has " + std::to_string(elements) + " " + name + ", but the solver's lists can number only " +
+                std::to_string(Packing::most_elements) + "; use fewer cells");
   }
   std::vector<typename PackedRows<Host>::Value> entries;
   entries.reserve(list.entries.size());

@@ -27,7 +27,7 @@ class Lists {
   [[nodiscard]] IncidenceList take() {
     if (entries_.size() > std::size_t{std::numeric_limits<Index>::max()}) {
       throw Error("a list of the solver would have " + std::to_string(entries_.size()) +
-                  " entries, and 32-bit numbers reach 2^31 - 1: use fewer cells");
+                  " entries, but 32-bit numbers only reach 2^31 - 1; use fewer cells");
     }
     IncidenceList list;
     list.first.resize(count_.size());
