@@ -61,7 +61,7 @@ class Numbers {
   explicit Numbers(const Tags& tags) : tags_(tags) {
     if (tags.empty() || (tags.back() - tags.front()) / 4 > tags.size()) return;
     table_.assign(tags.back() - tags.front() + 1, none);
-    detail::for_each_index(0, static_cast<index_t>(tags.size()), [&](index_t n) {
+    physgen::detail::for_each_index(0, static_cast<index_t>(tags.size()), [&](index_t n) {
       table_[tags[static_cast<std::size_t>(n)] - tags.front()] = static_cast<Index>(n);
     });
   }
@@ -86,7 +86,7 @@ std::vector<std::array<Index, 4>> number_tets(const GmshInput& input, const Gmsh
                                               std::vector<std::uint8_t>& is_used) {
   std::vector<std::array<Index, 4>> tets(file.tets.size());
   std::atomic<std::size_t> first_missing = tets.size();
-  detail::for_each_index<4>(0, static_cast<index_t>(tets.size()), [&](index_t i) {
+  physgen::detail::for_each_index<4>(0, static_cast<index_t>(tets.size()), [&](index_t i) {
     const auto t = static_cast<std::size_t>(i);
     for (std::size_t c = 0; c < 4; ++c) {
       const Index node = numbers[file.tets[t][c]];
@@ -123,7 +123,7 @@ void leave_out(const std::vector<std::uint8_t>& is_used, const std::vector<std::
   if (mesh.left_out_nodes.empty()) return;
   mesh.node_tags.resize(kept);
   mesh.rest.resize(kept);
-  detail::for_each_index<4>(0, static_cast<index_t>(mesh.tets.size()), [&](index_t t) {
+  physgen::detail::for_each_index<4>(0, static_cast<index_t>(mesh.tets.size()), [&](index_t t) {
     for (Index& corner : mesh.tets[static_cast<std::size_t>(t)]) corner = number[static_cast<std::size_t>(corner)];
   });
 }

@@ -300,7 +300,7 @@ class Reader {
     const std::uint64_t tets = file_.tets.size() + more_tets;
     if (fits_32_bits(0, tets)) return;
     input_.refuse("has at least " + std::to_string(tets) +
-                  " tets, more than 32-bit incidences hold; mesh more coarsely, or solve parts of the body");
+                  " tets, more than 32-bit numbers can count; mesh more coarsely, or solve parts of the body");
   }
 
   void make_room_for_tets(std::uint64_t count) {

@@ -1,5 +1,4 @@
 // Both ways number the patch of each tet; slots and lists follow from that number alone.
-#include <fem/mesh/faces.h>
 #include <fem/mesh/patches.h>
 #include <fem/mesh/stages.h>
 #include <physgen/detail/host_loop.h>
@@ -127,138 +126,6 @@ struct Box {
   static constexpr std::size_t tets_per_cell = 6;
 };
 
-// The tet across each face, opposite each corner; none at the boundary.
-std::vector<std::array<Index, 4>> neighbours_of(const TetMesh& mesh) {
-  std::vector<std::array<Index, 4>> neighbours(mesh.tets.size(), {none, none, none, none});
-  each_face(mesh.nodes, mesh.tets, [&neighbours](std::span<const FaceUse> uses) {
-    if (uses.size() > 2) {
-      const auto& [a, b, c] = uses[0].nodes;
-      throw Error("patches: " + std::to_string(uses.size()) + " tets have the face of nodes " + std::to_string(a) +
-                  ", " + std::to_string(b) + ", " + std::to_string(c) + ", among them tets " +
-                  std::to_string(uses[0].use.element) + " and " + std::to_string(uses[1].use.element) +
-                  "; at most two tets may share a face");
-    }
-    if (uses.size() < 2) return;
-    const auto [one, corner] = uses[0].use;
-    const auto [other, other_corner] = uses[1].use;
-    neighbours[at(one)][at(corner)] = other;
-    neighbours[at(other)][at(other_corner)] = one;
-  });
-  return neighbours;
-}
-
-class Greedy {
- public:
-  explicit Greedy(const TetMesh& mesh)
-      : mesh_(mesh), neighbours_(neighbours_of(mesh)), tet_patch_(mesh.tets.size(), none) {
-    for (const auto& beside : neighbours_)
-      free_beside_.push_back(static_cast<std::uint8_t>(4 - std::ranges::count(beside, none)));
-  }
-
-  VolumePatches run() && {
-    for (Index start = next_start(); start != none; start = next_start()) grow(start);
-    for (std::size_t p = 0; p < patches_.size(); ++p) {
-      if (patches_[p].tets.size() < least_tets) merge(static_cast<Index>(p));
-    }
-    std::vector<Index> numbers(patches_.size(), none);
-    Index count = 0;
-    for (std::size_t p = 0; p < patches_.size(); ++p) {
-      if (!patches_[p].tets.empty()) numbers[p] = count++;
-    }
-    for (Index& patch : tet_patch_) patch = numbers[at(patch)];
-    return patches_of(mesh_, std::move(tet_patch_), at(count));
-  }
-
- private:
-  static constexpr std::size_t least_tets = 3, most_tets = 6;
-
-  struct Patch {
-    std::vector<Index> tets;  // empty when merged into another
-    NodeSet nodes;
-  };
-
-  // A free tet with the fewest free neighbours of those beside a patch, so that no tets are left over between patches;
-  // none when no tet is free.
-  Index next_start() {
-    for (auto& waiting : waiting_) {
-      while (waiting.next < waiting.tets.size()) {
-        const Index tet = waiting.tets[waiting.next++];
-        if (is_free(tet) && &waiting == &waiting_.at(free_beside(tet))) return tet;
-      }
-    }
-    while (first_free_ < tet_patch_.size() && tet_patch_[first_free_] != none) ++first_free_;
-    return first_free_ < tet_patch_.size() ? static_cast<Index>(first_free_) : none;
-  }
-
-  void grow(Index start) {
-    Patch patch;
-    const auto number = static_cast<Index>(patches_.size());
-    for (Index tet = start; tet != none; tet = patch.tets.size() < most_tets ? best_for(patch) : none) {
-      patch.tets.push_back(tet);
-      patch.nodes.add(mesh_.tets[at(tet)]);
-      tet_patch_[at(tet)] = number;
-      for (const Index other : neighbours_[at(tet)]) {
-        if (other == none) continue;
-        --free_beside_[at(other)];
-        if (is_free(other)) waiting_.at(free_beside(other)).tets.push_back(other);
-      }
-    }
-    patches_.push_back(std::move(patch));
-  }
-
-  // The free neighbour that shares most corners with the patch, or none.
-  [[nodiscard]] Index best_for(const Patch& patch) const {
-    std::tuple<Index, std::size_t, Index> best{4, 0, none};  // nodes that it adds, its free neighbours, tet
-    for (const Index tet : patch.tets) {
-      for (const Index other : neighbours_[at(tet)]) {
-        if (other == none || !is_free(other) || !patch.nodes.fits(mesh_.tets[at(other)])) continue;
-        best = std::min(best, {patch.nodes.missing(mesh_.tets[at(other)]), free_beside(other), other});
-      }
-    }
-    return std::get<2>(best);
-  }
-
-  void merge(Index number) {
-    Patch& patch = patches_[at(number)];
-    std::tuple<Index, std::size_t, Index> best{VolumePatches::max_nodes, 0, none};  // nodes it adds, tets, patch
-    for (const Index tet : patch.tets) {
-      for (const Index neighbour : neighbours_[at(tet)]) {
-        if (neighbour == none || tet_patch_[at(neighbour)] == number) continue;
-        const Index other = tet_patch_[at(neighbour)];
-        const Patch& candidate = patches_[at(other)];
-        if (!candidate.nodes.fits(patch.nodes.nodes())) continue;
-        const auto together =
-            static_cast<Index>(candidate.nodes.nodes().size()) + candidate.nodes.missing(patch.nodes.nodes());
-        const std::tuple key{together, candidate.tets.size(), other};
-        if (std::get<2>(best) == none || key < best) best = key;
-      }
-    }
-    if (std::get<2>(best) == none) return;
-    Patch& target = patches_[at(std::get<2>(best))];
-    for (const Index tet : patch.tets) tet_patch_[at(tet)] = std::get<2>(best);
-    target.tets.insert(target.tets.end(), patch.tets.begin(), patch.tets.end());
-    target.nodes.add(patch.nodes.nodes());
-    patch.tets.clear();
-  }
-
-  [[nodiscard]] bool is_free(Index tet) const { return tet_patch_[at(tet)] == none; }
-  [[nodiscard]] std::size_t free_beside(Index tet) const { return free_beside_[at(tet)]; }
-
-  struct Queue {
-    std::vector<Index> tets;
-    std::size_t next = 0;
-  };
-
-  const TetMesh& mesh_;
-  std::vector<std::array<Index, 4>> neighbours_;
-  std::vector<Index> tet_patch_;
-  std::vector<std::uint8_t> free_beside_;  // per tet: how many neighbours are free
-  // Tets by that number when they were put here; those taken or renumbered since are passed over.
-  std::array<Queue, 4> waiting_;
-  std::size_t first_free_ = 0;  // no tet before it is free
-  std::vector<Patch> patches_;
-};
-
 }  // namespace
 
 VolumePatches cell_patches(const TetMesh& box) {
@@ -296,7 +163,5 @@ VolumePatches cell_patches(const TetMesh& box) {
               patches.patch_tets.first, patches.patch_tets.entries);
   return patches;
 }
-
-VolumePatches greedy_patches(const TetMesh& mesh) { return Greedy(mesh).run(); }
 
 }  // namespace physgen::fem
