@@ -1,5 +1,6 @@
 // Faces with one tet are the boundary; loads are sums over faces and tets in a fixed order.
 #include <fem/mesh/boundary.h>
+#include <fem/mesh/faces.h>
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/stages.h>
 #include <physgen/error.h>
