@@ -14,8 +14,6 @@ namespace physgen::fem {
 
 namespace {
 
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
-
 // The corners of the face opposite each corner, seen from outside a tet of positive volume counter-clockwise.
 constexpr std::array<std::array<std::size_t, 3>, 4> outward{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
