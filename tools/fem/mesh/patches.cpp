@@ -1,4 +1,4 @@
-// Both ways number the patch of each tet; slots and lists follow from that number alone.
+// Patches of the cells of a box, by formula.
 #include <fem/mesh/patches.h>
 #include <fem/mesh/stages.h>
 #include <physgen/detail/host_loop.h>
@@ -6,14 +6,10 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
-#include <tuple>
 
 namespace physgen::fem {
 
 namespace {
-
-constexpr Index none = -1;
 
 std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
@@ -45,48 +41,6 @@ class NodeSet {
   std::array<Index, VolumePatches::max_nodes> nodes_{};
   std::size_t count_ = 0;
 };
-
-IncidenceList lists_of(const std::vector<Index>& tet_patch, std::size_t patches) {
-  IncidenceList list;
-  list.first.assign(patches + 1, 0);
-  for (const Index patch : tet_patch) ++list.first[at(patch) + 1];
-  for (std::size_t p = 0; p < patches; ++p) list.first[p + 1] += list.first[p];
-  list.entries.resize(tet_patch.size());
-  std::vector<Index> places(patches);
-  for (std::size_t t = 0; t < tet_patch.size(); ++t) {
-    const std::size_t p = at(tet_patch[t]);
-    const Index place = places[p]++;
-    list.entries[at(list.first[p] + place)] = {static_cast<Index>(t), place};
-  }
-  return list;
-}
-
-// Makes the lists of patches from the patch of each tet, numbered 0, 1, ...
-// @pre no patch has more than 8 nodes
-VolumePatches patches_of(const TetMesh& mesh, std::vector<Index> tet_patch, std::size_t count) {
-  VolumePatches patches;
-  std::vector<NodeSet> sets(count);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) sets[at(tet_patch[t])].add(mesh.tets[t]);
-  patches.nodes.reserve(count);
-  patches.node_counts.reserve(count);
-  for (const NodeSet& set : sets) {
-    std::array<Index, VolumePatches::max_nodes> slots{};
-    slots.fill(set.nodes()[0]);
-    std::ranges::copy(set.nodes(), slots.begin());
-    patches.nodes.push_back(slots);
-    patches.node_counts.push_back(static_cast<Index>(set.nodes().size()));
-  }
-  patches.tet_slots.resize(mesh.tets.size());
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const auto& slots = patches.nodes[at(tet_patch[t])];
-    for (std::size_t c = 0; c < 4; ++c) {
-      patches.tet_slots[t][c] = static_cast<std::uint8_t>(std::ranges::find(slots, mesh.tets[t][c]) - slots.begin());
-    }
-  }
-  patches.patch_tets = lists_of(tet_patch, count);
-  patches.tet_patch = std::move(tet_patch);
-  return patches;
-}
 
 [[noreturn]] void refuse_other_than_cells() {
   throw Error(
