@@ -114,7 +114,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   bool say(const char* what, clang::SourceLocation place) {
     return say(what + (" at " + usage::text_of(names_.place(place))));
   }
-  bool say(const clang::Stmt& what) { return say("holds " + quoted(what, context_, names_)); }
+  bool say(const clang::Stmt& what) { return say("holds " + in_quotes(what, context_, names_)); }
 
   /// The outermost namespace, or null.
   [[nodiscard]] static const clang::NamespaceDecl* space_of(const clang::FunctionDecl& function) {
@@ -160,7 +160,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
       const bool is_builtin = function.getBuiltinID() != 0;
       return (is_builtin && (in_library_ || is_listed_in_std(function) || function.hasAttr<clang::ConstAttr>())) ||
              (function.isNoReturn() && in_library_) || function.isImplicit() || function.isDefaulted() ||
-             say("calls what is not known, " + quoted(from, context_, names_));
+             say("calls what is not known, " + in_quotes(from, context_, names_));
     }
     if (!seen_.insert(definition->getCanonicalDecl()).second) return true;
     queue_.push_back(definition);
@@ -169,7 +169,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     bool is_known = true;
     for (const clang::FunctionDecl* one : namesakes(*definition, is_known))
       if (!follow(*one, from)) return false;
-    return is_known || say("has types choose what it calls, " + quoted(from, context_, names_));
+    return is_known || say("has types choose what it calls, " + in_quotes(from, context_, names_));
   }
   bool named(const clang::ValueDecl& declared, const clang::Expr& expression) {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(&declared))
@@ -178,7 +178,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     if (variable == nullptr || !variable->hasGlobalStorage()) return true;
     const bool is_constant = variable->isConstexpr() || variable->getType().isConstQualified();
     if (is_constant && (in_library_ || holds_values(variable->getType(), names_))) return true;
-    return say("uses the variable " + quoted(expression, context_, names_));
+    return say("uses the variable " + in_quotes(expression, context_, names_));
   }
   bool destroyed(clang::QualType type, clang::SourceLocation place) {
     if (in_library_ || type->isDependentType()) return true;
