@@ -116,7 +116,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   bool say(const char* what, clang::SourceLocation place) {
     return say(what + (" at " + usage::text_of(names_.place(place))));
   }
-  bool say(const clang::Stmt& what) { return say("holds " + quoted(what, context_, names_)); }
+  bool say(const clang::Stmt& what) { return say("holds " + in_quotes(what, context_, names_)); }
 
   /// The outermost namespace, or null.
   [[nodiscard]] static const clang::NamespaceDecl* space_of(const clang::FunctionDecl& function) {
@@ -162,7 +162,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
       const bool is_builtin = function.getBuiltinID() != 0;
       return (is_builtin && (in_library_ || is_listed_in_std(function) || function.hasAttr<clang::ConstAttr>())) ||
              (function.isNoReturn() && in_library_) || function.isImplicit() || function.isDefaulted() ||
-             say("calls what is not known, " + quoted(from, context_, names_));
+             say("calls what is not known, " + in_quotes(from, context_, names_));
     }
     if (!seen_.insert(definition->getCanonicalDecl()).second) return true;
     queue_.push_back(definition);
@@ -171,7 +171,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     bool is_known = true;
     for (const clang::FunctionDecl* one : namesakes(*definition, names_, is_known))
       if (!follow(*one, from)) return false;
-    return is_known || say("has types choose what it calls, " + quoted(from, context_, names_));
+    return is_known || say("has types choose what it calls, " + in_quotes(from, context_, names_));
   }
   /// Reads a function's text before it is instantiated, and later what its calls may choose.
   void asked(const clang::FunctionDecl& function) {
@@ -198,7 +198,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
                              (in_library_ || !variable->getType()->isRecordType() ||
                               variable->getTemplateInstantiationPattern() == nullptr);
     if (is_constant && (in_library_ || holds_values(variable->getType(), names_))) return true;
-    return say("uses the variable " + quoted(expression, context_, names_));
+    return say("uses the variable " + in_quotes(expression, context_, names_));
   }
   bool destroyed(clang::QualType type, clang::SourceLocation place) {
     if (in_library_ || type->isDependentType()) return true;
