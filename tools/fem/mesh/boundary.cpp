@@ -57,7 +57,8 @@ std::vector<Face> boundary_faces(const TetMesh& mesh) {
             }
             const auto [low, high] = std::minmax(others[0], others[1]);
             if (low < node) continue;
-            uses.emplace_back(std::uint64_t(low) << 32 | std::uint64_t(high), std::uint64_t(tet) << 2 | std::uint64_t(c));
+            uses.emplace_back(std::uint64_t(low) << 32 | std::uint64_t(high),
+                              std::uint64_t(tet) << 2 | std::uint64_t(c));
           }
         }
         physgen::detail::sort_row(uses.data(), uses.data() + uses.size());

@@ -55,9 +55,8 @@ IncidenceList lists_of(const std::vector<Index>& tet_patch, std::size_t patches)
   list.entries.resize(tet_patch.size());
   std::vector<Index> places(patches);
   for (std::size_t t = 0; t < tet_patch.size(); ++t) {
-    const std::size_t p = at(tet_patch[t]);
-    const Index place = places[p]++;
-    list.entries[at(list.first[p] + place)] = {static_cast<Index>(t), place};
+    const Index first = list.first[at(tet_patch[t])], place = places[at(tet_patch[t])]++;
+    list.entries[at(first + place)] = {static_cast<Index>(t), place};
   }
   return list;
 }
@@ -97,6 +96,7 @@ VolumePatches patches_of(const TetMesh& mesh, std::vector<Index> tet_patch, std:
 
 // A box as make_box_mesh() numbers it.
 struct Box {
+  static constexpr std::size_t tets_per_cell = 6;
   index_t row, layer, cells_x, cells_y, cells;  // row, layer: distances of neighbours in y and z
 
   // The box whose first cell has these tets. @throw Error when there is none
@@ -106,7 +106,7 @@ struct Box {
       if (!cell.fits(mesh.tets[t])) refuse_other_than_cells();
       cell.add(mesh.tets[t]);
     }
-    if (cell.nodes().size() < 8) refuse_other_than_cells();
+    if (cell.nodes().size() < at(VolumePatches::max_nodes)) refuse_other_than_cells();
     const index_t row = cell.nodes()[2], layer = cell.nodes()[4];
     if (row < 2 || layer < 2 * row || layer % row != 0 || mesh.nodes % layer != 0) refuse_other_than_cells();
     const Box box{row, layer, row - 1, layer / row - 1, static_cast<index_t>(mesh.tets.size() / tets_per_cell)};
@@ -123,8 +123,6 @@ struct Box {
     }
     return nodes;
   }
-
-  static constexpr std::size_t tets_per_cell = 6;
 };
 
 // The tet across each face, opposite each corner; none at the boundary.

@@ -44,10 +44,10 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
     before.view().put(n, {{x[0] + 7, x[1] - 5, x[2] + 3}});
     now.view().put(n, {{x[0] + 7 + w[0], x[1] - 5 + w[1], x[2] + 3 + w[2]}});
   }
-  parallel_for(Host{}, fine_nodes,
-               lanes<1>(InterpolateMotion{bends, parents.const_view(), node_tets, tets.const_view(),
-                                          rest.const_view(), before.const_view(), now.const_view(),
-                                          constraints.const_view(), positions.view()}));
+  parallel_for(
+      Host{}, fine_nodes,
+      lanes<1>(InterpolateMotion{bends, parents.const_view(), node_tets, tets.const_view(), rest.const_view(),
+                                 before.const_view(), now.const_view(), constraints.const_view(), positions.view()}));
   std::vector<Point> result(std::size_t(fine_nodes), Point{});
   for (index_t n = 0; n < fine_nodes; ++n) {
     const auto x = positions.view().get(n).x;
