@@ -215,7 +215,8 @@ TEST(MeshLists, patches_of_cells_are_the_cells_of_boxes_and_nothing_else) {
         for (std::size_t t = 6 * p; t < 6 * p + 6; ++t) {
           corners.insert(box.tets[t].begin(), box.tets[t].end());
           EXPECT_EQ(patches.tet_patch[t], static_cast<Index>(p));
-          EXPECT_EQ(patches.patch_tets.entries[t], (IncidenceEntry{static_cast<Index>(t), static_cast<Index>(t - 6 * p)}));
+          EXPECT_EQ(patches.patch_tets.entries[t],
+                    (IncidenceEntry{static_cast<Index>(t), static_cast<Index>(t - 6 * p)}));
           for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(patches.nodes[p][patches.tet_slots[t][c]], box.tets[t][c]);
         }
         EXPECT_EQ(std::vector<Index>(patches.nodes[p].begin(), patches.nodes[p].end()),

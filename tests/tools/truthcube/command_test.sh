@@ -233,5 +233,25 @@ case $rule in
     expect_exit 1 --cells 272 --precision double --out o
     expect err 'a cube of 272\^3 cells takes [0-9.]+ GB \([0-9]{12} bytes\), and this machine has [0-9.]+ GB; fewer --cells'
     [[ ! -e o ]] || fail 'a folder was made' ;;
+  memory_that_ends_in_the_set_up_is_said_with_its_stage)
+    expect_exit 0 --cells 64 --threads 1 --volume tets --dry-run
+    said=$(sed -nE 's/^solver: ([0-9]+) bytes.*/\1/p' out)
+    # As much as the arrays and lists take, and so less than the process does.
+    more=$(sed -nE 's/^set-up: ([0-9.]+) GB more.*/\1/p' out)
+    ulimit -v "$(awk -v said="$said" -v more="$more" 'BEGIN { print int((said + (more + 0.02) * 1e9) / 1024) }')"
+    expect_exit 1 --cells 64 --threads 1 --volume tets --out o
+    expect err '^truthcube: the memory ended in its stage "[a-z ]+": .* [0-9]+ bytes'
+    [[ -z $(ls -A o) ]] || fail 'files are left' ;;
+  ctrl_c_ends_the_set_up)
+    got=0
+    timeout -k 1 -s INT 0.3 "$program" --cells 128 --volume tets --out o >out 2>err || got=$?
+    ((got == 124)) || fail "exit $got" # 137 where it had to be killed
+    ;;
+  the_stages_of_the_set_up_are_in_the_record_and_add_up)
+    expect_exit 0 "${small[@]}" --compress 0.02 --timings --out o
+    expect out '^  rows of tets +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+$'
+    expect out '^  a copy of memory reads and writes [0-9.]+ GB/s$'
+    sed -n '/"setup_stages"/,/^  ]/p' o/run.json | awk -F': ' -v whole="$(number_of setup_seconds o/run.json)" '
+      /"seconds"/ { sum += $2 } END { exit !(sum > 0.99 * whole && sum < 1.01 * whole) }' || fail 'stages are not the whole' ;;
   *) fail 'no such rule' ;;
 esac

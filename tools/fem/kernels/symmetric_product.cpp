@@ -40,14 +40,13 @@ EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, Spa
   indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
   contributions_ = Buffer(space, 4 * edges_ * real_bytes, "contributions of " + std::to_string(edges_) + " edges");
   HostList<Index> elsewhere(space == SpaceKind::host ? 0 : at(count));
-  Index* const first =
-      space == SpaceKind::host ? reinterpret_cast<Index*>(indices_.data()) : elsewhere.data();
+  Index* const first = space == SpaceKind::host ? reinterpret_cast<Index*>(indices_.data()) : elsewhere.data();
   Index* const place = first + 2 * (nodes_ + 1);
   // Edges ascend, so those of a first node lie side by side; those of a second node are its contributions, ascending.
   HostList<Index> begin, by_second;
   fill_rows(
-      Host{}, nodes_, edges_,
-      [edges](index_t e, const auto& put) { put(edges[at(e)][1], static_cast<Index>(e)); }, begin, by_second);
+      Host{}, nodes_, edges_, [edges](index_t e, const auto& put) { put(edges[at(e)][1], static_cast<Index>(e)); },
+      begin, by_second);
   physgen::detail::for_each_index(0, edges_ + 1, [=](index_t e) {
     const Index from = e == 0 ? 0 : edges[at(e - 1)][0] + 1;
     const Index to = at(e) == edges.size() ? nodes : edges[at(e)][0];

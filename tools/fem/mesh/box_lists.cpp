@@ -137,7 +137,7 @@ class Box {
   }
 
   std::array<Index, 3> cells_, mirrored_;
-  std::array<std::vector<Sides>, 3> kinds_;           // of places along each axis
+  std::array<std::vector<Sides>, 3> kinds_;          // of places along each axis
   std::array<std::vector<std::size_t>, 3> kind_of_;  // per place
   std::vector<Pattern> patterns_;
 };

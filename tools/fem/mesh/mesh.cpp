@@ -92,9 +92,8 @@ class EdgesOfNode {
       begin += edge.tets;
       last[k] = begin;
     }
-    each_use(node, tets, node_tets, [this, entries](Index other, Index tet, Index local) {
-      entries[slot_[at(other)]++] = {tet, local};
-    });
+    each_use(node, tets, node_tets,
+             [this, entries](Index other, Index tet, Index local) { entries[slot_[at(other)]++] = {tet, local}; });
   }
 
  private:

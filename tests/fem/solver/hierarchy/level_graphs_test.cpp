@@ -44,7 +44,8 @@ std::vector<Parent> parents_of(const MeshLevel& level, Index node) {
     return parents;
   }
   for (Index k = 0; k < 4; ++k) {
-    if (level.grid_parents[at(node)].weights[at(k)] != 0) parents.push_back({level.grid_parents[at(node)].nodes[at(k)], k});
+    if (level.grid_parents[at(node)].weights[at(k)] != 0)
+      parents.push_back({level.grid_parents[at(node)].nodes[at(k)], k});
   }
   return parents;
 }
@@ -124,7 +125,8 @@ void expect_terms(const MeshLevel& level, const std::vector<Edge>& coarse_edges,
   expected.edge_terms.resize(coarse_edges.size());
   const bool grid = !level.grid_parents.empty();
   const auto add = [&](Index a, Index b, Index element, GalerkinBlock kind, int quarters) {
-    expected.edge_terms[numbers.at(ordered(a, b))].push_back({element, static_cast<Index>(galerkin_code(kind, quarters))});
+    expected.edge_terms[numbers.at(ordered(a, b))].push_back(
+        {element, static_cast<Index>(galerkin_code(kind, quarters))});
   };
   for (Index a = 0; a < level.mesh.nodes; ++a) {
     std::set<Edge> pairs;

@@ -50,8 +50,8 @@ template <class Array>
 }
 
 /// Stores an incidence list as packed rows, on several threads.
-/// @param ranges of elasticity::IncidenceRange, entries of quasistatic::PackedIncidence: arrays in one space, as many as
-/// the list has rows and entries; of an empty list, of any size
+/// @param ranges of elasticity::IncidenceRange, entries of quasistatic::PackedIncidence: arrays in one space, as many
+/// as the list has rows and entries; of an empty list, of any size
 /// @param elements how many there are
 /// @param name of the elements, for errors: "edges"
 /// @throw Error when there are too many elements for the packing, or an entry does not fit it

@@ -182,8 +182,8 @@ IncidenceList coarse_terms(const LevelGraph& fine, const CoarsePairs& pairs, con
           }
         });
   });
-  stage.moves(fine.edges, fine.node_edges.entries, fine.children.entries, fine.parents, fine.grid_parents,
-              coarse.edges, pairs.pairs, list.first, list.entries);
+  stage.moves(fine.edges, fine.node_edges.entries, fine.children.entries, fine.parents, fine.grid_parents, coarse.edges,
+              pairs.pairs, list.first, list.entries);
   return list;
 }
 

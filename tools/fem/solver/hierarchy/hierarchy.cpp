@@ -18,8 +18,8 @@ namespace {
 using detail::at;
 using detail::CoarsePairs;
 using detail::first_edges;
-using physgen::detail::for_each_index;
 using detail::HigherNodes;
+using physgen::detail::for_each_index;
 
 void require_sizes(std::size_t l, const MeshLevel& level) {
   const std::size_t size = at(level.mesh.nodes);
@@ -197,9 +197,8 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
   parts.edge_patches.entries.resize(at(exclusive_scan(Host{}, std::span(begin))));
   detail::each_node(nodes, scratch, [&](Index node, HostList<Index>& next) {
     for (Index e = first[at(node)]; e < first[at(node) + 1]; ++e) next[at(graph.edges[at(e)][1])] = begin[at(e)];
-    each_pair(node, [&](Index other, IncidenceEntry entry) {
-      parts.edge_patches.entries[at(next[at(other)]++)] = entry;
-    });
+    each_pair(node,
+              [&](Index other, IncidenceEntry entry) { parts.edge_patches.entries[at(next[at(other)]++)] = entry; });
   });
   stage.moves(node_patches.entries, patches.nodes, begin, parts.edge_patches.entries);
   return parts;
