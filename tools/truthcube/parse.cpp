@@ -156,10 +156,11 @@ Options parse(const std::vector<std::string>& arguments) {
                     ->check(whole_number(1, 100000))
                     ->type_name("N");
   const auto* grading =
-      app.add_option("--grading", options.grading,
-                     "of the cube: its cells narrow towards all faces, where errors come from: the corner k of N/2 lies "
-                     "at 40 mm (2 k/N)^G; 1 is uniform. From 1.25 to 1.75 beads are nearer to those of finer "
-                     "cells the larger G is, and solves take longer")
+      app.add_option(
+             "--grading", options.grading,
+             "of the cube: its cells narrow towards all faces, where errors come from: the corner k of N/2 lies "
+             "at 40 mm (2 k/N)^G; 1 is uniform. From 1.25 to 1.75 beads are nearer to those of finer "
+             "cells the larger G is, and solves take longer")
           ->type_name("G");
   app.add_option("--mesh", options.mesh,
                  "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1), in metres, in place of the cube; its "
