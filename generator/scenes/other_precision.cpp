@@ -66,7 +66,7 @@ bool is_one_text(const clang::CXXRecordDecl& record) {
 }
 
 std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function, const Names& names,
-                                                   bool& is_known) {
+                                                  bool& is_known) {
   std::vector<const clang::FunctionDecl*> result;
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
   if (method != nullptr && method->getParent()->isLambda()) return result;
@@ -88,7 +88,9 @@ std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& fun
   else if (method != nullptr)
     for (const clang::NamedDecl* one : method->getParent()->lookup(function.getDeclName())) add(one);
   else
-    for (const clang::NamedDecl* one : in_namespaces(*function.getASTContext().getTranslationUnitDecl(), function, names)) add(one);
+    for (const clang::NamedDecl* one :
+         in_namespaces(*function.getASTContext().getTranslationUnitDecl(), function, names))
+      add(one);
   return result;
 }
 

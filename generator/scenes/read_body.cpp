@@ -194,9 +194,9 @@ class Body : public clang::RecursiveASTVisitor<Body> {
       return callees_.contains(&expression) || (in_library_ ? follow(*function, expression) : say(expression));
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(&declared);
     if (variable == nullptr || !variable->hasGlobalStorage()) return true;
-    const bool is_constant = (variable->isConstexpr() || variable->getType().isConstQualified()) &&
-                             (in_library_ || !variable->getType()->isRecordType() ||
-                              variable->getTemplateInstantiationPattern() == nullptr);
+    const bool is_constant =
+        (variable->isConstexpr() || variable->getType().isConstQualified()) &&
+        (in_library_ || !variable->getType()->isRecordType() || variable->getTemplateInstantiationPattern() == nullptr);
     if (is_constant && (in_library_ || holds_values(variable->getType(), names_))) return true;
     return say("uses the variable " + in_quotes(expression, context_, names_));
   }

@@ -131,7 +131,8 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
       if (names_.is_library(named->getLocation())) continue;
       if (const auto* one = llvm::dyn_cast<clang::FunctionDecl>(named))
         candidates.emplace_back(one, callee);
-      else if (callee->getNumDecls() > 1) say(callee->getBeginLoc(), "chooses its code by types");
+      else if (callee->getNumDecls() > 1)
+        say(callee->getBeginLoc(), "chooses its code by types");
     }
     return true;
   }
@@ -162,9 +163,7 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     if (number->hasDefaultArgument()) return TraverseTemplateArgumentLoc(number->getDefaultArgument());
     return true;
   }
-  bool VisitTypedefTypeLoc(clang::TypedefTypeLoc type) {
-    return read_alias(*type.getTypePtr()->getDecl());
-  }
+  bool VisitTypedefTypeLoc(clang::TypedefTypeLoc type) { return read_alias(*type.getTypePtr()->getDecl()); }
   bool VisitIfStmt(clang::IfStmt* choice) {
     if (choice->isConstexpr() && !is_of_numbers(choice->getCond()))
       say(choice->getBeginLoc(), "chooses its code by types");
@@ -220,9 +219,9 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
 
   const Names& names_;
   const bool sees_arrays_;
-  const clang::DeclContext* outer_ = nullptr;                         // what is read
+  const clang::DeclContext* outer_ = nullptr;                       // what is read
   std::vector<llvm::ArrayRef<clang::TemplateArgument>> arguments_;  // of its templates, the outermost first
-  bool is_foreign_ = false;                                           // in an alias with other parameters than these
+  bool is_foreign_ = false;                                         // in an alias with other parameters than these
   std::set<const clang::ValueDecl*> indices_;
   std::set<const clang::TemplateTypeParmDecl*> types_;
   std::set<clang::SourceLocation> known_;  // where their names may stand
@@ -237,8 +236,7 @@ bool is_pack(clang::QualType type) {
   return Names::is_physgen(record, "Pack") || Names::is_physgen(record, "PartialPack");
 }
 
-std::string asked_of_index(const clang::FunctionDecl& function, Names& names,
-                           std::vector<Candidate>& candidates) {
+std::string asked_of_index(const clang::FunctionDecl& function, Names& names, std::vector<Candidate>& candidates) {
   const auto* pattern = function.getTemplateInstantiationPattern();
   if (pattern == nullptr) pattern = &function;
   IndexUse use(function, names, sees_arrays(function, names));

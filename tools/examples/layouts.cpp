@@ -122,7 +122,8 @@ int main() {
   std::puts("\nA kernel that gathers four objects by numbers in random order:");
   print("array of structs", structs.gathered, "An object comes with one or two lines of cache.");
   print("struct of arrays", arrays.gathered, "An object comes with seven lines, one for each element.");
-  print("tiles of 16", tiles.gathered, "Seven lines lie side by side; an address takes more steps: tile, channel, lane.");
+  print("tiles of 16", tiles.gathered,
+        "Seven lines lie side by side; an address takes more steps: tile, channel, lane.");
   std::puts("\nMemory from its beginning: 1.s0 is the first element of sigma of object 1, and p is the pressure.");
   draw<Aos>("array of structs");
   draw<Soa>("struct of arrays");
