@@ -39,14 +39,18 @@ if(PHYSGEN_SANITIZE)  # exported as well: programs must be linked, and are bette
 endif()
 
 # Compiles the sources of `target` with the warnings of this project as errors. nvcc's host code is its own output, so
-# -Wpedantic says nothing useful there. Before version 13, GCC warns falsely of overlap inside std::string (its bug
-# 105651) and of operands that its own AVX-512 intrinsics, and Eigen, leave uninitialized on purpose.
+# -Wpedantic says nothing useful there. GCC warns falsely of operands that its own AVX-512 intrinsics, and Eigen, leave
+# uninitialized on purpose, and before version 13 of overlap inside std::string (its bug 105651).
 function(physgen_add_warnings target)
   set(cxx -Wall -Wextra -Wpedantic -Wconversion -Werror)
   set(cuda -Wall,-Wextra,-Wconversion,-Werror)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    list(APPEND cxx -Wno-restrict -Wno-uninitialized -Wno-maybe-uninitialized)
-    string(APPEND cuda ",-Wno-restrict,-Wno-uninitialized,-Wno-maybe-uninitialized")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      list(APPEND cxx -Wno-restrict)
+      string(APPEND cuda ",-Wno-restrict")
+    endif()
+    list(APPEND cxx -Wno-uninitialized -Wno-maybe-uninitialized)
+    string(APPEND cuda ",-Wno-uninitialized,-Wno-maybe-uninitialized")
   endif()
   target_compile_options(${target} PRIVATE
     "$<$<COMPILE_LANGUAGE:CXX>:${cxx}>" "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${cuda};-Werror=all-warnings>")
