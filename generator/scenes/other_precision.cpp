@@ -47,14 +47,17 @@ std::vector<const clang::NamedDecl*> in_namespaces(const clang::DeclContext& out
 
 }  // namespace
 
+bool is_of_libraries(const clang::Decl& declared, const Names& names) {
+  static const std::set<llvm::StringRef> spaces = {"Eigen", "physgen", "xsimd"};
+  const clang::NamespaceDecl* space = nullptr;
+  for (const auto* outer = declared.getDeclContext(); !outer->isTranslationUnit(); outer = outer->getParent())
+    if (const auto* named = llvm::dyn_cast<clang::NamespaceDecl>(outer)) space = named;
+  return space != nullptr && spaces.contains(space->getName()) && names.is_library(declared.getLocation());
+}
+
 bool is_of_precision(clang::QualType type, const Names& names) {
   const auto* record = type->getAsCXXRecordDecl();
-  if (record == nullptr) return type->isArithmeticType() || type->isVoidType();
-  static const std::set<llvm::StringRef> spaces = {"Eigen", "physgen", "xsimd"};
-  const clang::DeclContext* space = record;
-  while (!space->getParent()->isTranslationUnit()) space = space->getParent();
-  const auto* named = llvm::dyn_cast<clang::NamespaceDecl>(space);
-  return named != nullptr && spaces.contains(named->getName()) && names.is_library(record->getLocation());
+  return record == nullptr ? type->isArithmeticType() || type->isVoidType() : is_of_libraries(*record, names);
 }
 
 bool is_one_text(const clang::CXXRecordDecl& record) {

@@ -9,6 +9,9 @@
 
 namespace physgen::scenes {
 
+/// Whether a class or a template is of the libraries that kernels calculate with.
+[[nodiscard]] bool is_of_libraries(const clang::Decl& declared, const usage::Names& names);
+
 /// Numbers, and classes of the libraries that kernels calculate with, whose own types differ in the precision alone.
 [[nodiscard]] bool is_of_precision(clang::QualType type, const usage::Names& names);
 

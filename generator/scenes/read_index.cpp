@@ -113,10 +113,12 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
   // Such a class may be another one for another precision.
   bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc type) {
     const auto of = type.getTypePtr()->getQualifier();
-    const auto* named = of.getKind() == clang::NestedNameSpecifier::Kind::Type
-                            ? llvm::dyn_cast<clang::TemplateTypeParmType>(of.getAsType())
-                            : nullptr;
-    if (!is_generated(type.getBeginLoc()) && (named == nullptr || !is_given(*named)))
+    const clang::Type* outer = of.getKind() == clang::NestedNameSpecifier::Kind::Type ? of.getAsType() : nullptr;
+    const auto* given = llvm::dyn_cast_or_null<clang::TemplateTypeParmType>(outer);
+    const auto* made = llvm::dyn_cast_or_null<clang::TemplateSpecializationType>(outer);
+    const auto* whole = made == nullptr ? nullptr : made->getTemplateName().getAsTemplateDecl();
+    if (!is_generated(type.getBeginLoc()) && !(given != nullptr && is_given(*given)) &&
+        !(whole != nullptr && is_of_libraries(*whole, names_)))
       say(type.getBeginLoc(), "chooses its code by types");
     return true;
   }
