@@ -88,13 +88,16 @@ TEST(InterpolateMotion, is_exact_for_affine_motions_everywhere) {
   }
 }
 
-/// On the middle line of the cube along x, where tets are as wide on both sides along y and z, the mean gradient of x^2
-/// is off by the difference of the widths along x.
+/// On the middle line of the cube along x. Its diagonals run towards the middle: a node has the six tets of the cells
+/// whose inner corner it is, and two of the cells behind it; all have the same gradient of x^2 along an edge.
 TEST(InterpolateMotion, takes_the_cubic_where_a_node_lies_off_the_middle_of_an_edge) {
   const Body body = graded(cube_with(0), 1.5);
   const auto positions = interpolated(body, [](const Point& x) { return Point{x[0] * x[0], 0, 0}; }, 0);
   const std::vector<double> at = graded_positions(4, side, 1.5);
-  const auto gradient = [&](std::size_t k) { return 2 * at[k] + (at[k + 1] - at[k]) - (at[k] - at[k - 1]); };
+  const auto gradient = [&](std::size_t k) {
+    const double before = (k <= 2 ? 6 : 2) * (at[k] - at[k - 1]), behind = (k >= 2 ? 6 : 2) * (at[k + 1] - at[k]);
+    return (before * (at[k] + at[k - 1]) + behind * (at[k] + at[k + 1])) / (before + behind);
+  };
   for (const std::size_t k : {1U, 2U}) {
     const std::size_t node = 2 * k + 1 + 9 * (4 + 9 * 4);
     const double x = body.levels[0].rest[node][0], length = at[k + 1] - at[k], s = (x - at[k]) / length;
