@@ -1,9 +1,10 @@
 // Allocation of buffers; CUDA and pinned memory come from the backend.
+#include <physgen/detail/launch.h>
 #include <physgen/device.h>
 #include <physgen/error.h>
-#include <physgen/detail/launch.h>
 #include <physgen/memory/buffer.h>
 #include <physgen/memory/host_list.h>
+#include <physgen/memory/memory_error.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -67,7 +68,8 @@ Buffer::Buffer(SpaceKind space, index_t bytes, const std::string& what) : bytes_
   const index_t rounded = align_up(bytes, buffer_alignment);
   data_ = space == SpaceKind::host ? allocate_host(rounded, why) : backend::allocate(space, rounded, why);
   if (data_ == nullptr) {
-    throw Error(what + ": cannot allocate " + std::to_string(bytes) + " bytes of " + name(space) + " memory: " + why);
+    throw MemoryError(what + ": cannot allocate " + std::to_string(bytes) + " bytes of " + name(space) +
+                      " memory: " + why);
   }
   if (space == SpaceKind::host) clear(data_, rounded);
 }
@@ -83,8 +85,8 @@ void* allocate_list(std::size_t count, std::size_t bytes_of_each) {
     memory = allocate_host(align_up(std::max(bytes, index_t{1}), buffer_alignment), why);
   }
   if (memory != nullptr) return memory;
-  throw Error("a list of " + std::to_string(count) + " entries of " + std::to_string(bytes_of_each) +
-              " bytes cannot be allocated: " + why);
+  throw MemoryError("a list of " + std::to_string(count) + " entries of " + std::to_string(bytes_of_each) +
+                    " bytes cannot be allocated: " + why);
 }
 
 void free_list(void* memory) noexcept { std::free(memory); }

@@ -44,9 +44,10 @@ TEST(Lists, a_scan_whose_sum_has_no_number_is_refused_and_changes_nothing) {
     exclusive_scan(Host{}, std::span(numbers));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "physgen: a list would have 2147483648 entries, and its numbers reach 2147483647: make fewer, or spread them "
-                 "over several lists");
+    EXPECT_STREQ(
+        error.what(),
+        "physgen: a list would have 2147483648 entries, and its numbers reach 2147483647: make fewer, or spread them "
+        "over several lists");
   }
   EXPECT_EQ(numbers, before);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER with the files that it reads,
-# packages.sh, packages.txt and tests.sh. The system's commands that it would install and build with are replaced by ones that write
+# packages.sh, packages.txt, tests.sh and first.sh. The system's commands that it would install and build with are replaced by ones that write
 # how they were called to $calls.
 # shellcheck disable=SC2016  # the bodies of the commands below are expanded when they run
 set -euo pipefail
@@ -10,60 +10,18 @@ root="$work/physgen"
 calls=$work/calls
 rm -rf "$work"
 mkdir -p "$root/tools" "$work/bin" "$work/home"
-cp "$dev" "$(dirname "$dev")"/{packages.sh,packages.txt,tests.sh} "$root/tools"
+cp "$dev" "$(dirname "$dev")"/{packages.sh,packages.txt,tests.sh,first.sh} "$root/tools"
 export PATH="$work/bin:$PATH" calls work
 unset CUDACXX CUDA_HOME CUDAARCHS
 touch "$calls"
 
-fail() {
-  printf 'FAILED: %s\n--- output:\n%s\n--- calls:\n%s\n' "$*" "$(cat "$work/output")" "$(cat "$calls")" >&2
-  exit 1
-}
-# fake NAME BODY: a command NAME that records its call, then runs BODY.
-fake() { recorder "$work/bin/$1" "${2-}"; }
-# program PATH: a program in the copied tree that records its call.
-program() { recorder "$root/$1"; }
-recorder() {
-  mkdir -p "$(dirname "$1")"
-  printf '#!/usr/bin/env bash\necho "%s $*" >>"$calls"\n%s\n' "${1##*/}" "${2-}" >"$1"
-  chmod +x "$1"
-}
-# dev STATUS ARGUMENTS...: runs the script from another folder; fails when its exit status is not STATUS.
-dev() {
-  local expected=$1 status=0
-  shift
-  (cd / && "$root/tools/dev" "$@") >"$work/output" 2>&1 </dev/null || status=$?
-  ((status == expected)) || fail "tools/dev $* gave exit status $status, expected $expected"
-}
-says() { grep -qF -- "$1" "$work/output" || fail "not said: $1"; }
-called() { grep -q -- "$1" "$calls" || fail "not called: $1"; }
-not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
-
-# A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
-every_package() {
-  sed -E '/^(#|LLVM |MORE |$)/d; s/ .*//; s/LLVM/22/; s/^lib(gtest|benchmark)-dev$/&:amd64/' "$root/tools/packages.txt"
-}
-export apt_has='-22'
-every_package >"$work/installed"
-fake dpkg-query 'sed "s/.*/installed=& /" "$work/installed" | tr -d "\n"'
-fake apt-get
-fake apt-cache 'if [[ $2 =~ $apt_has ]]; then echo "  Candidate: 1:1.0"; else echo "  Candidate: (none)"; fi'
-fake id 'echo 0'
-fake sudo 'exit 1'
-without() { every_package | grep -vE "$1" >"$work/installed"; }
-# The build: cmake makes nothing, ctest fails with 8, and physbench is there. No nvcc and no GPU, unless a rule says so.
-fake cmake 'mkdir -p build'
-fake ctest 'exit 8'
-fake nvidia-smi 'exit 9'
-# Rules that need no nvcc cannot hide one in /usr/local/cuda: it is taken out of the copied script.
-sed -i "s|/usr/local/cuda/bin/nvcc|$(printf %q "$work")/none/nvcc|" "$root/tools/dev"
-PATH=$(tr : '\n' <<<"$PATH" | while read -r entry; do [[ -x $entry/nvcc ]] || printf '%s:' "$entry"; done)
-touch "$work/output"
+# shellcheck source-path=SCRIPTDIR source=dev_machine.sh
+source "$(dirname "$0")/dev_machine.sh"
 
 case $rule in
   help_names_every_command)
     dev 0 help
-    for name in setup build run test fuzz gpu report format tidy times clean; do says "  $name "; done
+    for name in setup build try run test fuzz gpu report format tidy times clean; do says "  $name "; done
     dev 0
     ;;
   unknown_command_exits_with_2)
@@ -214,8 +172,31 @@ case $rule in
     fake cmake '[[ $1 == --build ]] || echo "-- The CXX compiler identification"'
     dev 0 run
     ! grep -q 'compiler identification' "$work/output" || fail 'CMake tells of its checks'
-    called 'apt-get .*install .* cmake ninja-build g++ .*libbenchmark-dev$'
+    called 'apt-get .*install .* g++ libeigen3-dev .*cmake ninja-build .*libbenchmark-dev$'
     ! grep 'apt-get' "$calls" | grep -qE 'clang|llvm|python3|hdf5|gtest' || fail 'more was installed'
+    ;;
+  try_needs_a_compiler_and_headers_alone)
+    : >"$work/installed"
+    mkdir -p "$root/tools/examples" "$root/runtime/src/no_cuda"
+    cp "$(dirname "$dev")/examples/blocks.awk" "$root/tools/examples"
+    cp "$(dirname "$dev")/../README.md" "$root"
+    touch "$root/tools/examples/layouts.cpp" "$root/runtime/src"/{copy,no_cuda/device}.cpp
+    # A compiler whose programs say how they are called.
+    fake g++ 'printf "#!/bin/sh\\necho ran ${!#}\\n" >"${!#}"; chmod +x "${!#}"'
+    dev 0 try
+    called 'apt-get .*install .* g++ libeigen3-dev libxsimd-dev libtbb-dev$'
+    not_called '^cmake'
+    for source in layouts pressure copy no_cuda/device; do called "g++ .*-c .*$source.cpp "; done
+    says "ran build/try/pressure"
+    says "ran build/try/layouts"
+    says 'tools/dev run'
+    cmp <(sed -n '/^struct PHYSGEN_OBJECT/,/^};/p' "$root/README.md") <(sed -n '/^struct PHYSGEN_OBJECT/,/^};/p' "$root/build/try/stress.h") ||
+      fail 'the schema is not that of README'
+    : >"$calls"
+    dev 0 try
+    not_called 'g++ .*-c '
+    dev 2 try all
+    says 'try takes no arguments'
     ;;
   run_takes_the_build_that_has_the_generator)
     program build/release/bin/physbench_first
@@ -251,7 +232,7 @@ case $rule in
     says 'fuzz needs LLVM'
     ;;
   gpu_runs_carried_programs_at_another_path)
-    rm "$root/tools"/{packages.*,tests.sh} # as carried: tools/dev and what was built
+    rm "$root/tools"/{packages.*,tests.sh,first.sh} # as carried: tools/dev and what was built
     fake nvcc
     fake nvidia-smi 'echo "GPU 0: a device"'
     program build/cuda/bin/physbench

@@ -244,7 +244,7 @@ def _packages(text):
     """Those of tools/packages.txt, which says what its lines are."""
     lines = dict(line.split(maxsplit=1) for line in text.splitlines() if line and line[0] != "#")
     best, *others = lines.pop("LLVM").split()
-    del lines["MORE"]
+    del lines["RUN"], lines["MORE"]
     names = {name: name.replace("LLVM", best) + f" (or {', '.join(others)})" * ("LLVM" in name) for name in lines}
     return _lines(["package", "what for"], [[names[name], reason] for name, reason in lines.items()])
 

@@ -266,6 +266,8 @@ Options parse(const std::vector<std::string>& arguments) {
                  "threads on the CPU; 0: as OMP_NUM_THREADS says, or one for each processor that it may use")
       ->check(whole_number(0, 4096))
       ->type_name("N");
+  app.add_flag("--timings", options.timings,
+               "print what each stage of the set-up takes, beside the bytes that it moves at least");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");
   app.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
   options.help = parse_words(app, arguments);

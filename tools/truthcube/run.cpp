@@ -2,10 +2,12 @@
 
 #include <fem/solver/solvers/scene_solvers.h>
 #include <physgen/error.h>
+#include <physgen/memory/memory_error.h>
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -15,11 +17,13 @@
 #include "output/folder_lock.h"
 #include "output/hash.h"
 #include "parse.h"
+#include "program.h"
 #include "run_bytes.h"
 #include "run_files.h"
 #include "scene.h"
 #include "steps.h"
 #include "terminal.h"
+#include "timings.h"
 
 namespace physgen::truthcube {
 
@@ -87,9 +91,7 @@ PlateRecord record_of(const Plate& plate) {
   return {static_cast<std::int64_t>(plate.nodes.front().size()), plate.area};
 }
 
-}  // namespace
-
-Outcome run(Options options, const std::string& command) {
+Outcome run_recorded(Options options, const std::string& command, const fem::Stages& stages) {
   const Terminal terminal(options.quiet);
   const auto start = Clock::now();
   constexpr int parts = 4;
@@ -134,7 +136,7 @@ Outcome run(Options options, const std::string& command) {
   }
 
   terminal.set_up(3, parts, "files");
-  const std::uint64_t hash = mesh_hash(finest.rest, finest.mesh.tets);
+  const std::uint64_t hash = options.out.empty() ? 0 : mesh_hash(finest.rest, finest.mesh.tets);
   RunRecord record;
   std::optional<Checkpoint> checkpoint;
   if (options.restart) {
@@ -179,10 +181,12 @@ Outcome run(Options options, const std::string& command) {
   record.lower_plate = record_of(scene.plates.lower);
   record.upper_plate = record_of(scene.plates.upper);
   record.setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  record.stages = records_of(stages, record.setup_seconds);
   const auto total = static_cast<double>(record.bytes);
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; %.1f MB, %.0f bytes per node; set up in %.2f s",
                 static_cast<long long>(record.tets), static_cast<long long>(record.nodes), scene.levels.size(),
                 record.device.c_str(), total / 1e6, total / static_cast<double>(record.nodes), record.setup_seconds);
+  if (options.timings) print_timings(record.stages, terminal);
   terminal.text(describe(scene.plates));
   if (checkpoint) {
     solver->restore(state_of(*checkpoint, solver->state()));
@@ -194,6 +198,23 @@ Outcome run(Options options, const std::string& command) {
   const double tolerance = options.solver.newton.absolute_tolerance > 0 ? 0 : options.solver.newton.tolerance;
   return Steps(scene, *solver, files, record, beads, terminal, tolerance, solve_words(options))
       .run(options.compressions, options.repetitions);
+}
+
+}  // namespace
+
+Outcome run(Options options, const std::string& command) {
+  fem::Stages stages;
+  const auto in_stage = [&stages] {
+    return stages.failed().empty() ? std::string() : " in its stage \"" + stages.failed() + "\"";
+  };
+  try {
+    const fem::Stages::Recording recording(stages);
+    return run_recorded(std::move(options), command, stages);
+  } catch (const MemoryError& error) {
+    throw Error("the memory ended" + in_stage() + ": " + text_of(error));
+  } catch (const std::bad_alloc&) {
+    throw Error("the memory ended" + in_stage());
+  }
 }
 
 }  // namespace physgen::truthcube

@@ -1,7 +1,8 @@
 #include "run_bytes.h"
 
 #include <fem/solver/preconditioners/all.h>
-#include <quasistatic.physgen.h>
+
+#include <algorithm>
 
 namespace physgen::truthcube {
 
@@ -46,23 +47,25 @@ RunBytes bytes_of_run(const std::vector<LevelCounts>& levels, const fem::SolverS
                       const RunArrays& arrays) {
   RunBytes bytes = solver_bytes(levels, settings, arrays);
   const bool assembled = settings.newton.product == fem::Product::assembled;
+  // Of the graphs, the edges stay until all arrays are made, and the rest until those of the levels are.
+  std::int64_t graphs = 0, edges = 0;
   for (std::size_t l = 0; l < levels.size(); ++l) {
-    // The solver copies the meshes, and its graphs stay until all arrays are made.
     const LevelCounts* coarser = l + 1 < levels.size() ? &levels[l + 1] : nullptr;
-    bytes.lists += 2 * bytes_of_mesh(levels[l]) + bytes_of_graph(levels[l], coarser, assembled);
+    bytes.lists += bytes_of_mesh(levels[l]);
+    graphs += bytes_of_graph(levels[l], coarser, assembled);
+    if (assembled) edges += 2 * index_bytes * levels[l].edges;
   }
   const LevelCounts& finest = levels.front();
   if (arrays.scene == SceneKind::explicit_dynamics) return bytes;  // whose lists are those of the mesh
-  bytes.lists += fem::with_preconditioner(settings.newton.preconditioner.kind, [&]<class Type>() {
+  graphs += fem::with_preconditioner(settings.newton.preconditioner.kind, [&]<class Type>() {
     return Type::template bytes<fem::NoArrays>(finest.nodes, finest.edges).lists;
   });
-  bytes.lists += assembled
-                     ? bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches)
-                     : bytes_of_list(finest.nodes, finest.node_patches);
-  if (finest.ring_nodes > 0) {  // as plain numbers, and as the host's objects of them
-    bytes.lists += index_bytes * (finest.nodes + 1 + finest.ring_nodes) +
-                   finest.ring_nodes * quasistatic::RingNodeArray<float>::record_bytes;
+  std::int64_t parts = bytes_of_list(finest.nodes, finest.node_patches);
+  if (assembled) {
+    parts += bytes_of_list(finest.edges, 6 * finest.tets) + bytes_of_list(finest.edges, finest.edge_patches);
   }
+  if (finest.ring_nodes > 0) parts += index_bytes * (finest.nodes + 1 + finest.ring_nodes);
+  bytes.lists += std::max(graphs, edges + parts);
   return bytes;
 }
 

@@ -69,7 +69,8 @@ std::int32_t add_to_row(std::int32_t& row, std::int32_t change) {
 template <bool kAtomic, class Entry, class Visit>
 void fill_rows(index_t items, const Visit& visit, HostList<std::int32_t>& first, HostList<Entry>& entries) {
   for_each_index<4>(0, items, [&](index_t i) {
-    visit(i, [&](index_t row, const Entry& /*entry*/) { add_to_row<kAtomic>(first[static_cast<std::size_t>(row)], 1); });
+    visit(i,
+          [&](index_t row, const Entry& /*entry*/) { add_to_row<kAtomic>(first[static_cast<std::size_t>(row)], 1); });
   });
   entries.resize(static_cast<std::size_t>(scan<true>(std::span(first))));
   // Rows are filled from their ends, which become their beginnings; items come in descending order for that.
@@ -83,10 +84,11 @@ void fill_rows(index_t items, const Visit& visit, HostList<std::int32_t>& first,
 
 }  // namespace detail
 
-/// Row r has the entries that items put there, ascending: entries[first[r]] up to, not including, entries[first[r + 1]].
+/// Row r has the entries that items put there, ascending: entries[first[r]] up to, not including, entries[first[r +
+/// 1]].
 /// @param rows how many there are; `first` has one more
-/// @param visit called as visit(i, put) for the items 0 .. items-1, twice each and in any order; calls put(r, entry) for
-/// its entries, the same both times, and throws nothing
+/// @param visit called as visit(i, put) for the items 0 .. items-1, twice each and in any order; calls put(r, entry)
+/// for its entries, the same both times, and throws nothing
 /// @tparam Entry trivial, with an operator< that tells all entries of a row apart, or only equal ones from others
 /// @throw Error when there are more than 2^31 - 1 entries, before memory is allocated for them
 template <class Entry, class Visit>
@@ -142,8 +144,7 @@ void append_rows(Host /*space*/, index_t rows, const MakeScratch& make_scratch, 
   entries.resize(static_cast<std::size_t>(exclusive_scan(Host{}, std::span(first))));
   detail::for_each_index<4 * block>(0, blocks, [&](index_t b) {
     HostList<Entry>& of_block = of_blocks[static_cast<std::size_t>(b)];
-    std::copy(of_block.begin(), of_block.end(),
-              entries.begin() + first[static_cast<std::size_t>(b * block)]);
+    std::copy(of_block.begin(), of_block.end(), entries.begin() + first[static_cast<std::size_t>(b * block)]);
     of_block = {};
   });
 }

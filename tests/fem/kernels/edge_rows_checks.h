@@ -47,10 +47,12 @@ void check_products_by_rows(On& on) {
     ProductScene<Real, Space, Aosoa<32>> scene(std::move(mesh), stream);
     const EdgeRows rows(scene.mesh, Space::kind);
     const auto edges = static_cast<index_t>(scene.mesh.edges.size());
-    const PackedRows<Space> entries(packed_rows<NodeEdgeEntry>(scene.mesh.node_edges, edges, "edges"));
+    elasticity::IncidenceRangeArray<float, Space> ranges(scene.mesh.nodes);
+    quasistatic::PackedIncidenceArray<float, Space> entries(2 * edges);
+    put_packed<NodeEdgeEntry>(ranges, entries, scene.mesh.node_edges, edges, "edges");
     Array<elasticity::EdgeStiffnessObject, Real, Space, Aosoa<32>> blocks(2 * edges);
     const CopyEdgeStiffness copy{scene.edge_stiffness.const_view(), blocks.view()};
-    on.run(2 * edges, AtEntries{copy, entries.const_view().entries()});
+    on.run(2 * edges, AtEntries{copy, entries.const_view()});
     const auto x = scene.displacements.const_view();
     const auto y = scene.differentials.view();
     const auto multiply = [&] {

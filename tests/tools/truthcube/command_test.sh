@@ -15,7 +15,7 @@ case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
     for flag in cells grading mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
-      product tolerance stepping historical out restart beads threads repeat dry-run quiet scene time-step duration density damping fixed-order \
+      product tolerance stepping historical out restart beads threads repeat timings dry-run quiet scene time-step duration density damping fixed-order \
       frames; do expect out "--$flag"; done
     expect out "layout \{$built\}"
     expect out "in the layout $built, with products assembled .* or matrix-free"
@@ -64,7 +64,7 @@ case $rule in
     done ;;
   empty_words_are_refused)
     for flag in out beads mesh poisson young damping compress cells; do
-      expect_refused "--$flag: a word is empty, as of a variable of the shell that is not set" --$flag ''
+      expect_refused "--$flag: a word is empty, perhaps because a shell variable is not set" --$flag ''
       expect_refused "--$flag: a word is empty" --$flag=
     done
     expect_refused '--compress: a word is empty' --cells 4 --compress 0.1 '' ;;
@@ -73,7 +73,7 @@ case $rule in
     expect_refused 'cells: Value -4 not in range' --cells -4
     expect_refused 'cells: Value 2.5 not in range 1 to 100000 of whole numbers' --cells 2.5
     expect_refused 'poisson = abc; give a number there' --poisson abc
-    expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; --cells 274 fits' --cells 400
+    expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; take --cells 274' --cells 400
     expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
     expect_refused "--poisson -1: Poisson's ratio is" --poisson -1
     expect_refused "--poisson nan: Poisson's ratio is" --poisson nan
@@ -103,7 +103,7 @@ case $rule in
   flags_that_do_not_go_together_are_refused)
     expect_refused 'corotated.* no separate volume part to average; write --volume tets' --material corotated --volume patches
     expect_refused 'corotated.* no separate volume part to average; write --volume tets' --material corotated --volume nodes
-    expect_refused 'restart continues what is in --out' --restart
+    expect_refused 'restart continues the run in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
     expect_refused '--grading is for the cube: .*; remove --grading' --mesh a.msh --grading 1.5
@@ -130,7 +130,7 @@ case $rule in
     expect out 'solved in' ;;
   an_odd_number_of_cells_falls_back_and_says_so)
     expect_exit 0 --cells 5 --threads 1 --compress 0.02
-    expect out 'note: an odd number of cells .* block Jacobi in place of multigrid; 6 cells'
+    expect out 'note: an odd number of cells .* block Jacobi replaces multigrid; take 6 cells'
     expect_exit 0 --cells 10 --threads 1 --compress 0.02
     expect out 'note: the coarsest mesh has 216 nodes' ;;
   a_body_without_free_nodes_is_refused)
@@ -183,7 +183,7 @@ case $rule in
       # shellcheck disable=SC2086
       "$program" $flags >/dev/full 2>err || got=$?
       ((got == 1)) || fail "exit $got of $flags"
-      expect err '^truthcube: cannot write all of the standard output; is there room where it goes[?]$'
+      expect err '^truthcube: cannot write all of the standard output; is the disk full[?]$'
     done
     [[ $(wc -l <o/beads.csv) == 344 ]] || fail 'no files' ;;
   closed_standard_streams_do_not_become_files)
@@ -233,5 +233,25 @@ case $rule in
     expect_exit 1 --cells 272 --precision double --out o
     expect err 'a cube of 272\^3 cells takes [0-9.]+ GB \([0-9]{12} bytes\), and this machine has [0-9.]+ GB; fewer --cells'
     [[ ! -e o ]] || fail 'a folder was made' ;;
+  memory_that_ends_in_the_set_up_is_said_with_its_stage)
+    expect_exit 0 --cells 64 --threads 1 --volume tets --dry-run
+    said=$(sed -nE 's/^solver: ([0-9]+) bytes.*/\1/p' out)
+    # As much as the arrays and lists take, and so less than the process does.
+    more=$(sed -nE 's/^set-up: ([0-9.]+) GB more.*/\1/p' out)
+    ulimit -v "$(awk -v said="$said" -v more="$more" 'BEGIN { print int((said + (more + 0.02) * 1e9) / 1024) }')"
+    expect_exit 1 --cells 64 --threads 1 --volume tets --out o
+    expect err '^truthcube: the memory ended in its stage "[a-z ]+": .* [0-9]+ bytes'
+    [[ -z $(ls -A o) ]] || fail 'files are left' ;;
+  ctrl_c_ends_the_set_up)
+    got=0
+    timeout -k 1 -s INT 0.3 "$program" --cells 128 --volume tets --out o >out 2>err || got=$?
+    ((got == 124)) || fail "exit $got" # 137 where it had to be killed
+    ;;
+  the_stages_of_the_set_up_are_in_the_record_and_add_up)
+    expect_exit 0 "${small[@]}" --compress 0.02 --timings --out o
+    expect out '^  rows of tets +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+$'
+    expect out '^  a copy of memory reads and writes [0-9.]+ GB/s$'
+    sed -n '/"setup_stages"/,/^  ]/p' o/run.json | awk -F': ' -v whole="$(number_of setup_seconds o/run.json)" '
+      /"seconds"/ { sum += $2 } END { exit !(sum > 0.99 * whole && sum < 1.01 * whole) }' || fail 'stages are not the whole' ;;
   *) fail 'no such rule' ;;
 esac

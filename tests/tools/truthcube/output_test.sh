@@ -166,7 +166,7 @@ case $rule in
     sed -i 's/"compression": 0.1,/"compression": 0.2,/' o/run.json
     cp -r o before
     expect_exit 1 "${small[@]}" --compress 0.05 0.1 0.15 --out o --restart
-    expect err 'o/run.json has a compression of 0.20* in step 2, and the checkpoint beside it 0.10*: the files come from different runs; run anew'
+    expect err 'o/run.json has a compression of 0.20* in step 2, and the checkpoint beside it 0.10*: the files come from different runs; run again'
     for file in beads.csv checkpoint.h5 cube.vtkhdf run.json; do expect_same o/$file before/$file; done ;;
   a_new_run_drops_the_checkpoint_of_an_old_one)
     expect_exit 0 "${small[@]}" --compress 0.05 --out o

@@ -30,6 +30,7 @@ RunRecord record_of(int steps) {
                 .command = "truthcube --cells 64 --out \"a b\"",
                 .settings = R"({"material":"neo_hookean","young":15000.0,"poisson":0.49,"cells":64})",
                 .setup_seconds = 0.1,
+                .stages = {{"rows of tets", 0.03, 1'000'000'000}, {"other", 0.07, 0}},
                 .lower_plate = {4225, 0.0064},
                 .upper_plate = {4224, 0.0063},
                 .steps = {}};
@@ -51,7 +52,7 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   write_run_json(path, record_of(2));
   const Json run = Json::parse(read_text(path));
   EXPECT_EQ(keys_of(run), (std::vector<std::string>{"nodes", "tets", "bytes", "device", "layout", "command",
-                                                    "setup_seconds", "held", "settings", "steps"}));
+                                                    "setup_seconds", "held", "setup_stages", "settings", "steps"}));
   EXPECT_EQ(run["nodes"], 274625);
   EXPECT_EQ(run["tets"], 1572864);
   EXPECT_EQ(run["bytes"], 3'000'000'000);
@@ -61,6 +62,7 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(run["setup_seconds"], 0.1);
   EXPECT_EQ(run["held"]["lower"], Json::parse(R"({"nodes": 4225, "area": 0.0064})"));
   EXPECT_EQ(run["held"]["upper"], Json::parse(R"({"nodes": 4224, "area": 0.0063})"));
+  EXPECT_EQ(run["setup_stages"][0], Json::parse(R"({"name": "rows of tets", "seconds": 0.03, "bytes": 1000000000})"));
   EXPECT_EQ(run["settings"]["material"], "neo_hookean");
   ASSERT_EQ(run["steps"].size(), 2U);
   const Json& step = run["steps"][1];
@@ -116,7 +118,7 @@ TEST_F(RunJson, is_read_as_it_was_written) {
 TEST_F(RunJson, of_a_version_that_did_not_say_what_plates_hold_is_read) {
   write_run_json(path, record_of(1));
   Json run = Json::parse(read_text(path));
-  run.erase("held");
+  for (const char* key : {"held", "setup_stages"}) run.erase(key);
   testing::put_text(path, run.dump());
   const RunRecord read = read_run_json(path);
   EXPECT_EQ(read.steps.size(), 1U);

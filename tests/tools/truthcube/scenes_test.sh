@@ -73,7 +73,7 @@ case $rule in
     expect_refused 'fixed-corotated requires --material fixed-corotated' --scene fixed-corotated --material neo-hookean
     expect_refused 'quasistatic requires --precision float; remove --' --scene quasistatic --precision double
     expect_refused 'quasistatic requires --volume patches' --scene quasistatic --volume nodes
-    expect_refused 'matrix-free cannot take --historical, because that is a choice of --scene everything' --scene matrix-free --historical
+    expect_refused 'matrix-free cannot take --historical, because only --scene everything has it' --scene matrix-free --historical
     expect_refused 'quasistatic cannot take --preconditioner schwarz' --scene quasistatic --preconditioner schwarz
     expect_refused 'implicit-dynamics requires --product assembled' --scene implicit-dynamics --product matrix-free
     expect_refused 'implicit-dynamics cannot take --stepping, because it steps in time; remove --stepping' --scene implicit-dynamics --stepping nested
@@ -87,10 +87,10 @@ case $rule in
     expect_refused 'linear-elastic cannot take --historical' --scene linear-elastic --historical
     expect_refused 'linear-elastic requires --volume tets' --scene linear-elastic --volume nodes
     for flag in time-step duration density damping; do
-      expect_refused "everything cannot take --$flag, because these are for --scene implicit-dynamics or" --$flag 1
+      expect_refused "everything cannot take --$flag, because only --scene implicit-dynamics and" --$flag 1
     done
     expect_refused 'explicit-dynamics takes --fixed-order only with --device cuda: on the CPU' --scene explicit-dynamics --fixed-order
-    expect_refused 'implicit-dynamics cannot take --fixed-order, because that is for the sums of --scene explicit' \
+    expect_refused 'implicit-dynamics cannot take --fixed-order, because only --scene explicit' \
       --scene implicit-dynamics --fixed-order
     expect_refused 'everything cannot take --fixed-order' --fixed-order
     expect_refused '--density 0: the density' --scene implicit-dynamics --density 0
@@ -146,7 +146,7 @@ case $rule in
   steps_that_are_too_long_are_said)
     expect_exit 1 "${motion[@]}" --scene explicit-dynamics --time-step 1
     expect err '--time-step 1: explicit steps of this body at rest are stable up to about [0-9.e-]+ s'
-    stable=$(sed -nE 's/.*about ([0-9.e-]+) s;.*/\1/p' err)
+    stable=$(sed -nE 's/.*about ([0-9.e-]+) s,.*/\1/p' err)
     # Stable at rest, and not where tets are half as high.
     expect_exit 3 "${small[@]}" --scene explicit-dynamics --compress 0.5 --duration 0.5 --frames 2 --time-step "$stable"
     expect err 'the motion is not finite at [0-9.]+ s, time step [0-9]+ of this state: tet [0-9]+ has a stress .* F = \['

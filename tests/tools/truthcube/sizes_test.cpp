@@ -272,11 +272,11 @@ TEST(Sizes, reach_the_largest_mesh_that_can_be_numbered) {
             std::int64_t{std::numeric_limits<fem::Index>::max()});
 }
 
-TEST(Sizes, of_lists_contain_the_meshes_of_all_levels_twice) {
+TEST(Sizes, of_lists_contain_the_meshes_of_all_levels) {
   const auto counts = count_cube(8, VolumeTreatment::patches);
   std::int64_t meshes = 0;
   for (const LevelCounts& level : counts) meshes += bytes_of_mesh(level);
-  EXPECT_GT(bytes_of_run(counts, {}).lists, 2 * meshes);
+  EXPECT_GT(bytes_of_run(counts, {}).lists, meshes);
 }
 
 }  // namespace

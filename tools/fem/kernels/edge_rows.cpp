@@ -12,7 +12,7 @@ EdgeRows::View EdgeRows::view() const {
 }
 
 EdgeRows::EdgeRows(const TetMesh& mesh, SpaceKind space) : nodes_(mesh.nodes) {
-  std::vector<Index> lists(mesh.node_edges.first);
+  std::vector<Index> lists(mesh.node_edges.first.begin(), mesh.node_edges.first.end());
   lists.reserve(lists.size() + mesh.node_edges.entries.size());
   for (const IncidenceEntry& entry : mesh.node_edges.entries) {
     lists.push_back(mesh.edges[static_cast<std::size_t>(entry.element)][static_cast<std::size_t>(1 - entry.local)]);

@@ -1,49 +1,61 @@
 // The lists that the symmetric product goes by.
 #include <fem/kernels/symmetric_product.h>
+#include <physgen/detail/first_index.h>
 #include <physgen/error.h>
+#include <physgen/fill_rows.h>
 
 #include <string>
-#include <vector>
 
 namespace physgen::fem {
 
-EdgeSums::EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrder order)
-    : nodes_(mesh.nodes),
-      edges_(static_cast<index_t>(mesh.edges.size())),
-      space_(space),
-      real_bytes_(real_bytes),
-      order_(order) {
-  const auto nodes = static_cast<std::size_t>(nodes_);
-  std::vector<Index> lists(2 * (nodes + 1) + mesh.edges.size(), 0);
-  Index* first = lists.data();
-  Index* begin = first + nodes + 1;
-  Index* place = begin + nodes + 1;
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    if (e > 0 && mesh.edges[e - 1] >= mesh.edges[e]) {
-      throw Error("edge " + std::to_string(e) + " of the mesh is not above the one before it; edges (m, n) must be " +
-                  "ascending, as make_tet_mesh() makes them");
-    }
-    if (mesh.edges[e][0] < 0 || mesh.edges[e][0] >= mesh.edges[e][1] || mesh.edges[e][1] >= mesh.nodes) {
-      throw Error("edge " + std::to_string(e) + " of the mesh is (" + std::to_string(mesh.edges[e][0]) + ", " +
-                  std::to_string(mesh.edges[e][1]) + "); edges (m, n) must have 0 <= m < n < " +
-                  std::to_string(mesh.nodes) + ", as make_tet_mesh() makes them");
-    }
-    ++first[mesh.edges[e][0] + 1];
-    ++begin[mesh.edges[e][1] + 1];
+namespace {
+
+std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
+
+/// @throw Error naming the first edge that is not above the one before it, or not one of nodes m < n
+void check_edges(Index nodes, std::span<const std::array<Index, 2>> edges) {
+  const auto is_sound = [=](index_t e) {
+    const auto [m, n] = edges[at(e)];
+    return m >= 0 && m < n && n < nodes && (e == 0 || edges[at(e - 1)] < edges[at(e)]);
+  };
+  const auto count = static_cast<index_t>(edges.size());
+  const index_t first = physgen::detail::first_index(count, [&](index_t e) { return !is_sound(e); });
+  if (first == count) return;
+  const std::string which = "edge " + std::to_string(first) + " of the mesh is ";
+  if (first > 0 && edges[at(first - 1)] >= edges[at(first)]) {
+    throw Error(which + "not above the one before it; edges (m, n) must be ascending, as make_tet_mesh() makes them");
   }
-  for (std::size_t n = 0; n < nodes; ++n) {
-    first[n + 1] += first[n];
-    begin[n + 1] += begin[n];
-  }
-  std::vector<Index> next(begin, begin + nodes);
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    place[e] = next[static_cast<std::size_t>(mesh.edges[e][1])]++;
-  }
+  throw Error(which + "(" + std::to_string(edges[at(first)][0]) + ", " + std::to_string(edges[at(first)][1]) +
+              "); edges (m, n) must have 0 <= m < n < " + std::to_string(nodes) + ", as make_tet_mesh() makes them");
+}
+
+}  // namespace
+
+EdgeSums::EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, SpaceKind space, int real_bytes,
+                   SumOrder order)
+    : nodes_(nodes), edges_(static_cast<index_t>(edges.size())), space_(space), real_bytes_(real_bytes), order_(order) {
+  check_edges(nodes, edges);
   if (order == SumOrder::any && space == SpaceKind::cuda) return;  // atomics go by no lists
-  const auto bytes = static_cast<index_t>(lists.size() * sizeof(Index));
+  const index_t count = 2 * (nodes_ + 1) + edges_, bytes = count * index_t{sizeof(Index)};
   indices_ = Buffer(space, bytes, "lists of " + std::to_string(edges_) + " edges");
-  copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(lists.data()), SpaceKind::host, bytes);
   contributions_ = Buffer(space, 4 * edges_ * real_bytes, "contributions of " + std::to_string(edges_) + " edges");
+  HostList<Index> elsewhere(space == SpaceKind::host ? 0 : at(count));
+  Index* const first = space == SpaceKind::host ? reinterpret_cast<Index*>(indices_.data()) : elsewhere.data();
+  Index* const place = first + 2 * (nodes_ + 1);
+  // Edges ascend, so those of a first node lie side by side; those of a second node are its contributions, ascending.
+  HostList<Index> begin, by_second;
+  fill_rows(
+      Host{}, nodes_, edges_, [edges](index_t e, const auto& put) { put(edges[at(e)][1], static_cast<Index>(e)); },
+      begin, by_second);
+  physgen::detail::for_each_index(0, edges_ + 1, [=](index_t e) {
+    const Index from = e == 0 ? 0 : edges[at(e - 1)][0] + 1;
+    const Index to = at(e) == edges.size() ? nodes : edges[at(e)][0];
+    for (Index n = from; n <= to; ++n) first[n] = static_cast<Index>(e);
+  });
+  physgen::detail::for_each_index(0, nodes_ + 1, [&](index_t n) { first[nodes_ + 1 + n] = begin[at(n)]; });
+  physgen::detail::for_each_index(0, edges_, [&](index_t k) { place[by_second[at(k)]] = static_cast<Index>(k); });
+  if (space == SpaceKind::host) return;
+  copy_memory(indices_.data(), space, reinterpret_cast<const std::byte*>(elsewhere.data()), SpaceKind::host, bytes);
 }
 
 void EdgeSums::require(index_t nodes, index_t edges, SpaceKind space, int real_bytes, SumOrder order) const {

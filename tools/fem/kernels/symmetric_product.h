@@ -41,7 +41,10 @@ class EdgeSums {
   /// @param real_bytes of one scalar: sizeof(float) or sizeof(double)
   /// @param order of the products; SumOrder::any on CUDA needs no lists, and no room for contributions
   /// @throw Error when edges are not ascending or the memory cannot be had
-  EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrder order = SumOrder::fixed);
+  EdgeSums(const TetMesh& mesh, SpaceKind space, int real_bytes, SumOrder order = SumOrder::fixed)
+      : EdgeSums(mesh.nodes, mesh.edges, space, real_bytes, order) {}
+  /// The same of nodes and edges alone.
+  EdgeSums(Index nodes, std::span<const std::array<Index, 2>> edges, SpaceKind space, int real_bytes, SumOrder order);
 
   /// @throw Error when a product of these sizes, in this space, precision and order, was not what this was made for
   void require(index_t nodes, index_t edges, SpaceKind space, int real_bytes, SumOrder order) const;

@@ -2,7 +2,9 @@
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/faces.h>
 #include <fem/mesh/geometry.h>
+#include <fem/mesh/stages.h>
 #include <physgen/error.h>
+#include <physgen/fill_rows.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +36,7 @@ Point twice_area_of(const char* who, std::size_t number, const Face& face, std::
 }  // namespace
 
 std::vector<Face> boundary_faces(const TetMesh& mesh) {
+  InStage stage("surface");
   const auto tets_of = tets_of_nodes(mesh);
   HostList<Index> first;
   HostList<Face> found;
@@ -55,6 +58,7 @@ std::vector<Face> boundary_faces(const TetMesh& mesh) {
             });
       },
       first, found);
+  stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries, found);
   return {found.begin(), found.end()};
 }
 

@@ -1,10 +1,13 @@
-// Builds edges and incidence lists by counting and sorting; every list is ascending, so results do not depend on the
-// order of construction.
+// Lists node by node: the edges of a node to higher ones, and their tets, are found among its tets. Every list is
+// ascending, so results depend neither on the order of construction nor on threads.
+#include <fem/mesh/box_lists.h>
 #include <fem/mesh/mesh.h>
+#include <fem/mesh/stages.h>
+#include <physgen/detail/first_index.h>
 #include <physgen/error.h>
+#include <physgen/fill_rows.h>
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <string>
 #include <utility>
@@ -13,92 +16,197 @@ namespace physgen::fem {
 
 namespace {
 
+using Tets = std::vector<std::array<Index, 4>>;
+
+std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
+
 void check_entries(std::size_t objects, std::size_t each, const char* what) {
   if (objects > static_cast<std::size_t>(std::numeric_limits<Index>::max()) / each) {
     throw Error("mesh: incidences of " + std::to_string(objects) + " " + what + " do not fit a 32-bit index");
   }
 }
 
-// Lists, for objects 0 .. count-1, the elements that touch them, in the order in which `each` visits the pairs.
-template <class Each>
-IncidenceList collect(std::size_t count, const Each& each) {
-  IncidenceList list;
-  list.first.assign(count + 1, 0);
-  each([&list](Index object, IncidenceEntry /*entry*/) { ++list.first[static_cast<std::size_t>(object) + 1]; });
-  for (std::size_t i = 0; i < count; ++i) list.first[i + 1] += list.first[i];
-  list.entries.resize(static_cast<std::size_t>(list.first[count]));
-  std::vector<Index> next(list.first.begin(), list.first.end() - 1);
-  each([&list, &next](Index object, IncidenceEntry entry) {
-    list.entries[static_cast<std::size_t>(next[static_cast<std::size_t>(object)]++)] = entry;
-  });
-  return list;
+void check_corners(Index nodes, const Tets& tets) {
+  InStage stage("checks of tets");
+  stage.moves(tets);
+  const auto is_sound = [&](const std::array<Index, 4>& tet) {
+    const auto [low, high] = std::ranges::minmax(tet);
+    return low >= 0 && high < nodes && tet[0] != tet[1] && tet[0] != tet[2] && tet[0] != tet[3] && tet[1] != tet[2] &&
+           tet[1] != tet[3] && tet[2] != tet[3];
+  };
+  const auto count = static_cast<index_t>(tets.size());
+  const index_t lowest = physgen::detail::first_index(count, [&](index_t t) { return !is_sound(tets[at(t)]); });
+  if (lowest == count) return;
+  const std::string which = "mesh: tet " + std::to_string(lowest);
+  const auto [low, high] = std::ranges::minmax(tets[at(lowest)]);
+  if (low < 0 || high >= nodes) throw Error(which + " names a node outside 0 .. " + std::to_string(nodes - 1));
+  throw Error(which + " names a node twice");
 }
 
-// One appearance of an edge in a tet: ends in ascending order, then the place, so that sorting groups equal edges.
-struct EdgeUse {
-  Index m, n;
-  IncidenceEntry use;
-  auto operator<=>(const EdgeUse&) const = default;
-};
+// The edges of one node to higher nodes, ascending, and how many tets have each. A thread has one of these.
+class EdgesOfNode {
+ public:
+  explicit EdgesOfNode(Index nodes) : slot_(at(nodes), none) {}
 
-std::vector<EdgeUse> edge_uses(const std::vector<std::array<Index, 4>>& tets) {
-  std::vector<EdgeUse> uses;
-  uses.reserve(tets.size() * tet_edges.size());
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    for (std::size_t local = 0; local < tet_edges.size(); ++local) {
-      const Index a = tets[t][static_cast<std::size_t>(tet_edges[local][0])];
-      const Index b = tets[t][static_cast<std::size_t>(tet_edges[local][1])];
-      const auto place = static_cast<Index>(local + (a > b ? 6 : 0));
-      uses.push_back({std::min(a, b), std::max(a, b), {static_cast<Index>(t), place}});
+  struct Edge {
+    Index other, tets;
+  };
+
+  // Calls use(other, tet, local) for each edge of each tet of the node to a higher one, tets ascending.
+  template <class Use>
+  static void each_use(Index node, const Tets& tets, const IncidenceList& node_tets, const Use& use) {
+    constexpr std::array<std::array<Index, 4>, 4> edge_of_corners{
+        {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}}};
+    for (Index k = node_tets.first[at(node)]; k < node_tets.first[at(node) + 1]; ++k) {
+      const auto [tet, corner] = node_tets.entries[at(k)];
+      const std::array<Index, 4>& corners = tets[at(tet)];
+      for (Index c = 0; c < 4; ++c) {
+        if (corners[at(c)] <= node) continue;
+        use(corners[at(c)], tet, edge_of_corners[at(corner)][at(c)] + (corner > c ? 6 : 0));
+      }
     }
   }
-  std::sort(uses.begin(), uses.end());
-  return uses;
+
+  const std::vector<Edge>& find(Index node, const Tets& tets, const IncidenceList& node_tets) {
+    for (const Edge& edge : edges_) slot_[at(edge.other)] = none;
+    edges_.clear();
+    each_use(node, tets, node_tets, [this](Index other, Index /*tet*/, Index /*local*/) {
+      Index& slot = slot_[at(other)];
+      if (slot == none) {
+        slot = static_cast<Index>(edges_.size());
+        edges_.push_back({other, 0});
+      }
+      ++edges_[at(slot)].tets;
+    });
+    return edges_;
+  }
+
+  // Those that find() has found: writes their ends, where their tets end, and these.
+  void put(Index node, const Tets& tets, const IncidenceList& node_tets, Index begin, std::array<Index, 2>* ends,
+           Index* last, IncidenceEntry* entries) {
+    std::ranges::sort(edges_, {}, &Edge::other);
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const Edge& edge = edges_[k];
+      ends[k] = {node, edge.other};
+      slot_[at(edge.other)] = begin;
+      begin += edge.tets;
+      last[k] = begin;
+    }
+    each_use(node, tets, node_tets,
+             [this, entries](Index other, Index tet, Index local) { entries[slot_[at(other)]++] = {tet, local}; });
+  }
+
+ private:
+  static constexpr Index none = -1;
+
+  std::vector<Index> slot_;  // per node: its place in edges_; from put() on the next place among the entries
+  std::vector<Edge> edges_;
+};
+
+// mesh.node_tets of mesh.tets.
+void find_rows_of_tets(TetMesh& mesh) {
+  InStage stage("rows of tets");
+  fill_rows(
+      Host{}, mesh.nodes, static_cast<index_t>(mesh.tets.size()),
+      [&mesh](index_t t, const auto& put) {
+        for (Index c = 0; c < 4; ++c) put(mesh.tets[at(t)][at(c)], IncidenceEntry{static_cast<Index>(t), c});
+      },
+      mesh.node_tets.first, mesh.node_tets.entries);
+  stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries);
+}
+
+// mesh.edges and mesh.edge_tets of mesh.tets and mesh.node_tets.
+void find_edges(TetMesh& mesh) {
+  InStage stage("edges and their tets");
+  constexpr index_t block = 256;
+  const index_t nodes = mesh.nodes, blocks = (nodes + block - 1) / block;
+  HostList<Index> edges(at(nodes) + 1), uses(at(nodes) + 1);  // of each node; then where those of each begin
+  physgen::detail::Spares<EdgesOfNode> spares;
+  const auto each_node = [&](const auto& act) {
+    physgen::detail::RegionFailure failure;
+    physgen::detail::for_each_index<16 * block>(0, blocks, [&](index_t b) {
+      failure.guard([&] {
+        spares.lend([&] { return EdgesOfNode(mesh.nodes); },
+                    [&](EdgesOfNode& own) {
+                      const auto end = static_cast<Index>(std::min(nodes, (b + 1) * block));
+                      for (auto n = static_cast<Index>(b * block); n < end; ++n) {
+                        act(n, own, own.find(n, mesh.tets, mesh.node_tets));
+                      }
+                    });
+      });
+    });
+    failure.rethrow();
+  };
+  each_node([&](Index n, EdgesOfNode& /*own*/, const std::vector<EdgesOfNode::Edge>& found) {
+    edges[at(n)] = static_cast<Index>(found.size());
+    uses[at(n)] = 0;
+    for (const auto& edge : found) uses[at(n)] += edge.tets;
+  });
+  edges.back() = uses.back() = 0;
+  const index_t count = exclusive_scan(Host{}, std::span(edges));
+  mesh.edge_tets.entries.resize(at(exclusive_scan(Host{}, std::span(uses))));
+  mesh.edges.resize(at(count));
+  mesh.edge_tets.first.resize(at(count) + 1);
+  mesh.edge_tets.first[0] = 0;
+  each_node([&](Index n, EdgesOfNode& own, const std::vector<EdgesOfNode::Edge>& /*found*/) {
+    const std::size_t first = at(edges[at(n)]);
+    own.put(n, mesh.tets, mesh.node_tets, uses[at(n)], mesh.edges.data() + first,
+            mesh.edge_tets.first.data() + first + 1, mesh.edge_tets.entries.data());
+  });
+  stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries, mesh.edges, mesh.edge_tets.first,
+              mesh.edge_tets.entries);
+}
+
+// Tets of a box, cell by cell.
+void write_box_tets(Tets& tets, Index nx, Index ny, Index nz, const MirroredFrom& mirrored) {
+  InStage stage("tets of the box");
+  std::array<std::array<std::array<Index, 4>, 6>, 8> cells{};
+  for (unsigned mirror = 0; mirror < 8; ++mirror) cells[mirror] = detail::tets_of_cell(mirror);
+  const auto node = [nx, ny](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
+  std::array<Index, 8> corners{};  // from the lowest one of a cell
+  for (Index c = 0; c < 8; ++c) corners[at(c)] = node(c & 1, c >> 1 & 1, c >> 2);
+  physgen::detail::for_each_index<64>(0, index_t{ny} * nz, [&](index_t row) {
+    const auto y = static_cast<Index>(row % ny), z = static_cast<Index>(row / ny);
+    std::array<Index, 4>* next = tets.data() + 6 * row * nx;
+    for (Index x = 0; x < nx; ++x) {
+      const unsigned mirror = (x >= mirrored.x ? 1U : 0U) | (y >= mirrored.y ? 2U : 0U) | (z >= mirrored.z ? 4U : 0U);
+      const Index origin = node(x, y, z);
+      for (const auto& tet : cells[mirror]) {
+        for (std::size_t c = 0; c < 4; ++c) (*next)[c] = origin + corners[at(tet[c])];
+        ++next;
+      }
+    }
+  });
+  stage.moves(tets);
 }
 
 }  // namespace
+
+IncidenceList edges_of_nodes(Index nodes, std::span<const std::array<Index, 2>> edges) {
+  InStage stage("rows of edges");
+  IncidenceList list;
+  fill_rows(
+      Host{}, nodes, static_cast<index_t>(edges.size()),
+      [edges](index_t e, const auto& put) {
+        put(edges[at(e)][1], IncidenceEntry{static_cast<Index>(e), 1});
+        put(edges[at(e)][0], IncidenceEntry{static_cast<Index>(e), 0});
+      },
+      list.first, list.entries);
+  stage.moves(edges, list.first, list.entries);
+  return list;
+}
 
 TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets) {
   if (nodes < 0) throw Error("mesh: " + std::to_string(nodes) + " nodes; there must be 0 or more");
   // 12: a loose tet has 6 edges of its own, and each edge is an incidence of two nodes.
   check_entries(tets.size(), 2 * tet_edges.size(), "tets");
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    std::array<Index, 4> corners = tets[t];
-    std::sort(corners.begin(), corners.end());
-    if (corners[0] < 0 || corners[3] >= nodes) {
-      throw Error("mesh: tet " + std::to_string(t) + " names a node outside 0 .. " + std::to_string(nodes - 1));
-    }
-    if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) {
-      throw Error("mesh: tet " + std::to_string(t) + " names a node twice");
-    }
-  }
+  check_corners(nodes, tets);
   TetMesh mesh;
   mesh.nodes = nodes;
   mesh.tets = std::move(tets);
-
-  const std::vector<EdgeUse> uses = edge_uses(mesh.tets);
-  for (const EdgeUse& use : uses) {
-    if (mesh.edges.empty() || mesh.edges.back() != std::array{use.m, use.n}) mesh.edges.push_back({use.m, use.n});
-    mesh.edge_tets.entries.push_back(use.use);
-    mesh.edge_tets.first.resize(mesh.edges.size() + 1);
-    mesh.edge_tets.first.back() = static_cast<Index>(mesh.edge_tets.entries.size());
-  }
-  if (mesh.edges.empty()) mesh.edge_tets.first = {0};
-
-  const auto count = static_cast<std::size_t>(nodes);
-  mesh.node_tets = collect(count, [&mesh](auto&& visit) {
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      for (std::size_t c = 0; c < 4; ++c)
-        visit(mesh.tets[t][c], IncidenceEntry{static_cast<Index>(t), static_cast<Index>(c)});
-    }
-  });
-  mesh.node_edges = collect(count, [&mesh](auto&& visit) {
-    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-      for (std::size_t side = 0; side < 2; ++side) {
-        visit(mesh.edges[e][side], IncidenceEntry{static_cast<Index>(e), static_cast<Index>(side)});
-      }
-    }
-  });
+  find_rows_of_tets(mesh);
+  find_edges(mesh);
+  mesh.node_edges = edges_of_nodes(nodes, mesh.edges);
   return mesh;
 }
 
@@ -111,31 +219,12 @@ TetMesh make_box_mesh(Index nx, Index ny, Index nz, const MirroredFrom& mirrored
   if (36. * nx * ny * nz > std::numeric_limits<Index>::max()) {
     throw Error("box mesh: " + std::to_string(6. * nx * ny * nz) + " tets: their incidences do not fit a 32-bit index");
   }
-  // The six paths from corner 0 to corner 7 of a cell along its edges; odd ones have two corners exchanged, which turns
-  // their volume positive.
-  constexpr std::array<std::array<unsigned, 4>, 6> paths{
-      {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 3, 2, 7}, {0, 5, 1, 7}, {0, 6, 4, 7}}};
-  const auto node = [nx, ny](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
-  std::vector<std::array<Index, 4>> tets;
-  tets.reserve(static_cast<std::size_t>(6) * static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) *
-               static_cast<std::size_t>(nz));
-  for (Index z = 0; z < nz; ++z) {
-    for (Index y = 0; y < ny; ++y) {
-      for (Index x = 0; x < nx; ++x) {
-        const unsigned mirror = (x >= mirrored.x ? 1U : 0U) | (y >= mirrored.y ? 2U : 0U) | (z >= mirrored.z ? 4U : 0U);
-        for (const auto& path : paths) {
-          std::array<Index, 4> tet{};
-          for (std::size_t c = 0; c < 4; ++c) {
-            const auto corner = static_cast<Index>(path[c] ^ mirror);
-            tet[c] = node(x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
-          }
-          if (std::popcount(mirror) % 2 != 0) std::swap(tet[1], tet[2]);  // a mirror turns volumes negative
-          tets.push_back(tet);
-        }
-      }
-    }
-  }
-  return make_tet_mesh((nx + 1) * (ny + 1) * (nz + 1), std::move(tets));
+  TetMesh mesh;
+  mesh.nodes = (nx + 1) * (ny + 1) * (nz + 1);
+  mesh.tets.resize(6 * at(nx) * at(ny) * at(nz));
+  write_box_tets(mesh.tets, nx, ny, nz, mirrored);
+  detail::write_box_lists(mesh, nx, ny, nz, mirrored);
+  return mesh;
 }
 
 }  // namespace physgen::fem

@@ -2,10 +2,13 @@
 // gathers (so that they are deterministic and need no atomics).
 #pragma once
 
+#include <physgen/memory/host_list.h>
+
 #include <array>
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace physgen::fem {
@@ -28,22 +31,29 @@ struct IncidenceEntry {
 /// For every object of one kind, what touches it: entries[first[i]] up to, not including, entries[first[i + 1]],
 /// ascending.
 struct IncidenceList {
-  std::vector<Index> first;  ///< one more than there are objects
-  std::vector<IncidenceEntry> entries;
+  HostList<Index> first;  ///< one more than there are objects
+  HostList<IncidenceEntry> entries;
+  bool operator==(const IncidenceList&) const = default;
 };
+
+/// The ends of edges (m, n), m < n, ascending.
+using EdgeList = HostList<std::array<Index, 2>>;
 
 struct TetMesh {
   Index nodes = 0;
-  std::vector<std::array<Index, 4>> tets;   ///< corners i, j, k, l; det[x_j-x_i, x_k-x_i, x_l-x_i] > 0 at rest
-  std::vector<std::array<Index, 2>> edges;  ///< (m, n) with m < n, ascending
-  IncidenceList node_tets;                  ///< tet, corner
-  IncidenceList node_edges;                 ///< edge, side; side 0: the node is m, side 1: it is n
-  IncidenceList edge_tets;                  ///< tet, local edge, + 6 if the tet has the edge as (n, m)
+  std::vector<std::array<Index, 4>> tets;  ///< corners i, j, k, l; det[x_j-x_i, x_k-x_i, x_l-x_i] > 0 at rest
+  EdgeList edges;
+  IncidenceList node_tets;   ///< tet, corner
+  IncidenceList node_edges;  ///< edge, side; side 0: the node is m, side 1: it is n
+  IncidenceList edge_tets;   ///< tet, local edge, + 6 if the tet has the edge as (n, m)
 };
 
 /// Edges and incidence lists of the given tets.
 /// @throws Error when a corner is not in [0, nodes), a tet names a node twice, or a list would exceed 2^31 entries
 [[nodiscard]] TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets);
+
+/// Per node, its edges of a list: edge, side. The entries of a node are those that TetMesh::node_edges has.
+[[nodiscard]] IncidenceList edges_of_nodes(Index nodes, std::span<const std::array<Index, 2>> edges);
 
 /// The cells of a box that are cut as the mirror images of those before them: from this number on along each axis.
 struct MirroredFrom {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fem/mesh/mesh.h>
+#include <physgen/detail/launch.h>
 #include <physgen/row_arrays.h>
 
 #include <span>
@@ -12,31 +13,33 @@ namespace physgen::fem {
 /// Stores the corners of all tets. @pre a host view of mesh.tets.size() elasticity::Tet
 template <class TetView>
 void store_tets(const TetMesh& mesh, const TetView& view) {
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    for (std::size_t c = 0; c < 4; ++c) view[static_cast<index_t>(t)].nodes()[static_cast<int>(c)] = mesh.tets[t][c];
-  }
+  physgen::detail::for_each_index<4>(0, static_cast<index_t>(mesh.tets.size()), [&](index_t t) {
+    const auto& tet = mesh.tets[static_cast<std::size_t>(t)];
+    for (std::size_t c = 0; c < 4; ++c) view[t].nodes()[static_cast<int>(c)] = tet[c];
+  });
 }
 
 /// Stores the ends of all edges. @pre a host view of mesh.edges.size() elasticity::Edge
 template <class EdgeView>
 void store_edges(const TetMesh& mesh, const EdgeView& view) {
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    for (std::size_t c = 0; c < 2; ++c) view[static_cast<index_t>(e)].nodes()[static_cast<int>(c)] = mesh.edges[e][c];
-  }
+  physgen::detail::for_each_index<2>(0, static_cast<index_t>(mesh.edges.size()), [&](index_t e) {
+    const auto& edge = mesh.edges[static_cast<std::size_t>(e)];
+    for (std::size_t c = 0; c < 2; ++c) view[e].nodes()[static_cast<int>(c)] = edge[c];
+  });
 }
 
 /// Stores an incidence list. @pre host views of list.first.size() - 1 elasticity::IncidenceRange and of
 /// list.entries.size() elasticity::Incidence
 template <class RangeView, class IncidenceView>
 void store_incidences(const IncidenceList& list, const RangeView& ranges, const IncidenceView& incidences) {
-  for (std::size_t i = 0; i + 1 < list.first.size(); ++i) {
-    ranges[static_cast<index_t>(i)].begin() = list.first[i];
-    ranges[static_cast<index_t>(i)].end() = list.first[i + 1];
-  }
-  for (std::size_t k = 0; k < list.entries.size(); ++k) {
-    incidences[static_cast<index_t>(k)].element() = list.entries[k].element;
-    incidences[static_cast<index_t>(k)].local() = list.entries[k].local;
-  }
+  physgen::detail::for_each_index<2>(0, static_cast<index_t>(list.first.size()) - 1, [&](index_t i) {
+    ranges[i].begin() = list.first[static_cast<std::size_t>(i)];
+    ranges[i].end() = list.first[static_cast<std::size_t>(i) + 1];
+  });
+  physgen::detail::for_each_index<2>(0, static_cast<index_t>(list.entries.size()), [&](index_t k) {
+    incidences[k].element() = list.entries[static_cast<std::size_t>(k)].element;
+    incidences[k].local() = list.entries[static_cast<std::size_t>(k)].local;
+  });
 }
 
 /// An incidence list as rows for kernels.
@@ -56,11 +59,10 @@ template <class Arrays>
 template <class PositionView>
 void store_positions(std::span<const Point> points, const PositionView& view) {
   using Real = typename PositionView::Precision;
-  for (std::size_t n = 0; n < points.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      view[static_cast<index_t>(n)].x()[static_cast<int>(k)] = static_cast<Real>(points[n][k]);
-    }
-  }
+  physgen::detail::for_each_index<4>(0, static_cast<index_t>(points.size()), [&](index_t n) {
+    const Point& point = points[static_cast<std::size_t>(n)];
+    for (std::size_t k = 0; k < 3; ++k) view[n].x()[static_cast<int>(k)] = static_cast<Real>(point[k]);
+  });
 }
 
 }  // namespace physgen::fem

@@ -2,6 +2,7 @@
 // coarse ones, so that refining again goes on alike.
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/refine.h>
+#include <physgen/detail/launch.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 namespace physgen::fem {
 
 namespace {
+
+std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 // A node of the fine tets within one coarse tet: the middle of two corners of its path, which may be the same.
 using Middle = std::array<std::size_t, 2>;
@@ -58,15 +61,14 @@ Path path_of(const std::array<Index, 4>& tet, std::span<const Point> rest) {
 }
 
 // The fine numbers of the midpoints of each tet's edges, local edges in the order of tet_edges.
-std::vector<std::array<Index, 6>> midpoints_of(const TetMesh& mesh) {
-  std::vector<std::array<Index, 6>> midpoints(mesh.tets.size());
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    for (Index k = mesh.edge_tets.first[e]; k < mesh.edge_tets.first[e + 1]; ++k) {
-      const auto [tet, local] = mesh.edge_tets.entries[static_cast<std::size_t>(k)];
-      midpoints[static_cast<std::size_t>(tet)][static_cast<std::size_t>(local % 6)] =
-          mesh.nodes + static_cast<Index>(e);
+HostList<std::array<Index, 6>> midpoints_of(const TetMesh& mesh) {
+  HostList<std::array<Index, 6>> midpoints(mesh.tets.size());
+  physgen::detail::for_each_index<8>(0, static_cast<index_t>(mesh.edges.size()), [&](index_t e) {
+    for (Index k = mesh.edge_tets.first[at(e)]; k < mesh.edge_tets.first[at(e) + 1]; ++k) {
+      const auto [tet, local] = mesh.edge_tets.entries[at(k)];
+      midpoints[at(tet)][at(local % 6)] = mesh.nodes + static_cast<Index>(e);
     }
-  }
+  });
   return midpoints;
 }
 
@@ -100,22 +102,26 @@ Refined refine(const TetMesh& mesh, std::span<const Point> rest) {
                 std::to_string(nodes + mesh.edges.size()) + " nodes do not fit a 32-bit index");
   }
   Refined fine;
-  fine.rest.reserve(nodes + mesh.edges.size());
-  fine.parents.reserve(nodes + mesh.edges.size());
-  fine.rest.assign(rest.begin(), rest.end());
-  for (Index v = 0; v < mesh.nodes; ++v) fine.parents.push_back({v, v});
-  for (const auto& [m, n] : mesh.edges) {
-    const Point &a = rest[static_cast<std::size_t>(m)], &b = rest[static_cast<std::size_t>(n)];
-    fine.rest.push_back({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
-    fine.parents.push_back({m, n});
-  }
+  fine.rest.resize(nodes + mesh.edges.size());
+  fine.parents.resize(nodes + mesh.edges.size());
+  physgen::detail::for_each_index<2>(0, mesh.nodes, [&](index_t v) {
+    fine.rest[at(v)] = rest[at(v)];
+    fine.parents[at(v)] = {static_cast<Index>(v), static_cast<Index>(v)};
+  });
+  physgen::detail::for_each_index<4>(0, static_cast<index_t>(mesh.edges.size()), [&](index_t e) {
+    const auto [m, n] = mesh.edges[at(e)];
+    const Point &a = rest[at(m)], &b = rest[at(n)];
+    fine.rest[nodes + at(e)] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+    fine.parents[nodes + at(e)] = {m, n};
+  });
   const auto midpoints = midpoints_of(mesh);
-  std::vector<std::array<Index, 4>> tets;
-  tets.reserve(8 * mesh.tets.size());
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    const Path path = path_of(mesh.tets[t], rest);
-    for (const FinePath& fine_path : fine_paths) tets.push_back(fine_tet(fine_path, path, mesh.tets[t], midpoints[t]));
-  }
+  std::vector<std::array<Index, 4>> tets(8 * mesh.tets.size());
+  physgen::detail::for_each_index<16>(0, static_cast<index_t>(mesh.tets.size()), [&](index_t t) {
+    const Path path = path_of(mesh.tets[at(t)], rest);
+    for (std::size_t k = 0; k < 8; ++k) {
+      tets[8 * at(t) + k] = fine_tet(fine_paths[k], path, mesh.tets[at(t)], midpoints[at(t)]);
+    }
+  });
   fine.mesh = make_tet_mesh(static_cast<Index>(fine.rest.size()), std::move(tets));
   return fine;
 }
@@ -131,22 +137,20 @@ std::vector<std::array<Index, 2>> box_parents(Index nx, Index ny, Index nz, cons
                 " tets: their incidences do not fit a 32-bit index");
   }
   const auto node = [nx, ny](Index x, Index y, Index z) { return x + (nx + 1) * (y + (ny + 1) * z); };
-  std::vector<std::array<Index, 2>> parents;
-  parents.reserve(static_cast<std::size_t>(2 * nx + 1) * static_cast<std::size_t>(2 * ny + 1) *
-                  static_cast<std::size_t>(2 * nz + 1));
+  std::vector<std::array<Index, 2>> parents(at(2 * nx + 1) * at(2 * ny + 1) * at(2 * nz + 1));
   // All differences of 0 or 1 in each coordinate are edges of the Kuhn mesh: rounding down and up gives the ends; in
   // mirrored cells up and down.
-  for (Index z = 0; z <= 2 * nz; ++z) {
-    for (Index y = 0; y <= 2 * ny; ++y) {
-      for (Index x = 0; x <= 2 * nx; ++x) {
-        const Index up_x = x / 2 >= mirrored.x ? 1 : 0, up_y = y / 2 >= mirrored.y ? 1 : 0;
-        const Index up_z = z / 2 >= mirrored.z ? 1 : 0;
-        const Index one = node((x + up_x) / 2, (y + up_y) / 2, (z + up_z) / 2);
-        const Index other = node((x + 1 - up_x) / 2, (y + 1 - up_y) / 2, (z + 1 - up_z) / 2);
-        parents.push_back({std::min(one, other), std::max(one, other)});
-      }
+  physgen::detail::for_each_index<4>(0, index_t{2 * ny + 1} * (2 * nz + 1), [&](index_t row) {
+    const auto y = static_cast<Index>(row % (2 * ny + 1)), z = static_cast<Index>(row / (2 * ny + 1));
+    std::array<Index, 2>* next = parents.data() + row * (2 * nx + 1);
+    for (Index x = 0; x <= 2 * nx; ++x) {
+      const Index up_x = x / 2 >= mirrored.x ? 1 : 0, up_y = y / 2 >= mirrored.y ? 1 : 0;
+      const Index up_z = z / 2 >= mirrored.z ? 1 : 0;
+      const Index one = node((x + up_x) / 2, (y + up_y) / 2, (z + up_z) / 2);
+      const Index other = node((x + 1 - up_x) / 2, (y + 1 - up_y) / 2, (z + 1 - up_z) / 2);
+      *next++ = {std::min(one, other), std::max(one, other)};
     }
-  }
+  });
   return parents;
 }
 

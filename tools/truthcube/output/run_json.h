@@ -45,6 +45,14 @@ struct PlateRecord {
   bool operator==(const PlateRecord&) const = default;
 };
 
+/// A part of the set-up.
+struct StageRecord {
+  std::string name;
+  double seconds = 0;      ///< without those of stages within it
+  std::int64_t bytes = 0;  ///< of what it reads and writes, each once
+  bool operator==(const StageRecord&) const = default;
+};
+
 struct RunRecord {
   std::int64_t nodes = 0, tets = 0;
   std::int64_t bytes = 0;       ///< of all arrays of the solver
@@ -53,6 +61,7 @@ struct RunRecord {
   std::string command;          ///< as it was typed
   std::string settings = "{}";  ///< a JSON object: material, young, poisson, volume, cells, preconditioner, ...
   double setup_seconds = 0;
+  std::vector<StageRecord> stages;       ///< of the set-up; in files of older versions there are none
   PlateRecord lower_plate, upper_plate;  ///< in files of older versions they are missing, and read as zeros
   std::vector<StepRecord> steps;
   bool operator==(const RunRecord&) const = default;

@@ -16,7 +16,7 @@ namespace physgen {
 namespace detail {
 
 /// Memory of the host for `count` objects of so many bytes, in huge pages where it is large.
-/// @throw Error with the bytes when it cannot be had
+/// @throw MemoryError with the bytes when it cannot be had
 [[nodiscard]] void* allocate_list(std::size_t count, std::size_t bytes_of_each);
 void free_list(void* memory) noexcept;
 

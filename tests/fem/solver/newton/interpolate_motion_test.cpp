@@ -27,7 +27,10 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
       before(coarse_nodes), now(coarse_nodes);
   elasticity::TetArray<float> tets(index_t(coarse.mesh.tets.size()));
   store_tets(coarse.mesh, tets.view());
-  const auto node_tets = packed_rows<NodeTetEntry>(coarse.mesh.node_tets, tets.size(), "tets");
+  elasticity::IncidenceRangeArray<float> ranges(coarse_nodes);
+  quasistatic::PackedIncidenceArray<float> entries(4 * tets.size());
+  put_packed<NodeTetEntry>(ranges, entries, coarse.mesh.node_tets, tets.size(), "tets");
+  const Rows node_tets(ranges.const_view(), entries.const_view(), tets.size());
   for (index_t n = 0; n < fine_nodes; ++n) {
     const auto& [a, b] = fine.parents[std::size_t(n)];
     parents.view().put(n, {{a, b}});
@@ -44,7 +47,7 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
     now.view().put(n, {{x[0] + 7 + w[0], x[1] - 5 + w[1], x[2] + 3 + w[2]}});
   }
   parallel_for(Host{}, fine_nodes,
-               lanes<1>(InterpolateMotion{bends, parents.const_view(), fine_rest.const_view(), node_tets.const_view(),
+               lanes<1>(InterpolateMotion{bends, parents.const_view(), fine_rest.const_view(), node_tets,
                                           tets.const_view(), rest.const_view(), before.const_view(), now.const_view(),
                                           constraints.const_view(), positions.view()}));
   std::vector<Point> result(std::size_t(fine_nodes), Point{});

@@ -26,11 +26,18 @@ void put(Array& array, const From& from) {
   synchronize();
 }
 
-/// The same of rows. @param from RowArrays on the host
-template <class Ranges, class Entries, class Rows>
-void put_rows(Ranges& ranges, Entries& entries, const Rows& from) {
-  put(ranges, from.ranges());
-  put(entries, from.entries());
+/// Fills an array by store(i, object) for each of its objects, on several threads; in place where the host reaches it.
+template <class Array, class Store>
+void put_each(Array& array, const Store& store) {
+  if constexpr (host_accessible(Array::View::Space::kind)) {
+    const auto view = contents_of(array).view();
+    physgen::detail::for_each_index(0, array.size(), [&](index_t i) { store(i, view[i]); });
+  } else {
+    using Object = typename Array::Object;
+    physgen::Array<Object, typename Array::Precision, Host, Aos, FormatsOf<Object, Host>> host(array.size());
+    put_each(host, store);
+    put(array, host);
+  }
 }
 
 /// By which lists the parts of the tangent that patches and tets have are summed, beside the tets of each node.

@@ -34,19 +34,30 @@ struct PatchesOver : Group {
   PatchesOver(const MeshLevel& level, const LevelCounts& mesh, const EdgeParts& parts, bool injects,
               TangentLists lists) {
     const index_t patches = mesh.patches;
-    PackedRows<Host> of_edges, of_nodes;
-    if (lists == TangentLists::of_edges) {
-      of_edges = packed_rows<EdgePatchEntry>(parts.edge_patches, patches, "patches");
-    } else if (lists == TangentLists::of_nodes) {
-      of_nodes = packed_rows<NodePatchEntry>(make_node_patches(level), patches, "patches");
-    }
     this->allocate(counts(mesh, injects, lists));
-    put(this->tet_patches, host_tet_patches(level.patches));
-    put(this->nodes, host_nodes(level.patches));
-    if (injects) put(this->parents, host_parents(level));
-    put_rows(this->patch_tet_ranges, this->patch_tet_entries, host_patch_tets(level));
-    put_rows(this->edge_patch_ranges, this->edge_patch_entries, of_edges);
-    put_rows(this->node_patch_ranges, this->node_patch_entries, of_nodes);
+    const VolumePatches& of = level.patches;
+    put_each(this->tet_patches, [&](index_t t, auto&& tet) { tet.patch() = of.tet_patch[std::size_t(t)]; });
+    put_each(this->nodes, [&](index_t p, auto&& patch) {
+      for (int k = 0; k < 8; ++k) patch.nodes()[k] = of.nodes[std::size_t(p)][std::size_t(k)];
+    });
+    put_each(this->parents, [&](index_t p, auto&& parent) { parent.patch() = level.patch_parents[std::size_t(p)]; });
+    put_each(this->patch_tet_ranges, [&](index_t p, auto&& range) {
+      range.begin() = of.patch_tets.first[std::size_t(p)];
+      range.end() = of.patch_tets.first[std::size_t(p) + 1];
+    });
+    put_each(this->patch_tet_entries, [&](index_t k, auto&& entry) {
+      const Index tet = of.patch_tets.entries[std::size_t(k)].element;
+      const auto& slots = of.tet_slots[std::size_t(tet)];
+      entry.tet() = tet;
+      entry.slots() = slots[0] | slots[1] << 3 | slots[2] << 6 | slots[3] << 9;
+    });
+    if (lists == TangentLists::of_edges) {
+      put_packed<EdgePatchEntry>(this->edge_patch_ranges, this->edge_patch_entries, parts.edge_patches, patches,
+                                 "patches");
+    } else if (lists == TangentLists::of_nodes) {
+      put_packed<NodePatchEntry>(this->node_patch_ranges, this->node_patch_entries, make_node_patches(level), patches,
+                                 "patches");
+    }
   }
 
   [[nodiscard]] static auto counts(const LevelCounts& mesh, bool injects, TangentLists lists) {
@@ -59,35 +70,6 @@ struct PatchesOver : Group {
                                   .node = nodes ? mesh.nodes : 0,
                                   .node_patch = nodes ? mesh.node_patches : 0,
                                   .change = nodes && Group::Space::kind == SpaceKind::host ? mesh.patches : 0};
-  }
-
- private:
-  using HostRows = RowArrays<elasticity::IncidenceRangeArray<float>, quasistatic::PatchTetArray<float>>;
-  static auto host_tet_patches(const VolumePatches& patches) {
-    quasistatic::TetPatchArray<typename Group::Real> array(index_t(patches.tet_patch.size()));
-    for (index_t t = 0; t < array.size(); ++t) array.view()[t].patch() = patches.tet_patch[std::size_t(t)];
-    return array;
-  }
-  static auto host_nodes(const VolumePatches& patches) {
-    quasistatic::PatchNodesArray<typename Group::Real> array(index_t(patches.nodes.size()));
-    for (index_t p = 0; p < array.size(); ++p) {
-      for (int k = 0; k < 8; ++k) array.view()[p].nodes()[k] = patches.nodes[std::size_t(p)][std::size_t(k)];
-    }
-    return array;
-  }
-  static auto host_parents(const MeshLevel& level) {
-    quasistatic::PatchParentArray<typename Group::Real> array(index_t(level.patch_parents.size()));
-    for (index_t p = 0; p < array.size(); ++p) array.view()[p].patch() = level.patch_parents[std::size_t(p)];
-    return array;
-  }
-  static auto host_patch_tets(const MeshLevel& level) {
-    const IncidenceList& list = level.patches.patch_tets;
-    std::vector<typename quasistatic::PatchTetArray<float>::Value> entries;
-    for (const auto& entry : list.entries) {
-      const auto& slots = level.patches.tet_slots[std::size_t(entry.element)];
-      entries.push_back({entry.element, slots[0] | slots[1] << 3 | slots[2] << 6 | slots[3] << 9});
-    }
-    return HostRows::from_offsets({"tet", index_t(level.mesh.tets.size())}, list.first, entries);
   }
 };
 
@@ -168,16 +150,17 @@ struct EquilibriumOver : Body {
   }
   void fill(const MeshLevel& level, const LevelCounts& mesh, TangentLists lists, const EdgeParts& parts) {
     const index_t tets = mesh.tets;
-    const auto of_nodes = packed_rows<NodeTetEntry>(level.mesh.node_tets, tets, "tets");
-    PackedRows<Host> of_edges;
-    if (lists == TangentLists::of_edges) of_edges = packed_rows<EdgeTetEntry>(parts.edge_tets, tets, "tets");
     this->allocate(counts(mesh, lists));
-    put(this->tets, host_tets(level));
-    put_rows(this->node_tet_ranges, this->node_tet_entries, of_nodes);
-    put_rows(this->edge_tet_ranges, this->edge_tet_entries, of_edges);
-    elasticity::NodePositionArray<double> rest(level.mesh.nodes);
-    store_positions(level.rest, rest.view());
-    put(this->rest, rest);
+    put_each(this->tets, [&](index_t t, auto&& tet) {
+      for (int k = 0; k < 4; ++k) tet.nodes()[k] = level.mesh.tets[std::size_t(t)][std::size_t(k)];
+    });
+    put_packed<NodeTetEntry>(this->node_tet_ranges, this->node_tet_entries, level.mesh.node_tets, tets, "tets");
+    if (lists == TangentLists::of_edges) {
+      put_packed<EdgeTetEntry>(this->edge_tet_ranges, this->edge_tet_entries, parts.edge_tets, tets, "tets");
+    }
+    put_each(this->rest, [&](index_t n, auto&& node) {
+      for (int k = 0; k < 3; ++k) node.x()[k] = level.rest[std::size_t(n)][std::size_t(k)];
+    });
     for (auto* positions : {&this->positions, &this->trial, &this->kept}) put(*positions, this->rest);
   }
 };

@@ -7,7 +7,6 @@
 #include <fem/solver/hierarchy/level_counts.h>
 
 #include <utility>
-#include <vector>
 
 namespace physgen::fem {
 
@@ -18,22 +17,17 @@ struct RingsOver : Group {
 
   explicit RingsOver(Group&& arrays) : Group(std::move(arrays)) {}
   RingsOver(const TetMesh& mesh, const LevelCounts& of_mesh) {
-    const auto rings = host_rings(make_rings(mesh));
     this->allocate(counts(of_mesh));
-    put(this->node_ranges, rings.ranges());
-    put(this->node_entries, rings.entries());
+    const NodeRings rings = make_rings(mesh);
+    put_each(this->node_ranges, [&](index_t n, auto&& range) {
+      range.begin() = rings.first[std::size_t(n)];
+      range.end() = rings.first[std::size_t(n) + 1];
+    });
+    put_each(this->node_entries, [&](index_t k, auto&& entry) { entry.node() = rings.nodes[std::size_t(k)]; });
   }
 
   [[nodiscard]] static auto counts(const LevelCounts& mesh) {
     return typename Group::Counts{.node = mesh.nodes, .neighbour = mesh.ring_nodes};
-  }
-
- private:
-  using HostRows = RowArrays<elasticity::IncidenceRangeArray<float>, quasistatic::RingNodeArray<typename Group::Real>>;
-  static HostRows host_rings(const NodeRings& rings) {
-    std::vector<typename HostRows::Value> entries(rings.nodes.size());
-    for (std::size_t k = 0; k < entries.size(); ++k) entries[k].node = rings.nodes[k];
-    return HostRows::from_offsets({"node", index_t(rings.first.size()) - 1}, rings.first, entries);
   }
 };
 

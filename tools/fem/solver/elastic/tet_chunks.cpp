@@ -9,8 +9,7 @@ index_t most_chunk_tets(SpaceKind space) {
   return space == SpaceKind::cuda ? index_t{1} << 18 : index_t{1} << 14;
 }
 
-std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, const std::vector<std::array<Index, 2>>& edges,
-                                      index_t most) {
+std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges, index_t most) {
   const auto tets = static_cast<index_t>(mesh.tets.size());
   std::vector<TetChunk> chunks;
   for (index_t first = 0; first < tets; first += most) {

@@ -6,6 +6,7 @@
 #include <physgen/config.h>
 #include <physgen/memory/space.h>
 
+#include <span>
 #include <vector>
 
 namespace physgen::fem {
@@ -29,7 +30,7 @@ struct TetChunk {
 
 /// @param edges (m, n), m < n, ascending: of the level, to which the mesh's belong
 /// @param most tets in a chunk, above 0
-[[nodiscard]] std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, const std::vector<std::array<Index, 2>>& edges,
+[[nodiscard]] std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges,
                                                     index_t most);
 
 }  // namespace physgen::fem

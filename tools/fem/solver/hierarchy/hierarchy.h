@@ -5,6 +5,7 @@
 #include <fem/solver/mesh_level.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace physgen::fem {
@@ -19,8 +20,7 @@ inline constexpr Index most_coarse_nodes = 125;
 struct LevelGraph {
   Index nodes = 0;
   bool is_grid = false;
-  std::vector<std::array<Index, 2>>
-      edges;                 ///< (m, n), m < n, ascending: those of tets, patches, rings and finer levels
+  EdgeList edges;            ///< those of tets, patches, rings and finer levels
   IncidenceList node_edges;  ///< edge, side
   std::vector<std::uint8_t> fixed;
 
@@ -42,7 +42,7 @@ struct EdgeParts {
 /// Graphs of all levels, finest first.
 /// @param edges whether there are any; else nodes, constraints and parents alone
 /// @throw Error when parents do not fit the coarser mesh, sizes differ, or a list would exceed 2^31 entries
-[[nodiscard]] std::vector<LevelGraph> make_level_graphs(const std::vector<MeshLevel>& levels, bool edges = true);
+[[nodiscard]] std::vector<LevelGraph> make_level_graphs(std::span<const MeshLevel> levels, bool edges = true);
 
 /// @pre the graph is that of the mesh
 [[nodiscard]] EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph);

@@ -55,36 +55,41 @@ struct LevelOver : Group {
   /// With an assembled stiffness. @param coarser the next level, or null
   LevelOver(const LevelGraph& graph, const LevelGraph* coarser)
       : is_grid(graph.is_grid),
-        sums(as_mesh(graph), Space::kind, sizeof(Real), SumOrder::any),
+        sums(graph.nodes, graph.edges, Space::kind, sizeof(Real), SumOrder::any),
         rows(has_rows(graph.nodes) ? EdgeRows(as_mesh(graph), Space::kind) : EdgeRows()) {
     const index_t nodes = graph.nodes, edges = index_t(graph.edges.size());
-    const auto of_nodes = packed_rows<NodeEdgeEntry>(graph.node_edges, edges, "edges");
-    const bool on_grid = !graph.grid_parents.empty();
-    PackedRows<Host> of_children, of_terms;
-    if (coarser != nullptr) {
-      of_children = packed_rows<ChildEntry>(graph.children, nodes, "nodes");
-      of_terms = packed_rows<EdgeTermEntry>(graph.edge_terms, std::max(nodes, edges), "edges");
-    }
     const GraphCounts own = counts_of(graph), next = coarser == nullptr ? GraphCounts() : counts_of(*coarser);
     this->allocate(counts(own, coarser == nullptr ? nullptr : &next));
     if (!rows.is_empty()) this->scaled_edges.resize(2 * edges);
-    put(this->constraints, host_constraints(graph));
-    put(this->edges, host_edges(graph));
-    put_rows(this->node_edge_ranges, this->node_edge_entries, of_nodes);
-    put_rows(this->child_ranges, this->child_entries, of_children);
-    put_rows(this->edge_term_ranges, this->edge_term_entries, of_terms);
+    put_constraints(graph);
+    put_each(this->edges, [&](index_t e, auto&& edge) {
+      for (int k = 0; k < 2; ++k) edge.nodes()[k] = graph.edges[std::size_t(e)][std::size_t(k)];
+    });
+    put_packed<NodeEdgeEntry>(this->node_edge_ranges, this->node_edge_entries, graph.node_edges, edges, "edges");
     if (coarser == nullptr) return;
-    if (on_grid) {
-      put(this->grid_parents, host_grid_parents(graph));
+    put_packed<ChildEntry>(this->child_ranges, this->child_entries, graph.children, nodes, "nodes");
+    put_packed<EdgeTermEntry>(this->edge_term_ranges, this->edge_term_entries, graph.edge_terms, std::max(nodes, edges),
+                              "edges");
+    if (graph.grid_parents.empty()) {
+      put_parents(graph);
     } else {
-      put(this->parents, host_parents(graph));
+      put_each(this->grid_parents, [&](index_t n, auto&& parents) {
+        const GridLocation& location = graph.grid_parents[std::size_t(n)];
+        for (int k = 0; k < 4; ++k) {
+          parents.nodes()[k] = location.nodes[std::size_t(k)];
+          parents.weights()[k] = static_cast<Real>(location.weights[std::size_t(k)]);
+        }
+      });
     }
   }
   LevelOver(const LevelGraph& graph, MatrixFree needs) : assembled(false) {
     this->allocate(counts(graph.nodes, needs));
-    put(this->constraints, host_constraints(graph));
-    put(this->scales, host_unit_scales(graph));
-    if (needs.coarser) put(this->parents, host_parents(graph));
+    put_constraints(graph);
+    put_each(this->scales, [](index_t /*n*/, auto&& scale) {
+      scale.scale() = Real(1);
+      scale.inverse() = Real(1);
+    });
+    if (needs.coarser) put_parents(graph);
   }
 
   /// The bytes() of such levels before they are made, without extra arrays, planes and inertia. @param coarser or null
@@ -153,45 +158,15 @@ struct LevelOver : Group {
         .node = nodes, .block_node = needs.blocks ? nodes : 0, .child = needs.coarser ? nodes : 0};
   }
   static bool has_rows(index_t nodes) { return Space::kind == SpaceKind::cuda && nodes <= EdgeRows::most_nodes; }
-  static auto host_constraints(const LevelGraph& graph) {
-    quasistatic::NodeConstraintArray<Real> array(graph.nodes);
-    for (index_t n = 0; n < array.size(); ++n) array.view()[n].fixed() = graph.fixed[std::size_t(n)];
-    return array;
+  void put_constraints(const LevelGraph& graph) {
+    put_each(this->constraints, [&](index_t n, auto&& node) { node.fixed() = graph.fixed[std::size_t(n)]; });
   }
-  static auto host_unit_scales(const LevelGraph& graph) {
-    quasistatic::NodeScaleArray<Real> array(graph.nodes);
-    for (index_t n = 0; n < array.size(); ++n) {
-      array.view()[n].scale() = Real(1);
-      array.view()[n].inverse() = Real(1);
-    }
-    return array;
+  void put_parents(const LevelGraph& graph) {
+    put_each(this->parents, [&](index_t n, auto&& parents) {
+      for (int k = 0; k < 2; ++k) parents.nodes()[k] = graph.parents[std::size_t(n)][std::size_t(k)];
+    });
   }
-  static auto host_edges(const LevelGraph& graph) {
-    elasticity::EdgeArray<Real> array(index_t(graph.edges.size()));
-    for (index_t e = 0; e < array.size(); ++e) {
-      for (int k = 0; k < 2; ++k) array.view()[e].nodes()[k] = graph.edges[std::size_t(e)][std::size_t(k)];
-    }
-    return array;
-  }
-  static auto host_parents(const LevelGraph& graph) {
-    quasistatic::NodeParentsArray<Real> array(graph.nodes);
-    for (index_t n = 0; n < array.size(); ++n) {
-      for (int k = 0; k < 2; ++k) array.view()[n].nodes()[k] = graph.parents[std::size_t(n)][std::size_t(k)];
-    }
-    return array;
-  }
-  static auto host_grid_parents(const LevelGraph& graph) {
-    quasistatic::GridParentsArray<Real> array(graph.nodes);
-    for (index_t n = 0; n < array.size(); ++n) {
-      const GridLocation& location = graph.grid_parents[std::size_t(n)];
-      for (int k = 0; k < 4; ++k) {
-        array.view()[n].nodes()[k] = location.nodes[std::size_t(k)];
-        array.view()[n].weights()[k] = static_cast<Real>(location.weights[std::size_t(k)]);
-      }
-    }
-    return array;
-  }
-  /// As the product wants it.
+  /// As rows of edges want it.
   static TetMesh as_mesh(const LevelGraph& graph) {
     TetMesh mesh;
     mesh.nodes = graph.nodes;

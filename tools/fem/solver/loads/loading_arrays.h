@@ -17,20 +17,15 @@ namespace physgen::fem {
 template <class Arrays>
 void store_loading(Arrays& a, const MeshLevel& level, const std::vector<Point>& motion,
                    const std::vector<Point>& forces) {
-  const index_t nodes = level.mesh.nodes;
-  elasticity::NodeDisplacementArray<double> host_motion(nodes);
-  elasticity::NodeForceArray<double> host_forces(nodes);
-  for (index_t n = 0; n < nodes; ++n) {
-    const auto node = static_cast<std::size_t>(n);
+  put_each(a.motion, [&](index_t n, auto&& node) {
     for (int k = 0; k < 3; ++k) {
-      const bool fixed = (level.fixed[node] >> k & 1) != 0;
-      host_motion.view()[n].dx()[k] = fixed ? motion[node][std::size_t(k)] : 0.0;
-      host_forces.view()[n].f()[k] = forces.empty() ? 0.0 : forces[node][std::size_t(k)];
+      const bool fixed = (level.fixed[std::size_t(n)] >> k & 1) != 0;
+      node.dx()[k] = fixed ? motion[std::size_t(n)][std::size_t(k)] : 0.0;
     }
-  }
-  copy(a.motion, host_motion);
-  copy(a.loads, host_forces);
-  synchronize();
+  });
+  put_each(a.loads, [&](index_t n, auto&& node) {
+    for (int k = 0; k < 3; ++k) node.f()[k] = forces.empty() ? 0.0 : forces[std::size_t(n)][std::size_t(k)];
+  });
 }
 
 /// Motion of nodes that coincide, and forces shared by the parents.

@@ -27,14 +27,14 @@ template <class Body>
 void fill_linear_body(Body& body, const MeshLevel& level, const LevelGraph& graph, const Loading& loading,
                       bool assembled) {
   const auto tets = index_t(level.mesh.tets.size());
-  const auto of_nodes = packed_rows<NodeTetEntry>(level.mesh.node_tets, tets, "tets");
-  PackedRows<Host> of_edges;
-  if (assembled) of_edges = packed_rows<EdgeTetEntry>(make_edge_parts(level, graph).edge_tets, tets, "tets");
   body.allocate(linear_counts<Body>(counts_of(level, graph), assembled));
   put(body.tets, host_tets(level));
   put(body.rest, host_rest_shapes(level));
-  put_rows(body.node_tet_ranges, body.node_tets, of_nodes);
-  put_rows(body.edge_tet_ranges, body.edge_tets, of_edges);
+  put_packed<NodeTetEntry>(body.node_tet_ranges, body.node_tets, level.mesh.node_tets, tets, "tets");
+  if (assembled) {
+    put_packed<EdgeTetEntry>(body.edge_tet_ranges, body.edge_tets, make_edge_parts(level, graph).edge_tets, tets,
+                             "tets");
+  }
   store_loading(body, level, loading.motion, loading.forces);
 }
 

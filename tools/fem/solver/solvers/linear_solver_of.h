@@ -80,7 +80,7 @@ class LinearSolverOf final : public EquilibriumSolver {
   }
 
  private:
-  LinearSolverOf(const Loading& loading, const SolverSettings& settings, const LevelsInUse& used)
+  LinearSolverOf(const Loading& loading, const SolverSettings& settings, LevelsInUse used)
       : settings_(settings),
         rest_(used.levels.front().rest),
         on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),

@@ -1,5 +1,8 @@
 #include <fem/mesh/geometry.h>
+#include <fem/mesh/stages.h>
+#include <fem/solver/hierarchy/hierarchy.h>
 #include <fem/solver/solvers/require.h>
+#include <physgen/detail/first_index.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -34,17 +37,20 @@ void require_positive(const std::string& what, double value) {
 
 void require_rest(std::size_t l, const MeshLevel& level) {
   if (level.rest.size() != static_cast<std::size_t>(level.mesh.nodes)) return;  // which the level's arrays refuse
+  InStage stage("checks of tets");
+  stage.moves(level.rest, level.mesh.tets);
   const std::string where = "level " + std::to_string(l) + ": ";
-  const auto stray = std::ranges::find_if_not(level.rest, is_finite);
-  if (stray != level.rest.end()) {
-    throw Error(where + "the rest position of node " + std::to_string(stray - level.rest.begin()) + " is " +
-                vector_text(*stray) + ": give finite coordinates [m]");
+  const auto at = [](index_t i) { return static_cast<std::size_t>(i); };
+  const auto nodes = static_cast<index_t>(level.rest.size()), tets = static_cast<index_t>(level.mesh.tets.size());
+  const index_t stray = physgen::detail::first_index(nodes, [&](index_t n) { return !is_finite(level.rest[at(n)]); });
+  if (stray < nodes) {
+    throw Error(where + "the rest position of node " + std::to_string(stray) + " is " +
+                vector_text(level.rest[at(stray)]) + ": give finite coordinates [m]");
   }
-  const auto flat =
-      std::ranges::find_if(level.mesh.tets, [&](const auto& tet) { return !(six_volumes(tet, level.rest) > 0); });
-  if (flat == level.mesh.tets.end()) return;
-  throw Error(where + "tet " + std::to_string(flat - level.mesh.tets.begin()) + " has the volume " +
-              number(six_volumes(*flat, level.rest) / 6) +
+  const auto volumes = [&](index_t t) { return six_volumes(level.mesh.tets[at(t)], level.rest); };
+  const index_t flat = physgen::detail::first_index(tets, [&](index_t t) { return !(volumes(t) > 0); });
+  if (flat == tets) return;
+  throw Error(where + "tet " + std::to_string(flat) + " has the volume " + number(volumes(flat) / 6) +
               " m^3 at rest and needs a positive one: exchange two of its corners, or mesh again");
 }
 
@@ -53,9 +59,7 @@ void require_rest(std::size_t l, const MeshLevel& level) {
 void require_single_range(const MeshLevel& level, const SolverSettings& settings) {
   if (settings.precision == TangentPrecision::float64) return;
   if (level.rest.size() != static_cast<std::size_t>(level.mesh.nodes)) return;
-  double volumes = 0;
-  for (const auto& tet : level.mesh.tets) volumes += six_volumes(tet, level.rest);
-  const double h = std::cbrt(volumes / static_cast<double>(level.mesh.tets.size()));
+  const double h = mean_spacing(level.mesh, level.rest);
   const double modulus = settings.youngs_modulus, per_area = modulus / h / h, work = modulus * h * h * h;
   if (!(modulus > 0) || (per_area >= 1e-35 && per_area <= 1e30 && work >= 1e-28 && work <= 1e33)) return;
   throw Error("a Young's modulus of " + number(modulus) + " Pa over tets of " + number(h) +

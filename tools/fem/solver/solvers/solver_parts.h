@@ -83,7 +83,7 @@ class SolverParts {
   std::size_t solved_;
 
  private:
-  SolverParts(const Loading& loading, const SolverSettings& settings, const LevelsInUse& used)
+  SolverParts(const Loading& loading, const SolverSettings& settings, LevelsInUse used)
       : settings_(settings),
         own_on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
         on_(own_on_.get()),
@@ -96,10 +96,13 @@ class SolverParts {
     for (std::size_t l = 0; l < used.levels.size(); ++l) {
       const MeshLevel& level = used.levels[l];
       if (l < solved_) {
+        InStage stage("arrays of meshes");
         arrays_.push_back(std::make_unique<Arrays>(level, used.graphs[l], l + 1 < solved_, lists,
                                                    l == 0 ? nullptr : arrays_.front()->chunk_arrays));
         vectors_.push_back(std::make_unique<Vectors>());
         vectors_.back()->allocate({.node = used.graphs[l].nodes});
+        stage.moves(level.mesh.tets, level.mesh.node_tets.entries, level.mesh.edge_tets.entries);
+        stage.moves_bytes(arrays_.back()->bytes() + vectors_.back()->bytes());
         loops_.emplace_back();
         store_loading(*arrays_.back(), level, motion, forces);
         rounding_forces_.push_back(

@@ -48,9 +48,12 @@ struct SchwarzOver : Group, SchwarzFacts {
     put(this->nodes, host_nodes(hierarchy));
     put(this->slots, host_slots(hierarchy));
     put(this->blocks, host_blocks(hierarchy));
-    put_rows(this->supernode_term_ranges, this->supernode_term_entries, of_supernodes);
-    put_rows(this->pair_term_ranges, this->pair_term_entries, of_pairs);
-    put_rows(this->block_edge_ranges, this->block_edge_entries, of_blocks);
+    put(this->supernode_term_ranges, of_supernodes.ranges());
+    put(this->supernode_term_entries, of_supernodes.entries());
+    put(this->pair_term_ranges, of_pairs.ranges());
+    put(this->pair_term_entries, of_pairs.entries());
+    put(this->block_edge_ranges, of_blocks.ranges());
+    put(this->block_edge_entries, of_blocks.entries());
   }
 
   /// Blocks of nodes; those behind them are of supernodes.

@@ -211,7 +211,7 @@ SchwarzHierarchy make_schwarz_hierarchy(const LevelGraph& graph, const std::vect
   for (std::size_t s = 0; s < level.members.size(); ++s) {
     if (level.members[s] >= 0) level.places[at(level.members[s])] = static_cast<Index>(s);
   }
-  level.edges = graph.edges;
+  level.edges.assign(graph.edges.begin(), graph.edges.end());
   level.order_by_components();
   hierarchy.node_slots = level.places;
   hierarchy.first_block = {0, level.blocks()};

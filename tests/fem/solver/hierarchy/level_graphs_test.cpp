@@ -1,0 +1,206 @@
+// The lists of a hierarchy, made in parallel, against sets and maps that are filled one entry after the other; on 1, 2
+// and 16 threads.
+#include <fem/mesh/rings.h>
+#include <fem/solver/hierarchy/background_grid.h>
+#include <fem/solver/hierarchy/galerkin_block.h>
+#include <fem/solver/hierarchy/hierarchy.h>
+#include <gtest/gtest.h>
+#include <physgen/threads.h>
+
+#include <map>
+#include <set>
+
+#include "../irregular.h"
+
+namespace physgen::fem {
+namespace {
+
+using Edge = std::array<Index, 2>;
+using Lists = std::vector<std::vector<IncidenceEntry>>;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+Edge ordered(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+IncidenceList listed(const Lists& lists) {
+  IncidenceList list{{0}, {}};
+  for (const auto& entries : lists) {
+    list.entries.insert(list.entries.end(), entries.begin(), entries.end());
+    list.first.push_back(static_cast<Index>(list.entries.size()));
+  }
+  return list;
+}
+
+/// A parent of a node, and which of its parents it is.
+struct Parent {
+  Index node;
+  Index number;
+};
+std::vector<Parent> parents_of(const MeshLevel& level, Index node) {
+  std::vector<Parent> parents;
+  if (level.grid_parents.empty()) {
+    const auto [p, q] = level.parents[at(node)];
+    parents.push_back({p, 0});
+    if (p != q) parents.push_back({q, 1});
+    return parents;
+  }
+  for (Index k = 0; k < 4; ++k) {
+    if (level.grid_parents[at(node)].weights[at(k)] != 0)
+      parents.push_back({level.grid_parents[at(node)].nodes[at(k)], k});
+  }
+  return parents;
+}
+
+/// What a level is expected to have, made in the order in which its fine nodes and edges come.
+struct Expected {
+  std::vector<Edge> edges;
+  Lists node_edges, children, edge_terms, edge_tets, edge_patches;
+  std::set<Edge> coarse_pairs;
+};
+
+Expected expect_level(const MeshLevel& level, const std::set<Edge>& inherited) {
+  Expected expected;
+  std::set<Edge> edges = inherited;
+  edges.insert(level.mesh.edges.begin(), level.mesh.edges.end());
+  for (std::size_t p = 0; p < level.patches.nodes.size(); ++p) {
+    for (Index a = 0; a < level.patches.node_counts[p]; ++a) {
+      for (Index b = 0; b < a; ++b) edges.insert(ordered(level.patches.nodes[p][at(a)], level.patches.nodes[p][at(b)]));
+    }
+  }
+  if (level.averages_at_nodes) {
+    const auto pairs = pairs_in_rings(make_rings(level.mesh));
+    edges.insert(pairs.begin(), pairs.end());
+  }
+  expected.edges.assign(edges.begin(), edges.end());
+  std::map<Edge, std::size_t> numbers;
+  expected.node_edges.resize(at(level.mesh.nodes));
+  for (std::size_t e = 0; e < expected.edges.size(); ++e) {
+    numbers[expected.edges[e]] = e;
+    for (Index side = 0; side < 2; ++side) {
+      expected.node_edges[at(expected.edges[e][at(side)])].push_back({static_cast<Index>(e), side});
+    }
+  }
+  expected.edge_tets.resize(edges.size());
+  expected.edge_patches.resize(edges.size());
+  for (std::size_t e = 0; e < level.mesh.edges.size(); ++e) {
+    for (Index k = level.mesh.edge_tets.first[e]; k < level.mesh.edge_tets.first[e + 1]; ++k) {
+      expected.edge_tets[numbers.at(level.mesh.edges[e])].push_back(level.mesh.edge_tets.entries[at(k)]);
+    }
+  }
+  for (std::size_t p = 0; p < level.patches.nodes.size(); ++p) {
+    for (Index a = 0; a < level.patches.node_counts[p]; ++a) {
+      for (Index b = 0; b < level.patches.node_counts[p]; ++b) {
+        const Index m = level.patches.nodes[p][at(a)], n = level.patches.nodes[p][at(b)];
+        if (m < n) expected.edge_patches[numbers.at({m, n})].push_back({static_cast<Index>(p), a + 8 * b});
+      }
+    }
+  }
+  return expected;
+}
+
+/// Children, coarse pairs, and then the terms, which need the edges of the coarser level.
+void expect_parents(const MeshLevel& level, Index coarse_nodes, Expected& expected) {
+  expected.children.resize(at(coarse_nodes));
+  for (Index a = 0; a < level.mesh.nodes; ++a) {
+    const auto parents = parents_of(level, a);
+    for (const auto& [node, number] : parents) {
+      const Index weight = level.grid_parents.empty() ? (parents.size() == 1 ? 2 : 1) : number;
+      expected.children[at(node)].push_back({a, weight});
+      for (const auto& other : parents) {
+        if (other.node != node) expected.coarse_pairs.insert(ordered(node, other.node));
+      }
+    }
+  }
+  for (const auto& [a, b] : expected.edges) {
+    for (const auto& p : parents_of(level, a)) {
+      for (const auto& q : parents_of(level, b)) {
+        if (p.node != q.node) expected.coarse_pairs.insert(ordered(p.node, q.node));
+      }
+    }
+  }
+}
+
+void expect_terms(const MeshLevel& level, const std::vector<Edge>& coarse_edges, Expected& expected) {
+  std::map<Edge, std::size_t> numbers;
+  for (std::size_t e = 0; e < coarse_edges.size(); ++e) numbers[coarse_edges[e]] = e;
+  expected.edge_terms.resize(coarse_edges.size());
+  const bool grid = !level.grid_parents.empty();
+  const auto add = [&](Index a, Index b, Index element, GalerkinBlock kind, int quarters) {
+    expected.edge_terms[numbers.at(ordered(a, b))].push_back(
+        {element, static_cast<Index>(galerkin_code(kind, quarters))});
+  };
+  for (Index a = 0; a < level.mesh.nodes; ++a) {
+    std::set<Edge> pairs;
+    for (const auto& p : parents_of(level, a)) {
+      for (const auto& q : parents_of(level, a)) {
+        if (p.node < q.node) pairs.insert({p.node, q.node});
+      }
+    }
+    for (const auto& [p, q] : pairs) add(p, q, a, GalerkinBlock::node, 1);
+  }
+  for (std::size_t e = 0; e < expected.edges.size(); ++e) {
+    const auto ps = parents_of(level, expected.edges[e][0]), qs = parents_of(level, expected.edges[e][1]);
+    std::set<Edge> pairs;
+    for (const auto& p : ps) {
+      for (const auto& q : qs) {
+        if (p.node == q.node || (grid && !pairs.insert(ordered(p.node, q.node)).second)) continue;
+        const GalerkinBlock kind = grid || p.node < q.node ? GalerkinBlock::edge : GalerkinBlock::reverse;
+        add(p.node, q.node, static_cast<Index>(e), kind, grid ? 1 : static_cast<int>(4 / (ps.size() * qs.size())));
+      }
+    }
+  }
+}
+
+void expect_right_graphs(const std::vector<MeshLevel>& levels) {
+  std::vector<Expected> expected;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    expected.push_back(expect_level(levels[l], l == 0 ? std::set<Edge>() : expected[l - 1].coarse_pairs));
+    if (l > 0) expect_terms(levels[l - 1], expected[l].edges, expected[l - 1]);
+    if (l + 1 < levels.size()) expect_parents(levels[l], levels[l + 1].mesh.nodes, expected[l]);
+  }
+  for (const int count : {1, 2, 16}) {
+    SCOPED_TRACE(std::to_string(count) + " threads");
+    set_threads(count);
+    const std::vector<LevelGraph> graphs = make_level_graphs(levels);
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+      SCOPED_TRACE("level " + std::to_string(l));
+      EXPECT_EQ(graphs[l].edges, expected[l].edges);
+      EXPECT_EQ(graphs[l].node_edges, listed(expected[l].node_edges));
+      if (l + 1 < levels.size()) {
+        EXPECT_EQ(graphs[l].children, listed(expected[l].children));
+        EXPECT_EQ(graphs[l].edge_terms, listed(expected[l].edge_terms));
+      }
+      if (levels[l].is_grid()) continue;
+      const EdgeParts parts = make_edge_parts(levels[l], graphs[l]);
+      EXPECT_EQ(parts.edge_tets, listed(expected[l].edge_tets));
+      EXPECT_EQ(parts.edge_patches, listed(expected[l].edge_patches));
+    }
+  }
+  set_threads(0);
+}
+
+std::uint8_t free_node(const Point& /*x*/) { return 0; }
+
+TEST(LevelGraphs, of_cubes_are_those_of_sets) {
+  for (const Index cells : {1, 2, 3, 8, 12}) {
+    expect_right_graphs(make_cube_levels(cells, 0.08, false));
+    expect_right_graphs(make_cube_levels(cells, 0.08, true));
+  }
+  std::vector<MeshLevel> levels = make_cube_levels(8, 0.08, false);
+  for (MeshLevel& level : levels) level.averages_at_nodes = true;
+  expect_right_graphs(levels);
+}
+
+TEST(LevelGraphs, of_refined_irregular_meshes_are_those_of_sets) {
+  const Tets tets = shuffled(irregular_box({2, 3, 2}, {1, 1, 1}, 0.2, 7), 8);
+  for (const bool patches : {false, true}) expect_right_graphs(make_levels(tets, 2, patches, free_node));
+}
+
+TEST(LevelGraphs, over_background_grids_are_those_of_sets) {
+  const Tets tets = shuffled(irregular_box({9, 10, 8}, {1, 1, 1}, 0.2, 9), 10);
+  std::vector<MeshLevel> levels = make_levels(tets, 0, true, free_node);
+  ASSERT_GT(add_background_grid(levels)[0], 0);
+  expect_right_graphs(levels);
+}
+
+}  // namespace
+}  // namespace physgen::fem
