@@ -1,3 +1,4 @@
+#include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/background_grid.h>
 #include <physgen/error.h>
 #include <physgen/sort.h>
@@ -205,6 +206,8 @@ MeshLevel make_coarser(const Box& box, Cells& cells, MeshLevel& fine, UsedCorner
 
 std::array<Index, 3> add_background_grid(std::vector<MeshLevel>& levels) {
   if (levels.empty() || levels.back().mesh.nodes <= most_coarse_nodes) return {};
+  InStage stage("background grid");
+  stage.moves(levels.back().mesh.tets, levels.back().rest);
   const Box box = box_around(levels.back().rest);
   const Cells finest = choose_cells(box, 2 * mean_spacing(levels.back().mesh, levels.back().rest));
   Cells cells = finest;
@@ -214,6 +217,7 @@ std::array<Index, 3> add_background_grid(std::vector<MeshLevel>& levels) {
   while (levels.back().mesh.nodes > most_coarse_nodes && std::ranges::any_of(cells, even)) {
     levels.push_back(make_coarser(box, cells, levels.back(), corners));
   }
+  for (const MeshLevel& level : levels) stage.moves(level.grid_parents, level.parents);
   return finest;
 }
 
