@@ -9,12 +9,12 @@ llvm_versions() {
   [[ -e $packages ]] || fail "there is no $packages, the list of packages: this needs a checkout of physgen"
   awk '$1 == "LLVM" { sub(/^LLVM +/, ""); print }' "$packages"
 }
-# Prints the lines of the list, "package reason": of LLVM in the version that is given; those above MORE, for `first`; else
-# all but LLVM's.
+# Prints the lines of the list, "package reason": of LLVM in the version that is given; those above RUN, for `try`, and
+# above MORE, for `first`; else all but LLVM's.
 listed() {
   awk -v version="${1-}" '
-    version == "first" && $1 == "MORE" { exit }
-    /^#/ || !NF || $1 == "LLVM" || $1 == "MORE" { next }
+    (version == "try" && $1 == "RUN") || (version == "first" && $1 == "MORE") { exit }
+    /^#/ || !NF || $1 ~ /^(LLVM|RUN|MORE)$/ { next }
     sub(/LLVM/, version, $1) == (version ~ /[0-9]/)' "$packages"
 }
 
@@ -60,8 +60,8 @@ install_packages() {
 # Prints the names in the first column of a table on standard input.
 names() { awk '{ print $1 }'; }
 
-# Installs what is missing. $1 = again: look for LLVM even if the archive had none the last time; first: only what
-# `tools/dev run` needs.
+# Installs what is missing. $1 = again: look for LLVM even if the archive had none the last time; try, first: only what
+# `tools/dev try`, `tools/dev run` needs.
 setup() {
   if ! have dpkg-query; then
     say 'not a Debian system: taking what tools/packages.txt lists as installed'
@@ -69,9 +69,9 @@ setup() {
   fi
   local versions version missing_llvm='' missing table
   versions=$(llvm_versions)
-  if [[ ${1-} == first ]]; then
+  if [[ ${1-} == try || ${1-} == first ]]; then
     versions=''
-    table=$(listed first)
+    table=$(listed "$1")
   else
     table=$(listed)
   fi

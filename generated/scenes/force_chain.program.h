@@ -14,8 +14,10 @@ namespace scenes::force_chain_scene {
 /// body.svds and body.stresses
 struct fused : ::scenes::force_chain {
   template <class On, class Body>
-  static void program(On& on, Body& body, const physgen::fem::NeoHookean<Real>& material) {
+  static void program(On& on, Body& body, const physgen::fem::LameParameters& lame) {
     using namespace physgen;
+    using Scalar = typename Body::Real;
+    const fem::NeoHookean<Scalar> material{Scalar(lame.mu), Scalar(lame.lambda)};
     const auto tets = body.tets.const_view();
     const auto rest = body.rest.const_view();
     const auto gradients = body.gradients.view();

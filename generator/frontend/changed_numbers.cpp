@@ -61,8 +61,8 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     const auto above = value(*division.getLHS()), below = value(*division.getRHS()), result = value(division);
     if (!above || !below || !result || !above->isInt() || !below->isInt()) return;
     if (below->getInt() == 0 || (above->getInt() % below->getInt()) == 0) return;
-    report_.error(division.getSourceRange(), "this division of integers is " + text(*result) +
-                                                 ", without the remainder; write " + text(*above) + ".0 / " +
+    report_.error(division.getSourceRange(), "this integer division gives " + text(*result) +
+                                                 " and drops the remainder; write " + text(*above) + ".0 / " +
                                                  text(*below) + ", or " + text(*result) + " if that is meant");
   }
 

@@ -122,7 +122,7 @@ class Joiner {
     for (const ProgramStep* one : {&before, &step})
       if (!one->takes_packs)
         why.push_back(short_name(one->step) +
-                      " takes no packs, since its call operator is not a template over the index");
+                      " cannot take packs, since its call operator is not a template over the index");
       else if (!one->obstacle.empty())
         why.push_back(short_name(one->step) + ": " + one->obstacle);
       else if (uses_.of(one->step) == nullptr)

@@ -140,7 +140,7 @@ class SceneReader {
     for (const clang::FieldDecl* member : record.fields()) {
       if (!is_marked(*member, array_annotation)) {
         report_.error(member->getLocation(), frontend::quoted(member->getName()) +
-                                                 " is marked as no array; write "
+                                                 " is not marked as an array; write "
                                                  "PHYSGEN_ARRAY(per(\"tet\"), ...) before it");
         continue;
       }
@@ -185,8 +185,8 @@ class SceneReader {
       const auto* parameter = function.getParamDecl(i);
       if (parameter->getType()->isDependentType())
         report_.error(parameter->getLocation(),
-                      "a parameter of program behind its groups has a type of its own, not one "
-                      "of a template's parameter; write the type");
+                      "a parameter of program behind its groups must not depend on a template's parameter; "
+                      "write a concrete type");
       else
         scene.parameters.push_back(clang::TypeName::getFullyQualifiedName(
             parameter->getType().getNonReferenceType().getUnqualifiedType(), context_, policy));

@@ -1,5 +1,5 @@
-// What functions of a kernel do with its index, which is of another type in a fused kernel. Knows Clang, as read.h
-// does.
+// What functions of a kernel do with its index, which is of another type in a fused kernel. Uses Clang's types, as
+// read.h does.
 #pragma once
 
 #include <clang/AST/DeclCXX.h>

@@ -1,5 +1,5 @@
 // Reads from the body of a kernel, beyond the fields that it uses, which of them it stores on all paths, and whether it
-// can be a step of a fused kernel. Knows Clang, as read.h does.
+// can be a step of a fused kernel. Uses Clang's types, as read.h does.
 #pragma once
 
 #include <clang/AST/Decl.h>

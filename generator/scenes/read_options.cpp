@@ -149,7 +149,8 @@ class OptionReader {
                                      [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); });
     if (!is_name && array_.count < 1)
       error(range,
-            "is per what is neither a name nor a number of objects; write per(\"tet\"), with letters, digits and '_', "
+            "has a per(...) that is neither a name nor a number of objects; write per(\"tet\"), with letters, digits "
+            "and '_', "
             "or per(1)");
   }
 
@@ -225,7 +226,7 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
       auto field = field_of(rows.element(i));
       if (!field)
         return wrong("holds " + array.object +
-                     ", of which a field is stored as this physgen does not know; generate "
+                     ", with a field in a format that this physgen does not know; generate "
                      "its header with the physgen that reads the scene");
       add(array.fields, std::move(*field));
     }

@@ -1,5 +1,5 @@
 // What is sure to be the same before a step as behind it, as far as reading tells: a short list of expressions and
-// declarations. What is not on it is unknown, be it harmless or not. Knows Clang, as read.h does.
+// declarations. What is not on it is unknown, be it harmless or not. Uses Clang's types, as read.h does.
 #pragma once
 
 #include <clang/AST/Expr.h>

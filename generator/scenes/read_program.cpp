@@ -271,7 +271,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     }
     for (const auto* lambda : lambdas_)
       if (lambda->getCaptureDefault() != clang::LCD_ByRef && step.obstacle.empty())
-        step.obstacle = "it stands in a lambda that has not [&]";
+        step.obstacle = "it stands in a lambda without [&]";
     return step;
   }
 

@@ -1,4 +1,4 @@
-// Which fields an instantiated function stores whole, whatever path it takes. Knows Clang, as read.h does.
+// Which fields an instantiated function stores whole, whatever path it takes. Uses Clang's types, as read.h does.
 #pragma once
 
 #include <clang/AST/DeclCXX.h>

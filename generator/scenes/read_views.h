@@ -1,4 +1,4 @@
-// Reads how a program itself, outside of kernels, uses the arrays of its groups. Knows Clang, as read.h does.
+// Reads how a program itself, outside of kernels, uses the arrays of its groups. Uses Clang's types, as read.h does.
 #pragma once
 
 #include <clang/AST/Decl.h>

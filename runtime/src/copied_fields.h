@@ -13,14 +13,16 @@ inline void require_fields(const UntypedArray& to, const UntypedArray& from) {
     refuse_copy(to, from, std::string(to.fields[static_cast<std::size_t>(f)].name) + why);
   };
   if (const int f = first_not_given(to.fields, from.fields); f >= 0) {
-    refuse(f,
-           " is stored in the array that is copied to, and nothing is stored of it (format::Nothing or Pruned) in "
-           "the one that is copied from; prune it in both, or in none");
+    refuse(
+        f,
+        " is stored in the target of the copy but not in its source (format::Nothing or Pruned); prune it in both, or "
+        "in neither");
   }
   if (const int f = first_not_taken(to.fields, from.fields); f >= 0) {
-    refuse(f,
-           " would be lost: the array that is copied to stores nothing of it (format::Nothing); give it the format "
-           "Pruned<scene, array, field> there, which says that this is meant");
+    refuse(
+        f,
+        " would be lost: the target of the copy does not store it (format::Nothing); if that is intended, give it the "
+        "format Pruned<scene, array, field> there");
   }
 }
 

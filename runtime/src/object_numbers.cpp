@@ -16,7 +16,7 @@ namespace {
 void check_range(std::size_t position, index_t number, index_t size, const std::string& of) {
   if (number >= 0 && number < size) return;
   refuse(of, position, number,
-         "there is no such object; " +
+         "this object does not exist; " +
              (size == 0 ? std::string("there are none") : "write 0 to " + std::to_string(size - 1)));
 }
 

@@ -121,9 +121,10 @@ ChosenRows choose_rows(std::span<const RowRange> rows, const UntypedArray& entri
     for (int e = 0; indices && e < indices->count; ++e) {
       const std::int32_t index = (*indices)(k, e);  // kernels may have written it
       if (index < 0 || std::cmp_greater_equal(index, new_number->size())) {
-        refuse(entries.object, "entry " + text(k) + " has " + field + " = " + text(index) + ", of " +
-                                   text(static_cast<index_t>(new_number->size())) +
-                                   " objects, and so no new number; write numbers that there are, and check() them");
+        refuse(entries.object,
+               "entry " + text(k) + " has " + field + " = " + text(index) + ", of " +
+                   text(static_cast<index_t>(new_number->size())) +
+                   " objects, and so no new number; write numbers of existing objects, and check() them");
       }
       if ((*new_number)[static_cast<std::size_t>(index)] < 0) return false;
     }

@@ -30,7 +30,7 @@ int number_of(const char* variable, const char* value, std::string& remark) {
   const int number = first_number(value);
   if (number == 0) {
     if (!remark.empty()) remark += "; ";
-    remark += std::string(variable) + "=" + value + " is no number of threads and does not count";
+    remark += std::string(variable) + "=" + value + " is not a number of threads and is ignored";
   }
   return number;
 }
@@ -45,7 +45,7 @@ ThreadEnvironment read_thread_environment(const char* number, const char* limit,
   if (most > 0 && most < made.count) {
     if (wanted > 0) {
       made.remark = "OMP_NUM_THREADS=" + std::to_string(wanted) +
-                    " is more than OMP_THREAD_LIMIT=" + std::to_string(most) + ", which holds";
+                    " is more than OMP_THREAD_LIMIT=" + std::to_string(most) + ", which wins";
     }
     made.count = most;
   }

@@ -62,8 +62,8 @@ int threads() {
 
 void set_threads(int count) {
   if (count < 0 || count > detail::most_threads) {
-    throw Error("set_threads(" + std::to_string(count) + "): a number of threads is from 1 to " +
-                std::to_string(detail::most_threads) + ", or 0 for what the environment and the processors say");
+    throw Error("set_threads(" + std::to_string(count) + "): give a number of threads from 1 to " +
+                std::to_string(detail::most_threads) + ", or 0 to follow the environment and the processors");
   }
   asked = count;
 }

@@ -1,18 +1,13 @@
 #!/usr/bin/env bash
-# readme.sh PAGE FOLDER GENERATOR PROGRAM FILE...: writes the example of a page of documentation (each block of code after
-# a paragraph whose last line names a file in backticks; blocks of one file follow each other in it) below FOLDER, builds
-# it with the CMake generator GENERATOR against the package in FOLDER/package, and runs PROGRAM. FILE...: what must be
-# among the files.
+# readme.sh PAGE FOLDER GENERATOR PROGRAM FILE...: writes the example of a page of documentation below FOLDER, builds it with
+# the CMake generator GENERATOR against the package in FOLDER/package, and runs PROGRAM. FILE...: what must be among the
+# files.
 set -euo pipefail
 readme=$1 folder=$2 generator=$3 program=$4 files=("${@:5}")
 work="$folder/example of $(basename "$readme")"
 rm -rf "$work"
 mkdir -p "$work"
-awk -v folder="$work" '
-  !open && match($0, /`[A-Za-z_]+\.[a-z]+`/) { name = substr($0, RSTART + 1, RLENGTH - 2); next }
-  /^```/ { open = !open && name != ""; if (!open) name = ""; next }
-  open { print >(folder "/" name) }
-  !NF { if (!open) name = "" }' "$readme"
+awk -v folder="$work" -f "$(dirname "$0")/../../tools/examples/blocks.awk" "$readme"
 for file in "${files[@]}"; do
   [[ -s $work/$file ]] || { echo "FAILED: there is no $file in $readme" >&2; exit 1; }
 done

@@ -58,6 +58,18 @@ void a_condition_of_other_lanes(const Given& g, const batch_t<double, native_lan
   store_where(x > batch_t<double, native_lanes<double>>(0.0), g.view[g.i].x1111(), g.m);
 }
 
+// ---- Functions of the standard library ----
+/// refused at once a_root_by_std: std_has_no_functions_of_packs_so_write_the_call_without_std
+void a_root_by_std(const Given& g) { g.view[g.i].x1111() = std::sqrt(g.m); }
+/// refused at once a_root_by_std_of_a_loaded_value: std_has_no_functions_of_packs_so_write_the_call_without_std
+void a_root_by_std_of_a_loaded_value(const Given& g) { (void)std::sqrt(g.view[g.i].x1111().get()); }
+/// refused at once a_power_by_std: std_has_no_functions_of_packs_so_write_the_call_without_std
+void a_power_by_std(const Given& g) { (void)std::pow(2.0F, g.m); }
+/// refused at once a_root_by_std_of_a_reference: functions_of_packs_take_no_references_so_write_get_of_it_without_std
+void a_root_by_std_of_a_reference(const Given& g) { (void)std::sqrt(g.view[g.i].x1111()); }
+/// refused at once a_root_of_a_reference: functions_of_packs_take_no_references_so_write_get_of_it_without_std
+void a_root_of_a_reference(const Given& g) { (void)sqrt(g.halves[g.i].x1111()); }
+
 // ---- Numbers beside packs ----
 /// refused an_unsigned_number_beside_integer_lanes: integer_lanes_beside_a_number_they_cannot_hold
 void an_unsigned_number_beside_integer_lanes(const Given& g) { (void)(g.j < 3U); }
@@ -161,4 +173,7 @@ void accepted(const Given& g) {
   store_where(g.m > S(0.0F), g.view[g.i].x1111(), g.m);
   add(g.i, g.view[g.j].x1111(), g.m);
   parallel_for(Host{}, 5, over<float>([](auto) {}));
+  using std::fabs, std::sqrt;  // as code that is written for plain numbers, too
+  g.view[g.i].x1111() = sqrt(g.m) + fabs(g.m);
+  g.view[0].x1111() = std::sqrt(g.halves[0].x1111());
 }

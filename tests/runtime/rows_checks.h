@@ -115,7 +115,7 @@ void check_refused_changes() {
   };
   refuses([&] { rows.permute(List{0, 1, 1}); }, "rows of elasticity::Incidence: number 1 at position 2 of the list");
   refuses([&] { rows.compact(List{1, 0}); }, "rows of elasticity::Incidence: number 0 at position 1");
-  refuses([&] { rows.erase(List{3}); }, "there is no such object; write 0 to 2");
+  refuses([&] { rows.erase(List{3}); }, "this object does not exist; write 0 to 2");
   refuses([&] { rows.append(-1); }, "cannot append -1 objects");
   refuses([&] { rows.renumber(List{0, 1}, 3); },
           "2 new numbers are given, and entries name 3 objects; give one for each, -1 where it is gone");

@@ -24,7 +24,7 @@ TEST(ThreadEnvironment, a_limit_holds_and_a_number_beyond_it_is_remarked) {
   EXPECT_EQ(limited.remark, "");
   const ThreadEnvironment both = read_thread_environment("5", "2", 6);
   EXPECT_EQ(both.count, 2);
-  EXPECT_EQ(both.remark, "OMP_NUM_THREADS=5 is more than OMP_THREAD_LIMIT=2, which holds");
+  EXPECT_EQ(both.remark, "OMP_NUM_THREADS=5 is more than OMP_THREAD_LIMIT=2, which wins");
   EXPECT_EQ(read_thread_environment("2", "5", 6).count, 2);
 }
 
@@ -32,11 +32,11 @@ TEST(ThreadEnvironment, words_that_are_no_numbers_do_not_count_and_are_remarked)
   for (const char* word : {"many", "0", "-3", "2x", "1e3", ",2", " "}) {
     const ThreadEnvironment read = read_thread_environment(word, nullptr, 6);
     EXPECT_EQ(read.count, 6) << word;
-    EXPECT_EQ(read.remark, std::string("OMP_NUM_THREADS=") + word + " is no number of threads and does not count");
+    EXPECT_EQ(read.remark, std::string("OMP_NUM_THREADS=") + word + " is not a number of threads and is ignored");
   }
   const ThreadEnvironment both = read_thread_environment("a", "b", 6);
   EXPECT_EQ(both.remark,
-            "OMP_NUM_THREADS=a is no number of threads and does not count; OMP_THREAD_LIMIT=b is no number of threads "
+            "OMP_NUM_THREADS=a is not a number of threads and is ignored; OMP_THREAD_LIMIT=b is no number of threads "
             "and does not count");
 }
 

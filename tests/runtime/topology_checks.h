@@ -230,14 +230,14 @@ void check_refused_lists() {
   const auto erasing = [&](const List& erased) { return message_of([&] { erase(array, erased); }); };
   expect(permuting({0, 1, 2}), "elasticity::NodePosition[5] in " + std::string(name(Space::kind)) +
                                    " memory: an order of 3 numbers cannot permute 5 objects; write each object once");
-  expect(permuting({0, 1, 5, -1, 4}), "number 5 at position 2 of the list: there is no such object; write 0 to 4");
+  expect(permuting({0, 1, 5, -1, 4}), "number 5 at position 2 of the list: this object does not exist; write 0 to 4");
   expect(permuting({0, 1, -1, 3, 4}), "number -1 at position 2");
   expect(permuting({4, 3, 2, 3, 4}), "number 3 at position 3 of the list: it stands at position 1 already");
   expect(compacting({0, 2, 1}), "number 1 at position 2 of the list: it follows 2; sort the list");
   expect(compacting({0, 2, 2}), "number 2 at position 2 of the list: it follows 2");
-  expect(compacting({0, 2, 7}), "number 7 at position 2 of the list: there is no such object; write 0 to 4");
+  expect(compacting({0, 2, 7}), "number 7 at position 2 of the list: this object does not exist; write 0 to 4");
   expect(erasing({4, 0, 4}), "number 4 at position 2 of the list: it stands at position 0 already");
-  expect(erasing({4, -3}), "number -3 at position 1 of the list: there is no such object");
+  expect(erasing({4, -3}), "number -3 at position 1 of the list: this object does not exist");
   expect(message_of([&] { append(array, -1); }), "cannot append -1 objects");
   expect(message_of([&] { append(array, std::numeric_limits<index_t>::max()); }), "cannot append 9223372036854775807");
   expect(message_of([&] { append(array, index_t{1} << 60); }), "cannot exist");

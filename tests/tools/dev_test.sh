@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # dev_test.sh RULE DEV FOLDER: checks one rule of the script DEV (tools/dev), copied below FOLDER with the files that it reads,
-# packages.sh, packages.txt and tests.sh. The system's commands that it would install and build with are replaced by ones that write
+# packages.sh, packages.txt, tests.sh and first.sh. The system's commands that it would install and build with are replaced by ones that write
 # how they were called to $calls.
 # shellcheck disable=SC2016  # the bodies of the commands below are expanded when they run
 set -euo pipefail
@@ -10,7 +10,7 @@ root="$work/physgen"
 calls=$work/calls
 rm -rf "$work"
 mkdir -p "$root/tools" "$work/bin" "$work/home"
-cp "$dev" "$(dirname "$dev")"/{packages.sh,packages.txt,tests.sh} "$root/tools"
+cp "$dev" "$(dirname "$dev")"/{packages.sh,packages.txt,tests.sh,first.sh} "$root/tools"
 export PATH="$work/bin:$PATH" calls work
 unset CUDACXX CUDA_HOME CUDAARCHS
 touch "$calls"
@@ -41,7 +41,7 @@ not_called() { ! grep -q -- "$1" "$calls" || fail "called: $1"; }
 
 # A machine: installed packages are the lines of $work/installed, apt's those that match $apt_has.
 every_package() {
-  sed -E '/^(#|LLVM |MORE |$)/d; s/ .*//; s/LLVM/22/; s/^lib(gtest|benchmark)-dev$/&:amd64/' "$root/tools/packages.txt"
+  sed -E '/^(#|LLVM |RUN |MORE |$)/d; s/ .*//; s/LLVM/22/; s/^lib(gtest|benchmark)-dev$/&:amd64/' "$root/tools/packages.txt"
 }
 export apt_has='-22'
 every_package >"$work/installed"
@@ -63,7 +63,7 @@ touch "$work/output"
 case $rule in
   help_names_every_command)
     dev 0 help
-    for name in setup build run test fuzz gpu report format tidy times clean; do says "  $name "; done
+    for name in setup build try run test fuzz gpu report format tidy times clean; do says "  $name "; done
     dev 0
     ;;
   unknown_command_exits_with_2)
@@ -190,7 +190,6 @@ case $rule in
     called 'cmake --preset first -DPHYSGEN_CUDA=OFF$'
     called 'cmake --build --preset first -j [0-9]* --target physbench_first$'
     says 'Each line is one kernel over one layout'
-    : >"$calls"
     dev 0 run --threads=1 --objects=1000
     called 'physbench_first --threads=1 --objects=1000$'
     for word in errors replay; do
@@ -212,14 +211,38 @@ case $rule in
   run_installs_no_more_than_a_first_table_needs)
     : >"$work/installed"
     program build/first/bin/physbench_first
+    fake cmake '[[ $1 == --build ]] || echo "-- The CXX compiler identification"'
     dev 0 run
-    called 'apt-get .*install .* cmake ninja-build g++ .*libbenchmark-dev$'
+    ! grep -q 'compiler identification' "$work/output" || fail 'CMake tells of its checks'
+    called 'apt-get .*install .* g++ libeigen3-dev .*cmake ninja-build .*libbenchmark-dev$'
     ! grep 'apt-get' "$calls" | grep -qE 'clang|llvm|python3|hdf5|gtest' || fail 'more was installed'
     ;;
+  try_needs_a_compiler_and_headers_alone)
+    : >"$work/installed"
+    mkdir -p "$root/tools/examples" "$root/runtime/src/no_cuda"
+    cp "$(dirname "$dev")/examples/blocks.awk" "$root/tools/examples"
+    cp "$(dirname "$dev")/../README.md" "$root"
+    touch "$root/tools/examples/layouts.cpp" "$root/runtime/src"/{copy,no_cuda/device}.cpp
+    # A compiler whose programs say how they are called.
+    fake g++ 'printf "#!/bin/sh\\necho ran ${!#}\\n" >"${!#}"; chmod +x "${!#}"'
+    dev 0 try
+    called 'apt-get .*install .* g++ libeigen3-dev libxsimd-dev libtbb-dev$'
+    not_called '^cmake'
+    for source in layouts pressure copy no_cuda/device; do called "g++ .*-c .*$source.cpp "; done
+    says "ran build/try/pressure"
+    says "ran build/try/layouts"
+    says 'tools/dev run'
+    cmp <(sed -n '/^struct PHYSGEN_OBJECT/,/^};/p' "$root/README.md") <(sed -n '/^struct PHYSGEN_OBJECT/,/^};/p' "$root/build/try/stress.h") ||
+      fail 'the schema is not that of README'
+    : >"$calls"
+    dev 0 try
+    not_called 'g++ .*-c '
+    dev 2 try all
+    says 'try takes no arguments'
+    ;;
   run_takes_the_build_that_has_the_generator)
-    mkdir -p "$root/build/release"
-    touch "$root/build/release/CMakeCache.txt"
     program build/release/bin/physbench_first
+    touch "$root/build/release/CMakeCache.txt"
     dev 0 run
     called 'cmake --build --preset release -j [0-9]* --target physbench_first$'
     rm -r "$root/build"
@@ -251,7 +274,7 @@ case $rule in
     says 'fuzz needs LLVM'
     ;;
   gpu_runs_carried_programs_at_another_path)
-    rm "$root/tools"/{packages.*,tests.sh} # as carried: tools/dev and what was built
+    rm "$root/tools"/{packages.*,tests.sh,first.sh} # as carried: tools/dev and what was built
     fake nvcc
     fake nvidia-smi 'echo "GPU 0: a device"'
     program build/cuda/bin/physbench

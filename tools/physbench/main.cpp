@@ -1,4 +1,4 @@
-// physbench: the benchmark of the paper's kernels over every layout. See README.md for what the columns mean.
+// physbench: measures the kernels of the paper, and others, in every layout. See README.md for what the columns mean.
 #include <malloc.h>
 #include <physgen/error.h>
 #include <physgen/threads.h>

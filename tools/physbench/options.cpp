@@ -67,8 +67,8 @@ std::vector<Row> filtered(std::vector<Row> rows, const std::string& filter) try 
   std::erase_if(rows, [&](const Row& row) { return std::regex_search(row.name(), names) == excludes; });
   return rows;
 } catch (const std::regex_error& error) {
-  throw Error("--benchmark_filter=" + filter + " is no regular expression (" + error.what() +
-              "); quote brackets and dots by a backslash");
+  throw Error("--benchmark_filter=" + filter + " is not a regular expression (" + error.what() +
+              "); write a backslash before brackets and dots");
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& words) {
@@ -160,7 +160,7 @@ Options parse(const std::vector<std::string>& arguments) {
     }
   }
   options.filtered = !options.filter.empty();
-  if (options.filtered && all) throw Error("--all takes no --benchmark_filter: remove one of them");
+  if (options.filtered && all) throw Error("--all cannot be combined with --benchmark_filter; remove one of them");
   if (!options.filtered) options.filter = options.list ? "" : all || group.first.empty() ? group.filter : group.first;
   if (!json.empty()) options.benchmark_flags.push_back("--benchmark_out=" + json), options.to_file = true;
   if (!min_time) options.benchmark_flags.emplace_back("--benchmark_min_time=0.06");

@@ -141,7 +141,7 @@ int print_model(const Arguments& arguments, const Streams& streams) {
 int print_layout(const Arguments& arguments, const Streams& streams) {
   if (arguments.svg)
     throw UsageError(
-        "physgen draws no SVG; write '--json -o x.json' in place of --svg, and draw x.json with "
+        "physgen cannot draw SVG; write '--json -o x.json' in place of --svg, and draw x.json with "
         "'tools/report/layout_picture.py x.json -o x.svg' of physgen's sources");
   if (!arguments.drawing.empty() && !arguments.json) throw UsageError("-o is the file of the JSON; add --json");
   const auto parsed = parse_all(arguments, streams.err);

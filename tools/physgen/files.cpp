@@ -129,7 +129,7 @@ void require_apart(const std::vector<std::string>& outputs, const std::vector<st
   };
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     for (const std::string& input : inputs)
-      if (are_one_file(outputs[i], input)) refuse(outputs[i], "it is read for this, and would be lost");
+      if (are_one_file(outputs[i], input)) refuse(outputs[i], "it is an input, and would be lost");
     for (std::size_t k = 0; k < i; ++k)
       if (are_one_file(outputs[i], outputs[k])) refuse(outputs[i], "another output is written there");
   }

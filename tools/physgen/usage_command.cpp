@@ -53,7 +53,7 @@ class UsageCommand {
     }
     if (!good) return errors;
     if (request_.side.empty() && !usage::has_device_side())
-      times_ += "there is no CUDA toolkit: code for the device alone was not analysed\n";
+      times_ += "no CUDA toolkit was found, so code for the device alone was not analysed\n";
     if (request_.checked_in.empty())
       for (const usage::Program& program : programs) out_ << usage::table(program) << '\n';
     out_ << times_;
@@ -126,7 +126,7 @@ class UsageCommand {
   bool is_sound(const Unit& unit, const usage::Usage& found) {
     if (found.steps.empty() && found.unattributed.empty()) {
       err_ << unit.file
-           << ": error: there is no scene in this file, and it gives no steps to a ProbeExecutor; declare a scene as "
+           << ": error: this file has no scene and gives no steps to a ProbeExecutor; declare a scene as "
               "<physgen/scene.h> says, or write a program over probes as <physgen/probe.h> says\n";
       return false;
     }
@@ -166,7 +166,7 @@ class UsageCommand {
     if (lines.empty()) return done;
     err_ << request_.checked_in << ": error: it is stale:\n";
     for (const std::string& line : lines) err_ << "  " << line << '\n';
-    err_ << "note: to write it anew: physgen usage";
+    err_ << "note: to renew it: physgen usage";
     for (const std::string& file : request_.files) err_ << ' ' << file;
     err_ << " --json " << request_.checked_in;
     if (!request_.side.empty()) err_ << " --side " << request_.side;

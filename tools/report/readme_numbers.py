@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Holds the tables and pictures of pages to the checked-in results, and the table of Debian packages to their list:
+"""Holds the tables and pictures of pages to the checked-in results, the table of Debian packages to their list, and that of
+joined steps to the digests of scenes:
 readme_numbers.py --check | --write [CHECKOUT]"""
 import argparse
 import difflib
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
 import readme_tables  # noqa: E402
 import rows  # noqa: E402
-from truthcube import records  # noqa: E402
+from truthcube import digest, records  # noqa: E402
 
 HELP = """Compares pages with the checked-in results (--check), or writes the results into them (--write): tables with their
 captions between <!-- figures: NAME, from FILE.json --> and <!-- end of figures -->, and pictures; and the table of packages with
@@ -21,6 +22,7 @@ tools/packages.txt. Figures of results stand in such tables, and not in sentence
 RESULTS = "tools/report/results"
 PAGES = ["README.md", "tools/README.md", "tools/report/results/README.md"]
 PAGES += [f"tools/{folder}/README.md" for folder in ("fem", "physbench", "truthcube")]
+PAGES += ["generator/scenes/README.md"]
 BEGIN = re.compile(r"<!-- figures: (?P<table>\w+), from (?P<file>[\w./]+) -->\n")
 END = "<!-- end of figures -->\n"
 
@@ -92,7 +94,9 @@ class Checkout:
         return (self.root / name).read_bytes().decode()
 
     def file(self, name):
-        """What a table is made of: a file of physbench with its rows, or text."""
+        """What a table is made of: a file of physbench with its rows, text, or a folder's digests of scenes by their names."""
+        if (self.root / name).is_dir():
+            return {file.stem: digest.read(file) for file in sorted((self.root / name).glob("*.digest"))}
         if "/" in name or not name.endswith(".json"):
             return self.text(name)
         if name not in self._files:
@@ -182,7 +186,7 @@ def main(arguments=None):
     for difference in differences:
         print(difference, file=sys.stderr)
     if differences and options.check:
-        print("After results were measured again, or packages listed: tools/report/readme_numbers.py --write", file=sys.stderr)
+        print("After results were measured again, packages listed, or scenes changed: tools/report/readme_numbers.py --write", file=sys.stderr)
     return 1 if differences else 0
 
 

@@ -1,8 +1,11 @@
 """Tables of pages, each made from one file of results, with a caption where machine and number of objects are not in it.
 
 A table stands between `<!-- figures: NAME, from FILE.json -->` and `<!-- end of figures -->`; NAME is in TABLES, whose function makes
-all its lines. The table of packages comes in the same way from their list, tools/packages.txt. Rows are found by name,
+all its lines. The table of packages comes in the same way from their list,
+tools/packages.txt, and that of joined steps from the folder of the scenes' digests. Rows are found by name,
 `kernel/layout/storage/space/objects`, where `*` stands for anything within a part."""
+import re
+
 from truthcube import bead_errors, layouts, linear_solves, records, runs, scenes
 
 
@@ -241,9 +244,26 @@ def _packages(text):
     """Those of tools/packages.txt, which says what its lines are."""
     lines = dict(line.split(maxsplit=1) for line in text.splitlines() if line and line[0] != "#")
     best, *others = lines.pop("LLVM").split()
-    del lines["MORE"]
+    del lines["RUN"], lines["MORE"]
     names = {name: name.replace("LLVM", best) + f" (or {', '.join(others)})" * ("LLVM" in name) for name in lines}
     return _lines(["package", "what for"], [[names[name], reason] for name, reason in lines.items()])
+
+
+def _kernels_in(text):
+    """The first and the last kernel of "physgen::fem::A(body.x), ..., physgen::fem::B(...)", or of Fused<...>."""
+    names = re.findall(r"physgen::fem::(\w+)", text)
+    return f"`{names[0]}` to `{names[-1]}`: {len(names)}"
+
+
+def _joins(digests):
+    """What is one kernel in each scene: by physgen, and by fuse(...) in the code of its steps."""
+    body = []
+    for scene, found in digests.items():
+        joined = [_kernels_in(line.split("; local")[0]) for line in found["joins"] if line.startswith("joined: ")]
+        fused = dict.fromkeys(_kernels_in(step.rsplit("(", 1)[0]) for step in found["steps"] if "physgen::Fused<" in step)
+        steps = len(dict.fromkeys(step.split("(")[0] for step in found["steps"] if step.startswith("step ")))
+        body.append([f"`{scene}`", f"{steps}", "; ".join(joined) or "none", "; ".join(fused) or "none"])
+    return _lines(["scene", "kernels", "joined by physgen", "joined by hand, with `fuse(...)`"], body)
 
 
 def _of_cubes(lines, name):
@@ -267,6 +287,7 @@ TABLES = {
     "fused": _fused_in("aosoa32/float/cuda"),
     "fused_host": _fused_in("aosoa16/float/host"),
     "packages": _packages,
+    "joins": _joins,
     "truthcube": _of_cubes(runs.lines, "runs of truthcube_runs.py"),
     "linear_solves": _of_cubes(linear_solves.lines, "linear_solves.json"),
     "iterations": _of_cubes(linear_solves.iterations, "linear_solves_counts.json"),

@@ -71,7 +71,7 @@ inline void refuse_empty_words(const std::vector<std::string>& arguments) {
     if (is_flag) flag = word.substr(0, word.find('='));
     if (!word.empty() && !(is_flag && word.ends_with('='))) continue;
     throw Error((flag.empty() ? "" : flag + ": ") +
-                "a word is empty, as of a variable of the shell that is not set; leave the flag out, or give a value");
+                "a word is empty, perhaps because a shell variable is not set; leave the flag out, or give a value");
   }
 }
 
@@ -100,7 +100,7 @@ inline void refuse_unknown_flags(const CLI::App& app, const std::vector<std::str
   } catch (const CLI::CallForHelp&) {
     return app.help();
   } catch (const CLI::ConversionError& error) {  // names are converted by value_of()
-    throw Error(error.what() + std::string("; a number is wanted there"));
+    throw Error(error.what() + std::string("; give a number there"));
   } catch (const CLI::ParseError& error) {
     throw Error(error.what());
   }

@@ -16,10 +16,11 @@ double plate_reaction(std::span<const fem::Index> upper, std::span<const Point> 
 }
 
 Estimates make_estimates(std::span<const fem::MeshLevel> levels, std::span<const fem::Index> coarse_upper,
-                         double reaction, std::span<const Point> positions, const fem::NodeState& coarser) {
+                         double reaction, std::span<const Point> positions, const fem::NodeState& coarser, double order) {
   const fem::MeshLevel &finest = levels[0], &coarse = levels[1];
   Estimates estimates;
-  estimates.reaction = 2 * reaction - plate_reaction(coarse_upper, coarser.forces, coarser.planes);
+  const double factor = std::exp2(order), left = 1 / (factor - 1);
+  estimates.reaction = left * (factor * reaction - plate_reaction(coarse_upper, coarser.forces, coarser.planes));
   double sum = 0, most = 0;
   std::size_t common = 0;
   for (std::size_t n = 0; n < finest.parents.size(); ++n) {
@@ -36,8 +37,8 @@ Estimates make_estimates(std::span<const fem::MeshLevel> levels, std::span<const
     most = std::max(most, square);
     ++common;
   }
-  estimates.error_rms = std::sqrt(sum / static_cast<double>(common));
-  estimates.error_max = std::sqrt(most);
+  estimates.error_rms = left * std::sqrt(sum / static_cast<double>(common));
+  estimates.error_max = left * std::sqrt(most);
   return estimates;
 }
 

@@ -8,8 +8,8 @@
 
 namespace physgen::truthcube {
 
-/// Displacements and reactions of linear tets converge with first order here, because the edges of bonded plates are
-/// singular: what halving the cells has changed is about what is still missing.
+/// Displacements and reactions of linear tets in uniform cells converge with first order here, because the edges of
+/// bonded plates are singular: what halving the cells has changed is about what is still missing.
 struct Estimates {
   double reaction = std::numeric_limits<double>::quiet_NaN();   ///< extrapolated force on the upper plate along z [N]
   double error_rms = std::numeric_limits<double>::quiet_NaN();  ///< of displacements [m]
@@ -28,8 +28,9 @@ struct Estimates {
 /// @param reaction on the finest mesh [N]
 /// @param positions of the finest mesh's nodes [m]
 /// @param coarser the equilibrium on the next coarser mesh
+/// @param order of convergence: with p, halving the cells leaves 1/(2^p - 1) of what it has changed
 [[nodiscard]] Estimates make_estimates(std::span<const fem::MeshLevel> levels, std::span<const fem::Index> coarse_upper,
                                        double reaction, std::span<const fem::Point> positions,
-                                       const fem::NodeState& coarser);
+                                       const fem::NodeState& coarser, double order = 1);
 
 }  // namespace physgen::truthcube

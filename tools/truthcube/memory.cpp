@@ -29,7 +29,7 @@ std::int64_t cuda_memory() {
 #ifdef PHYSGEN_TRUTHCUBE_HAS_CUDA
   std::size_t free = 0, total = 0;
   if (const cudaError_t error = cudaMemGetInfo(&free, &total); error != cudaSuccess) {
-    throw Error(std::string("no GPU can be used: ") + cudaGetErrorString(error) + "; --device cpu does without one");
+    throw Error(std::string("no GPU can be used: ") + cudaGetErrorString(error) + "; use --device cpu");
   }
   return static_cast<std::int64_t>(free);
 #else

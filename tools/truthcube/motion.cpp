@@ -39,8 +39,8 @@ double longest_step(const Options& options, const Scene& scene) {
   std::array<char, 200> text{};
   std::snprintf(
       text.data(), text.size(),
-      "--time-step %g: explicit steps of this body are stable at rest up to about %.3g s; leave some of it for "
-      "tets that are compressed, or choose --scene implicit-dynamics",
+      "--time-step %g: explicit steps of this body at rest are stable up to about %.3g s, and compressed tets need "
+      "shorter ones; take a shorter step, or choose --scene implicit-dynamics",
       motion.time_step, 0.995 * stable);  // which is refused in no rounding
   throw Error(text.data());
 }
@@ -129,8 +129,9 @@ Outcome run_motion(const Options& options, const Scene& scene, fem::DynamicSolve
     if (effort.status != fem::NewtonStatus::converged) {
       std::fprintf(
           stderr,
-          "truthcube: no equilibrium with inertia behind %g s, with time steps halved down to %.3g s, after %d Newton "
-          "steps, with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or more "
+          "truthcube: no equilibrium with inertia was found after %g s: time steps were halved down to %.3g s, and %d "
+          "Newton steps ended with a residual of %.2e. There, %s.\nTry a shorter --time-step, --precision double, or "
+          "more "
           "--cells.\n",
           solver.time(), length / (1 << most_halved_steps), effort.newton, effort.residual,
           describe(suspect, scene).c_str());

@@ -40,6 +40,7 @@ struct Options {
   SceneKind scene = SceneKind::everything;
   MotionOptions motion;
   int cells = 16;
+  double grading = 1;                                ///< of the cube's cells: see fem::grade_cube()
   std::filesystem::path mesh;                        ///< in place of the cube
   int refinements = 0;                               ///< of that mesh
   double plate_tolerance = default_plate_tolerance;  ///< in mean edge lengths of that mesh

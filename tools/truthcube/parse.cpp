@@ -8,6 +8,7 @@
 #include "arrays.h"
 #include "choices.h"
 #include "command_line.h"
+#include "grading.h"
 #include "scene_choice.h"
 #include "sizes.h"
 
@@ -37,9 +38,6 @@ Built: every material, precision and treatment of volume, on the CPU)"
 #endif
     ",\nin the layout " PHYSGEN_TRUTHCUBE_LAYOUT
     ", with products assembled (under every preconditioner) or matrix-free"
-#ifndef PHYSGEN_TRUTHCUBE_HAS_GMSH
-    "; without Gmsh's library, so --mesh is refused"
-#endif
     ".\nAnother layout is another build: cmake -DPHYSGEN_LAYOUT=schema, aos, aos_padded, soa or aosoa.";
 
 /// @throw Error for a layout that the solver was not compiled for
@@ -58,7 +56,10 @@ void require(bool holds, const std::string& what) {
 }
 
 void check(const Options& options) {
-  if (options.is_cube()) require_cube_fits(options.cells, options.volume);
+  if (options.is_cube()) {
+    require_cube_fits(options.cells, options.volume);
+    check_grading(options.cells, options.grading);
+  }
   const double nu = options.solver.poissons_ratio;
   require(nu > -1 && nu < 0.5, "--poisson " + number(nu) + ": Poisson's ratio is above -1 and below 0.5");
   const double young = options.solver.youngs_modulus;
@@ -77,20 +78,20 @@ void check(const Options& options) {
   double before = 0;
   for (const double c : options.compressions) {
     const std::string what = "--compress takes ascending numbers between 0 and 1, plate travel over height; ";
-    require(c != 0, what + "0 is no compression: the body is at rest, where no force acts; begin with a larger number");
+    require(c != 0, what + "at 0 the body is at rest and no force acts; begin with a larger number");
     require(std::isfinite(c) && c > 0 && c < 1, what + number(c) + " is not such a number");
     require(c > before, what + number(c) + " is not larger than " + number(before) + ", which stands before it");
     before = c;
   }
   if (options.volume != VolumeTreatment::tets && !fem::can_average_volume(options.solver.material)) {
     throw Error("the energy of '" + options.solver.material +
-                "' has no separate part of the volume: write --volume tets, or choose another --material");
+                "' has no separate volume part to average; write --volume tets, or choose another --material");
   }
   const fem::NewtonSettings& newton = options.solver.newton;
   const fem::PreconditionerRow& preconditioner = fem::row_of(newton.preconditioner.kind);
   require(newton.product == fem::Product::assembled || (preconditioner.asked & fem::asks::edges) == 0,
           "--product matrix-free requires --preconditioner " + fem::preconditioners_without(fem::asks::edges) + ": " +
-              preconditioner.name + " is formed from blocks of edges, which this product does not make");
+              preconditioner.name + " is formed from blocks of edges, which this product does not have");
   require(
       options.volume != VolumeTreatment::nodes || newton.product == fem::Product::assembled,
       "--volume nodes requires --product assembled: --product matrix-free, which --historical uses, too, has only the "
@@ -99,9 +100,9 @@ void check(const Options& options) {
       options.plates == Plates::held || newton.product == fem::Product::assembled,
       "--plates contact requires --product assembled: --product matrix-free, which --historical uses, too, has only "
       "the stiffness of tets");
-  require(!options.restart || !options.out.empty(), "--restart continues what is in --out DIR, which is missing");
+  require(!options.restart || !options.out.empty(), "--restart continues the run in --out DIR; add --out");
   require(options.refinements == 0 || !options.mesh.empty(),
-          "--refine is for a mesh of your own: the cube has --cells");
+          "--refine is for a mesh of your own; for the cube, write more --cells");
 }
 
 }  // namespace
@@ -122,6 +123,7 @@ std::string settings_json(const Options& options) {
   }
   if (options.is_cube()) {
     json["cells"] = options.cells;
+    json["grading"] = options.grading;
   } else {
     json["refine"] = options.refinements;
     json["plate_tolerance"] = options.plate_tolerance;
@@ -153,9 +155,15 @@ Options parse(const std::vector<std::string>& arguments) {
   auto* cells = app.add_option("--cells", options.cells, "the cube in N^3 cells of 6 tets; powers of two are fastest")
                     ->check(whole_number(1, 100000))
                     ->type_name("N");
+  const auto* grading =
+      app.add_option("--grading", options.grading,
+                     "of the cube: its cells narrow towards all faces, where errors come from: the corner k of N/2 lies "
+                     "at 40 mm (2 k/N)^G; 1 is uniform. From 1.25 to 1.75 beads are nearer to those of finer "
+                     "cells the larger G is, and solves take longer")
+          ->type_name("G");
   app.add_option("--mesh", options.mesh,
-                 "a mesh of tets in Gmsh's format, in metres, in place of the cube; its plates "
-                 "hold its lowest and highest nodes along z")
+                 "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1), in metres, in place of the cube; its "
+                 "plates hold its lowest and highest nodes along z")
       ->excludes(cells)
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,
@@ -223,7 +231,8 @@ Options parse(const std::vector<std::string>& arguments) {
       ->default_str(built_layout());
   auto* preconditioner =
       add_choice(app, "--preconditioner", options.solver.newton.preconditioner.kind, preconditioners, "preconditioner",
-                 "preconditioner of conjugate gradients; schwarz: blocks of 32 nodes in levels, for any mesh");
+                 "preconditioner of conjugate gradients; for a mesh without a coarser one: " +
+                     fem::preconditioners_without(fem::asks::coarser));
   auto* product =
       add_choice(app, "--product", options.solver.newton.product, products, "product",
                  "product of the tangent with vectors: from assembled blocks of nodes and edges, or matrix-free, "
@@ -268,13 +277,15 @@ Options parse(const std::vector<std::string>& arguments) {
       !fem::can_average_volume(options.solver.material)) {
     options.volume = VolumeTreatment::tets;
     options.notes.push_back("the energy of '" + options.solver.material +
-                            "' has no separate part of the volume to be averaged: --volume tets, which lock near a "
+                            "' has no separate volume part to average: --volume tets, which locks near a "
                             "Poisson's ratio of 0.5");
   }
   require(plate_stiffness->count() == 0 || options.plates == Plates::contact,
           "--plate-stiffness is that of --plates contact, which is missing");
   require(plate_tolerance->count() == 0 || !options.is_cube(),
           "--plate-tolerance is for a mesh of your own: the faces of the cube are flat");
+  require(grading->count() == 0 || options.is_cube(),
+          "--grading is for the cube: a mesh of your own has the cells that its file says; remove --grading");
   if (options.historical) {
     options.solver.nested = false;
     options.solver.precision = fem::TangentPrecision::float32;

@@ -89,17 +89,16 @@ double rounded_up(double tolerance) {
 void warn(std::vector<std::string>& warnings, const char* name, const Plate& plate, const PlatesOfBody& plates) {
   constexpr double mm = 1e3;
   if (plate.just_beyond > 0) {
-    warnings.push_back(
-        text("the %s plate holds %zu nodes, those within %.3g mm of the plane, and %lld more of the mesh lie just "
-             "beyond, up "
-             "to %.3g mm from it: if they are of that face, --plate-tolerance %.2g holds them, too",
-             name, plate.nodes.back().size(), mm * plates.tolerance, static_cast<long long>(plate.just_beyond),
-             mm * plate.farthest_beyond, rounded_up(plate.farthest_beyond / plates.mean_edge)));
+    warnings.push_back(text(
+        "the %s plate holds the %zu nodes within %.3g mm of its plane; %lld more nodes lie just beyond, up to %.3g "
+        "mm from it. If they belong to that face, hold them by --plate-tolerance %.2g",
+        name, plate.nodes.back().size(), mm * plates.tolerance, static_cast<long long>(plate.just_beyond),
+        mm * plate.farthest_beyond, rounded_up(plate.farthest_beyond / plates.mean_edge)));
   }
   if (plate.whole_tets > 0) {
     warnings.push_back(
-        text("the %s plate holds all corners of %lld tets, which it keeps from deforming: they are thinner than its "
-             "tolerance, %.3g mm; take a smaller --plate-tolerance",
+        text("the %s plate holds all corners of %lld tets, so they cannot deform: they are thinner than its tolerance, "
+             "%.3g mm; take a smaller --plate-tolerance",
              name, static_cast<long long>(plate.whole_tets), mm * plates.tolerance));
   }
 }
@@ -137,11 +136,11 @@ std::vector<std::string> warnings_of(const PlatesOfBody& plates) {
 void require_faces(const PlatesOfBody& plates) {
   const std::size_t lower = plates.lower.nodes.back().size(), upper = plates.upper.nodes.back().size();
   if (lower >= 3 && upper >= 3) return;
-  throw Error(
-      text("the plates hold the nodes within %.3g mm of the lowest and of the highest along z, and there are only %zu "
-           "and %zu, with %lld and %lld just beyond: the mesh needs flat faces there, or a larger --plate-tolerance",
-           1e3 * plates.tolerance, lower, upper, static_cast<long long>(plates.lower.just_beyond),
-           static_cast<long long>(plates.upper.just_beyond)));
+  throw Error(text(
+      "the plates hold the nodes within %.3g mm of the lowest and of the highest node along z. These are only %zu "
+      "and %zu, with %lld and %lld more just beyond: give the mesh flat faces there, or a larger --plate-tolerance",
+      1e3 * plates.tolerance, lower, upper, static_cast<long long>(plates.lower.just_beyond),
+      static_cast<long long>(plates.upper.just_beyond)));
 }
 
 }  // namespace physgen::truthcube

@@ -39,7 +39,7 @@ inline void open_standard_streams() {
 /// @return the status, or 1 where what was printed cannot be written, which it then says
 [[nodiscard]] inline int status_of_output(const std::string& name, int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  std::fprintf(stderr, "%s: cannot write all of the standard output; is there room where it goes?\n", name.c_str());
+  std::fprintf(stderr, "%s: cannot write all of the standard output; is the disk full?\n", name.c_str());
   return status == 0 ? 1 : status;
 }
 
@@ -55,8 +55,7 @@ template <class Parse, class Run>
   try {
     options = parse(arguments);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n%s --help lists what there is.\n", name.c_str(), text_of(error).c_str(),
-                 name.c_str());
+    std::fprintf(stderr, "%s: %s\n%s --help lists all flags.\n", name.c_str(), text_of(error).c_str(), name.c_str());
     return 2;
   }
   if (!options.help.empty()) {

@@ -146,11 +146,11 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
       const auto is_it = [=](const StepRecord& step) { return step.compression == compression; };
       if (compression >= checkpoint->compression || std::ranges::any_of(record.steps, is_it)) continue;
       throw Error("--restart: " + options.out.string() + " has steps up to a compression of " +
-                  std::to_string(checkpoint->compression) + " and none at " + std::to_string(compression) +
-                  "; a run goes on to larger ones: choose another --out for it");
+                  std::to_string(checkpoint->compression) + " but none at " + std::to_string(compression) +
+                  ", and a run continues only to larger ones; choose another --out");
     }
     if (checkpoint->compression >= options.compressions.back()) {
-      terminal.line("nothing is left: step %d, a compression of %g, is written in %s", checkpoint->step,
+      terminal.line("nothing is left to do: step %d, at a compression of %g, is in %s", checkpoint->step,
                     checkpoint->compression, options.out.c_str());
       return Outcome::done;
     }
@@ -190,7 +190,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   terminal.text(describe(scene.plates));
   if (checkpoint) {
     solver->restore(state_of(*checkpoint, solver->state()));
-    terminal.line("continuing behind step %d, a compression of %g", checkpoint->step, checkpoint->compression);
+    terminal.line("continuing after step %d, at a compression of %g", checkpoint->step, checkpoint->compression);
   }
   RunFiles files(options, scene, hash, static_cast<int>(record.steps.size()));
   files.write_record(record);

@@ -94,13 +94,13 @@ std::vector<StepRecord> read_steps(const Options& options, const Checkpoint& che
   if (steps.size() < done) {
     throw Error(file.string() + " has " + std::to_string(steps.size()) +
                 " steps, and the checkpoint beside it is of step " + std::to_string(done) +
-                ": the files are not of one run; run anew, without --restart");
+                ": the files come from different runs; run again without --restart");
   }
   steps.resize(done);
   if (done > 0 && steps.back().compression != checkpoint.compression) {
     throw Error(file.string() + " has a compression of " + std::to_string(steps.back().compression) + " in step " +
                 std::to_string(done) + ", and the checkpoint beside it " + std::to_string(checkpoint.compression) +
-                ": the files are not of one run; run anew, without --restart");
+                ": the files come from different runs; run again without --restart");
   }
   return steps;
 }

@@ -2,6 +2,8 @@
 
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/check.h>
+#include <fem/mesh/gmsh_file.h>
+#include <fem/mesh/graded_cube.h>
 #include <fem/mesh/refine.h>
 #include <fem/solver/hierarchy/background_grid.h>
 #include <physgen/error.h>
@@ -11,9 +13,6 @@
 
 #include "memory.h"
 #include "run_bytes.h"
-#ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
-#include <fem/mesh/gmsh_file.h>
-#endif
 
 namespace physgen::truthcube {
 
@@ -32,7 +31,7 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
 
 /// @throw Error when a mesh whose tets are cut into 8 so often is too large for the memory or for 32-bit numbers,
 /// before any of it is made
-[[maybe_unused]] void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
+void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
   LevelCounts counts;
   counts.nodes = mesh.nodes;
   counts.tets = static_cast<std::int64_t>(mesh.tets.size());
@@ -47,7 +46,7 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
                       remedy = "--refine " + std::to_string(k - 1) + " takes an eighth of it";
     if (!fem::fits_32_bits(static_cast<std::size_t>(counts.nodes), static_cast<std::size_t>(counts.tets))) {
       throw Error(who + " has " + std::to_string(counts.nodes) + " nodes and " + std::to_string(counts.tets) +
-                  " tets, more than 32-bit incidences hold; " + remedy);
+                  " tets, more than 32-bit numbers can count; " + remedy);
     }
     require_memory(who, bytes_of_mesh(counts), "this machine", host_memory(), remedy);
   }
@@ -55,8 +54,7 @@ void set_plates(MeshLevel& level, const std::vector<Index>& base, const std::vec
 
 }  // namespace
 
-GivenMesh read_mesh([[maybe_unused]] const Options& options, [[maybe_unused]] std::vector<std::string>& notes) {
-#ifdef PHYSGEN_TRUTHCUBE_HAS_GMSH
+GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
   fem::ReadMesh read = fem::read_gmsh(options.mesh);
   if (!read.left_out_nodes.empty()) {
     notes.push_back(std::to_string(read.left_out_nodes.size()) + " nodes of " + options.mesh.string() +
@@ -93,17 +91,19 @@ GivenMesh read_mesh([[maybe_unused]] const Options& options, [[maybe_unused]] st
     }
   }
   return {std::move(levels), std::move(read.tet_tags)};
-#else
-  throw Error("this build reads no meshes: install libgmsh-dev and configure it again");
-#endif
 }
 
 std::vector<MeshLevel> make_cube(const Options& options) {
-  return fem::make_cube_levels(options.cells, cube_side, options.volume == VolumeTreatment::patches);
+  auto levels = fem::make_cube_levels(options.cells, cube_side, options.volume == VolumeTreatment::patches);
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    fem::grade_cube(levels[l].rest, options.cells >> l, cube_side, options.grading);
+  }
+  return levels;
 }
 
 Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
   Scene scene;
+  if (options.is_cube()) scene.grading = options.grading;
   for (MeshLevel& level : levels) level.averages_at_nodes = options.volume == VolumeTreatment::nodes;
   scene.levels = std::move(levels);
   scene.plates = hold_between_plates(scene.levels, options.plate_tolerance);
@@ -136,8 +136,7 @@ std::vector<std::string> adapt_solver(Options& options, const Scene& scene, cons
                                    std::to_string(scene.grid[1]) + " x " + std::to_string(scene.grid[2]) + " cells"};
     if (options.refinements == 0 && options.solver.nested) {
       options.solver.nested = false;
-      notes.back() +=
-          ", and load steps: nested ones need a coarser mesh of the body, which --refine would make of this one";
+      notes.back() += ", and load steps on this mesh alone: nested steps need a coarser mesh, which --refine makes";
     }
     return notes;
   }
@@ -145,12 +144,12 @@ std::vector<std::string> adapt_solver(Options& options, const Scene& scene, cons
   if (coarsest <= fem::most_coarse_nodes) return {};  // which is solved exactly
   if (levels.size() == 1) {
     options.solver.newton.preconditioner.kind = fem::Preconditioner::block_jacobi;
-    return {"an odd number of cells has no coarser mesh: block Jacobi in place of multigrid; " +
-            std::to_string(options.cells + 1) + " cells would have one"};
+    return {"an odd number of cells has no coarser mesh, so block Jacobi replaces multigrid; take " +
+            std::to_string(options.cells + 1) + " cells to have one"};
   }
   return {"the coarsest mesh has " + std::to_string(coarsest) + " nodes, and more than " +
           std::to_string(fem::most_coarse_nodes) +
-          " are smoothed, not solved: powers of two, or three times them, are faster"};
+          " are smoothed, not solved: numbers of cells that are 2^k or 3 * 2^k are faster"};
 }
 
 std::string name_of_tet(const Scene& scene, Index tet) {

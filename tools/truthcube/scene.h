@@ -29,6 +29,7 @@ struct Scene {
   fem::Loading loading;                ///< at a compression of 1; its planes, if any, are the lower and the upper plate
   PlatesOfBody plates;                 ///< what holds the body
   std::array<fem::Index, 3> grid{};    ///< cells along x, y, z of the background grid; zeros where there is none
+  double grading = 1;                  ///< of the cube
   std::vector<std::size_t> tet_tags;   ///< of a mesh of the user's, as GivenMesh has them
   int refinements = 0;                 ///< of that mesh: each tet of it is 8^refinements of the finest level
 };

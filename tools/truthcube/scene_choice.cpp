@@ -49,14 +49,13 @@ void choose_tets(Options& options, const Given& given, const std::string& who) {
   const bool is_given = given("--volume");
   choose(options, given, "--volume", "tets", options.volume, VolumeTreatment::tets);
   if (is_given) return;
-  options.notes.push_back(who +
-                          " the change of volume of each tet by itself: --volume tets, which lock near a "
-                          "Poisson's ratio of 0.5");
+  options.notes.push_back(
+      who + " the change of volume tet by tet (--volume tets), which locks near a Poisson's ratio of 0.5");
 }
 
 /// The choices of scenes whose solver is compiled for them alone.
 void choose_declared(Options& options, const Given& given, const fem::SceneRow& row) {
-  refuse(options, given, {"--historical"}, "that is a choice of --scene everything");
+  refuse(options, given, {"--historical"}, "only --scene everything has it");
   choose(options, given, "--material", row.material, options.solver.material, std::string(row.material));
   choose(options, given, "--precision", "float", options.solver.precision, fem::TangentPrecision::float32);
   choose(options, given, "--plates", "held", options.plates, Plates::held);
@@ -64,8 +63,8 @@ void choose_declared(Options& options, const Given& given, const fem::SceneRow& 
   choose(options, given, "--product", row.assembled ? "assembled" : "matrix-free", newton.product,
          row.assembled ? fem::Product::assembled : fem::Product::matrix_free);
   if (const auto kind = newton.preconditioner.kind; fem::asks_for(kind, fem::asks::arrays)) {
-    throw Error(scene_name(options) + " has no --preconditioner " + fem::row_of(kind).name +
-                ": that is a choice of --scene everything");
+    throw Error(scene_name(options) + " cannot take --preconditioner " + fem::row_of(kind).name +
+                ", because only --scene everything has it; take another preconditioner");
   }
   if (!row.tets) choose(options, given, "--volume", "patches", options.volume, VolumeTreatment::patches);
   if (!row.patches) choose_tets(options, given, std::string(row.bodies) + " bodies take");
@@ -73,7 +72,7 @@ void choose_declared(Options& options, const Given& given, const fem::SceneRow& 
 }
 
 void apply_motion(Options& options, const Given& given) {
-  refuse(options, given, {"--restart", "--beads", "--repeat"}, "these are for equilibria, and a motion begins at rest");
+  refuse(options, given, {"--restart", "--beads", "--repeat"}, "it is for equilibria, and a motion begins at rest");
   refuse(options, given, {"--stepping", "--historical"}, "it steps in time");
   if (!given("--compress")) options.compressions = {options.compressions.back()};
   if (options.compressions.size() != 1) {
@@ -96,8 +95,8 @@ void apply_scene(Options& options, const Given& given) {
       if (!given("--precision")) options.solver.precision = fem::TangentPrecision::float32;
       if (arrays_of(options) == "everything") {
         options.notes.push_back(
-            "this motion runs on the arrays of the scene everything: those of implicit-dynamics are for the cube, of "
-            "stable-neo-hookean material, in float, without --volume nodes and --plates contact, under "
+            "this motion uses the arrays of the scene everything, because those of implicit-dynamics are only for the "
+            "cube, of stable-neo-hookean material, in float, without --volume nodes and --plates contact, and with "
             "--preconditioner " +
             fem::preconditioners_without(fem::asks::arrays));
       }
@@ -115,7 +114,7 @@ void apply_scene(Options& options, const Given& given) {
       options.solver.nested = false;
       break;
     case SceneKind::linear_elastic:
-      refuse(options, given, {"--material"}, "its law is linear elasticity, with --young and --poisson alone");
+      refuse(options, given, {"--material"}, "it uses linear elasticity, which has only --young and --poisson");
       refuse(options, given, {"--stepping", "--historical"}, "one linear solve finds each equilibrium");
       choose(options, given, "--plates", "held", options.plates, Plates::held);
       choose_tets(options, given, "linear elasticity takes");
@@ -125,11 +124,11 @@ void apply_scene(Options& options, const Given& given) {
       break;
   }
   if (options.scene != SceneKind::explicit_dynamics) {
-    refuse(options, given, {"--fixed-order"}, "that is for the sums of --scene explicit-dynamics on CUDA");
+    refuse(options, given, {"--fixed-order"}, "only --scene explicit-dynamics on CUDA uses it");
   }
   if (!options.moves()) {
     refuse(options, given, {"--time-step", "--duration", "--density", "--damping", "--frames"},
-           "these are for --scene implicit-dynamics or explicit-dynamics");
+           "only --scene implicit-dynamics and explicit-dynamics use it");
   }
 }
 

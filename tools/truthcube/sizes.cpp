@@ -108,8 +108,8 @@ void require_cube_fits(int cells, VolumeTreatment volume) {
     fitting -= fitting > 1000 ? fitting / 2 : (fitting % 2 == 0 ? 2 : 1);  // even numbers, which have coarser meshes
   }
   throw Error("--cells " + std::to_string(cells) + ": the solver's lists would need numbers up to " +
-              std::to_string(largest) + ", and those of 32 bits reach " + std::to_string(most) + "; --cells " +
-              std::to_string(fitting) + " fits");
+              std::to_string(largest) + ", and 32-bit numbers only reach " + std::to_string(most) + "; take --cells " +
+              std::to_string(fitting));
 }
 
 }  // namespace physgen::truthcube

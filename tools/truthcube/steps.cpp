@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "estimates.h"
+#include "grading.h"
 #include "interrupts.h"
 #include "suspect.h"
 
@@ -170,7 +171,8 @@ void Steps::finish(double compression, const fem::NewtonResult& result, double s
   const double reach = reach_past_plates(scene_, compression, positions);
   Estimates estimates;
   if (const auto coarser = solver_.coarser_equilibrium()) {
-    estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, positions, *coarser);
+    estimates = make_estimates(scene_.levels, scene_.plates.upper.nodes[1], reaction, positions, *coarser,
+                               order_of_errors(scene_.grading));
   }
   record_.steps.push_back({compression, result.steps, result.iterations, result.residual, result.energy,
                            result.smallest_J, reaction, estimates.reaction, estimates.error_rms, reach, seconds,
@@ -211,10 +213,13 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
   }
   if (result.smallest_J > 0) return;
   const fem::MeshLevel& level = scene_.levels.front();
+  // Sides that fold past a plate turn cells over that are narrower than the fold.
+  const char* remedies = scene_.grading > 1
+                             ? "--plates contact, a smaller --grading, or more and smaller --compress steps"
+                             : "more and smaller --compress steps, more --cells, or --plates contact";
   terminal_.warning(
-      "at a compression of %g, %s. A real body has no such equilibrium. Try more and smaller --compress steps, more "
-      "--cells, or --plates contact.",
-      compression, describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str());
+      "at a compression of %g, %s. A real body has no such equilibrium. Try %s.", compression,
+      describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str(), remedies);
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {
@@ -241,12 +246,12 @@ void Steps::compare(double compression, const std::vector<Point>& positions) con
   const auto errors = compare_beads(table, compression,
                                     interpolate_displacements(beads_->locations, level.mesh, level.rest, positions));
   if (!errors) {
-    terminal_.line("  %s has no beads of a compression of %g, and has some of %s", table.file.c_str(), compression,
+    terminal_.line("  %s has no beads at a compression of %g, only at %s", table.file.c_str(), compression,
                    compressions_of(table).c_str());
     return;
   }
   if (!table.rows.front().compression) {
-    terminal_.line("  %s names no compression: its beads are compared with every step", table.file.c_str());
+    terminal_.line("  %s has no column compression, so its beads are compared with every step", table.file.c_str());
   }
   terminal_.line("  %zu beads of %s: difference [mm] mean %.4f, RMS %.4f, 95 %% below %.4f, max %.4f", errors->beads,
                  table.file.c_str(), errors->mean, errors->rms, errors->p95, errors->max);

@@ -236,7 +236,7 @@ TEST(MeshCheck, knows_what_32_bit_numbers_hold) {
   report.tets = 178956971;
   report.too_large = true;
   EXPECT_EQ(report.errors(),
-            std::vector<std::string>{"3 nodes and 178956971 elements are more than 32-bit incidences hold; mesh more "
+            std::vector<std::string>{"3 nodes and 178956971 elements are more than 32-bit numbers can count; mesh more "
                                      "coarsely, or solve parts of the body"});
 }
 

@@ -1,4 +1,5 @@
-// Writes meshes in Gmsh's format, in three versions and without Gmsh, for the tests of what reads them.
+// Writes meshes in Gmsh's format, in three versions, as text and binary, and without Gmsh, for the tests of what reads
+// them.
 #pragma once
 
 #include <fem/mesh/mesh.h>
@@ -90,10 +91,15 @@ inline std::string in_version_4(const File& file) {
   return out.str();
 }
 
+template <class Value>
+void put_bytes(std::string& out, const Value& value) {
+  out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
 // The same in the binary form of version 2, a block for each element.
 inline std::string in_binary_version_2(const File& file) {
   std::string out = "$MeshFormat\n2.2 1 8\n";
-  const auto put = [&out](const auto& value) { out.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  const auto put = [&out](const auto& value) { put_bytes(out, value); };
   const auto put_int = [&put](std::size_t value) { put(static_cast<int>(value)); };
   put_int(1);
   out += "\n$EndMeshFormat\n$Nodes\n" + std::to_string(file.nodes.size()) + "\n";
@@ -108,6 +114,31 @@ inline std::string in_binary_version_2(const File& file) {
       put_int(value);
     }
     for (const std::size_t node : element.nodes) put_int(node);
+  }
+  return out + "\n$EndElements\n";
+}
+
+// The same in the binary form of version 4.1, a block for each element.
+inline std::string in_binary_version_4(const File& file) {
+  std::string out = "$MeshFormat\n4.1 1 8\n";
+  const auto put_int = [&out](int value) { put_bytes(out, value); };
+  const auto put_size = [&out](std::size_t value) { put_bytes(out, value); };
+  put_int(1);
+  out += "\n$EndMeshFormat\n$Nodes\n";
+  for (const std::size_t value : {std::size_t{1}, file.nodes.size(), std::size_t{1}, std::size_t{1}}) put_size(value);
+  for (const int value : {3, 1, 0}) put_int(value);
+  put_size(file.nodes.size());
+  for (const auto& node : file.nodes) put_size(node.first);
+  for (const auto& node : file.nodes) put_bytes(out, node.second);
+  out += "\n$EndNodes\n$Elements\n";
+  for (const std::size_t value : {file.elements.size(), file.elements.size(), std::size_t{1}, std::size_t{1}}) {
+    put_size(value);
+  }
+  for (const Element& element : file.elements) {
+    for (const int value : {dimension_of(element.type), 1, element.type}) put_int(value);
+    put_size(1);
+    put_size(element.tag);
+    for (const std::size_t node : element.nodes) put_size(node);
   }
   return out + "\n$EndElements\n";
 }

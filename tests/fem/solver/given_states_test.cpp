@@ -36,7 +36,8 @@ TEST(State, of_other_meshes_or_with_numbers_that_are_not_finite_is_refused_and_c
   expect_refused("of a state: the position of node 7 is (", [](SolverState& state) { state.positions[0][7][1] = NAN; });
   expect_refused("level 1 of a state: the position of node 3 is (inf",
                  [](SolverState& state) { state.positions[1][3][0] = INFINITY; });
-  expect_refused("level 1 has 125 nodes, and a state's 124", [](SolverState& state) { state.positions[1].pop_back(); });
+  expect_refused("level 1 has 125 nodes, but that of the state has 124",
+                 [](SolverState& state) { state.positions[1].pop_back(); });
   expect_refused("levels for a solver that solves on", [](SolverState& state) { state.positions.pop_back(); });
   solver->restore(good);
   EXPECT_EQ(solver->solve_to(0.1, {}).status, NewtonStatus::converged);

@@ -10,7 +10,9 @@ namespace {
 /// svds, which is local to the step, before the kernel that writes it.
 struct stress_too_early : scenes::force_chain {
   template <class On, class Body>
-  static void program(On& on, Body& body, const fem::NeoHookean<Real>& material) {
+  static void program(On& on, Body& body, const fem::LameParameters& lame) {
+    using Scalar = typename Body::Real;
+    const fem::NeoHookean<Scalar> material{Scalar(lame.mu), Scalar(lame.lambda)};
     const auto tets = body.tets.const_view();
     const auto rest = body.rest.const_view();
     on.run(body.tets.size(),
@@ -31,7 +33,7 @@ index_t count_nan() {
   fill<Real>(given);
   give(body, given, [](auto& array) -> auto& { return array.contents(); });
   HostExecutor on;
-  Program::program(on, body, material);
+  Program::program(on, body, lame);
   index_t count = 0;
   for (index_t t = 0; t < tets; ++t)
     for (int k = 0; k < 9; ++k) count += std::isnan(body.corner_forces.view()[t].G()[k]) ? 1 : 0;

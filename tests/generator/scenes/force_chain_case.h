@@ -13,7 +13,7 @@
 namespace physgen::test::force_chain {
 
 inline constexpr index_t nodes = 40, tets = 117;
-inline const fem::NeoHookean<float> material{1.5F, 20.F};
+inline constexpr fem::LameParameters lame{1.5, 20};
 
 struct Mesh {
   std::vector<Eigen::Vector4i> corners;
@@ -55,8 +55,9 @@ void fill(Arrays& to) {
 }
 
 /// The scene's arrays by their names, all of ordinary ones.
-template <class Real, class Space>
+template <class Real_, class Space>
 struct Plain {
+  using Real = Real_;
   elasticity::NodePositionArray<Real, Space> positions{nodes};
   elasticity::TetArray<Real, Space> tets{force_chain::tets};
   elasticity::RestShapeArray<Real, Space> rest{force_chain::tets};
@@ -87,10 +88,10 @@ void expect_the_same_forces(On& on) {
   scenes::force_chain_scene::Body<Space, Real> body;
   body.allocate({.node = nodes, .tet = tets, .corner = 4 * tets});
   give(body, given, [](auto& array) -> auto& { return array.contents(); });
-  scenes::force_chain_scene::fused::program(on, body, material);
+  scenes::force_chain_scene::fused::program(on, body, lame);
   Plain<Real, Space> plain;
   give(plain, given, [](auto& array) -> auto& { return array; });
-  scenes::force_chain::program(on, plain, material);
+  scenes::force_chain::program(on, plain, lame);
   on.wait();
   elasticity::NodeForceArray<Real> forces(nodes), separate(nodes);
   copy(forces, body.forces);

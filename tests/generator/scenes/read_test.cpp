@@ -106,7 +106,7 @@ TEST(SceneDeclaration, counts_the_bytes_of_every_type_of_element_and_refuses_wha
   }
   const auto unknown = read_field("fixed24");
   EXPECT_FALSE(unknown.scene);
-  EXPECT_NE(unknown.diagnostics.find("of which a field is stored as this physgen does not know"), std::string::npos)
+  EXPECT_NE(unknown.diagnostics.find("with a field in a format that this physgen does not know"), std::string::npos)
       << unknown.diagnostics;
 }
 
@@ -187,7 +187,7 @@ const std::vector<Wrong> cases = {
       "Array<elasticity::TetObject, Real> tets; };'"}},
     {"an_unmarked_member",
      scene_of(svds + " int n;"),
-     {"3:61: error: 'n' is marked as no array; write PHYSGEN_ARRAY(per(\"tet\"), ...) before it"}},
+     {"3:61: error: 'n' is not marked as an array; write PHYSGEN_ARRAY(per(\"tet\"), ...) before it"}},
     {"no_program",
      scene_of(svds, ""),
      {"1:24: error: scene 'scene' has no function template 'program'; write 'template <class On, class Body> static "
@@ -198,8 +198,8 @@ const std::vector<Wrong> cases = {
       "'template <class On, class Body> static void program(On& on, Body& body)'"}},
     {"a_parameter_of_a_templates_type",
      scene_of(svds, "template <class On, class B> static void program(On&, B&, typename B::Real dt);"),
-     {"5:76: error: a parameter of program behind its groups has a type of its own, not one of a template's parameter; "
-      "write the type"}},
+     {"5:76: error: a parameter of program behind its groups must not depend on a template's parameter; write a "
+      "concrete type"}},
     {"no_set",
      scene_of("PHYSGEN_ARRAY() Array<SvdObject, float> svds;"),
      {"3:41: error: array 'svds' does not say how many objects it has; write PHYSGEN_ARRAY(per(\"tet\"), ...), or "
@@ -207,7 +207,8 @@ const std::vector<Wrong> cases = {
       "for one object"}},
     {"a_set_without_a_name",
      scene_of("PHYSGEN_ARRAY(per(\"a tet\")) Array<SvdObject, float> svds;"),
-     {"3:15: error: array 'svds' is per what is neither a name nor a number of objects; write per(\"tet\"), with "
+     {"3:15: error: array 'svds' has a per(...) that is neither a name nor a number of objects; write per(\"tet\"), "
+      "with "
       "letters, digits and '_', or per(1)"}},
     {"an_option_twice",
      scene_of("PHYSGEN_ARRAY(per(1), per(2)) Array<SvdObject, float> svds;"),

@@ -40,7 +40,7 @@ struct ForceChain {
   ForceChain() { force_chain::fill<float>(body); }
   template <class On>
   void run(On& on) {
-    scenes::force_chain::program(on, body, force_chain::material);
+    scenes::force_chain::program(on, body, force_chain::lame);
   }
   /// By node.
   std::vector<Numbers> outputs() {
@@ -118,7 +118,7 @@ struct ExplicitDynamics {
     step.length = 1e-3;
     step.load = 0.5;
     step.damping = 0.1;
-    scenes::explicit_dynamics::program(on, body, force_chain::material, step);
+    scenes::explicit_dynamics::program(on, body, fem::NeoHookean<float>{1.5F, 20.F}, step);
   }
   /// By node, and what is measured of all behind them.
   std::vector<Numbers> outputs() {

@@ -72,7 +72,7 @@ TEST_F(UsageCommand, accepts_what_is_checked_in_and_names_what_is_stale) {
             "usage.json: error: it is stale:\n"
             "  a.cpp: K(a, b): a.7: places: small.cpp:2:9, small.cpp:2:19; in the file: small.cpp:2:9\n"
             "  a.cpp: K(a, b): a.7: written: yes; in the file: no\n"
-            "note: to write it anew: physgen usage a.cpp --json usage.json --side host -- -DX=1\n");
+            "note: to renew it: physgen usage a.cpp --json usage.json --side host -- -DX=1\n");
   ASSERT_EQ(run("usage a.cpp --json usage.json --side host -- -DX=1").status, 0);
   EXPECT_EQ(run("usage a.cpp --side host --check usage.json").status, 0);
   folder.write("usage.json", "{}");
@@ -111,7 +111,7 @@ TEST_F(UsageCommand, says_how_to_write_a_scene_where_there_is_none) {
   const auto outcome = run("usage b.cpp --side host");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.err,
-            "b.cpp: error: there is no scene in this file, and it gives no steps to a ProbeExecutor; declare a scene "
+            "b.cpp: error: this file has no scene and gives no steps to a ProbeExecutor; declare a scene "
             "as <physgen/scene.h> says, or write a program over probes as <physgen/probe.h> says\n");
   folder.write("c.h", "// PHYSGEN_SCENE\nint x;\n");
   const auto marked = run("usage c.h --side host");

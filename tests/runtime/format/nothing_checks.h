@@ -181,7 +181,7 @@ void check_mirror() {
   EXPECT_NO_THROW((void)mirror.read_host()) << "nothing is newer on the device";
   (void)mirror.write_device(3, 5);
   const std::string refused = message_of([&] { (void)mirror.read_host(); });
-  EXPECT_NE(refused.find("U is stored in the array that is copied to"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("U is stored in the target of the copy"), std::string::npos) << refused;
   Mirror<Array<Object, float, Host, Aos, StretchesOnly>, Array<Object, float, DeviceSpace, Layout, StretchesOnly>> both(
       40);
   both.write_host(7, 8)[7].s() = Eigen::Vector3f(1, 2, 3);
@@ -224,13 +224,13 @@ void check_refusals() {
     if (host_accessible(whole.space)) poison(whole);
     const std::string from_part = "cannot copy elasticity::DeformationSvd[40] in " + std::string(name(Space::kind)) +
                                   " memory to elasticity::DeformationSvd[40] in " + std::string(name(whole.space)) +
-                                  " memory: U is stored in the array that is copied to";
+                                  " memory: U is stored in the target of the copy";
     refuses([&] { copy(whole, part.untyped()); }, from_part);
     refuses([&] { copy_range(whole, part.untyped(), 3, 4); }, from_part);
     refuses([&] { copy_range(whole, part.untyped(), 3, 3); }, from_part);
     refuses([&] { copy_range(whole, part.untyped(), 0, 3); }, from_part);
     refuses([&] { (void)losses_of_copy(whole, part.untyped()); }, from_part);
-    const std::string would_be_lost = "s would be lost: the array that is copied to stores nothing of it";
+    const std::string would_be_lost = "s would be lost: the target of the copy does not store it";
     refuses([&] { copy(lost.untyped(), whole); }, would_be_lost);
     refuses([&] { copy_range(lost.untyped(), whole, 3, 4); }, would_be_lost);
     refuses([&] { (void)losses_of_copy(lost.untyped(), whole); }, would_be_lost);

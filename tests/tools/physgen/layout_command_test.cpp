@@ -80,9 +80,10 @@ TEST_F(LayoutCommand, says_how_to_draw_an_svg) {
     const auto outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err,
-              "physgen: error: physgen draws no SVG; write '--json -o x.json' in place of --svg, and draw x.json with "
-              "'tools/report/layout_picture.py x.json -o x.svg' of physgen's sources\n");
+    EXPECT_EQ(
+        outcome.err,
+        "physgen: error: physgen cannot draw SVG; write '--json -o x.json' in place of --svg, and draw x.json with "
+        "'tools/report/layout_picture.py x.json -o x.svg' of physgen's sources\n");
   }
   EXPECT_EQ(run("--help").out.find("svg"), std::string::npos);
 }

@@ -28,7 +28,7 @@ TEST_F(Outputs, never_overwrite_what_is_read) {
         "generate a.h -o out --stamp ./out/../a.h", "generate a.h -o out --stamp link", "layout a.h --json -o a.h"}) {
     const auto outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_NE(outcome.err.find("it is read for this, and would be lost; name another file"), std::string::npos)
+    EXPECT_NE(outcome.err.find("it is an input, and would be lost; name another file"), std::string::npos)
         << arguments << '\n'
         << outcome.err;
   }

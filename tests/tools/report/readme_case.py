@@ -16,6 +16,7 @@ sys.path.insert(0, str(TOOL.parent))
 import readme_numbers  # noqa: E402
 
 PACKAGES = "tools/packages.txt"
+SCENES = "generated/scenes"
 MEASURED = "tools/report/results/README.md"
 Done = collections.namedtuple("Done", "returncode stdout stderr")
 
@@ -40,6 +41,7 @@ class ReadmeCase(unittest.TestCase):
             (self.root / page).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / page, self.root / page)
         shutil.copytree(ROOT / readme_numbers.RESULTS, self.root / readme_numbers.RESULTS, dirs_exist_ok=True)
+        shutil.copytree(ROOT / SCENES, self.root / SCENES)
         shutil.copy(ROOT / PACKAGES, self.root / PACKAGES)
 
     def tearDown(self):

@@ -107,6 +107,13 @@ class ReadmeTest(ReadmeCase):
         (self.root / name).write_text(json.dumps({"rows": [slow]}))
         self.refused("linear_solves.json: 8 cells", "no solve by multigrid")
 
+    def test_the_table_of_joined_steps_is_that_of_the_digests(self):
+        digest = self.root / "generated" / "scenes" / "force_chain.digest"
+        digest.write_text(digest.read_text().replace(", physgen::fem::ComputeCornerForces(body.rest, body.stresses, body.corner_forces); ", "; "))
+        said = command("--check", self.root).stderr
+        self.assertIn("generator/scenes/README.md", said)
+        self.assertIn("+ | `force_chain` | 5 | `ComputeDeformationGradient` to `ComputeStress`: 3 | none |", said)
+
     def test_a_table_of_fused_kernels_stands_them_beside_the_separate_ones(self):
         results = self.root / readme_numbers.RESULTS
         content = json.loads((results / "h200.json").read_text())

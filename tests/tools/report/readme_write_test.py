@@ -29,7 +29,7 @@ class WriteTest(ReadmeCase):
         self.measure_cubes_again()
         done = command("--write", self.root)
         self.assertEqual((done.stderr, done.returncode), ("", 0))
-        changed = [page for page in readme_numbers.PAGES if page != "tools/README.md"]  # this has packages alone
+        changed = [page for page in readme_numbers.PAGES if page not in ("tools/README.md", "generator/scenes/README.md")]
         changed += [picture.path for picture in readme_numbers.PICTURES]
         self.assertEqual(done.stdout.split(), changed)
         self.assertEqual([words(page) for page in readme_numbers.PAGES], before)

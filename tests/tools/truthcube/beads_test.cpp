@@ -134,7 +134,7 @@ TEST_F(Beads, restart_refuses_what_it_cannot_continue) {
   damaged.replace(damaged.find('\n', damaged.size() / 2) + 5, 3, std::string(3, '\0'));
   testing::put_text(path, damaged);
   const auto line = 2 + std::ranges::count(complete.substr(0, complete.size() / 2), '\n');
-  expect_error(continue_after(2), path.string() + ":" + std::to_string(line) + ": is no row of numbers",
+  expect_error(continue_after(2), path.string() + ":" + std::to_string(line) + ": this is not a row of numbers",
                "without --restart");
   EXPECT_EQ(read_text(path), damaged);
   testing::put_text(path, "x,y,z,ux,uy,uz\n" + complete);

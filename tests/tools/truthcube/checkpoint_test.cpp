@@ -74,7 +74,9 @@ TEST_F(Checkpoints, replace_older_ones) {
   EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0);
 }
 
-TEST_F(Checkpoints, that_are_missing_are_an_error) { expect_refused("there is no checkpoint", "remove --restart"); }
+TEST_F(Checkpoints, that_are_missing_are_an_error) {
+  expect_refused("this checkpoint does not exist", "remove --restart");
+}
 
 TEST_F(Checkpoints, of_another_version_are_refused) {
   write_checkpoint(path, checkpoint_of(1));
@@ -117,7 +119,7 @@ TEST_F(Checkpoints, of_older_versions_are_refused_with_their_settings_and_what_t
     c.settings = then;
     write_checkpoint(path, c);
     expect_error([&] { static_cast<void>(read_checkpoint(path, now, hash)); }, path.string(), parts...,
-                 "older version of truthcube", "remove --restart to begin anew");
+                 "older version of truthcube", "remove --restart to start from the beginning");
   };
   expect_said("{" + rest + last, R"(settings: arrays: not set in the checkpoint, "everything" in this run; )"
                                  R"(scene: not set in the checkpoint, "everything" in this run; continue it with)");

@@ -14,7 +14,7 @@ small=(--cells 4 --threads 1)
 case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
-    for flag in cells mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
+    for flag in cells grading mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
       product tolerance stepping historical out restart beads threads repeat timings dry-run quiet scene time-step duration density damping fixed-order \
       frames; do expect out "--$flag"; done
     expect out "layout \{$built\}"
@@ -64,7 +64,7 @@ case $rule in
     done ;;
   empty_words_are_refused)
     for flag in out beads mesh poisson young damping compress cells; do
-      expect_refused "--$flag: a word is empty, as of a variable of the shell that is not set" --$flag ''
+      expect_refused "--$flag: a word is empty, perhaps because a shell variable is not set" --$flag ''
       expect_refused "--$flag: a word is empty" --$flag=
     done
     expect_refused '--compress: a word is empty' --cells 4 --compress 0.1 '' ;;
@@ -72,8 +72,8 @@ case $rule in
     expect_refused 'cells: Value 0 not in range' --cells 0
     expect_refused 'cells: Value -4 not in range' --cells -4
     expect_refused 'cells: Value 2.5 not in range 1 to 100000 of whole numbers' --cells 2.5
-    expect_refused 'poisson = abc; a number is wanted there' --poisson abc
-    expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; --cells 274 fits' --cells 400
+    expect_refused 'poisson = abc; give a number there' --poisson abc
+    expect_refused '--cells 400: .* numbers up to [0-9]+, .* 2147483647; take --cells 274' --cells 400
     expect_refused "--poisson 0.5: Poisson's ratio is" --poisson 0.5
     expect_refused "--poisson -1: Poisson's ratio is" --poisson -1
     expect_refused "--poisson nan: Poisson's ratio is" --poisson nan
@@ -82,8 +82,8 @@ case $rule in
     expect_exit 0 --cells 4 --young 1e30 --compress 0.1 --precision double
     expect_refused "--young 0: Young's modulus is" --young 0
     expect_refused '--compress .* between 0 and 1, .*; 1 is not such a number' --compress 1
-    expect_refused '--compress .*; 0 is no compression: .*; begin with a larger number' --compress 0
-    expect_refused '--compress .*; 0 is no compression' --compress 0 0.05
+    expect_refused '--compress .*; at 0 the body is at rest .*; begin with a larger number' --compress 0
+    expect_refused '--compress .*; at 0 the body is at rest' --compress 0 0.05
     expect_refused '--compress .*; -0.1 is not such a number' --compress -0.1
     expect_refused '--compress .* 0.05 is not larger than 0.1' --compress 0.1 0.05
     expect_refused '--compress .*; nan is not such a number' --compress nan
@@ -91,15 +91,22 @@ case $rule in
       expect_refused "--plate-tolerance $bad: .* number of mean edge lengths from 0 to 0.5; 1e-04 is common" \
         --mesh a.msh --plate-tolerance $bad
     done
-    expect_refused 'plate-tolerance = much; a number is wanted there' --mesh a.msh --plate-tolerance much
+    expect_refused 'plate-tolerance = much; give a number there' --mesh a.msh --plate-tolerance much
     expect_refused '--plate-stiffness 0: .* from 0.001 to 1e4' --plates contact --plate-stiffness 0
+    for bad in 0 -1 0.99 nan inf; do
+      expect_refused "--grading $bad: the grading is a number from 1 on, .* 1.5 is common" --grading $bad
+    done
+    expect_refused 'grading = steep; a number is wanted there' --grading steep
+    expect_refused '--grading 3: the widest of 32 cells along a side .* 45 times .*; --grading 2[.][0-9]+ fits' --cells 32 --grading 3
+    expect_exit 0 --cells 32 --dry-run --grading "$(sed -nE 's/.*--grading ([0-9.]+) fits$/\1/p' err)"
     expect_refused '--tolerance 0: ' --tolerance 0 ;;
   flags_that_do_not_go_together_are_refused)
-    expect_refused 'corotated.* no separate part of the volume: write --volume tets' --material corotated --volume patches
-    expect_refused 'corotated.* no separate part of the volume: write --volume tets' --material corotated --volume nodes
-    expect_refused 'restart continues what is in --out' --restart
+    expect_refused 'corotated.* no separate volume part to average; write --volume tets' --material corotated --volume patches
+    expect_refused 'corotated.* no separate volume part to average; write --volume tets' --material corotated --volume nodes
+    expect_refused 'restart continues the run in --out' --restart
     expect_refused 'excludes' --mesh a.msh --cells 4
     expect_refused 'refine is for a mesh' --refine 1
+    expect_refused '--grading is for the cube: .*; remove --grading' --mesh a.msh --grading 1.5
     expect_refused 'plate-tolerance is for a mesh' --plate-tolerance 1e-3
     expect_refused 'plate-stiffness is that of --plates contact' --plate-stiffness 10
     expect_refused 'excludes' --historical --precision double
@@ -109,7 +116,7 @@ case $rule in
     expect_refused '--product matrix-free requires --preconditioner block-jacobi or none' --product matrix-free ;;
   materials_without_a_volume_part_run_by_tets)
     expect_exit 0 "${small[@]}" --material corotated --compress 0.02
-    expect out "note: the energy of 'corotated' has no separate part of the volume to be averaged: --volume tets"
+    expect out "note: the energy of 'corotated' has no separate volume part to average: --volume tets"
     expect_exit 0 "${small[@]}" --material corotated --volume tets --compress 0.02
     expect_no out 'note:'
     expect out 'solved in' ;;
@@ -123,7 +130,7 @@ case $rule in
     expect out 'solved in' ;;
   an_odd_number_of_cells_falls_back_and_says_so)
     expect_exit 0 --cells 5 --threads 1 --compress 0.02
-    expect out 'note: an odd number of cells .* block Jacobi in place of multigrid; 6 cells'
+    expect out 'note: an odd number of cells .* block Jacobi replaces multigrid; take 6 cells'
     expect_exit 0 --cells 10 --threads 1 --compress 0.02
     expect out 'note: the coarsest mesh has 216 nodes' ;;
   a_body_without_free_nodes_is_refused)
@@ -176,7 +183,7 @@ case $rule in
       # shellcheck disable=SC2086
       "$program" $flags >/dev/full 2>err || got=$?
       ((got == 1)) || fail "exit $got of $flags"
-      expect err '^truthcube: cannot write all of the standard output; is there room where it goes[?]$'
+      expect err '^truthcube: cannot write all of the standard output; is the disk full[?]$'
     done
     [[ $(wc -l <o/beads.csv) == 344 ]] || fail 'no files' ;;
   closed_standard_streams_do_not_become_files)

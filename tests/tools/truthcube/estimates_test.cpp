@@ -39,6 +39,19 @@ TEST(Estimates, are_exact_where_errors_fall_with_first_order) {
   EXPECT_NEAR(estimates.error_max, 0.25 * 0.5, 1e-14);
 }
 
+TEST(Estimates, are_exact_where_errors_fall_with_a_given_order) {
+  const auto levels = fem::make_cube_levels(4, 1.0, false);
+  for (const double order : {1.0, 1.5, 2.0}) {
+    const fem::NodeState fine = results(levels[0], std::pow(0.25, order)),
+                         coarse = results(levels[1], std::pow(0.5, order));
+    const double reaction = plate_reaction(upper_of(levels)[0], fine.forces, {});
+    const Estimates estimates = make_estimates(levels, upper_of(levels)[1], reaction, fine.positions, coarse, order);
+    EXPECT_NEAR(estimates.reaction, -3, 1e-13) << order;
+    EXPECT_NEAR(estimates.error_rms, std::pow(0.25, order) * 0.5, 1e-14) << order;
+    EXPECT_NEAR(estimates.error_max, std::pow(0.25, order) * 0.5, 1e-14) << order;
+  }
+}
+
 TEST(Estimates, of_the_reaction_contain_what_plates_push_sides_back_with) {
   const auto levels = fem::make_cube_levels(4, 1.0, false);
   const fem::NodeState fine = results(levels[0], 0.25);

@@ -57,7 +57,7 @@ case $rule in
   a_mesh_by_itself_has_multigrid_over_a_background_grid)
     write_mesh 9 >m.msh
     expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --out a
-    expect out 'note: multigrid over a background grid of 4 x 4 x 4 cells, and load steps: nested ones need .* --refine'
+    expect out 'note: multigrid over a background grid of 4 x 4 x 4 cells, and load steps on this mesh alone: nested steps need .* --refine'
     expect out '4374 tets, 1000 nodes, 2 levels'
     expect a/run.json 'stepping.*loads'
     expect_exit 0 --mesh m.msh --threads 1 --compress 0.05 --preconditioner block-jacobi --out b
@@ -86,7 +86,7 @@ case $rule in
     expect err 'negative volume [(]element 7[)]'
     write_mesh 2 | sed 's/^48$/40/' >m.msh # a count of fewer elements than there are
     expect_exit 1 --mesh m.msh
-    expect err 'm.msh: [$]Elements in line 34 is to have 40 lines by its counts, and has 48 before [$]EndElements in line 84'
+    expect err 'm.msh: [$]Elements in line 34 should have 40 lines by its counts, but has 48 before [$]EndElements in line 84'
     expect_exit 1 --mesh absent.msh
     expect err 'absent.msh'
     echo 'no mesh' >text.msh
@@ -136,8 +136,8 @@ case $rule in
     # Four of the upper nodes, at a corner, 4 um below the others, where a mean edge is 24.8 mm.
     write_mesh 4 | awk 'NF == 4 && $2 > .05 && $3 > .05 && $4 == .08 { $4 = .079996 } { print }' >step.msh
     expect_exit 0 --mesh step.msh --threads 1 --compress 0.05 --quiet --out o
-    expect err 'warning: the upper plate holds 21 nodes, those within 0.00[0-9]+ mm .*, and 4 more .* just beyond, up to 0.004 mm'
-    remedy=$(sed -nE 's/.*(--plate-tolerance [0-9.e-]+) holds them.*/\1/p' err)
+    expect err 'warning: the upper plate holds the 21 nodes within 0.00[0-9]+ mm of its plane; 4 more .* just beyond, up to 0.004 mm from it'
+    remedy=$(sed -nE 's/.*(--plate-tolerance [0-9.e-]+)$/\1/p' err)
     expect o/run.json '"plate_tolerance": 0.0001'
     tr -d ' \n' <o/run.json | grep -qE '"held":[{]"lower":[{]"nodes":25,"area":0.00(64|63999)' || fail 'lower plate in run.json'
     tr -d ' \n' <o/run.json | grep -qE '"upper":[{]"nodes":21,"area":0.00(48|47999)' || fail 'upper plate in run.json'
@@ -154,6 +154,6 @@ case $rule in
   faces_that_are_too_rough_are_refused_with_what_lies_just_beyond)
     write_rough_mesh 4 1e-5 >rough.msh
     expect_exit 1 --mesh rough.msh --plate-tolerance 0
-    expect err 'only 1 and 1, with 24 and 24 just beyond: .* a larger --plate-tolerance' ;;
+    expect err 'only 1 and 1, with 24 and 24 more just beyond: .* a larger --plate-tolerance' ;;
   *) fail 'no such rule' ;;
 esac

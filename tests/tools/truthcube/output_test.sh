@@ -84,7 +84,7 @@ case $rule in
     ((done >= 1 && done < 6)) || fail "$done steps are written"
     (($(wc -l <o/beads.csv) == 343 * done + 1)) || fail 'beads of other steps than the record'
     expect_exit 0 "${flags[@]}" --out o --restart
-    expect out "continuing behind step $done"
+    expect out "continuing after step $done"
     for file in beads.csv checkpoint.h5; do expect_same whole/$file o/$file; done ;;
   no_equilibrium_exits_with_3_and_keeps_the_last)
     expect_exit 3 "${small[@]}" --compress 0.05 0.999999 --out o
@@ -134,7 +134,7 @@ case $rule in
       expect_exit 0 "${flags[@]}" --compress 0.05 --out parts
       sleep 1.1 # no file may hold the time of day
       expect_exit 0 "${flags[@]}" --compress 0.05 0.1 --out parts --restart
-      expect out 'continuing behind step 1, a compression of 0.05'
+      expect out 'continuing after step 1, at a compression of 0.05'
       expect_exit 0 "${flags[@]}" --compress 0.05 0.1 0.15 --out parts --restart
       for file in beads.csv checkpoint.h5; do expect_same whole/$file parts/$file; done
       for key in compression newton_iterations pcg_iterations residual energy smallest_J reaction; do
@@ -145,13 +145,13 @@ case $rule in
     expect_exit 0 "${small[@]}" --compress 0.05 --out o
     cp -r o before
     expect_exit 0 "${small[@]}" --compress 0.05 --out o --restart
-    expect out 'nothing is left: step 1, a compression of 0.05'
+    expect out 'nothing is left to do: step 1, at a compression of 0.05'
     for file in beads.csv checkpoint.h5 cube.vtkhdf run.json; do expect_same o/$file before/$file; done
     expect_exit 1 "${small[@]}" --compress 0.03 --out o --restart
-    expect err '--restart: o has steps up to a compression of [0-9.]+ and none at 0.03' ;;
+    expect err '--restart: o has steps up to a compression of [0-9.]+ but none at 0.03' ;;
   a_restart_never_begins_anew)
     expect_exit 1 "${small[@]}" --out absent --restart
-    expect err 'absent/checkpoint.h5: there is no checkpoint'
+    expect err 'absent/checkpoint.h5: this checkpoint does not exist'
     [[ ! -e absent ]] || fail 'a folder was made'
     expect_exit 0 "${small[@]}" --compress 0.05 --out o
     cp -r o before
@@ -166,7 +166,7 @@ case $rule in
     sed -i 's/"compression": 0.1,/"compression": 0.2,/' o/run.json
     cp -r o before
     expect_exit 1 "${small[@]}" --compress 0.05 0.1 0.15 --out o --restart
-    expect err 'o/run.json has a compression of 0.20* in step 2, and the checkpoint beside it 0.10*: the files are not of one run; run anew'
+    expect err 'o/run.json has a compression of 0.20* in step 2, and the checkpoint beside it 0.10*: the files come from different runs; run again'
     for file in beads.csv checkpoint.h5 cube.vtkhdf run.json; do expect_same o/$file before/$file; done ;;
   a_new_run_drops_the_checkpoint_of_an_old_one)
     expect_exit 0 "${small[@]}" --compress 0.05 --out o
@@ -202,7 +202,7 @@ case $rule in
     expect_exit 0 "${small[@]}" --compress 0.1 --beads moved.csv
     expect out '343 beads of moved.csv: difference \[mm\] mean 5.0000, RMS 5.0000, 95 % below 5.0000, max 5.0000'
     expect_exit 0 "${small[@]}" --compress 0.02 --beads moved.csv
-    expect out 'moved.csv has no beads of a compression of 0.02, and has some of 0[.]05, 0[.]1$'
+    expect out 'moved.csv has no beads at a compression of 0.02, only at 0[.]05, 0[.]1$'
     sed -i '3s/,[^,]*$/,wrong/' moved.csv
     expect_exit 1 "${small[@]}" --beads moved.csv
     expect err 'moved.csv:3: .*wrong'
@@ -211,5 +211,36 @@ case $rule in
     expect_exit 1 "${small[@]}" --beads .
     expect err 'cannot be read as a bead table: it is a folder'
     expect_no out 'solved' ;;
+  a_graded_cube_is_nearer_to_the_beads_in_about_as_many_iterations)
+    cube=(--cells 16 --threads 1 --compress 0.125)
+    for grading in 1 1.5; do
+      expect_exit 0 "${cube[@]}" --grading $grading --out o$grading --beads "$here/../../fem/solver/oracle/0.49_bonded_0.125.csv"
+      expect o$grading/run.json "\"grading\": $grading"
+      expect_no err inverted
+      declare "rms${grading/./_}=$(sed -nE 's/.* RMS ([0-9.]+), 95.*/\1/p' out)"
+      declare "pcg${grading/./_}=$(number_of pcg_iterations o$grading/run.json | sed -n 1p)"
+    done
+    # shellcheck disable=SC2154
+    awk -v graded="$rms1_5" -v uniform="$rms1" 'BEGIN { exit !(graded < 0.04 && graded < 0.6 * uniform) }' || fail "$rms1_5 mm, $rms1 mm"
+    # shellcheck disable=SC2154
+    ((10 * pcg1_5 <= 15 * pcg1)) || fail "$pcg1_5 iterations, $pcg1"
+    # What a finer mesh would give is nearer to the other code's reaction than the mesh's own.
+    awk -v mesh="$(number_of reaction o1.5/run.json)" -v estimate="$(number_of reaction_estimate o1.5/run.json)" 'function from(x) {
+      x += 11.087e-4 * 15e3; return x < 0 ? -x : x } BEGIN { exit !(from(estimate) < 0.4 * from(mesh)) }' || fail 'reactions' ;;
+  the_grading_of_uniform_cells_changes_nothing)
+    expect_exit 0 "${small[@]}" --compress 0.05 --out a
+    expect_exit 0 "${small[@]}" --compress 0.05 --out b --grading 1
+    expect_same a/beads.csv b/beads.csv
+    expect_exit 1 "${small[@]}" --compress 0.05 0.1 --out a --grading 1.25 --restart
+    expect err 'grading: 1[.]0 in the checkpoint, 1[.]25 in this run'
+    expect_exit 0 "${small[@]}" --compress 0.05 --out a --grading 1.25
+    expect_exit 0 "${small[@]}" --compress 0.05 0.1 --out a --grading 1.25 --restart
+    expect out 'continuing behind step 1' ;;
+  cells_that_are_too_narrow_for_a_fold_are_said)
+    flags=(--cells 16 --grading 2.4 --threads 1 --compress 0.1825)
+    expect_exit 0 "${flags[@]}"
+    expect err 'tets are inverted, .* Try --plates contact, a smaller --grading, or more and smaller --compress steps[.]$'
+    expect_exit 0 "${flags[@]}" --plates contact
+    expect_no err inverted ;;
   *) fail 'no such rule' ;;
 esac

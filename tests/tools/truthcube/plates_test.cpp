@@ -152,7 +152,7 @@ TEST(Plates, of_a_body_without_flat_faces_are_refused_with_what_lies_just_beyond
     FAIL() << "not refused";
   } catch (const Error& error) {
     const std::string said = error.what();
-    EXPECT_NE(said.find("there are only 1 and 1, with 24 and 24 just beyond"), std::string::npos) << said;
+    EXPECT_NE(said.find("These are only 1 and 1, with 24 and 24 more just beyond"), std::string::npos) << said;
     EXPECT_NE(said.find("--plate-tolerance"), std::string::npos) << said;
   }
 }

@@ -14,7 +14,7 @@ double stable_time_step(const MeshLevel& level, const DynamicSettings& settings)
 
 std::unique_ptr<DynamicSolver> make_explicit_solver(const MeshLevel& level, const Loading& loading,
                                                     const DynamicSettings& settings) {
-  if (level.mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
+  if (level.mesh.tets.empty()) throw Error("a solver needs a mesh with at least one tet");
   require_rest(0, level);
   require_motion(settings);
   require_plain("the explicit solver", level, loading);

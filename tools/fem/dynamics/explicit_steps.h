@@ -54,8 +54,6 @@ struct MoveNodes {
     for (int k = 0; k < 3; ++k) rounded[node].dx()[k] = static_cast<Real>(u[k]);
   }
 };
-template <class... Views>
-MoveNodes(TimeStep, Views...) -> MoveNodes<Views...>;
 
 /// Elastic energy of a tet [J].
 template <class Material, class RestView, class SvdView>
@@ -72,16 +70,12 @@ struct StretchEnergy {
     return S(rest[i].volume()) * material.energy(s);
   }
 };
-template <class... Arguments>
-StretchEnergy(Arguments...) -> StretchEnergy<Arguments...>;
 
 template <class MotionView>
 struct StoreElastic {
   MotionView motion;  ///< dynamics::Motion
   PHYSGEN_FUNCTION void operator()(double energy) const { motion[index_t{0}].elastic() = energy; }
 };
-template <class View>
-StoreElastic(View) -> StoreElastic<View>;
 
 /// From displacements to first Piola-Kirchhoff stresses.
 /// @param tets elasticity::Tet @param displacements elasticity::NodeDisplacement @param rest elasticity::RestShape

@@ -34,8 +34,6 @@ struct ComputeRestShape {
     out.volume() = determinant / S(Scalar(6));
   }
 };
-template <class... Views>
-ComputeRestShape(Views...) -> ComputeRestShape<Views...>;
 
 /// F = Ds Dm^-1.
 template <class TetView, class PositionView, class RestView, class GradientView>
@@ -54,8 +52,6 @@ struct ComputeDeformationGradient {
     gradient[i].F() = multiply<S>(ds, dm_inverse);
   }
 };
-template <class... Views>
-ComputeDeformationGradient(Views...) -> ComputeDeformationGradient<Views...>;
 
 /// dF = Ds(dx) Dm^-1.
 template <class TetView, class DisplacementView, class RestView, class DifferentialView>
@@ -75,8 +71,6 @@ struct ComputeDeformationGradientDifferential {
     differential[i].dF() = multiply<S>(ds, dm_inverse);
   }
 };
-template <class... Views>
-ComputeDeformationGradientDifferential(Views...) -> ComputeDeformationGradientDifferential<Views...>;
 
 }  // namespace physgen::fem
 

@@ -27,8 +27,6 @@ struct ComputeDisplacedGradient {
     gradient[i].F() = F;
   }
 };
-template <class... Views>
-ComputeDisplacedGradient(Views...) -> ComputeDisplacedGradient<Views...>;
 
 }  // namespace physgen::fem
 

@@ -59,8 +59,6 @@ struct ComputeCornerForces {
     forces[i].G() = detail::corner_forces<S>(P, dm_inverse, volume);
   }
 };
-template <class... Views>
-ComputeCornerForces(Views...) -> ComputeCornerForces<Views...>;
 
 /// f(node) = sum over its tets.
 template <class NodeTets, class CornerView, class NodeView>

@@ -76,8 +76,6 @@ struct ComputeCornerForceDifferentials {
     differentials[i].G() = detail::corner_forces<S>(dP, dm_inverse, volume);
   }
 };
-template <class... Views>
-ComputeCornerForceDifferentials(Views...) -> ComputeCornerForceDifferentials<Views...>;
 
 /// df(node) = sum over its tets.
 template <class NodeTets, class CornerView, class NodeView>

@@ -24,8 +24,6 @@ struct KeepDirections {
     out.V() = V;
   }
 };
-template <class... Views>
-KeepDirections(Views...) -> KeepDirections<Views...>;
 
 }  // namespace physgen::fem
 

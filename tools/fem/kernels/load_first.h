@@ -49,8 +49,6 @@ struct LoadPlaces {
     }
   }
 };
-template <class... Views>
-LoadPlaces(Views...) -> LoadPlaces<Views...>;
 
 /// Loads the rest shape for a deformation gradient and for corner forces, between which there are stores.
 template <class RestView, class LoadedView>
@@ -74,8 +72,6 @@ struct LoadShapes {
     loaded[i].volume() = volume;
   }
 };
-template <class... Views>
-LoadShapes(Views...) -> LoadShapes<Views...>;
 
 }  // namespace physgen::fem
 

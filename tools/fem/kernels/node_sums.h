@@ -43,8 +43,6 @@ struct AddCornerForces {
     }
   }
 };
-template <class... Views>
-AddCornerForces(Views...) -> AddCornerForces<Views...>;
 
 /// The same of force differentials.
 template <class TetView, class CornerView, class NodeView>
@@ -66,8 +64,6 @@ struct AddCornerForceDifferentials {
     }
   }
 };
-template <class... Views>
-AddCornerForceDifferentials(Views...) -> AddCornerForceDifferentials<Views...>;
 
 /// Sets the force, or the force differential, of each node to zero.
 template <class NodeView>
@@ -80,8 +76,6 @@ struct ClearNodes {
     nodes.put(i, {Vector3<lanes_t<Scalar, I>>::Constant(lanes_t<Scalar, I>(Scalar(0)))});
   }
 };
-template <class NodeView>
-ClearNodes(NodeView) -> ClearNodes<NodeView>;
 
 /// Where the corners of tets stand among the incidences of nodes; once per mesh, over the incidences.
 template <class EntryView, class PlaceView>
@@ -94,8 +88,6 @@ struct FindPlaces {
     places[index_t{incidence.element()}].places()[incidence.local()] = static_cast<std::int32_t>(entry);
   }
 };
-template <class... Views>
-FindPlaces(Views...) -> FindPlaces<Views...>;
 
 /// Stores each tet's force on each of its corners at that corner's place.
 template <class PlaceView, class CornerView, class PlacedView>
@@ -117,8 +109,6 @@ struct ScatterCornerForces {
     }
   }
 };
-template <class... Views>
-ScatterCornerForces(Views...) -> ScatterCornerForces<Views...>;
 
 /// f(node) = sum over its row of placed forces, in its order. Called with the objects 0 .. size() - 1: four for each
 /// node, of which three sum a component each. (On a GPU, neighbours in a warp then read what lies side by side; a

@@ -92,8 +92,6 @@ struct ComputeTetStiffness {
     out.e(5) = block(g[2], g[3]);
   }
 };
-template <class... Views>
-ComputeTetStiffness(Views...) -> ComputeTetStiffness<Views...>;
 
 /// K(node) = sum of its corners' blocks over its tets.
 template <class NodeTets, class TetStiffnessView, class NodeStiffnessView>

@@ -28,8 +28,6 @@ struct ComputeStress {
     stress[i].P() = multiply_transpose<S>(scaled, V);
   }
 };
-template <class... Arguments>
-ComputeStress(Arguments...) -> ComputeStress<Arguments...>;
 
 }  // namespace physgen::fem
 

@@ -38,8 +38,6 @@ struct ComputeStressDerivative {
     out.x3223() = half * (d.d32 - d.s32);
   }
 };
-template <class... Arguments>
-ComputeStressDerivative(Arguments...) -> ComputeStressDerivative<Arguments...>;
 
 }  // namespace physgen::fem
 

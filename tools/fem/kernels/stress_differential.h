@@ -60,8 +60,6 @@ struct ComputeStressDifferential {
     stress[i].dP() = detail::stress_differential<S>(U, V, derivative[i], dF);
   }
 };
-template <class... Views>
-ComputeStressDifferential(Views...) -> ComputeStressDifferential<Views...>;
 
 }  // namespace physgen::fem
 

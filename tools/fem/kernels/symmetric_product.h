@@ -94,8 +94,6 @@ struct SymmetricProduct {
   DisplacementView displacements;    ///< elasticity::NodeDisplacement
   DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
 };
-template <class... Views>
-SymmetricProduct(Views...) -> SymmetricProduct<Views...>;
 
 namespace detail {
 

@@ -19,8 +19,6 @@ struct MultiplyNodes {
     differentials[node].df() = detail::node_contribution(*this, node);
   }
 };
-template <class... Views>
-MultiplyNodes(Views...) -> MultiplyNodes<Views...>;
 
 namespace detail {
 

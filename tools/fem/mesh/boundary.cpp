@@ -1,5 +1,6 @@
 // Faces with one tet are the boundary; loads are sums over faces and tets in a fixed order.
 #include <fem/mesh/boundary.h>
+#include <fem/mesh/faces.h>
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/stages.h>
 #include <physgen/error.h>
@@ -12,8 +13,6 @@
 namespace physgen::fem {
 
 namespace {
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 // The corners of the face opposite each corner, seen from outside a tet of positive volume counter-clockwise.
 constexpr std::array<std::array<std::size_t, 3>, 4> outward{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
@@ -38,43 +37,29 @@ Point twice_area_of(const char* who, std::size_t number, const Face& face, std::
 
 std::vector<Face> boundary_faces(const TetMesh& mesh) {
   InStage stage("surface");
-  // A face is found at its lowest node: by the other two, then by the tet and its corner opposite.
-  using Use = std::pair<std::uint64_t, std::uint64_t>;
+  const auto tets_of = tets_of_nodes(mesh);
   HostList<Index> first;
-  HostList<Face> faces;
+  HostList<Face> found;
   append_rows(
-      Host{}, mesh.nodes, [] { return std::vector<Use>(); },
-      [&](index_t node, std::vector<Use>& uses, std::vector<Face>& row) {
-        uses.clear();
-        for (Index k = mesh.node_tets.first[at(node)]; k < mesh.node_tets.first[at(node) + 1]; ++k) {
-          const auto [tet, own] = mesh.node_tets.entries[at(k)];
-          const auto& corners = mesh.tets[at(tet)];
-          for (Index c = 0; c < 4; ++c) {
-            if (c == own) continue;
-            std::array<Index, 2> others{};
-            for (Index o = 0, count = 0; o < 4; ++o) {
-              if (o != own && o != c) others[at(count++)] = corners[at(o)];
-            }
-            const auto [low, high] = std::minmax(others[0], others[1]);
-            if (low < node) continue;
-            uses.emplace_back(std::uint64_t(low) << 32 | std::uint64_t(high),
-                              std::uint64_t(tet) << 2 | std::uint64_t(c));
-          }
-        }
-        physgen::detail::sort_row(uses.data(), uses.data() + uses.size());
-        for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
-          while (end < uses.size() && uses[end].first == uses[begin].first) ++end;
-          if (end - begin != 1) continue;
-          const std::uint64_t use = uses[begin].second;
-          Face face{};
-          for (std::size_t c = 0; c < 3; ++c) face[c] = mesh.tets[use >> 2][outward[use & 3][c]];
-          std::ranges::rotate(face, std::ranges::min_element(face));
-          row.push_back(face);
-        }
+      Host{}, mesh.nodes, [] { return FacesOfNode(); },
+      [&](index_t n, FacesOfNode& faces, std::vector<Face>& row) {
+        const auto node = static_cast<Index>(n);
+        faces.each(
+            node, mesh.tets, [&](const auto& act) { tets_of(node, act); },
+            [&](std::span<const FaceUse> uses) {
+              if (uses.size() != 1) return;
+              Face face{};
+              for (std::size_t c = 0; c < 3; ++c) {
+                face[c] = mesh.tets[static_cast<std::size_t>(uses[0].tet())]
+                                   [outward[static_cast<std::size_t>(uses[0].corner())][c]];
+              }
+              std::ranges::rotate(face, std::ranges::min_element(face));
+              row.push_back(face);
+            });
       },
-      first, faces);
-  stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries, faces);
-  return {faces.begin(), faces.end()};
+      first, found);
+  stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries, found);
+  return {found.begin(), found.end()};
 }
 
 std::vector<Index> nodes_on_plane(std::span<const Point> rest, int axis, double value, double tolerance) {

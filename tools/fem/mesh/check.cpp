@@ -1,21 +1,23 @@
-// Each kind of defect is found by a pass of its own; the sentences stand at the end.
+// Each kind of defect is found by a pass of its own, on all threads.
 #include <fem/mesh/check.h>
 #include <fem/mesh/faces.h>
 #include <fem/mesh/geometry.h>
+#include <physgen/fill_rows.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <mutex>
+#include <utility>
 
 namespace physgen::fem {
 
 namespace {
 
 using Tet = std::array<Index, 4>;
-using Tags = std::span<const std::size_t>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 void note(Finding& finding, std::size_t place) {
   if (++finding.count <= Finding::shown) finding.first.push_back(place);
@@ -25,42 +27,89 @@ bool is_finite(const Point& x) {
   return std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
 }
 
-void look_at_volumes(MeshReport& report, std::span<const Point> rest, std::span<const Tet> tets,
-                     const std::vector<std::size_t>& numbers) {
-  for (std::size_t t = 0; t < tets.size(); ++t) {
-    if (!std::ranges::all_of(tets[t], [&](Index node) { return is_finite(rest[at(node)]); })) continue;
+// Notes each of the objects 0 .. size-1 under its kind, which kind_of(i) says; one of kKinds or more is not noted.
+template <std::size_t kKinds, class KindOf>
+void look_at_each(std::size_t size, const std::array<Finding*, kKinds>& findings, const KindOf& kind_of) {
+  constexpr std::size_t block = 1024;
+  std::vector<std::array<Finding, kKinds>> of_blocks((size + block - 1) / block);
+  physgen::detail::for_each_index<8 * block>(0, static_cast<index_t>(of_blocks.size()), [&](index_t b) {
+    const std::size_t begin = block * static_cast<std::size_t>(b);
+    for (std::size_t i = begin; i < std::min(size, begin + block); ++i) {
+      if (const std::size_t kind = kind_of(i); kind < kKinds) note(of_blocks[begin / block][kind], i);
+    }
+  });
+  for (const auto& of_block : of_blocks) {
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      Finding& finding = *findings[kind];
+      finding.count += of_block[kind].count;
+      for (const std::size_t place : of_block[kind].first) {
+        if (finding.first.size() < Finding::shown) finding.first.push_back(place);
+      }
+    }
+  }
+}
+
+constexpr std::size_t sound = std::numeric_limits<std::size_t>::max();  // no kind
+
+void look_at_volumes(MeshReport& report, std::span<const Point> rest, std::span<const Tet> tets) {
+  look_at_each<2>(tets.size(), {&report.flat, &report.inverted}, [&](std::size_t t) {
+    if (!std::ranges::all_of(tets[t], [&](Index node) { return is_finite(rest[at(node)]); })) return sound;
     double square = 0;
     for (const auto& [a, b] : tet_edges) {
       const Point edge = difference(rest[at(tets[t][at(b)])], rest[at(tets[t][at(a)])]);
       square = std::max(square, dot(edge, edge));
     }
     const double volumes = six_volumes(tets[t], rest), limit = MeshReport::flat_limit * square * std::sqrt(square);
-    if (!(std::abs(volumes) > limit)) {  // or NaN, where products of coordinates overflow
-      note(report.flat, numbers[t]);
-    } else if (volumes < 0) {
-      note(report.inverted, numbers[t]);
-    }
-  }
+    if (!(std::abs(volumes) > limit)) return std::size_t{0};  // or NaN, where products of coordinates overflow
+    return volumes < 0 ? std::size_t{1} : sound;
+  });
 }
+
+// Of each node, the tets that have it as one of their two lowest.
+struct LowNodeTets {
+  HostList<Index> first, tets;
+
+  LowNodeTets(std::size_t nodes, std::span<const Tet> of) {
+    fill_rows(
+        Host{}, static_cast<index_t>(nodes), static_cast<index_t>(of.size()),
+        [of](index_t t, const auto& put) {
+          const Tet& tet = of[static_cast<std::size_t>(t)];
+          const auto [low, high] = std::minmax(tet[0], tet[1]);
+          const auto [other_low, other_high] = std::minmax(tet[2], tet[3]);
+          const Index second = std::min(std::max(low, other_low), std::min(high, other_high));
+          put(std::min(low, other_low), static_cast<Index>(t));
+          if (second != std::min(low, other_low)) put(second, static_cast<Index>(t));
+        },
+        first, tets);
+  }
+};
 
 // Faces tell of duplicates, too: tets that share a face and the node opposite. Each duplicate is looked for at the face
 // without its highest node.
-void look_at_faces(MeshReport& report, std::size_t nodes, std::span<const Tet> tets,
-                   const std::vector<std::size_t>& numbers) {
+void look_at_faces(MeshReport& report, std::size_t nodes, std::span<const Tet> tets) {
   std::vector<std::array<std::size_t, 2>> duplicates;  // the duplicate, the tet before
   std::vector<std::size_t> crowded;
-  each_face(static_cast<Index>(nodes), tets, [&](std::span<const FaceUse> uses) {
+  std::mutex mutex;  // of these lists
+  const LowNodeTets rows(nodes, tets);
+  const auto tets_of = [&rows](Index node, const auto& act) {
+    for (Index k = rows.first[at(node)]; k < rows.first[at(node) + 1]; ++k) act(rows.tets[at(k)]);
+  };
+  each_face(static_cast<Index>(nodes), tets, tets_of, [&](Index /*node*/, std::span<const FaceUse> uses) {
+    if (uses.size() == 1) return;
     std::size_t different = 1;
     const FaceUse* original = uses.data();
     for (const FaceUse& use : uses.subspan(1)) {
-      if (use.opposite != original->opposite) {
+      if (use.opposite() != original->opposite()) {
         original = &use;
         ++different;
-      } else if (use.opposite > use.nodes[2]) {
-        duplicates.push_back({numbers[at(use.use.element)], numbers[at(original->use.element)]});
+      } else if (use.opposite() > use.third()) {
+        const std::lock_guard lock(mutex);
+        duplicates.push_back({at(use.tet()), at(original->tet())});
       }
     }
-    if (different > 2) crowded.push_back(numbers[at(uses[0].use.element)]);
+    if (different <= 2) return;
+    const std::lock_guard lock(mutex);
+    crowded.push_back(at(uses[0].tet()));
   });
   std::ranges::sort(duplicates);
   for (const auto& [duplicate, original] : duplicates) {
@@ -71,43 +120,54 @@ void look_at_faces(MeshReport& report, std::size_t nodes, std::span<const Tet> t
   for (const std::size_t tet : crowded) note(report.crowded, tet);
 }
 
-// Sets of nodes that hang together; the lowest node of each is its name.
+// Sets of nodes that hang together; the lowest node of each is its name. Several threads may unite at once.
 class Sets {
  public:
-  explicit Sets(std::size_t nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+  explicit Sets(std::size_t nodes) : parent_(nodes) {
+    physgen::detail::for_each_index(0, static_cast<index_t>(nodes),
+                                    [this](index_t n) { parent_[at(n)] = static_cast<Index>(n); });
+  }
 
   Index find(Index node) {
-    while (parent_[at(node)] != node) {
-      parent_[at(node)] = parent_[at(parent_[at(node)])];
-      node = parent_[at(node)];
+    for (;;) {
+      const Index parent = load(node);
+      if (parent == node) return node;
+      const Index above = load(parent);
+      if (above != parent) std::atomic_ref(parent_[at(node)]).store(above, std::memory_order_relaxed);
+      node = above;
     }
-    return node;
   }
 
   void unite(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[at(std::max(a, b))] = std::min(a, b);
+    for (;;) {
+      a = find(a);
+      b = find(b);
+      if (a == b) return;
+      Index high = std::max(a, b);
+      if (std::atomic_ref(parent_[at(high)]).compare_exchange_weak(high, std::min(a, b))) return;
+    }
   }
 
  private:
-  std::vector<Index> parent_;
+  [[nodiscard]] Index load(Index node) { return std::atomic_ref(parent_[at(node)]).load(std::memory_order_relaxed); }
+
+  std::vector<Index> parent_;  // of a node, one that is not higher
 };
 
-void look_at_components(MeshReport& report, std::size_t nodes, std::span<const Tet> tets,
-                        const std::vector<std::size_t>& numbers) {
+void look_at_components(MeshReport& report, std::size_t nodes, std::span<const Tet> tets) {
   Sets sets(nodes);
-  std::vector<bool> referenced(nodes);
-  for (const Tet& tet : tets) {
+  std::vector<std::uint8_t> referenced(nodes);
+  physgen::detail::for_each_index<8>(0, static_cast<index_t>(tets.size()), [&](index_t t) {
+    const Tet& tet = tets[at(t)];
     for (const Index node : tet) {
-      referenced[at(node)] = true;
-      sets.unite(tet[0], node);
+      std::atomic_ref(referenced[at(node)]).store(1, std::memory_order_relaxed);
+      if (node != tet[0]) sets.unite(tet[0], node);
     }
-  }
+  });
   std::vector<Index> place(nodes, -1);  // of the sets among the components that are shown
   for (std::size_t n = 0; n < nodes; ++n) {
     const auto node = static_cast<Index>(n);
-    if (!referenced[n]) {
+    if (referenced[n] == 0) {
       note(report.unreferenced, n);
       continue;
     }
@@ -122,24 +182,19 @@ void look_at_components(MeshReport& report, std::size_t nodes, std::span<const T
     const Index shown = place[at(sets.find(tets[t][0]))];
     if (shown < 0) continue;
     Component& component = report.components[at(shown)];
-    if (component.tets++ == 0) component.lowest_tet = static_cast<Index>(numbers[t]);
+    if (component.tets++ == 0) component.lowest_tet = static_cast<Index>(t);
+    if (report.component_count == 1) {  // which has them all
+      component.tets = tets.size();
+      break;
+    }
   }
 }
 
-// ---- Sentences
-// -------------------------------------------------------------------------------------------------------
-
-std::string name(std::size_t place, Tags tags) { return std::to_string(place < tags.size() ? tags[place] : place); }
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-// " (nodes 3, 5, 8, ...)"
-std::string places(const Finding& finding, const std::string& what, Tags tags) {
-  std::string text = " (" + what + (finding.count == 1 ? " " : "s ");
-  for (std::size_t i = 0; i < finding.first.size(); ++i) text += (i == 0 ? "" : ", ") + name(finding.first[i], tags);
-  return text + (finding.count > finding.first.size() ? ", ...)" : ")");
+// @pre all tets are of nodes that exist
+void look_at_usable(MeshReport& report, std::span<const Point> rest, std::span<const Tet> tets) {
+  look_at_volumes(report, rest, tets);
+  look_at_faces(report, rest.size(), tets);
+  look_at_components(report, rest.size(), tets);
 }
 
 }  // namespace
@@ -156,79 +211,32 @@ MeshReport check_mesh(std::span<const Point> rest, std::span<const Tet> tets) {
   report.too_large = !fits_32_bits(rest.size(), tets.size());
   if (report.too_large) return report;
 
-  for (std::size_t n = 0; n < rest.size(); ++n) {
-    if (!is_finite(rest[n])) note(report.not_finite, n);
+  look_at_each<1>(rest.size(), {&report.not_finite},
+                  [&](std::size_t n) { return is_finite(rest[n]) ? sound : std::size_t{0}; });
+  look_at_each<1>(tets.size(), {&report.out_of_range}, [&](std::size_t t) {
+    const auto [low, high] = std::ranges::minmax(tets[t]);
+    return low >= 0 && std::cmp_less(high, rest.size()) ? sound : std::size_t{0};
+  });
+  if (report.out_of_range.count == 0) {
+    look_at_usable(report, rest, tets);
+    return report;
   }
   std::vector<Tet> usable;
   std::vector<std::size_t> numbers;  // of the usable tets
-  usable.reserve(tets.size());
-  numbers.reserve(tets.size());
   for (std::size_t t = 0; t < tets.size(); ++t) {
-    if (std::ranges::any_of(tets[t], [&](Index node) { return node < 0 || at(node) >= rest.size(); })) {
-      note(report.out_of_range, t);
-      continue;
-    }
+    const auto [low, high] = std::ranges::minmax(tets[t]);
+    if (low < 0 || std::cmp_greater_equal(high, rest.size())) continue;
     usable.push_back(tets[t]);
     numbers.push_back(t);
   }
-  look_at_volumes(report, rest, usable, numbers);
-  look_at_faces(report, rest.size(), usable, numbers);
-  look_at_components(report, rest.size(), usable, numbers);
+  look_at_usable(report, rest, usable);
+  for (Finding* finding : {&report.flat, &report.inverted, &report.duplicates, &report.crowded}) {
+    for (std::size_t& place : finding->first) place = numbers[place];
+  }
+  for (std::size_t& place : report.originals) place = numbers[place];
+  for (Component& component : report.components)
+    component.lowest_tet = static_cast<Index>(numbers[at(component.lowest_tet)]);
   return report;
-}
-
-std::vector<std::string> MeshReport::errors(Tags node_tags, Tags tet_tags) const {
-  std::vector<std::string> lines;
-  const auto tell = [&](const Finding& finding, const std::string& kind, const std::string& what,
-                        const std::string& remedy) {
-    if (finding.count == 0) return;
-    const Tags tags = kind == "node" ? node_tags : tet_tags;
-    lines.push_back(counted(finding.count, kind) + " " + what + places(finding, kind, tags) + "; " + remedy);
-  };
-  if (too_large) {
-    lines.push_back(counted(nodes, "node") + " and " + counted(tets, "element") +
-                    " are more than 32-bit incidences hold; mesh more coarsely, or solve parts of the body");
-    return lines;
-  }
-  if (tets == 0) lines.emplace_back("the mesh has no tetrahedra; mesh the volume, not only its surface");
-  tell(out_of_range, "element", "with a node that does not exist", "write the mesh again, with all its nodes");
-  tell(not_finite, "node", "with a coordinate that is not a finite number", "correct the coordinates or mesh again");
-  tell(flat, "element", "without volume", "improve the mesh's quality there, or take the elements out");
-  tell(inverted, "element", "of negative volume",
-       inverted.count == tets ? "all are: the file numbers corners left-handed; exchange two corners of each element"
-                              : "exchange two of their corners, or mesh again without overlaps");
-  if (duplicates.count > 0) {
-    std::string pairs = " (";
-    for (std::size_t i = 0; i < duplicates.first.size(); ++i) {
-      pairs += (i == 0 ? "" : ", ") + name(duplicates.first[i], tet_tags) + " as " + name(originals[i], tet_tags);
-    }
-    lines.push_back(counted(duplicates.count, "element") + " with the same four nodes as another" + pairs +
-                    (duplicates.count > duplicates.first.size() ? ", ...)" : ")") + "; remove one of each");
-  }
-  tell(crowded, "element", "with a face of three or more elements",
-       "parts of the mesh overlap; merge the volumes before meshing");
-  tell(unreferenced, "node", "of no element", "remove what no element uses (in Gmsh: save the volumes alone)");
-  return lines;
-}
-
-std::vector<std::string> MeshReport::warnings(Tags node_tags, Tags tet_tags) const {
-  if (component_count < 2) return {};
-  std::string text =
-      "the mesh has " + std::to_string(component_count) + " parts that share no node; each needs supports of its own:";
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    const Component& part = components[i];
-    text += (i == 0 ? " " : ", ") + counted(part.tets, "element") + " and " + counted(part.nodes, "node") +
-            " from element " + name(at(part.lowest_tet), tet_tags) + " and node " +
-            name(at(part.lowest_node), node_tags);
-  }
-  return {text + (component_count > components.size() ? ", ..." : "")};
-}
-
-std::string MeshReport::describe(Tags node_tags, Tags tet_tags) const {
-  std::string text = counted(nodes, "node") + ", " + counted(tets, "element") + "\n";
-  for (const std::string& line : errors(node_tags, tet_tags)) text += "error: " + line + "\n";
-  for (const std::string& line : warnings(node_tags, tet_tags)) text += "warning: " + line + "\n";
-  return text;
 }
 
 }  // namespace physgen::fem

@@ -1,18 +1,14 @@
-// Gmsh is one per process and changes settings of it: each reading opens it, takes the lists and closes it again.
-#include <fcntl.h>
+// The tags of a file become numbers from 0, ascending: by a table where tags are dense, else by search.
+#include <fem/mesh/check.h>
 #include <fem/mesh/gmsh_file.h>
-#include <fem/mesh/gmsh_text.h>
-#include <gmsh.h>
-#include <omp.h>
-#include <physgen/error.h>
-#include <unistd.h>
+#include <fem/mesh/gmsh_input.h>
+#include <fem/mesh/gmsh_sections.h>
+#include <fem/mesh/mapped_file.h>
+#include <physgen/detail/launch.h>
 
 #include <algorithm>
-#include <clocale>
-#include <fstream>
+#include <atomic>
 #include <limits>
-#include <mutex>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -20,216 +16,148 @@ namespace physgen::fem {
 
 namespace {
 
-using Tags = std::vector<std::size_t>;
+using Tags = std::vector<std::uint64_t>;
+constexpr Index none = -1;
 
-// Keeps, and puts back, the settings that Gmsh changes for the whole process.
-class KeptSettings {
+bool ascends(const Tags& tags) { return std::ranges::adjacent_find(tags, std::ranges::greater_equal()) == tags.end(); }
+
+template <class Value>
+std::vector<Value> picked(const std::vector<Value>& values, const std::vector<std::size_t>& order) {
+  std::vector<Value> result;
+  result.reserve(order.size());
+  for (const std::size_t i : order) result.push_back(values[i]);
+  return result;
+}
+
+// Brings nodes or tets into the order of their tags. One that stands there twice, as an element does in two groups, is
+// taken once.
+template <class Value>
+void sort_by_tag(const GmshInput& input, const std::string& kind, Tags& tags, std::vector<Value>& values,
+                 const Tags& places) {
+  if (ascends(tags)) return;
+  std::vector<std::size_t> order(tags.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return tags[i]; });
+  std::size_t kept = 0;
+  for (const std::size_t i : order) {
+    if (kept > 0 && tags[order[kept - 1]] == tags[i]) {
+      const std::size_t before = order[kept - 1];
+      if (values[before] == values[i]) continue;
+      input.refuse(kind + " " + std::to_string(tags[i]) + " stands " + input.place_at(places[before]) +
+                   " and, with other values, " + input.place_at(places[i]) +
+                   "; give each a number of its own, or write the mesh again");
+    }
+    order[kept++] = i;
+  }
+  order.resize(kept);
+  tags = picked(tags, order);
+  values = picked(values, order);
+}
+
+// The numbers of nodes by their tags.
+class Numbers {
  public:
-  KeptSettings() : threads_(omp_get_max_threads()) {
-    if (const char* name = std::setlocale(LC_ALL, nullptr)) locale_ = name;
+  /// @pre tags ascend
+  explicit Numbers(const Tags& tags) : tags_(tags) {
+    if (tags.empty() || (tags.back() - tags.front()) / 4 > tags.size()) return;
+    table_.assign(tags.back() - tags.front() + 1, none);
+    physgen::detail::for_each_index(0, static_cast<index_t>(tags.size()), [&](index_t n) {
+      table_[tags[static_cast<std::size_t>(n)] - tags.front()] = static_cast<Index>(n);
+    });
   }
-  ~KeptSettings() {
-    omp_set_num_threads(threads_);
-    static_cast<void>(std::setlocale(LC_ALL, locale_.c_str()));
+  [[nodiscard]] Index operator[](std::uint64_t tag) const {
+    if (!table_.empty()) return tag - tags_.front() < table_.size() ? table_[tag - tags_.front()] : none;
+    const auto found = std::ranges::lower_bound(tags_, tag);
+    return found != tags_.end() && *found == tag ? static_cast<Index>(found - tags_.begin()) : none;
   }
-  KeptSettings(const KeptSettings&) = delete;
-  KeptSettings& operator=(const KeptSettings&) = delete;
 
  private:
-  int threads_;
-  std::string locale_;
+  const Tags& tags_;
+  std::vector<Index> table_;  // from the lowest tag on
 };
 
-// Gmsh from initialize() to finalize(), without a word on the terminal.
-class Session {
- public:
-  Session() {
-    try {
-      gmsh::initialize(0, nullptr, false);
-      gmsh::option::setNumber("General.Terminal", 0);
-    } catch (...) {  // numbers, strings or exceptions, by the version of Gmsh
-      throw Error("the Gmsh library does not start");
-    }
-  }
-  ~Session() {
-    try {
-      gmsh::finalize();
-    } catch (...) {  // nothing is left to do
-      static_cast<void>(0);
-    }
-  }
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
-};
-
-constexpr const char* unreadable = "cannot be read; check its name and your rights";
-
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& what) {
-  throw Error("mesh file " + path.string() + ": " + what);
+[[noreturn]] void refuse_node(const GmshInput& input, std::uint64_t element, std::uint64_t node) {
+  input.refuse("element " + std::to_string(element) + " names node " + std::to_string(node) +
+               ", which the file does not have; write the mesh again, with all its nodes");
 }
 
-// The file, opened, under a name of the system: next to a file FILE Gmsh looks for FILE.opt, and runs the commands
-// there. Nothing is left of that name, however the process ends.
-class Opened {
- public:
-  explicit Opened(const std::filesystem::path& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (file_ >= 0 && ::access(name().c_str(), R_OK) == 0) return;
-    const bool is_open = file_ >= 0;
-    close();
-    refuse(path, is_open ? "cannot be read by the name " + name() + ", as Gmsh needs it; mount /proc" : unreadable);
-  }
-  ~Opened() { close(); }
-  Opened(const Opened&) = delete;
-  Opened& operator=(const Opened&) = delete;
-
-  [[nodiscard]] std::string name() const { return "/proc/self/fd/" + std::to_string(file_); }
-
- private:
-  void close() const {
-    if (file_ >= 0) ::close(file_);
-  }
-
-  int file_;
-};
-
-// Gmsh goes by a file's first characters, and runs whatever it does not know as a script. It passes over elements
-// beyond those that a file counts.
-void check_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) refuse(path, unreadable);
-  std::string line;
-  file >> line;
-  constexpr std::array known{"$MeshFormat", "$NOD", "$Comments", "$PhysicalNames"};
-  if (path.extension() != ".msh" || std::ranges::find(known, line) == known.end()) {
-    refuse(path, "is not in Gmsh's mesh format; save the mesh as .msh (gmsh FILE -save -o FILE.msh)");
-  }
-  file.seekg(0);
-  if (const std::string fault = fault_in_gmsh_text(file); !fault.empty()) refuse(path, fault);
-}
-
-struct Elements {
-  std::vector<std::pair<std::size_t, std::array<std::size_t, 4>>> tets;  // tags of tet and nodes
-  Tags others;  // nodes of elements without volume, some more than once
-};
-
-Elements elements_of(const std::filesystem::path& path) {
-  Elements elements;
-  std::vector<int> types;
-  std::vector<Tags> tags, nodes;
-  gmsh::model::mesh::getElements(types, tags, nodes);
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    std::string name;
-    int dimension = 0, order = 0, count = 0, primary = 0;
-    std::vector<double> local;
-    gmsh::model::mesh::getElementProperties(types[i], name, dimension, order, count, local, primary);
-    if (dimension < 3) {
-      elements.others.insert(elements.others.end(), nodes[i].begin(), nodes[i].end());
-      continue;
-    }
-    const auto found = std::to_string(tags[i].size()) + " elements of the kind '" + name + "'";
-    if (primary != 4) refuse(path, "has " + found + "; mesh the volume with tetrahedra alone");
-    if (order != 1) {
-      refuse(path, "has " + found + " of order " + std::to_string(order) +
-                       "; save linear tetrahedra (Gmsh: Mesh.ElementOrder = 1, or -order 1)");
-    }
-    for (std::size_t t = 0; t < tags[i].size(); ++t) {
-      const auto corner = std::span(nodes[i]).subspan(4 * t, 4);
-      elements.tets.push_back({tags[i][t], {corner[0], corner[1], corner[2], corner[3]}});
-    }
-  }
-  if (elements.tets.empty()) {
-    refuse(path, std::string("has no tets") + (elements.others.empty() ? "" : ", only points, lines or surfaces") +
-                     "; mesh the volume (gmsh -3), and save it with the elements of the volume");
-  }
-  std::ranges::sort(elements.tets);
-  return elements;
-}
-
-void ascend_without_repeats(Tags& tags) {
-  std::ranges::sort(tags);
-  const auto repeats = std::ranges::unique(tags);
-  tags.erase(repeats.begin(), repeats.end());
-}
-
-ReadMesh read_open_model(const std::filesystem::path& path) {
-  Elements elements = elements_of(path);
-  ascend_without_repeats(elements.others);
-  Tags of_tets;
-  of_tets.reserve(4 * elements.tets.size());
-  for (const auto& [tag, corners] : elements.tets) of_tets.insert(of_tets.end(), corners.begin(), corners.end());
-  ascend_without_repeats(of_tets);
-
-  Tags tags;
-  std::vector<double> coordinates, unused;
-  gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
-  std::vector<std::pair<std::size_t, Point>> nodes;
-  nodes.reserve(tags.size());
-  for (std::size_t n = 0; n < tags.size(); ++n) {
-    nodes.push_back({tags[n], {coordinates[3 * n], coordinates[3 * n + 1], coordinates[3 * n + 2]}});
-  }
-  std::ranges::sort(nodes, {}, [](const auto& node) { return node.first; });
-  ReadMesh mesh;
-  for (const auto& [tag, x] : nodes) {
-    if (!std::ranges::binary_search(of_tets, tag) && std::ranges::binary_search(elements.others, tag)) {
-      mesh.left_out_nodes.push_back(tag);
-      continue;
-    }
-    mesh.node_tags.push_back(tag);
-    mesh.rest.push_back(x);
-  }
-  if (mesh.rest.size() > std::numeric_limits<Index>::max()) {
-    refuse(path,
-           "has " + std::to_string(mesh.rest.size()) + " nodes, more than 32-bit numbers hold; mesh more coarsely");
-  }
-  for (const auto& [tag, corners] : elements.tets) {
-    std::array<Index, 4> tet{};
+// The corners of all tets as numbers of nodes; marks those nodes.
+std::vector<std::array<Index, 4>> number_tets(const GmshInput& input, const GmshSections& file, const Numbers& numbers,
+                                              std::vector<std::uint8_t>& is_used) {
+  std::vector<std::array<Index, 4>> tets(file.tets.size());
+  std::atomic<std::size_t> first_missing = tets.size();
+  physgen::detail::for_each_index<4>(0, static_cast<index_t>(tets.size()), [&](index_t i) {
+    const auto t = static_cast<std::size_t>(i);
     for (std::size_t c = 0; c < 4; ++c) {
-      const auto node = std::ranges::lower_bound(mesh.node_tags, corners[c]);
-      if (node == mesh.node_tags.end() || *node != corners[c]) {
-        refuse(path, "element " + std::to_string(tag) + " names node " + std::to_string(corners[c]) +
-                         ", which the file does not have; write the mesh again, with all its nodes");
+      const Index node = numbers[file.tets[t][c]];
+      tets[t][c] = node;
+      if (node != none) {
+        std::atomic_ref(is_used[static_cast<std::size_t>(node)]).store(1, std::memory_order_relaxed);
+      } else {
+        for (std::size_t first = first_missing; t < first && !first_missing.compare_exchange_weak(first, t);) {
+        }
       }
-      tet[c] = static_cast<Index>(node - mesh.node_tags.begin());
     }
-    mesh.tets.push_back(tet);
-    mesh.tet_tags.push_back(tag);
+  });
+  if (const std::size_t t = first_missing; t < tets.size()) {
+    refuse_node(input, file.tet_tags[t],
+                file.tets[t][static_cast<std::size_t>(std::ranges::find(tets[t], none) - tets[t].begin())]);
   }
-  return mesh;
+  return tets;
 }
 
-// The last words of Gmsh, with the file's name in the place of the system's.
-std::string last_words(const std::filesystem::path& path, const Opened& file) {
-  std::string said;
-  try {
-    gmsh::logger::getLastError(said);
-  } catch (...) {
-    return "";
+// Of the nodes of no tet, leaves out those of other elements, and all in the versions before 4, of which Gmsh does so.
+void leave_out(const std::vector<std::uint8_t>& is_used, const std::vector<std::uint8_t>& is_of_others, bool all,
+               ReadMesh& mesh) {
+  std::vector<Index> number(is_used.size(), none);
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < is_used.size(); ++n) {
+    if (is_used[n] == 0 && (all || is_of_others[n] != 0)) {
+      mesh.left_out_nodes.push_back(mesh.node_tags[n]);
+      continue;
+    }
+    mesh.node_tags[kept] = mesh.node_tags[n];
+    mesh.rest[kept] = mesh.rest[n];
+    number[n] = static_cast<Index>(kept++);
   }
-  const std::string name = file.name();
-  if (const std::size_t place = said.find(name); place != std::string::npos) {
-    said.replace(place, name.size(), path.string());
-  }
-  return said.empty() ? "" : " (" + said + ")";
+  if (mesh.left_out_nodes.empty()) return;
+  mesh.node_tags.resize(kept);
+  mesh.rest.resize(kept);
+  physgen::detail::for_each_index<4>(0, static_cast<index_t>(mesh.tets.size()), [&](index_t t) {
+    for (Index& corner : mesh.tets[static_cast<std::size_t>(t)]) corner = number[static_cast<std::size_t>(corner)];
+  });
 }
 
 }  // namespace
 
 ReadMesh read_gmsh(const std::filesystem::path& path) {
-  check_text(path);
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
-  const KeptSettings settings;
-  const Opened file(path);
-  const Session session;
-  try {
-    gmsh::merge(file.name());
-    return read_open_model(path);
-  } catch (const Error&) {
-    throw;
-  } catch (...) {  // as in Session; or no memory for counts that are no counts
-    refuse(path,
-           "Gmsh cannot read it" + last_words(path, file) + "; the file may be cut off or damaged: write it again");
+  const MappedFile bytes(path);
+  GmshInput input(path.string(), bytes.is_open() ? bytes.bytes() : "");
+  if (!bytes.is_open()) input.refuse("cannot be read; check its name and your rights");
+  constexpr std::array known{"$MeshFormat", "$NOD", "$Comments", "$PhysicalNames"};
+  if (path.extension() != ".msh" || std::ranges::find(known, GmshInput(input).line()) == known.end()) {
+    input.refuse("is not in Gmsh's mesh format; save the mesh as .msh (gmsh FILE -save -o FILE.msh)");
   }
+  GmshSections file = read_gmsh_sections(input);
+  if (file.tets.empty()) {
+    input.refuse(std::string("has no tets") + (file.others.empty() ? "" : ", only points, lines or surfaces") +
+                 "; mesh the volume (gmsh -3), and save it with the elements of the volume");
+  }
+  sort_by_tag(input, "node", file.node_tags, file.nodes, file.node_places);
+  sort_by_tag(input, "element", file.tet_tags, file.tets, file.tet_places);
+  const Numbers numbers(file.node_tags);
+  std::vector<std::uint8_t> is_used(file.node_tags.size()), is_of_others(is_used.size());
+  ReadMesh mesh;
+  mesh.tets = number_tets(input, file, numbers, is_used);
+  for (const auto [element, node] : file.others) {
+    if (numbers[node] == none) refuse_node(input, element, node);
+    is_of_others[static_cast<std::size_t>(numbers[node])] = 1;
+  }
+  mesh.rest = std::move(file.nodes);
+  mesh.node_tags = std::move(file.node_tags);
+  mesh.tet_tags = std::move(file.tet_tags);
+  leave_out(is_used, is_of_others, file.version < 4, mesh);
+  return mesh;
 }
 
 }  // namespace physgen::fem

@@ -1,5 +1,4 @@
-// Meshes from files in Gmsh's format, read by the Gmsh library. Part of the library physgen_gmsh, which is built where
-// that library is found; PHYSGEN_HAVE_GMSH is then defined for what links it.
+// Meshes from files in Gmsh's format (https://gmsh.info), read without Gmsh.
 #pragma once
 
 #include <fem/mesh/mesh.h>
@@ -17,18 +16,18 @@ struct ReadMesh {
   std::vector<std::array<Index, 4>> tets;   ///< numbers in rest, corners in the file's order
   std::vector<std::size_t> node_tags;       ///< per node: its number in the file
   std::vector<std::size_t> tet_tags;        ///< per tet: its number in the file
-  std::vector<std::size_t> left_out_nodes;  ///< tags of nodes that only points, lines or surfaces use, ascending
+  std::vector<std::size_t> left_out_nodes;  ///< tags of nodes that are left out, ascending
 };
 
-/// Reads a .msh file of any version that the Gmsh library reads (1 to 4.1, text and binary). Elements of points, lines
-/// and surfaces are passed over. Nodes that only those use are left out and listed; nodes that no element uses are
-/// kept, for check_mesh() to tell of (of versions before 4 Gmsh itself drops them). Prints nothing; the process's
-/// locale and number of OpenMP threads, which Gmsh changes, are put back. Calls from several threads wait for each
-/// other.
-/// The Gmsh library itself may crash on a damaged file (4.8.4 did on 2 of 300 with a few bytes changed at random).
-/// @throws Error with the file's name, what Gmsh said or the line, and a remedy: when the file cannot be read, is not
-/// in Gmsh's format (Gmsh would run it as a script), is cut off, has more or fewer lines than it counts, has no tets,
-/// tets of second or higher order, or other elements with volume, or more than 2^31 nodes
+/// Reads a .msh file of version 1, 2 to 2.2 or 4.1, as text or as bytes in this machine's order. Elements of points,
+/// lines and surfaces are passed over. Nodes that only those use are left out and listed, and in versions before 4 all
+/// nodes of no tet, as Gmsh does; in version 4.1 nodes that no element uses are kept, for check_mesh() to tell of. What
+/// stands in the file twice under one tag with the same values is read once. Takes the speed of std::from_chars for
+/// texts; of other files that of memory.
+/// @throw Error with the file's name, the line or byte, and a remedy: when the file cannot be read, is not in Gmsh's
+/// format or one of those versions, is cut off, has more or fewer rows than it counts, two nodes or tets of one tag, no
+/// tets, tets of second or higher order, other elements with volume, an element with a node that the file does not
+/// have, or more nodes or tets than 32-bit incidences hold (said before memory is taken for them)
 [[nodiscard]] ReadMesh read_gmsh(const std::filesystem::path& path);
 
 }  // namespace physgen::fem

@@ -25,7 +25,7 @@ NodeRings make_rings(const TetMesh& mesh) {
   const std::size_t entries = at(mesh.nodes) + 2 * mesh.edges.size();
   if (entries > std::size_t{std::numeric_limits<Index>::max()}) {
     throw Error("the rings of " + std::to_string(mesh.nodes) + " nodes would have " + std::to_string(entries) +
-                " nodes, and 32-bit numbers reach 2^31 - 1: use fewer nodes");
+                " nodes, but 32-bit numbers only reach 2^31 - 1; use fewer nodes");
   }
   InStage stage("rings");
   NodeRings rings;

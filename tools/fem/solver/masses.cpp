@@ -20,7 +20,7 @@ std::vector<double> lumped_masses(const TetMesh& mesh, std::span<const Point> re
 double stable_time_step(const TetMesh& mesh, std::span<const Point> rest, const LameParameters& lame, double density) {
   const double modulus = lame.lambda + 2 * lame.mu;
   if (!(modulus > 0) || !(density > 0) || !std::isfinite(modulus / density)) {
-    throw Error("the stable time step is that of waves: lambda + 2 mu = " + std::to_string(modulus) +
+    throw Error("the stable time step follows from the speed of waves: lambda + 2 mu = " + std::to_string(modulus) +
                 " Pa and a density of " + std::to_string(density) + " kg/m^3 must be positive numbers");
   }
   double largest = 0;  // sum of 1/h^2

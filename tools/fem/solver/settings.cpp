@@ -62,9 +62,8 @@ void refuse_material(const std::string& name) {
 }
 
 void refuse_averages(const std::string& name) {
-  throw Error("the energy of '" + name +
-              "' has no separate part of the volume, which patches or nodes would average: use " + list(true) +
-              ", or volume by tets");
+  throw Error("the energy of '" + name + "' has no separate volume part that patches or nodes could average; use " +
+              list(true) + ", or volume by tets");
 }
 
 }  // namespace physgen::fem

@@ -1,8 +1,9 @@
 // Leads from positions to the forces on nodes: by five separate kernels, each of which stores what the next one reads,
-// and by kernels that are fused of them.
+// by the program in which physgen has joined four of them, and by kernels that are fused by hand.
 #pragma once
 
 #include <fem/kernels/groups.h>
+#include <force_chain.program.h>
 
 #include <tuple>
 
@@ -94,18 +95,63 @@ struct ForceChainFused : ForceChainSeparate {
   }
 };
 
-/// Corner forces are stored, and gathered by another kernel: what is fastest on a CPU. The order of sums is that of the
-/// separate kernels.
+/// A view in the place of an array of a scene's program.
+template <class View>
+struct ArrayOfView {
+  View of;
+  [[nodiscard]] const View& view() const { return of; }
+  [[nodiscard]] const View& const_view() const { return of; }
+  [[nodiscard]] index_t size() const { return of.size(); }
+};
+
+/// In the place of an executor: hands each step of a program to `call(objects, kernel)`.
+template <class Call>
+struct CallForEachStep {
+  const Call& call;
+  template <class Kernel>
+  void run(index_t objects, const Kernel& kernel) const {
+    call(objects, kernel);
+  }
+};
+
+/// The program that physgen writes from the scene force_chain, over arrays of a row. Those that are local to its joined
+/// step are the scene's.
+template <class Tet, class Position, class Rest, class Range, class Entry, class Corner, class Force>
+struct JoinedForceChain {
+  using Real = typename Force::Precision;
+  using Scene = scenes::force_chain_scene::Body<typename Force::Space, Real>;
+  fem::LameParameters lame;
+  ArrayOfView<Tet> tets;
+  ArrayOfView<Position> positions;
+  ArrayOfView<Rest> rest;
+  ArrayOfView<Range> node_ranges;
+  ArrayOfView<Entry> node_tets;
+  ArrayOfView<Corner> corner_forces;
+  ArrayOfView<Force> forces;
+  decltype(Scene::gradients) gradients{};
+  decltype(Scene::svds) svds{};
+  decltype(Scene::stresses) stresses{};
+
+  /// Calls run(objects, kernel) for each step.
+  template <class Run>
+  void launch(const Run& run) const {
+    const CallForEachStep<Run> on{run};
+    scenes::force_chain_scene::fused::program(on, *this, lame);
+  }
+};
+
+/// By the scene force_chain: corner forces are stored, and gathered by another kernel, which is fastest on a CPU. The
+/// order of sums is that of the separate kernels.
 struct ForceChainFusedGathered : ForceChainSeparate {
   static constexpr const char* name = "force_chain_fused_gathered";
   static constexpr int place = 19;
+  static constexpr bool is_program = true;
   using Writes =
       Operands<Streamed<source::Of<ElasticForce::Output, Domain::tets>>, Gathered<source::Of<Output, domain>>>;
-  template <class Real>
-  static auto run(const auto& tets, const auto& positions, const auto& rest, const auto& ranges, const auto& entries,
-                  const auto& corners, const auto& forces) {
-    return chain(link(tets.size(), fem::fuse_corner_forces(material<Real>(), tets, positions, rest, corners)),
-                 link(forces.size(), fem::GatherForces{Rows{ranges, entries, tets.size()}, corners, forces}));
+  template <class Real, class... View>
+  static auto run(const View&... view) {
+    return JoinedForceChain<View...>{fem::lame_parameters(youngs_modulus, poissons_ratio, "Neo-Hookean"),
+                                     ArrayOfView{view}...};
   }
 };
 

@@ -1,6 +1,7 @@
 #include "linear_solves/flags.h"
 
 #include <physgen/error.h>
+#include <truthcube/choices.h>
 #include <truthcube/command_line.h>
 #include <truthcube/sizes.h>
 
@@ -10,23 +11,17 @@ namespace physgen::bench {
 
 namespace {
 
+using truthcube::devices, truthcube::precisions;
 using truthcube::Names;
 using truthcube::VolumeTreatment;
 
 const Names<VolumeTreatment> volumes{{"tets", VolumeTreatment::tets}, {"patches", VolumeTreatment::patches}};
-const Names<fem::Device> devices{{"cpu", fem::Device::cpu},
-#ifdef PHYSGEN_BENCH_HAS_CUDA
-                                 {"cuda", fem::Device::cuda}
-#endif
-};
-const Names<fem::TangentPrecision> precisions{{"half", fem::TangentPrecision::half},
-                                              {"float", fem::TangentPrecision::float32},
-                                              {"double", fem::TangentPrecision::float64}};
-const Names<Method> methods{{"multigrid", Method::multigrid},
-                            {"schwarz", Method::schwarz},
-                            {"block-jacobi", Method::block_jacobi},
-                            {"none", Method::none},
-                            {"vendor", Method::vendor}};
+const Names<Method> methods = [] {
+  Names<Method> names;
+  for (const fem::PreconditionerRow& row : fem::preconditioner_rows) names.emplace_back(row.name, row.kind);
+  names.emplace_back("vendor", vendor);
+  return names;
+}();
 const Names<fem::LinearNorm> norms{{"euclidean", fem::LinearNorm::euclidean},
                                    {"preconditioned", fem::LinearNorm::preconditioned}};
 
@@ -62,8 +57,8 @@ void add_solve_flags(CLI::App& app, SolveFlags& flags) {
                                  "conjugate gradients with these preconditioners; vendor: with block Jacobi over "
                                  "cuSPARSE's block sparse product, in float, on CUDA alone"));
   several(truthcube::add_choices(app, "--precision", flags.precisions, precisions, "precision",
-                                 "half: in float, the matrices of multigrid and Schwarz blocks in half; other methods "
-                                 "have nothing in half, and are then in float"));
+                                 "half: in float, the preconditioner's matrices in half; methods without such matrices "
+                                 "run in float"));
   several(truthcube::add_choices(app, "--norm", flags.norms, norms, "norm",
                                  "the norm of the residual that --tolerance bounds"));
   app.add_option("--tolerance", flags.tolerance, "largest norm of the residual over its first value, 1e-14 to 0.1")
@@ -86,12 +81,12 @@ void check(const SolveFlags& flags) {
   for (const int cells : flags.cells) {
     truthcube::require_cube_fits(cells, flags.volume);
     require(cells > 1, "--cells 1: the plates hold every node; 2 cells have one that is free");
-    require(!has(flags.methods, Method::multigrid) || cells % 2 == 0 || cells < 5,
+    require(!has(flags.methods, fem::Preconditioner::multigrid) || cells % 2 == 0 || cells < 5,
             "--cells " + std::to_string(cells) +
                 ": an odd number of cells has no coarser mesh for --method multigrid; " + std::to_string(cells + 1) +
                 " cells have one");
   }
-  if (has(flags.methods, Method::vendor)) {
+  if (has(flags.methods, vendor)) {
 #ifdef PHYSGEN_BENCH_HAS_CUDA
     require(flags.device == fem::Device::cuda, "--method vendor is cuSPARSE, which runs on GPUs: write --device cuda");
 #else

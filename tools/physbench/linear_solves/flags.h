@@ -4,6 +4,7 @@
 #include <fem/solver/linear_measurement.h>
 #include <truthcube/options.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,21 +14,17 @@ class App;
 
 namespace physgen::bench {
 
-/// The methods that are measured, a row each.
-enum class Method {
-  multigrid,     ///< conjugate gradients with the solver's V-cycle
-  schwarz,       ///< the same with the multilevel Schwarz preconditioner
-  block_jacobi,  ///< the same with block Jacobi
-  none,          ///< the same without a preconditioner
-  vendor,        ///< conjugate gradients with block Jacobi over cuSPARSE's block sparse product
-};
+/// The methods that are measured, a row each: conjugate gradients with a preconditioner of the solver's catalogue, or
+/// with block Jacobi over cuSPARSE's block sparse product.
+using Method = std::optional<fem::Preconditioner>;
+inline constexpr Method vendor = std::nullopt;
 
 struct SolveFlags {
   std::vector<int> cells;  ///< empty: as --objects says, or 16
   std::vector<double> poissons_ratios{0.49};
   truthcube::VolumeTreatment volume = truthcube::VolumeTreatment::patches;
   double compression = 0;
-  std::vector<Method> methods{Method::multigrid, Method::block_jacobi};
+  std::vector<Method> methods{fem::Preconditioner::multigrid, fem::Preconditioner::block_jacobi};
   std::vector<fem::TangentPrecision> precisions{fem::TangentPrecision::half};
   std::vector<fem::LinearNorm> norms{fem::LinearNorm::euclidean};
   double tolerance = 1e-4;

@@ -44,7 +44,7 @@ struct Solve {
 struct Measured {
   fem::LinearMeasurement linear;
   double residual = 0;        ///< |f + K dx| / |f| of free components, in double from the step and the blocks of K
-  std::string product, note;  ///< of Method::vendor
+  std::string product, note;  ///< of vendor
 };
 
 std::vector<Point> scattered_force(std::size_t nodes) {
@@ -55,11 +55,12 @@ std::vector<Point> scattered_force(std::size_t nodes) {
   return force;
 }
 
-/// The precision in which a method is then run: only multigrid and Schwarz have matrices of their own to store in half.
+/// The precision in which a method is then run: only preconditioners from blocks of edges have matrices of their own to
+/// store in half.
 TangentPrecision precision_of(Method method, TangentPrecision asked) {
-  if (method == Method::vendor) return TangentPrecision::float32;
-  const bool stores = method == Method::multigrid || method == Method::schwarz;
-  return !stores && asked == TangentPrecision::half ? TangentPrecision::float32 : asked;
+  if (method == vendor) return TangentPrecision::float32;
+  return !fem::asks_for(*method, fem::asks::edges) && asked == TangentPrecision::half ? TangentPrecision::float32
+                                                                                      : asked;
 }
 
 fem::SolverSettings settings_of(const Solve& solve) {
@@ -69,11 +70,7 @@ fem::SolverSettings settings_of(const Solve& solve) {
   settings.device = flags.device;
   settings.precision = solve.precision;
   settings.nested = false;
-  auto& kind = settings.newton.preconditioner.kind;
-  kind = fem::Preconditioner::block_jacobi;
-  if (solve.method == Method::multigrid) kind = fem::Preconditioner::multigrid;
-  if (solve.method == Method::schwarz) kind = fem::Preconditioner::schwarz;
-  if (solve.method == Method::none) kind = fem::Preconditioner::none;
+  settings.newton.preconditioner.kind = solve.method.value_or(fem::Preconditioner::block_jacobi);
   return settings;
 }
 
@@ -105,7 +102,7 @@ class Body {
   }
 
   [[nodiscard]] Measured measure(const Solve& solve) {
-    const bool by_vendor = solve.method == Method::vendor;
+    const bool by_vendor = solve.method == vendor;
     // The solvers in float, or in double, have one stiffness to the bit, whatever the preconditioner.
     fem::AssembledStiffness& stiffness = solve.precision == TangentPrecision::float64 ? in_double_ : in_float_;
     if (!by_vendor || stiffness.nodes.empty()) make(solve);
@@ -155,8 +152,8 @@ class Body {
                                         [[maybe_unused]] const fem::LinearTask& task,
                                         [[maybe_unused]] std::vector<Point>& step) const {
 #ifdef PHYSGEN_BENCH_HAS_CUDA
-    const VendorMeasurement vendor = solve_by_vendor(stiffness, fixed(), force_, task, &step);
-    return {vendor.measured, 0, vendor.product, vendor.note};
+    const VendorMeasurement solved = solve_by_vendor(stiffness, fixed(), force_, task, &step);
+    return {solved.measured, 0, solved.product, solved.note};
 #else
     throw Error("this build has no CUDA");
 #endif
@@ -206,7 +203,7 @@ Accuracy accuracy_of(const Solve& solve, const Measured& measured) {
                    {"product_bytes", static_cast<double>(m.product_bytes)},
                    {"iteration_bytes", static_cast<double>(m.iteration_bytes)}};
   std::string assembly;
-  if (solve.method != Method::vendor) {  // which takes K from the solver
+  if (solve.method != vendor) {  // which takes K from the solver
     accuracy.more.emplace_back("assembly_ms", m.assembly_seconds * 1e3);
     assembly = format("assembly %.4g ms, ", m.assembly_seconds * 1e3);
   }
@@ -262,7 +259,7 @@ void add_rows(std::vector<Row>& rows, const Sizes& sizes, fem::Device device) {
   if (chosen.cells.empty()) chosen.cells = {cells_of(sizes)};
   check(chosen);
 #ifdef PHYSGEN_BENCH_HAS_CUDA
-  if (!missing_cusparse().empty()) std::erase(chosen.methods, Method::vendor);
+  if (!missing_cusparse().empty()) std::erase(chosen.methods, vendor);
 #endif
   for (const int cells : chosen.cells) {
     const auto counts = truthcube::count_cube(cells, chosen.volume);

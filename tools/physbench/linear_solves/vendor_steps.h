@@ -30,8 +30,6 @@ struct BeginVendorSolve {
     return fem::dot3<Scalar>(f, z);
   }
 };
-template <class... Views>
-BeginVendorSolve(Views...) -> BeginVendorSolve<Views...>;
 
 /// p = z + beta p
 template <class StateView, class CorrectionView, class DirectionView>
@@ -48,8 +46,6 @@ struct TurnVendorDirection {
     direction[node].dx() = Vector(z + p * static_cast<Scalar>(beta));
   }
 };
-template <class... Views>
-TurnVendorDirection(Views...) -> TurnVendorDirection<Views...>;
 
 /// dx += alpha p, r += alpha K p, z = D r. Returns r . z and |r|^2.
 template <class StateView, class DirectionView, class ProductView, class InverseView, class StepView,
@@ -78,8 +74,6 @@ struct TakeVendorStep {
     return {fem::dot3<Scalar>(next, z), fem::dot3<Scalar>(next, next)};
   }
 };
-template <class... Views>
-TakeVendorStep(Views...) -> TakeVendorStep<Views...>;
 
 /// The next r . z; it, or |r| where its length at the end is above 0, says when a solve has converged.
 template <class StateView>
@@ -94,7 +88,5 @@ struct SetVendorNorms {
     }
   }
 };
-template <class View>
-SetVendorNorms(View, double) -> SetVendorNorms<View>;
 
 }  // namespace physgen::bench

@@ -36,12 +36,12 @@ struct KernelArrays {
   [[nodiscard]] auto kernel() { return kernel_over<Kernel, Real>(inputs, outputs); }
 };
 
-/// Runs a kernel over its objects, or each kernel of a chain.
+/// Runs a kernel over its objects, or each kernel of a chain or of a scene's program.
 template <class Device, int kLanes = 0>
 struct Launch {
   template <class Kernel>
   void operator()(index_t objects, const Kernel& kernel) const {
-    if constexpr (requires { kernel.links; }) {
+    if constexpr (requires { kernel.launch(Launch()); }) {
       kernel.launch(Launch());
     } else {
       Device::template run<kLanes>(objects, kernel);

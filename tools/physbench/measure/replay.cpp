@@ -47,7 +47,7 @@ std::string replay(const std::vector<std::string>& arguments) {
     const std::string word = " " + way.kernel;
     if ((kernels + " ").find(word + " ") == std::string::npos) kernels += word;
   }
-  if (kernels.empty()) throw Error("this program replays no kernel; physbench_errors and physbench do");
+  if (kernels.empty()) throw Error("this program cannot replay kernels; use physbench_errors or physbench");
   if (arguments.size() < 2) {
     throw Error("replay takes KERNEL STORAGE NUMBERS...; KERNEL is one of" + kernels + ", STORAGE float or double");
   }

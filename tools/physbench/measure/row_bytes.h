@@ -6,6 +6,7 @@
 //   way, and so is what an earlier launch cleared: neither counts. Outputs of rows begin without values.
 // - A field that one launch writes and a later one reads lies in memory in between, and so counts twice; what launches
 //   hand on in locals of a fused group lies in no array, and counts nothing.
+// - A row that runs a scene's program has one launch here: each of its fields is read by one step at most.
 #pragma once
 
 #include <physgen/probe.h>
@@ -22,6 +23,11 @@
 namespace physgen::bench {
 
 namespace detail {
+
+/// Whether the row runs a scene's program, whose steps are looked at together: what one of them writes others read, and
+/// none is a sum under way.
+template <class Kernel>
+concept ProgramRow = requires { Kernel::is_program; };
 
 template <class Array>
 constexpr const char* text_that_names() {
@@ -69,6 +75,8 @@ void look_at_launch() {
   ProbeExecutor<Host> on;
   if constexpr (requires { launched.links; }) {
     on.run(0, std::get<launch>(launched.links).kernel);
+  } else if constexpr (ProgramRow<Kernel>) {
+    launched.launch([&on](index_t objects, const auto& kernel) { on.run(objects, kernel); });
   } else if constexpr (requires { Kernel::perform(launched); }) {
     on.perform([&launched](Stream /*stream*/) { Kernel::perform(launched); });
   } else {
@@ -92,7 +100,7 @@ int times_moved(const std::string& field) {
     int reads = 0;
     bool written = false;
     const auto add = [&](const probe::FieldAccess& use) {
-      if (use.read && !use.written) ++reads;
+      if (use.read && (!use.written || ProgramRow<Kernel>)) ++reads;
       written |= use.written;
     };
     (add(access_of(RowArray<Kernel, Real, Scheme, launch, output, k>::name, of)), ...);

@@ -19,8 +19,6 @@ struct Values<const std::vector<T>*> {
   const std::vector<T>* vector;
   const T& operator[](index_t i) const { return (*vector)[static_cast<std::size_t>(i)]; }
 };
-template <class View>
-Values(View) -> Values<View>;
 
 /// Calls use(values...) with the values of each array of a tuple.
 template <class Tuple, class Use>

@@ -33,6 +33,8 @@ std::string compiler() {
 #endif
 }
 
+std::string megabytes(double bytes) { return bytes > 0 ? format("%.1f MB", bytes * 1e-6) : "unknown"; }
+
 }  // namespace
 
 Facts describe_machine(int threads, const std::string& command) {
@@ -42,8 +44,9 @@ Facts describe_machine(int threads, const std::string& command) {
               {"threads", std::to_string(threads) + ", packs of " + std::to_string(native_lanes<float>) + " float or " +
                               std::to_string(native_lanes<double>) + " double"},
               {"gpu", gpu.missing.empty() ? gpu.name : gpu.missing},
-              {"llc", format("last-level cache %.1f MB on the CPU, %.1f MB on the GPU; /LLC is a row's bytes over it",
-                             limits.host_cache * 1e-6, limits.device_cache * 1e-6)},
+              {"llc", "last-level cache of the CPU " + megabytes(limits.host_cache) +
+                          (gpu.missing.empty() ? ", of the GPU " + megabytes(limits.device_cache) : "") +
+                          "; /LLC is a row's bytes over it"},
               {"compiler", compiler()},
               {"physgen", PHYSGEN_VERSION},
               {"results_version", "1"},  // tools/report/rows.py reads this version: names and meanings of counters

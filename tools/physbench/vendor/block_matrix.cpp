@@ -14,7 +14,7 @@ BlockMatrix make_block_matrix(const fem::AssembledStiffness& stiffness, std::spa
                 std::to_string(nodes));
   }
   if (count > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    throw Error("a block matrix of " + std::to_string(count) + " blocks, which 32-bit numbers do not count");
+    throw Error("a block matrix of " + std::to_string(count) + " blocks is too large for 32-bit numbers");
   }
   const auto ends = [&](std::size_t edge) {
     return std::pair(static_cast<std::size_t>(stiffness.edges[edge][0]),

@@ -200,7 +200,7 @@ std::unique_ptr<CusparseProduct> CusparseProduct::fastest(const fem::AssembledSt
     consider([&] { return make(matrix, order, x, y, stream); });
     consider([&] { return std::make_unique<Bsrmv>(matrix, order, x, y, stream); });
   }
-  if (best == nullptr) throw Error("cuSPARSE multiplies by no block matrix here:" + refusals);
+  if (best == nullptr) throw Error("cuSPARSE cannot multiply by a block matrix here:" + refusals);
   return best;
 }
 
@@ -208,7 +208,7 @@ std::unique_ptr<CusparseProduct> CusparseProduct::fastest(const fem::AssembledSt
 #else
 namespace physgen::bench {
 
-std::string missing_cusparse() { return "no cusparse.h where this was built: its rows are left out"; }
+std::string missing_cusparse() { return "this program was built without cusparse.h, so its rows are left out"; }
 
 std::unique_ptr<CusparseProduct> CusparseProduct::fastest(const fem::AssembledStiffness& /*stiffness*/,
                                                           std::span<const std::uint8_t> /*fixed*/, float* /*x*/,

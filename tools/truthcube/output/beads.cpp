@@ -72,7 +72,7 @@ BeadFile::BeadFile(std::filesystem::path path) : path_(std::move(path)) { write_
 BeadFile BeadFile::append_to(std::filesystem::path path, int steps) {
   if (steps <= 0) return BeadFile(std::move(path));
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw Error(path.string() + ": cannot be opened to be continued after step " + std::to_string(steps));
+  if (!file) throw Error(path.string() + ": cannot be opened to continue after step " + std::to_string(steps));
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!text.starts_with(header)) throw Error(path.string() + ": does not begin with the header of a bead file");
   const std::size_t end = end_of_line(text, 1 + bead_count * static_cast<std::size_t>(steps));
@@ -83,7 +83,7 @@ BeadFile BeadFile::append_to(std::filesystem::path path, int steps) {
   const std::string_view kept = std::string_view(text).substr(0, end);
   if (const std::size_t stray = kept.find_first_not_of("0123456789+-.e,\n", header.size()); stray != kept.npos) {
     throw Error(path.string() + ":" + std::to_string(1 + std::ranges::count(kept.substr(0, stray), '\n')) +
-                ": is no row of numbers; the file is damaged: run anew, without --restart");
+                ": this is not a row of numbers, so the file is damaged; run again without --restart");
   }
   write_text(path, kept);
   return {std::move(path), Existing{}};

@@ -75,7 +75,7 @@ Checkpoint read_all(const std::filesystem::path& path) {
     }
     const auto version = file.read_attribute<std::int32_t>("/", "version");
     if (version != current_version) {
-      throw Unusable(name + ": is of version " + std::to_string(version) + ", and this program reads version " +
+      throw Unusable(name + ": has version " + std::to_string(version) + ", but this program reads version " +
                      std::to_string(current_version));
     }
     Checkpoint c;
@@ -93,7 +93,7 @@ Checkpoint read_all(const std::filesystem::path& path) {
   } catch (const Unusable&) {
     throw;
   } catch (const Error& error) {
-    throw Error(name + ": this file is damaged, or no checkpoint: " + error.what());
+    throw Error(name + ": this file is damaged, or is not a checkpoint: " + error.what());
   }
 }
 
@@ -123,7 +123,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
   const Json now = parse_settings(settings, name);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
-    throw Error(name + ": there is no checkpoint of this name to continue from; remove --restart to begin anew");
+    throw Error(name + ": this checkpoint does not exist; remove --restart to start from the beginning");
   }
   Checkpoint c = read_all(path);
   const std::string differing = differences(parse_settings(c.settings, name), now);
@@ -131,7 +131,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
     throw Error(name + ": this checkpoint belongs to a run with other settings: " + differing +
                 "; continue it with the flags of that run, which are `command` in the run.json beside it. If an older "
                 "version " +
-                "of truthcube wrote it, remove --restart to begin anew");
+                "of truthcube wrote it, remove --restart to start from the beginning");
   }
   if (c.mesh_hash != mesh_hash) {
     throw Error(name + ": this checkpoint belongs to another mesh (" + std::to_string(c.positions.size() / 3) +

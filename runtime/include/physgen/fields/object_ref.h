@@ -1,9 +1,15 @@
 // The common part of all references to objects of an array. Generated code adds the accessors of the fields.
 #pragma once
+#pragma push_macro("I")  // of <complex.h>
+#undef I
 
+#include <physgen/detail/cursor.h>
 #include <physgen/detail/stored_copy.h>
+#include <physgen/memory/space.h>
 
+#include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <type_traits>
 
 namespace physgen {
@@ -61,16 +67,40 @@ concept StoredAlike = requires {
                           typename From::Record::fields_>();
 };
 
+template <class Object, class Real, class Layout, class Formats>
+inline constexpr RecordSize record_size = [] {
+  using Record = typename Object::template Record<Real, Formats>;
+  constexpr int widest = sizeof(Real);
+  return RecordSize{Record::bytes, Layout::record_bytes(Record::bytes, Record::alignment),
+                    Record::bytes == 0 ? 0 : std::min(Record::alignment, widest)};
+}();
+
+/// The cursor on object(s) of an array. @tparam Real const for a read-only array
+template <class Object, class Real, class Layout, class Formats, class I>
+using CursorIn = Cursor<std::conditional_t<std::is_const_v<Real>, const std::byte, std::byte>, Layout,
+                        record_size<Object, std::remove_const_t<Real>, Layout, Formats>, I>;
+
+/// What a reference's arguments leave out: formats are the schema's, the cursor is that of an array.
+template <class Object, class Real, class I, class Layout, class Formats = typename Object::template Formats<Host>,
+          class Cursor = CursorIn<Object, Real, Layout, Formats, I>>
+struct AccessorsOf {
+  using type = typename Object::template Accessors<std::remove_const_t<Real>, Formats, Cursor>;
+};
+
 }  // namespace detail
 
 /// A reference to one object of an array, or to those under a SIMD index. Assignment copies objects, as
 /// `view[i] = view[j]` looks, with the bits that are stored where both have the same formats; a named reference that is
-/// not const is not assigned, because std::swap and algorithms would take it for a value.
-/// @tparam Accessors a generated class such as elasticity::StressRef<float, Formats, Cursor>: a function for each
-/// field,
-///         and get() and put() for all of them
-template <class Accessors>
-class ObjectRef : public Accessors {
+/// not const is not assigned, because std::swap and algorithms would take it for a value. Its accessors are those of a
+/// generated class such as elasticity::StressRef<float, Formats, Cursor>: a function for each field, and get() and
+/// put() for all of them.
+/// @tparam Real const for a read-only array
+/// @tparam Stored nothing, or the formats, where they are not the schema's, or these and the cursor, where it is not an
+///         array's: in messages of compilers, types are short, and the name of a misspelt field stands behind them
+template <class Object, class Real, class I, class Layout, class... Stored>
+class ObjectRef : public detail::AccessorsOf<Object, Real, I, Layout, Stored...>::type {
+  using Accessors = typename detail::AccessorsOf<Object, Real, I, Layout, Stored...>::type;
+
  public:
   using Value = typename Accessors::Value;
 
@@ -99,6 +129,33 @@ class ObjectRef : public Accessors {
   }
 };
 
+namespace detail {
+
+/// The reference that stands on a cursor, with as few arguments as name it.
+template <class Object, class Real, class Formats, class Cursor>
+struct RefOf {
+  using type = ObjectRef<Object, Real, void, void, Formats, Cursor>;
+};
+template <class Byte, class Real>
+using RealIn = std::conditional_t<std::is_const_v<Byte>, const Real, Real>;
+template <class Cursor, class Object, class Real, class Layout, class Formats, class I>
+concept InArrayOf = std::same_as<Cursor, CursorIn<Object, Real, Layout, Formats, I>>;
+template <class Formats, class Object>
+concept OfSchema = std::same_as<Formats, typename Object::template Formats<Host>>;
+template <class Object, class Real, class Formats, class Byte, class Layout, RecordSize kRecord, class I>
+  requires InArrayOf<Cursor<Byte, Layout, kRecord, I>, Object, RealIn<Byte, Real>, Layout, Formats, I>
+struct RefOf<Object, Real, Formats, Cursor<Byte, Layout, kRecord, I>> {
+  using type = ObjectRef<Object, RealIn<Byte, Real>, I, Layout, Formats>;
+};
+template <class Object, class Real, class Formats, class Byte, class Layout, RecordSize kRecord, class I>
+  requires InArrayOf<Cursor<Byte, Layout, kRecord, I>, Object, RealIn<Byte, Real>, Layout, Formats, I> &&
+           OfSchema<Formats, Object>
+struct RefOf<Object, Real, Formats, Cursor<Byte, Layout, kRecord, I>> {
+  using type = ObjectRef<Object, RealIn<Byte, Real>, I, Layout>;
+};
+
+}  // namespace detail
+
 /// Exchanges the objects that two references refer to: `swap(view[i], view[j])`.
 template <class Ref>
   requires ReadsAs<Ref, typename Ref::Value>
@@ -124,3 +181,5 @@ PHYSGEN_FUNCTION void swap(T& a, T& b) {
 }
 
 }  // namespace physgen
+
+#pragma pop_macro("I")

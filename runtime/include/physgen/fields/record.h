@@ -152,7 +152,7 @@ template <class Record, std::size_t N>
 /// @tparam Object the tag
 /// @tparam Formats_ the same in both spaces, so that kernels may name views without saying for which space
 template <class Object, template <class> class Value_, template <class> class Formats_,
-          template <class, class> class Record_, template <class, class, class> class Accessors,
+          template <class, class> class Record_, template <class, class, class> class Accessors_,
           template <class, class, class, int> class Probe_>
 struct ObjectTag {
   template <class Real>
@@ -162,7 +162,9 @@ struct ObjectTag {
   template <class Real, class Formats>
   using Record = SizedRecord<Record_<Real, Formats>>;
   template <class Real, class Formats, class Cursor>
-  using Ref = ObjectRef<Accessors<Real, Formats, Cursor>>;
+  using Accessors = Accessors_<Real, Formats, Cursor>;
+  template <class Real, class Formats, class Cursor>
+  using Ref = typename detail::RefOf<Object, Real, Formats, Cursor>::type;
   template <class ArrayTag, class Base>
   using Probe = Probe_<ArrayTag, Base, Object, 0>;
   /// The fields as data.
@@ -171,9 +173,9 @@ struct ObjectTag {
 };
 /// The same where the spaces store some field differently.
 template <class Object, template <class> class Value_, template <class> class Formats_,
-          template <class, class> class Record_, template <class, class, class> class Accessors,
+          template <class, class> class Record_, template <class, class, class> class Accessors_,
           template <class, class, class, int> class Probe_>
-struct ObjectTagPerSpace : ObjectTag<Object, Value_, Formats_, Record_, Accessors, Probe_> {
+struct ObjectTagPerSpace : ObjectTag<Object, Value_, Formats_, Record_, Accessors_, Probe_> {
   template <class Space>
   using Formats = Formats_<Space>;
 };

@@ -14,6 +14,7 @@
 #include <physgen/detail/simd_numbers.h>
 #include <physgen/detail/simd_repairs.h>
 #include <physgen/detail/simd_roots.h>
+#include <physgen/detail/simd_std.h>
 #include <physgen/kernels/math.h>
 
 #include <Eigen/Core>

@@ -1,5 +1,6 @@
 // How nested iteration carries the motion of a coarser mesh to the next finer one.
 #include <fem/mesh/geometry.h>
+#include <fem/mesh/graded_cube.h>
 #include <fem/mesh/mesh_arrays.h>
 #include <fem/solver/newton/interpolate_motion.h>
 #include <gtest/gtest.h>
@@ -22,8 +23,8 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
   const auto coarse_nodes = index_t{coarse.mesh.nodes}, fine_nodes = index_t{fine.mesh.nodes};
   quasistatic::NodeParentsArray<float> parents(fine_nodes);
   quasistatic::NodeConstraintArray<float> constraints(fine_nodes);
-  elasticity::NodePositionArray<double> positions(fine_nodes), rest(coarse_nodes), before(coarse_nodes),
-      now(coarse_nodes);
+  elasticity::NodePositionArray<double> positions(fine_nodes), fine_rest(fine_nodes), rest(coarse_nodes),
+      before(coarse_nodes), now(coarse_nodes);
   elasticity::TetArray<float> tets(index_t(coarse.mesh.tets.size()));
   store_tets(coarse.mesh, tets.view());
   elasticity::IncidenceRangeArray<float> ranges(coarse_nodes);
@@ -35,6 +36,7 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
     parents.view().put(n, {{a, b}});
     constraints.view().put(n, {int{fine.fixed[std::size_t(n)]}});
     const Point& x = fine.rest[std::size_t(n)];
+    fine_rest.view().put(n, {{x[0], x[1], x[2]}});
     positions.view().put(n, {{x[0] + start, x[1] + start, x[2] + start}});
   }
   for (index_t n = 0; n < coarse_nodes; ++n) {
@@ -44,10 +46,10 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
     before.view().put(n, {{x[0] + 7, x[1] - 5, x[2] + 3}});
     now.view().put(n, {{x[0] + 7 + w[0], x[1] - 5 + w[1], x[2] + 3 + w[2]}});
   }
-  parallel_for(
-      Host{}, fine_nodes,
-      lanes<1>(InterpolateMotion{bends, parents.const_view(), node_tets, tets.const_view(), rest.const_view(),
-                                 before.const_view(), now.const_view(), constraints.const_view(), positions.view()}));
+  parallel_for(Host{}, fine_nodes,
+               lanes<1>(InterpolateMotion{bends, parents.const_view(), fine_rest.const_view(), node_tets,
+                                          tets.const_view(), rest.const_view(), before.const_view(), now.const_view(),
+                                          constraints.const_view(), positions.view()}));
   std::vector<Point> result(std::size_t(fine_nodes), Point{});
   for (index_t n = 0; n < fine_nodes; ++n) {
     const auto x = positions.view().get(n).x;
@@ -63,16 +65,48 @@ Body cube_with(std::uint8_t fixed_below) {
       [](const Point& /*x*/) { return Point{}; });
 }
 
-TEST(InterpolateMotion, is_exact_for_affine_motions_everywhere) {
-  const Body body = cube_with(0);
-  const auto motion = [](const Point& x) {
-    return Point{0.3 + 0.2 * x[0] - 0.7 * x[1], 0.1 + 0.5 * x[2] - x[0], 0.9 * x[1] - 0.4 * x[2]};
-  };
-  const auto positions = interpolated(body, motion, 0.25);
-  for (std::size_t n = 0; n < positions.size(); ++n) {
-    const Point& x = body.levels[0].rest[n];
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + 0.25 + motion(x)[k], 1e-13) << n;
+/// The same in cells of different widths, whose nodes lie beside the middles of coarse edges.
+Body graded(Body body, double grading) {
+  Index cells = 8;
+  for (MeshLevel& level : body.levels) {
+    grade_cube(level.rest, cells, side, grading);
+    cells /= 2;
   }
+  return body;
+}
+
+TEST(InterpolateMotion, is_exact_for_affine_motions_everywhere) {
+  for (const Body& body : {cube_with(0), graded(cube_with(0), 1.5), graded(cube_with(0), 2)}) {
+    const auto motion = [](const Point& x) {
+      return Point{0.3 + 0.2 * x[0] - 0.7 * x[1], 0.1 + 0.5 * x[2] - x[0], 0.9 * x[1] - 0.4 * x[2]};
+    };
+    const auto positions = interpolated(body, motion, 0.25);
+    for (std::size_t n = 0; n < positions.size(); ++n) {
+      const Point& x = body.levels[0].rest[n];
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + 0.25 + motion(x)[k], 1e-13) << n;
+    }
+  }
+}
+
+/// Along the middle line of the cube, whose coarse nodes have exact gradients of this motion: a cubic of x.
+TEST(InterpolateMotion, takes_the_cubic_where_a_node_lies_between_its_parents) {
+  const Body body = graded(cube_with(0), 1.5);
+  const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
+  const auto motion = [](const Point& x) { return Point{x[0] * x[0], 0, 0}; };
+  const auto positions = interpolated(body, motion, 0);
+  int between = 0;
+  for (std::size_t n = 0; n < positions.size(); ++n) {
+    const auto& [a, b] = fine.parents[n];
+    const Point &from = coarse.rest[std::size_t(a)], &to = coarse.rest[std::size_t(b)];
+    const bool along = a != b && from[1] == to[1] && from[2] == to[2];
+    if (!along) continue;
+    ++between;
+    // Straight lines are off by (x - a)(b - x), half-way weights by more than a tenth of it in the outer cells; mean
+    // gradients of quadratic motions are off by a part of the widths' difference.
+    const double x = fine.rest[n][0], off = positions[n][0] - x - x * x;
+    EXPECT_LE(std::abs(off), 0.5 * (x - from[0]) * (to[0] - x)) << n;
+  }
+  EXPECT_EQ(between, 4 * 25);
 }
 
 /// A straight line between parents would be off by h^2/8 times the second derivative. The mean gradient at

@@ -58,8 +58,8 @@ template <class Array>
 template <class Packing, class Ranges, class Entries>
 void put_packed(Ranges& ranges, Entries& entries, const IncidenceList& list, index_t elements, const char* name) {
   if (elements > Packing::most_elements) {
-    throw Error("a mesh of " + std::to_string(elements) + " " + name + ", and the solver's lists number " +
-                std::to_string(Packing::most_elements) + " at most: use fewer cells");
+    throw Error("the mesh has " + std::to_string(elements) + " " + name + ", but the solver's lists can number only " +
+                std::to_string(Packing::most_elements) + "; use fewer cells");
   }
   if constexpr (!host_accessible(Entries::View::Space::kind)) {
     elasticity::IncidenceRangeArray<float> host_ranges(ranges.size());

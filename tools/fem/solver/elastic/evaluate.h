@@ -25,8 +25,6 @@ struct AddElastic {
     s.elastic() = before + energy;
   }
 };
-template <class StateView>
-AddElastic(StateView, bool) -> AddElastic<StateView>;
 
 /// Leaves the energy of the mean volumes in quasistatic::Equilibrium.
 template <class StateView>
@@ -34,8 +32,6 @@ struct StoreVolumetric {
   StateView state;
   PHYSGEN_FUNCTION void operator()(double energy) const { state[index_t{0}].volumetric() = energy; }
 };
-template <class StateView>
-StoreVolumetric(StateView) -> StoreVolumetric<StateView>;
 
 /// A material, as the solver sees it that is compiled for all of them.
 /// @tparam Arrays EquilibriumOver

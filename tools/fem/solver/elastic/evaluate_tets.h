@@ -41,8 +41,6 @@ struct PatchPressures {
     return {pressure, tangent_pressure};
   }
 };
-template <class... Views>
-PatchPressures(Views...) -> PatchPressures<Views...>;
 
 /// Negative eigenvalues of a tet's tangent: kept, or replaced by their absolute values. (Where zeros would replace
 /// them, a body without support may be left with no stiffness at all.)
@@ -156,8 +154,6 @@ struct ComputeTetForces {
     return tet.shape.volume * material.energy(tet.f.s);
   }
 };
-template <class... Arguments>
-ComputeTetForces(TetChunk, Arguments...) -> ComputeTetForces<Arguments...>;
 
 /// Tangents of a chunk of tets. Called with the objects 0 .. chunk.tets() - 1 of `tangent`.
 template <class Material, class Pressures, class TetView, class RestView, class PositionView, class TangentView>
@@ -203,8 +199,6 @@ struct ComputeTetTangents {
     out.x3223() = cast<Real>(half * (d.d32 - d.s32));
   }
 };
-template <class... Arguments>
-ComputeTetTangents(TetChunk, TangentFilter, Arguments...) -> ComputeTetTangents<Arguments...>;
 
 /// Current over rest volume of each tet: J.
 template <class TetView, class RestView, class PositionView>
@@ -223,8 +217,6 @@ struct VolumeRatio {
     return determinant(ds) / determinant(dm);
   }
 };
-template <class... Views>
-VolumeRatio(Views...) -> VolumeRatio<Views...>;
 
 }  // namespace physgen::fem
 

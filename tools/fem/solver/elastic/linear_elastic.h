@@ -89,8 +89,6 @@ struct MultiplyLinear {
   DifferentialView differentials;  ///< elasticity::NodeForceDifferential, written
   PHYSGEN_FUNCTION void operator()(index_t node) const { differentials[node].df() = force(node); }
 };
-template <class... Arguments>
-MultiplyLinear(Arguments...) -> MultiplyLinear<Arguments...>;
 
 /// Elastic energy of a tet at displacements u [J].
 template <class TetView, class RestView, class DisplacementView>
@@ -111,8 +109,6 @@ struct LinearEnergy {
     return energy * double(rest[t].volume());
   }
 };
-template <class... Views>
-LinearEnergy(LameParameters, Views...) -> LinearEnergy<Views...>;
 
 /// Current over rest volume of a tet at displacements u: det(1 + H).
 template <class TetView, class RestView, class DisplacementView>
@@ -130,8 +126,6 @@ struct DisplacedVolumeRatio {
     return dot3<double>(F.col(0), cross3<double>(F.col(1), F.col(2)));
   }
 };
-template <class... Views>
-DisplacedVolumeRatio(Views...) -> DisplacedVolumeRatio<Views...>;
 
 /// The stress of a tet at displacements u.
 template <class TetView, class RestView, class DisplacementView, class StressView>
@@ -150,8 +144,6 @@ struct ComputeLinearStress {
     stresses[t].P() = detail::linear_stress<double>(lame.mu, lame.lambda, H);
   }
 };
-template <class... Views>
-ComputeLinearStress(LameParameters, Views...) -> ComputeLinearStress<Views...>;
 
 /// E(m, n) = df(m)/du(n), as the sum over the edge's tets, straight from their gradients.
 template <class RestView, class EdgeTets, class EdgeStiffnessView>
@@ -177,8 +169,6 @@ struct SumLinearEdgeStiffness {
     });
   }
 };
-template <class... Views>
-SumLinearEdgeStiffness(LameParameters, Views...) -> SumLinearEdgeStiffness<Views...>;
 
 /// K(node) = df(node)/du(node), for preconditioners of products that assemble no edges.
 template <class RestView, class NodeTets, class NodeStiffnessView>
@@ -200,7 +190,5 @@ struct SumLinearNodeStiffness {
     });
   }
 };
-template <class... Views>
-SumLinearNodeStiffness(LameParameters, Views...) -> SumLinearNodeStiffness<Views...>;
 
 }  // namespace physgen::fem

@@ -84,8 +84,6 @@ struct MeanVolumeEnergy {
     return modulus != Scalar(0) ? Scalar(0.5) * Scalar(mean.volume()) * stress * (stress / modulus) : Scalar(0);
   }
 };
-template <class View>
-MeanVolumeEnergy(VolumeLaw, double, View) -> MeanVolumeEnergy<View>;
 
 /// After the linearised pressures have been moved along with all of a step: along with a part of it.
 template <class MeanVolumeView>
@@ -100,7 +98,5 @@ struct ShortenPressures {
     mean.linearised() = before + length * (full - before);
   }
 };
-template <class View>
-ShortenPressures(double, View) -> ShortenPressures<View>;
 
 }  // namespace physgen::fem

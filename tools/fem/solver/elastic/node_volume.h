@@ -72,8 +72,6 @@ struct EvaluateNodeVolumes {
         detail::respond<Scalar>(law, modulus, restart, volume / Scalar(24), current / Scalar(24), volumes[node]));
   }
 };
-template <class... Arguments>
-EvaluateNodeVolumes(VolumeLaw, double, bool, Arguments...) -> EvaluateNodeVolumes<Arguments...>;
 
 /// The pressure of a tet is the mean of those of its corners.
 template <class TetView, class MeanVolumeView>
@@ -95,8 +93,6 @@ struct NodePressures {
     return {quarter * sum, quarter * tangent_sum};
   }
 };
-template <class... Views>
-NodePressures(Views...) -> NodePressures<Views...>;
 
 /// E(m, n) -= k_a g_am g_an^T of the nodes a that have both ends of the edge in their rings.
 template <class EdgeView, class Rings, class TangentView, class EdgeStiffnessView>
@@ -128,8 +124,6 @@ struct AddNodeVolumeStiffness {
     edges[edge].E() = sum;
   }
 };
-template <class... Views>
-AddNodeVolumeStiffness(Views...) -> AddNodeVolumeStiffness<Views...>;
 
 /// Moves the linearised pressure along with a step dx that Newton's method takes from the state of the last
 /// EvaluateNodeVolumes.
@@ -155,8 +149,6 @@ struct AdvanceNodeVolumes {
     detail::advance<Scalar>(law, modulus, change, volumes[node]);
   }
 };
-template <class... Arguments>
-AdvanceNodeVolumes(VolumeLaw, double, Arguments...) -> AdvanceNodeVolumes<Arguments...>;
 
 /// A node begins with the mean of the linearised pressures that the coarser level has found at its parents.
 template <class ParentsView, class CoarseView, class MeanVolumeView>
@@ -173,8 +165,6 @@ struct InjectNodePressures {
         Scalar(0.5) * (Scalar(coarse[first].linearised()) + Scalar(coarse[second].linearised()));
   }
 };
-template <class... Views>
-InjectNodePressures(Views...) -> InjectNodePressures<Views...>;
 
 }  // namespace physgen::fem
 

@@ -49,8 +49,6 @@ struct EvaluatePatches {
     for (int k = 0; k < 3; ++k) g[3 * slot + k] += static_cast<Real>(value[k] / Scalar(6));
   }
 };
-template <class... Arguments>
-EvaluatePatches(VolumeLaw, double, bool, Arguments...) -> EvaluatePatches<Arguments...>;
 
 /// Moves the linearised pressure along with a step dx that Newton's method takes from the state of the last
 /// EvaluatePatches.
@@ -76,8 +74,6 @@ struct AdvancePatches {
     detail::advance<Scalar>(law, modulus, change, volumes[p]);
   }
 };
-template <class... Arguments>
-AdvancePatches(VolumeLaw, double, Arguments...) -> AdvancePatches<Arguments...>;
 
 /// A patch begins with the linearised pressure that the coarser level has found where it lies.
 template <class ParentView, class CoarseView, class MeanVolumeView>
@@ -92,7 +88,5 @@ struct InjectPatchPressures {
     volumes[p].linearised() = Scalar(coarse[parent].linearised());
   }
 };
-template <class... Views>
-InjectPatchPressures(Views...) -> InjectPatchPressures<Views...>;
 
 }  // namespace physgen::fem

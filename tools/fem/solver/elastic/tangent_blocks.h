@@ -1,5 +1,5 @@
 // Kernels: from the tets' tangents to the stiffness of edges and nodes, without blocks of tets in memory. Sums are
-// gathers in a fixed order. Prescribed components are in it: vectors and the preconditioner leave them out.
+// gathers in a fixed order. It includes prescribed components, which vectors and the preconditioner leave out.
 #pragma once
 
 #include <fem/kernels/stiffness.h>
@@ -20,8 +20,6 @@ struct EdgePatchTangents {
   EdgePatches edge_patches;  ///< Rows of EdgePatchEntry
   PatchTangentView tangent;  ///< quasistatic::PatchTangent
 };
-template <class... Arguments>
-EdgePatchTangents(Arguments...) -> EdgePatchTangents<Arguments...>;
 
 /// E(m, n) = df(m)/dx(n), as the sum over the edge's tets of -volume U K^(g_m, g_n) U^T, and over its patches of -k g_m
 /// g_n^T.
@@ -79,8 +77,6 @@ struct SumEdgeStiffness {
     return corner == 1 ? g.col(0) : (corner == 2 ? g.col(1) : g.col(2));
   }
 };
-template <class... Arguments>
-SumEdgeStiffness(TetChunk, Arguments...) -> SumEdgeStiffness<Arguments...>;
 
 /// K(node) = -(sum of the blocks of its edges): a translation gives no force.
 template <class NodeEdges, class EdgeStiffnessView, class NodeStiffnessView>
@@ -101,7 +97,5 @@ struct SumNodeStiffness {
     nodes[node].K() = Matrix((sum + sum.transpose()) * Scalar(-0.5));
   }
 };
-template <class... Arguments>
-SumNodeStiffness(Arguments...) -> SumNodeStiffness<Arguments...>;
 
 }  // namespace physgen::fem

@@ -29,7 +29,5 @@ struct EvaluateStress {
     stresses[i].P() = multiply_transpose<S>(ug, tet.f.V);
   }
 };
-template <class... Arguments>
-EvaluateStress(Arguments...) -> EvaluateStress<Arguments...>;
 
 }  // namespace physgen::fem

@@ -47,7 +47,7 @@ Cells choose_cells(const Box& box, double width) {
   std::array<double, 3> cells{};
   for (std::size_t k = 0; k < 3; ++k) {
     cells[k] = (box.high[k] - box.low[k]) / width;
-    if (!(cells[k] > 0)) throw Error("a background grid needs a body that is extended in all directions");
+    if (!(cells[k] > 0)) throw Error("a background grid needs a body that has an extent in all directions");
   }
   int halvings = 0;
   const auto coarsest = [&](std::size_t k) { return std::max(1.0, std::round(std::ldexp(cells[k], -halvings))); };

@@ -40,8 +40,6 @@ struct ComputeNodeScale {
   PHYSGEN_FUNCTION static int ilogb(Scalar x) { return std::ilogb(x); }
   PHYSGEN_FUNCTION static Scalar ldexp(Scalar x, int exponent) { return std::ldexp(x, exponent); }
 };
-template <class... Views>
-ComputeNodeScale(bool, Views...) -> ComputeNodeScale<Views...>;
 
 /// The scaled block of a node without prescribed components, and its inverse, times -1: by LDL^T, in which a component
 /// whose pivot is not negative is left out.
@@ -82,8 +80,6 @@ struct ScaleNodes {
     inverse[node].D() = D;
   }
 };
-template <class... Views>
-ScaleNodes(Views...) -> ScaleNodes<Views...>;
 
 /// The scaled blocks of edges without prescribed components.
 template <class EdgeView, class ConstraintView, class EdgeStiffnessView, class ScaleView, class ScaledView>
@@ -110,8 +106,6 @@ struct ScaleEdges {
     scaled[block].E() = E;
   }
 };
-template <class... Views>
-ScaleEdges(Views...) -> ScaleEdges<Views...>;
 
 /// Adds to a node's block what its edges' blocks have lost by storage, as a translation feels it: so a translation
 /// still gives no force, and stiffness that is rounded stays soft where it was soft.

@@ -26,8 +26,6 @@ struct Curvature {
     return -dot3<S>(p, q);
   }
 };
-template <class... Views>
-Curvature(Views...) -> Curvature<Views...>;
 
 /// alpha, from the curvature; of a solve that has ended 0, so that nothing moves any more.
 template <class StateView>
@@ -49,8 +47,6 @@ struct SetLength {
     }
   }
 };
-template <class View>
-SetLength(View) -> SetLength<View>;
 
 /// dx += alpha p, r += alpha K p in free components, and s r for the preconditioner.
 template <class StateView, class ConstraintView, class ScaleView, class DirectionView, class ProductView,
@@ -78,8 +74,6 @@ struct TakeStep {
     scaled[i].df() = Vector3<S>(next * S(scales[i].scale()));
   }
 };
-template <class... Views>
-TakeStep(Views...) -> TakeStep<Views...>;
 
 /// p = s z + beta p, z being scaled, and the nodes' part of K p.
 template <class StateView, class ScaleView, class CorrectionView, class NodeStiffnessView, class DirectionView,
@@ -104,8 +98,6 @@ struct TurnDirection {
     product[i].df() = multiply_add<S>(K, next, zero);
   }
 };
-template <class... Views>
-TurnDirection(Views...) -> TurnDirection<Views...>;
 
 /// p = s z + beta p, and K p = 0, to which a product is added.
 template <class StateView, class ScaleView, class CorrectionView, class DirectionView, class ProductView>
@@ -126,8 +118,6 @@ struct TurnDirectionAlone {
     product[i].df() = Vector3<S>(Vector3<S>::Constant(S(Scalar(0))));
   }
 };
-template <class... Views>
-TurnDirectionAlone(Views...) -> TurnDirectionAlone<Views...>;
 
 /// df = 0
 template <class DifferentialView>
@@ -141,8 +131,6 @@ struct ClearDifferentials {
     differentials[i].df() = Vector3<S>(Vector3<S>::Constant(S(Scalar(0))));
   }
 };
-template <class View>
-ClearDifferentials(View) -> ClearDifferentials<View>;
 
 /// Whether a solve has ended.
 template <class StateView>
@@ -152,8 +140,6 @@ struct HasEnded {
     return int{state[index_t{0}].status()} != static_cast<int>(LinearStatus::running);
   }
 };
-template <class View>
-HasEnded(View) -> HasEnded<View>;
 
 /// z = s r: into scaled unknowns, where the preconditioner works.
 template <class ScaleView, class ResidualView, class ScaledView>
@@ -170,8 +156,6 @@ struct ScaleResidual {
     scaled[i].df() = Vector3<S>(r * S(scales[i].scale()));
   }
 };
-template <class... Views>
-ScaleResidual(Views...) -> ScaleResidual<Views...>;
 
 }  // namespace physgen::fem
 

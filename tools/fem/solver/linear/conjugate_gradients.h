@@ -19,8 +19,6 @@ struct SetTolerance {
   double tolerance;
   PHYSGEN_FUNCTION void operator()(index_t /*i*/) const { state[index_t{0}].tolerance() = tolerance; }
 };
-template <class View>
-SetTolerance(View, double) -> SetTolerance<View>;
 
 /// Begins with dx = 0.
 template <class StepView>
@@ -33,8 +31,6 @@ struct ClearStep {
     steps[i].dx() = Vector3<S>(Vector3<S>::Constant(S(Scalar(0))));
   }
 };
-template <class View>
-ClearStep(View) -> ClearStep<View>;
 
 /// Solves K dx = -f to sqrt(r . z) <= tolerance times its first value.
 /// @param loop of this level, these vectors, `multiply`, and `residual_length`, which it is recorded with

@@ -24,8 +24,6 @@ struct ResidualNorm {
     return dot3<S>(r, z) * S(scales[i].scale());
   }
 };
-template <class... Views>
-ResidualNorm(Views...) -> ResidualNorm<Views...>;
 
 /// The first r . z. @pre tolerance is set
 template <class StateView>
@@ -45,8 +43,6 @@ struct SetFirstNorm {
     s.status() = static_cast<int>(status);
   }
 };
-template <class View>
-SetFirstNorm(View) -> SetFirstNorm<View>;
 
 namespace detail {
 
@@ -78,8 +74,6 @@ struct SetNextNorm {
     detail::set_next_norm(state, rz, rz >= 0 && rz <= tolerance * tolerance * first);
   }
 };
-template <class View>
-SetNextNorm(View) -> SetNextNorm<View>;
 
 /// r . s z, z being scaled, and |r|^2.
 template <class ScaleView, class ResidualView, class CorrectionView>
@@ -96,8 +90,6 @@ struct ResidualNorms {
     return {dot3<S>(r, z) * S(scales[i].scale()), dot3<S>(r, r)};
   }
 };
-template <class... Views>
-ResidualNorms(Views...) -> ResidualNorms<Views...>;
 
 /// The next r . z; |r| says when a solve has converged.
 template <class StateView>
@@ -109,8 +101,6 @@ struct SetNextNorms {
     detail::set_next_norm(state, norms[0], norms[1] <= length * length);
   }
 };
-template <class View>
-SetNextNorms(View, double) -> SetNextNorms<View>;
 
 }  // namespace physgen::fem
 

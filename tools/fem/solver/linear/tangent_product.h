@@ -1,5 +1,5 @@
 // Kernels and programs: K dx from the tangents of tets and patches as they are, without blocks of edges: matrix-free.
-// Prescribed components are in it, as in the assembled product.
+// It includes prescribed components, as the assembled product does.
 //
 // For a tet in float the product moves its tangent (120 bytes), its corners (16) and their dx, which neighbours share;
 // then the change of its forces. On CUDA that is added to the nodes by vector atomics: 48 bytes in the L2 cache, and no
@@ -83,8 +83,6 @@ struct ComputeTetDifferentials {
     corners[i].G() = detail::cast_matrix<Scalar>(detail::tet_differential<Real>(tets, tangent, displacements, t));
   }
 };
-template <class... Views>
-ComputeTetDifferentials(TetChunk, Views...) -> ComputeTetDifferentials<Views...>;
 
 /// The same, added to the nodes: df += K dx of the tets.
 template <class TetView, class TangentView, class DisplacementView, class DifferentialView>
@@ -106,8 +104,6 @@ struct AddTetDifferentials {
     }
   }
 };
-template <class... Views>
-AddTetDifferentials(Views...) -> AddTetDifferentials<Views...>;
 
 /// k g . dx of each patch.
 template <class NodesView, class TangentView, class DisplacementView, class ChangeView>
@@ -122,8 +118,6 @@ struct ComputePatchChanges {
     changes[p].change() = detail::patch_change<Scalar>(nodes[p].nodes(), tangent[p], displacements);
   }
 };
-template <class... Views>
-ComputePatchChanges(Views...) -> ComputePatchChanges<Views...>;
 
 /// df -= k g (g . dx) at the nodes of each patch.
 template <class NodesView, class TangentView, class DisplacementView, class DifferentialView>
@@ -147,8 +141,6 @@ struct AddPatchDifferentials {
     }
   }
 };
-template <class... Views>
-AddPatchDifferentials(Views...) -> AddPatchDifferentials<Views...>;
 
 /// No patches average the volume.
 struct NoNodePatches {
@@ -162,8 +154,6 @@ struct NodePatchTangents {
   NodePatches node_patches;  ///< Rows of NodePatchEntry
   TangentView tangent;       ///< quasistatic::PatchTangent
 };
-template <class... Arguments>
-NodePatchTangents(Arguments...) -> NodePatchTangents<Arguments...>;
 
 /// The same with what each patch's volume changes by.
 template <class NodePatches, class TangentView, class ChangeView>
@@ -173,8 +163,6 @@ struct NodePatchChanges {
   TangentView tangent;       ///< quasistatic::PatchTangent
   ChangeView changes;        ///< quasistatic::PatchChange
 };
-template <class... Arguments>
-NodePatchChanges(Arguments...) -> NodePatchChanges<Arguments...>;
 
 /// df += the changes of the forces of its tets, those of one chunk, and of its patches, in double.
 template <class NodeTets, class CornerView, class Patches, class DifferentialView>
@@ -204,8 +192,6 @@ struct SumDifferentials {
     for (int k = 0; k < 3; ++k) differentials[node].df()[k] += static_cast<Real>(sum[k]);
   }
 };
-template <class... Arguments>
-SumDifferentials(TetChunk, Arguments...) -> SumDifferentials<Arguments...>;
 
 /// The diagonal block of each node, from its tets and its patches.
 template <class NodeTets, class TangentView, class Patches, class NodeStiffnessView>
@@ -241,8 +227,6 @@ struct SumNodeTangents {
     nodes[node].K() = Matrix((sum + sum.transpose()) * Scalar(0.5));
   }
 };
-template <class... Arguments>
-SumNodeTangents(Arguments...) -> SumNodeTangents<Arguments...>;
 
 /// df += K dx from the arrays' tangents, which are those of all tets.
 template <class On, class Arrays, class DisplacementView, class DifferentialView>

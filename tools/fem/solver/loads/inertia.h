@@ -34,8 +34,6 @@ struct Inertia {
     return {away * -c, 0.5 * c * dot3<double>(away, away)};
   }
 };
-template <class MassView, class CentreView>
-Inertia(double, MassView, CentreView) -> Inertia<MassView, CentreView>;
 
 /// K(node) -= c. On coarser levels m is the sum over a node's children, each times its weight: that is P^T C P, whose
 /// blocks of edges come from the finer nodes' blocks (CoarsenEdgeStiffness), and those of nodes from these edges, as if
@@ -55,8 +53,6 @@ struct AddInertiaStiffness {
     stiffness[node].K() = K;
   }
 };
-template <class... Views>
-AddInertiaStiffness(double, Views...) -> AddInertiaStiffness<Views...>;
 
 /// T takes in what inertia adds to the nodes' blocks, for levels of a background grid.
 template <class ConstraintView, class MassView, class TranslationView>
@@ -78,8 +74,6 @@ struct AddInertiaTranslations {
     translations[node].T() = T;
   }
 };
-template <class... Views>
-AddInertiaTranslations(double, Views...) -> AddInertiaTranslations<Views...>;
 
 /// y, and where Newton's method begins: free components at y, prescribed ones where they are.
 template <class PositionView, class VelocityView, class ConstraintView, class CentreView, class StartView>
@@ -100,8 +94,6 @@ struct PredictPositions {
     start[node].x() = Vector3<double>(x + detail::free_part<double>(way, constraints[node]));
   }
 };
-template <class... Views>
-PredictPositions(double, double, Views...) -> PredictPositions<Views...>;
 
 /// v = (x - x_n) / dt
 template <class PositionView, class BeforeView, class VelocityView>
@@ -117,7 +109,5 @@ struct UpdateVelocities {
     velocities[node].v() = Vector3<double>(way / length);
   }
 };
-template <class... Views>
-UpdateVelocities(double, Views...) -> UpdateVelocities<Views...>;
 
 }  // namespace physgen::fem

@@ -86,8 +86,6 @@ struct RigidPlanes {
     return sum;
   }
 };
-template <class PlaneView, class AreaView>
-RigidPlanes(double, AtLoad, PlaneView, AreaView) -> RigidPlanes<PlaneView, AreaView>;
 
 /// The planes' part of the tangent, which is kept for coarser levels, joins the nodes' blocks.
 template <class Planes, class PositionView, class ConstraintView, class PartView, class NodeStiffnessView>
@@ -107,8 +105,6 @@ struct AddPlaneStiffness {
     stiffness[node].K() = Matrix3<Real>(Matrix3<Real>(stiffness[node].K().get()) + K);
   }
 };
-template <class... Arguments>
-AddPlaneStiffness(Arguments...) -> AddPlaneStiffness<Arguments...>;
 
 /// The same for a coarser level, exactly as P^T C P has it: blocks of edges have their part of it from the finer nodes
 /// (CoarsenEdgeStiffness), a coarse node's follows from its edges as if nothing resisted translations
@@ -132,8 +128,6 @@ struct CoarsenPlaneStiffness {
     stiffness[node].K() = Matrix(Matrix(stiffness[node].K().get()) + sum);
   }
 };
-template <class... Arguments>
-CoarsenPlaneStiffness(Arguments...) -> CoarsenPlaneStiffness<Arguments...>;
 
 /// The distance of a node behind the plane that touches it [m]; else 0.
 template <class Planes, class PositionView, class ConstraintView>
@@ -149,8 +143,6 @@ struct PlaneDepth {
                                                              : 0;
   }
 };
-template <class... Arguments>
-PlaneDepth(index_t, Arguments...) -> PlaneDepth<Arguments...>;
 
 /// The force of a plane on a node along the normal [N].
 template <class Planes, class PositionView, class ConstraintView>
@@ -165,23 +157,17 @@ struct PlaneForce {
            PlaneDepth{plane, planes, positions, constraints}(node);
   }
 };
-template <class... Arguments>
-PlaneForce(index_t, Arguments...) -> PlaneForce<Arguments...>;
 
 template <class ContactView>
 struct StorePlaneDepth {
   ContactView contact;  ///< contact::PlaneContact
   PHYSGEN_FUNCTION void operator()(double depth) const { contact[index_t{0}].depth() = depth; }
 };
-template <class View>
-StorePlaneDepth(View) -> StorePlaneDepth<View>;
 
 template <class ContactView>
 struct StorePlaneForce {
   ContactView contact;  ///< contact::PlaneContact
   PHYSGEN_FUNCTION void operator()(double force) const { contact[index_t{0}].force() = force; }
 };
-template <class View>
-StorePlaneForce(View) -> StorePlaneForce<View>;
 
 }  // namespace physgen::fem

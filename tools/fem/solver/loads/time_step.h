@@ -25,8 +25,6 @@ struct NodeMotion {
     return {0.5 * mass * dot3<double>(v, v), mass * v[0], mass * v[1], mass * v[2]};
   }
 };
-template <class... Views>
-NodeMotion(Views...) -> NodeMotion<Views...>;
 
 template <class MotionView>
 struct StoreMotion {
@@ -37,7 +35,5 @@ struct StoreMotion {
     m.momentum() = Vector3<double>(sums[1], sums[2], sums[3]);
   }
 };
-template <class View>
-StoreMotion(View) -> StoreMotion<View>;
 
 }  // namespace physgen::fem

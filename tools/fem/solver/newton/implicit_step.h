@@ -17,16 +17,12 @@ struct LargestCoordinate {
     return max(abs(x[0]), max(abs(x[1]), abs(x[2])));
   }
 };
-template <class View>
-LargestCoordinate(View) -> LargestCoordinate<View>;
 
 template <class MotionView>
 struct StoreFarthest {
   MotionView motion;  ///< dynamics::Motion
   PHYSGEN_FUNCTION void operator()(double farthest) const { motion[index_t{0}].farthest() = farthest; }
 };
-template <class View>
-StoreFarthest(View) -> StoreFarthest<View>;
 
 /// The largest coordinate of a node's position [m]. @pre the level has inertia
 template <class On, class Arrays, class Level>

@@ -8,17 +8,18 @@
 
 namespace physgen::fem {
 
-/// Moves free components of nodes by how far the coarser mesh has moved where they were: x += w. A node half-way
-/// between two parents takes the cubic that has their motions and, along the edge between them, their gradients of the
-/// motion: w = (w_a + w_b)/2 + (G_a L - G_b L)/8. A parent's gradient is the mean over its tets, by volume. The
-/// straight line between the motions would bend what was smooth at each coarse node, and Newton's method would begin
-/// with that.
-template <class ParentsView, class NodeTets, class TetView, class RestView, class BeforeView, class NowView,
-          class ConstraintView, class PositionView>
+/// Moves free components of nodes by how far the coarser mesh has moved where they were: x += w. A node between two
+/// parents takes the cubic that has their motions and, along the edge between them, their gradients of the motion:
+/// half-way w = (w_a + w_b)/2 + (G_a L - G_b L)/8. Where it lies beside that edge, as in cells of different widths, it
+/// follows the gradients from there on. A parent's gradient is the mean over its tets, by volume. The straight line
+/// between the motions would bend what was smooth at each coarse node, and Newton's method would begin with that.
+template <class ParentsView, class FineRestView, class NodeTets, class TetView, class RestView, class BeforeView,
+          class NowView, class ConstraintView, class PositionView>
 struct InterpolateMotion {
   using Scalar = typename PositionView::Precision;
   bool bends;                  ///< else w = (w_a + w_b)/2: cubics may invert tets, and straight lines do not
   ParentsView parents;         ///< quasistatic::NodeParents
+  FineRestView fine_rest;      ///< elasticity::NodePosition
   NodeTets node_tets;          ///< Rows of NodeTetEntry, of the coarser level
   TetView tets;                ///< elasticity::Tet, of the coarser level
   RestView rest;               ///< elasticity::NodePosition, of the coarser level
@@ -31,10 +32,20 @@ struct InterpolateMotion {
     using Vector = Vector3<Scalar>;
     const auto names = parents[node].nodes();
     const index_t a = names[0], b = names[1];
-    Vector w = (motion(a) + motion(b)) * Scalar(0.5);
+    const Vector first = motion(a), second = motion(b);
+    Vector w = (first + second) * Scalar(0.5);
     if (bends && a != b) {
-      const Vector edge = Vector(rest[b].x().get()) - Vector(rest[a].x().get());
-      w += (slope(a, edge) - slope(b, edge)) * Scalar(0.125);
+      const Vector from = rest[a].x(), edge = Vector(rest[b].x().get()) - from;
+      const Vector at = Vector(fine_rest[node].x().get()) - from, off = at - edge * Scalar(0.5);
+      const Scalar square = dot3<Scalar>(edge, edge), rounding(1e-9);
+      if (dot3<Scalar>(off, off) <= rounding * rounding * square) {
+        w += (slope(a, edge) - slope(b, edge)) * Scalar(0.125);
+      } else {
+        const Scalar s = dot3<Scalar>(at, edge) / square, t = Scalar(1) - s;
+        const Vector beside = at - edge * s;
+        w = first * ((Scalar(1) + Scalar(2) * s) * t * t) + second * ((Scalar(1) + Scalar(2) * t) * s * s) +
+            slope(a, edge * (s * t * t) + beside * t) + slope(b, beside * s - edge * (s * s * t));
+      }
     }
     positions[node].x() += detail::free_part<Scalar>(w, constraints[node]);
   }
@@ -43,7 +54,7 @@ struct InterpolateMotion {
   PHYSGEN_FUNCTION Vector3<Scalar> motion(index_t node) const {
     return Vector3<Scalar>(now[node].x().get()) - Vector3<Scalar>(before[node].x().get());
   }
-  /// G L of a coarse node, G being the mean gradient of its tets' motions and L an edge at rest.
+  /// G L of a coarse node, G being the mean gradient of its tets' motions and L a distance at rest.
   PHYSGEN_FUNCTION Vector3<Scalar> slope(index_t node, const Vector3<Scalar>& edge) const {
     using Vector = Vector3<Scalar>;
     Vector sum = Vector::Zero();
@@ -63,7 +74,5 @@ struct InterpolateMotion {
     return sum / volume;
   }
 };
-template <class... Views>
-InterpolateMotion(bool, Views...) -> InterpolateMotion<Views...>;
 
 }  // namespace physgen::fem

@@ -26,8 +26,6 @@ struct BeginAtLoad {
     }
   }
 };
-template <class... Views>
-BeginAtLoad(double, Views...) -> BeginAtLoad<Views...>;
 
 /// u += dx in free components.
 template <class StepView, class ConstraintView, class DisplacementView>
@@ -44,8 +42,6 @@ struct AddLinearStep {
     }
   }
 };
-template <class... Views>
-AddLinearStep(Views...) -> AddLinearStep<Views...>;
 
 /// f = elastic and external forces. Returns |f|^2 over free and over prescribed components, and the load's potential.
 template <class Force, class LoadView, class ConstraintView, class DisplacementView, class ForceView>
@@ -67,8 +63,6 @@ struct MeasureLinearForces {
     return Vector(dot3<double>(free, free), dot3<double>(fixed, fixed), -dot3<double>(own, u));
   }
 };
-template <class... Arguments>
-MeasureLinearForces(double, Arguments...) -> MeasureLinearForces<Arguments...>;
 
 /// The tets of each node.
 template <class Body>

@@ -32,8 +32,6 @@ struct SumForces {
     forces[node].f() = f;
   }
 };
-template <class... Views>
-SumForces(TetChunk, double, Views...) -> SumForces<Views...>;
 
 /// f takes in what planes push the node with and inertia pulls it with. Returns |f|^2 over free components, and of the
 /// forces that hold the body, those on prescribed components, of planes and of inertia; and the load's potential, -load
@@ -74,8 +72,6 @@ struct MeasureForces {
     return Vector(dot3<Scalar>(free, free), dot3<Scalar>(fixed, fixed), -dot3<Scalar>(own, moved)) + more;
   }
 };
-template <class... Views>
-MeasureForces(double, Views...) -> MeasureForces<Views...>;
 
 template <class StateView>
 struct StoreForces {
@@ -87,8 +83,6 @@ struct StoreForces {
     s.loads() = sums[2];
   }
 };
-template <class StateView>
-StoreForces(StateView) -> StoreForces<StateView>;
 
 /// r = f in free components, in the precision of the linear solve, with what the prescribed increment adds: K d.
 template <class ForceView, class ConstraintView, class ResidualView>
@@ -110,8 +104,6 @@ struct BeginResidual {
     for (int k = 0; k < 3; ++k) residual[node].df()[k] = static_cast<Real>(free[k]);
   }
 };
-template <class ForceView, class ConstraintView, class ResidualView>
-BeginResidual(ForceView, ConstraintView, bool, ResidualView) -> BeginResidual<ForceView, ConstraintView, ResidualView>;
 
 /// The prescribed increment in the precision of the linear solve.
 template <class IncrementView, class DirectionView>
@@ -125,8 +117,6 @@ struct CastIncrement {
     for (int k = 0; k < 3; ++k) direction[node].dx()[k] = static_cast<Real>(double(increment[node].dx()[k]));
   }
 };
-template <class... Views>
-CastIncrement(Views...) -> CastIncrement<Views...>;
 
 /// dx takes in the prescribed increment.
 template <class IncrementView, class StepView>
@@ -140,8 +130,6 @@ struct AddIncrement {
     for (int k = 0; k < 3; ++k) steps[node].dx()[k] += static_cast<Real>(double(increment[node].dx()[k]));
   }
 };
-template <class... Views>
-AddIncrement(Views...) -> AddIncrement<Views...>;
 
 /// trial = x + length dx; prescribed components go where they are prescribed, to the last bit, where there is an
 /// increment. Returns f . dx, the work that the forces at x would do.
@@ -171,24 +159,18 @@ struct Advance {
     return dot3<double>(f, dx);
   }
 };
-template <class... Arguments>
-Advance(double, bool, Arguments...) -> Advance<Arguments...>;
 
 template <class StateView>
 struct StoreWork {
   StateView state;  ///< quasistatic::Equilibrium
   PHYSGEN_FUNCTION void operator()(double work) const { state[index_t{0}].work() = work; }
 };
-template <class StateView>
-StoreWork(StateView) -> StoreWork<StateView>;
 
 template <class StateView>
 struct StoreSmallestRatio {
   StateView state;  ///< quasistatic::Equilibrium
   PHYSGEN_FUNCTION void operator()(double ratio) const { state[index_t{0}].smallest_ratio() = ratio; }
 };
-template <class StateView>
-StoreSmallestRatio(StateView) -> StoreSmallestRatio<StateView>;
 
 /// The distance of prescribed components from where the load takes them: d = rest + load motion - x, 0 in free ones.
 template <class RestView, class MotionView, class ConstraintView, class PositionView, class IncrementView>
@@ -208,8 +190,6 @@ struct ComputeIncrement {
     increment[node].dx() = Vector(d - detail::free_part<double>(d, constraints[node]));
   }
 };
-template <class... Arguments>
-ComputeIncrement(double, Arguments...) -> ComputeIncrement<Arguments...>;
 
 /// x += d
 template <class IncrementView, class PositionView>
@@ -222,8 +202,6 @@ struct MovePrescribed {
     positions[i].x() += increment[i].dx().get();
   }
 };
-template <class... Views>
-MovePrescribed(Views...) -> MovePrescribed<Views...>;
 
 /// Copies positions.
 template <class FromView, class ToView>
@@ -236,8 +214,6 @@ struct KeepPositions {
     to[i].x() = from[i].x().get();
   }
 };
-template <class... Views>
-KeepPositions(Views...) -> KeepPositions<Views...>;
 
 /// Copies forces.
 template <class FromView, class ToView>
@@ -250,8 +226,6 @@ struct KeepForces {
     to[i].f() = from[i].f().get();
   }
 };
-template <class... Views>
-KeepForces(Views...) -> KeepForces<Views...>;
 
 /// The force on prescribed components, component by component: minus the reactions.
 template <class ForceView, class ConstraintView>
@@ -265,8 +239,6 @@ struct PrescribedForce {
     return f - detail::free_part<double>(f, constraints[node]);
   }
 };
-template <class... Views>
-PrescribedForce(Views...) -> PrescribedForce<Views...>;
 
 }  // namespace physgen::fem
 

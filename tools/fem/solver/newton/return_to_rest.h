@@ -94,8 +94,6 @@ struct PartBeforeFlat {
     return dot3<double>(a, cross3<double>(b, c));
   }
 };
-template <class... Views>
-PartBeforeFlat(Views...) -> PartBeforeFlat<Views...>;
 
 /// Keeps the part, as the length of a step from rest.
 template <class StateView>
@@ -103,8 +101,6 @@ struct StorePart {
   StateView state;  ///< quasistatic::LinearSolve
   PHYSGEN_FUNCTION void operator()(double part) const { state[index_t{0}].alpha() = part; }
 };
-template <class View>
-StorePart(View) -> StorePart<View>;
 
 /// Moves free components back to a part of their way from rest.
 template <class RestView, class ConstraintView, class PositionView>
@@ -121,8 +117,6 @@ struct ReturnToPart {
     positions[node].x() = Vector3<double>(anchor + Vector3<double>(x - anchor) * part);
   }
 };
-template <class... Views>
-ReturnToPart(double, Views...) -> ReturnToPart<Views...>;
 
 /// Moves positions back towards rest, until no tet is inverted or flat on the way.
 /// @param v its number of a step's length is overwritten

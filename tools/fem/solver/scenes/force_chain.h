@@ -33,8 +33,10 @@ struct PHYSGEN_SCENE() force_chain {
   };
 
   template <class On, class Body>
-  static void program(On& on, Body& body, const physgen::fem::NeoHookean<Real>& material) {
+  static void program(On& on, Body& body, const physgen::fem::LameParameters& lame) {
     using namespace physgen;
+    using Scalar = typename Body::Real;
+    const fem::NeoHookean<Scalar> material{Scalar(lame.mu), Scalar(lame.lambda)};
     const auto tets = body.tets.const_view();
     const auto rest = body.rest.const_view();
     const auto gradients = body.gradients.view();

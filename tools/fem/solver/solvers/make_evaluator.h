@@ -1,4 +1,4 @@
-// Materials by name. The evaluators themselves are compiled one by one: see CMakeLists.txt.
+// Materials by name. The evaluators themselves are compiled in files of their own: see CMakeLists.txt.
 #pragma once
 
 #include <fem/materials/materials.h>

@@ -100,7 +100,7 @@ class NestedNewton : protected SolverParts<On, Types> {
     const Arrays& coarse = *arrays_[l + 1];
     const Level& level = *linear_[l];
     on_->run(a.nodes(),
-             InterpolateMotion{bends, level.parents.const_view(), coarse.node_tets.const_view(),
+             InterpolateMotion{bends, level.parents.const_view(), a.rest.const_view(), coarse.node_tets.const_view(),
                                coarse.tets.const_view(), coarse.rest.const_view(), coarse.kept.const_view(),
                                coarse.positions.const_view(), level.constraints.const_view(), a.positions.view()});
     find_increment(a, level, load);

@@ -127,14 +127,15 @@ void require_state(const SolverState& state, std::span<const std::size_t> nodes)
     throw Error("the load of a state is " + number(state.load) + " and must be a finite number");
   }
   if (state.positions.size() != nodes.size()) {
-    throw Error("a state of " + std::to_string(state.positions.size()) + " levels for a solver that solves on " +
-                std::to_string(nodes.size()) + ": restore a state of the same levels and settings");
+    throw Error("the state has " + std::to_string(state.positions.size()) + " levels, but this solver solves on " +
+                std::to_string(nodes.size()) + "; restore a state of the same levels and settings");
   }
   for (std::size_t l = 0; l < nodes.size(); ++l) {
     const std::vector<Point>& given = state.positions[l];
     if (given.size() != nodes[l]) {
-      throw Error("level " + std::to_string(l) + " has " + std::to_string(nodes[l]) + " nodes, and a state's " +
-                  std::to_string(given.size()) + ": restore a state of the same meshes");
+      throw Error("level " + std::to_string(l) + " has " + std::to_string(nodes[l]) +
+                  " nodes, but that of the state has " + std::to_string(given.size()) +
+                  "; restore a state of the same meshes");
     }
     require_finite("level " + std::to_string(l) + " of a state: the position", given);
   }
@@ -142,9 +143,10 @@ void require_state(const SolverState& state, std::span<const std::size_t> nodes)
 
 void require_plain(const char* who, const MeshLevel& level, const Loading& loading) {
   require_loading(level, loading);
-  if (!loading.planes.empty()) throw Error(std::string(who) + " has no rigid planes: prescribe the motion of nodes");
+  if (!loading.planes.empty())
+    throw Error(std::string(who) + " cannot have rigid planes; prescribe the motion of nodes");
   if (!level.patches.nodes.empty() || level.averages_at_nodes) {
-    throw Error(std::string(who) + " takes the change of volume of each tet by itself: average no volumes");
+    throw Error(std::string(who) + " takes the change of volume tet by tet; do not average volumes");
   }
 }
 

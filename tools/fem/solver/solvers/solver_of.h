@@ -93,7 +93,7 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
 
   [[nodiscard]] AssembledStiffness stiffness() override {
     if (settings_.newton.product != Product::assembled) {
-      throw Error("a matrix-free product forms no blocks of the stiffness: set Product::assembled");
+      throw Error("a matrix-free product has no blocks of the stiffness; set Product::assembled");
     }
     if constexpr (Types::Level::Choices::assembled) {
       (void)evaluate_now(0, load_);
@@ -106,7 +106,7 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
   LinearMeasurement measure_linear(std::span<const Point> force, const LinearTask& task,
                                    std::vector<Point>* step) override {
     if constexpr (is_of_scene<Types>) {
-      throw Error("linear solves are measured of solvers over all arrays, and this one has those of a scene");
+      throw Error("only solvers over all arrays measure linear solves; this one has the arrays of a scene");
     } else {
       require_vectors("the force", force, nodes());
       (void)evaluate_now(0, load_);

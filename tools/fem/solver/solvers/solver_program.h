@@ -50,8 +50,6 @@ struct SolverGroups {
   Inertias& inertia;
   Krylov& krylov;
 };
-template <class... Groups>
-SolverGroups(Groups&...) -> SolverGroups<Groups...>;
 
 /// `Over<Group>`, or NoArrays.
 template <template <class> class Over, class Group>

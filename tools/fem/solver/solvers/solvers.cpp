@@ -24,7 +24,7 @@ void require_least(const char* what, int value, int least) {
 }
 
 void require_meshes(const std::vector<MeshLevel>& levels) {
-  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh of one tet at least");
+  if (levels.empty() || levels.front().mesh.tets.empty()) throw Error("a solver needs a mesh with at least one tet");
   for (std::size_t l = 0; l < levels.size(); ++l) require_rest(l, levels[l]);
 }
 
@@ -155,19 +155,19 @@ struct SceneSolver {
 #endif
 constexpr SceneSolver scene_solvers[] = {PHYSGEN_EQUILIBRIUM_SCENES(PHYSGEN_SCENE_SOLVER)};
 
-/// @throw Error naming what is asked for that the scene has not
+/// @throw Error naming what was requested that the scene does not have
 void require_declared(const SceneRow& scene, const std::vector<MeshLevel>& levels, const Loading& loading,
                       const SolverSettings& settings) {
   const auto require = [&](bool holds, const std::string& what) {
     if (!holds) throw Error("the scene " + std::string(scene.name) + " " + what);
   };
   const NewtonSettings& newton = settings.newton;
-  require(settings.precision == TangentPrecision::float32, "is in float, and another precision is asked for");
+  require(settings.precision == TangentPrecision::float32, "is in float, but another precision was requested");
   require(settings.material == scene.material,
-          "is of the material '" + std::string(scene.material) + "', and '" + settings.material + "' is asked for");
+          "is of the material '" + std::string(scene.material) + "', but '" + settings.material + "' was requested");
   require((newton.product == Product::assembled) == scene.assembled,
-          scene.assembled ? "assembles its stiffness, and the matrix-free product is asked for"
-                          : "assembles no stiffness, and the assembled product is asked for");
+          scene.assembled ? "assembles its stiffness, but the matrix-free product was requested"
+                          : "assembles no stiffness, but the assembled product was requested");
   const PreconditionerRow& preconditioner = row_of(newton.preconditioner.kind);
   require((preconditioner.asked & asks::arrays) == 0,
           "has no " + std::string(preconditioner.title) + " preconditioner");
@@ -176,8 +176,8 @@ void require_declared(const SceneRow& scene, const std::vector<MeshLevel>& level
     require(!level.is_grid(), "has no levels of a background grid; give meshes whose coarsest is small");
     require(!level.averages_at_nodes, "averages no volumes at nodes");
     const bool has_patches = !level.patches.nodes.empty();
-    require(has_patches || scene.tets, "averages volumes over patches, and a level has none");
-    require(!has_patches || scene.patches, "takes the volumes of single tets, and a level has patches");
+    require(has_patches || scene.tets, "averages volumes over patches, but a level has none");
+    require(!has_patches || scene.patches, "takes the volumes of single tets, but a level has patches");
   }
 }
 

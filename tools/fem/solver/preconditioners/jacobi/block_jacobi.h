@@ -35,8 +35,6 @@ struct ApplyBlockJacobi {
     corrections[i].dx() = detail::block_jacobi<S>(inverse, residual, i);
   }
 };
-template <class... Views>
-ApplyBlockJacobi(Views...) -> ApplyBlockJacobi<Views...>;
 
 }  // namespace physgen::fem
 

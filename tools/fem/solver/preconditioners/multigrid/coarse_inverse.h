@@ -48,8 +48,6 @@ struct ScaledStiffness {
     put(n, m, Matrix3<Scalar>(E.transpose()));
   }
 };
-template <class... Views>
-ScaledStiffness(Views...) -> ScaledStiffness<Views...>;
 
 template <class Level>
 [[nodiscard]] auto scaled_stiffness(const Level& level) {
@@ -82,7 +80,5 @@ struct ApplyCoarseInverse {
   PHYSGEN_FUNCTION void put(index_t i, const Vector3<Scalar>& sum) const { corrections[i].dx() = sum; }
   PHYSGEN_FUNCTION void operator()(index_t i) const { put(i, part(i, Lane{})); }
 };
-template <class... Views>
-ApplyCoarseInverse(index_t, Views...) -> ApplyCoarseInverse<Views...>;
 
 }  // namespace physgen::fem

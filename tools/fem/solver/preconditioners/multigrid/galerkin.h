@@ -46,7 +46,5 @@ struct CoarsenEdgeStiffness {
     });
   }
 };
-template <class... Arguments>
-CoarsenEdgeStiffness(Arguments...) -> CoarsenEdgeStiffness<Arguments...>;
 
 }  // namespace physgen::fem

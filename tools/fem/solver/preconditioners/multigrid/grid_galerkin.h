@@ -69,8 +69,6 @@ struct CoarsenToGrid {
     });
   }
 };
-template <class... Arguments>
-CoarsenToGrid(Arguments...) -> CoarsenToGrid<Arguments...>;
 
 /// T of a node of the mesh on a grid: its row of M K M, summed.
 template <class NodeEdges, class EdgeView, class ConstraintView, class NodeStiffnessView, class EdgeStiffnessView,
@@ -106,8 +104,6 @@ struct SumTranslationStiffness {
     translations[node].T() = Matrix(detail::free_block<Scalar>(-taken, fixed, 0));
   }
 };
-template <class... Views>
-SumTranslationStiffness(Views...) -> SumTranslationStiffness<Views...>;
 
 /// T takes in what rigid planes add to the nodes' blocks.
 template <class ConstraintView, class PlaneView, class TranslationView>
@@ -125,8 +121,6 @@ struct AddPlaneTranslations {
     translations[node].T() = Matrix(T + detail::free_block<Scalar>(K, fixed, fixed));
   }
 };
-template <class... Views>
-AddPlaneTranslations(Views...) -> AddPlaneTranslations<Views...>;
 
 /// T of a grid's node from that of its children.
 template <class Interpolation, class Children, class FineView, class CoarseView>
@@ -145,8 +139,6 @@ struct CoarsenTranslationStiffness {
     });
   }
 };
-template <class... Arguments>
-CoarsenTranslationStiffness(Arguments...) -> CoarsenTranslationStiffness<Arguments...>;
 
 /// K of a grid's node = T - (sum of the blocks of its edges).
 template <class TranslationView, class NodeStiffnessView>
@@ -161,7 +153,5 @@ struct AddTranslationStiffness {
     nodes[node].K() = Matrix(K + (T + T.transpose()) * Scalar(0.5));
   }
 };
-template <class... Views>
-AddTranslationStiffness(Views...) -> AddTranslationStiffness<Views...>;
 
 }  // namespace physgen::fem

@@ -26,8 +26,6 @@ struct HalfWay {
     return (a + b) * Scalar(0.5);
   }
 };
-template <class View>
-HalfWay(View) -> HalfWay<View>;
 
 /// In a tet of a background grid.
 template <class ParentsView>
@@ -54,8 +52,6 @@ struct InGrid {
     return sum;
   }
 };
-template <class View>
-InGrid(View) -> InGrid<View>;
 
 /// Calls use(interpolation) with that of a level's nodes. @pre there is a coarser level
 template <class Level, class Use>

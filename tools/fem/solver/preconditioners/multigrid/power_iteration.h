@@ -18,8 +18,6 @@ struct ScatterDirection {
     for (int k = 0; k < 3; ++k) direction[node].dx()[k] = static_cast<Scalar>(detail::scattered(3 * node + k, 0));
   }
 };
-template <class... Views>
-ScatterDirection(Views...) -> ScatterDirection<Views...>;
 
 /// v = -D K v, unscaled; returns |v|^2 of it.
 template <class InverseView, class ProductView, class DirectionView>
@@ -37,8 +35,6 @@ struct IteratePower {
     return dot3<S>(v, v);
   }
 };
-template <class... Views>
-IteratePower(Views...) -> IteratePower<Views...>;
 
 /// |v|^2
 template <class DirectionView>
@@ -53,8 +49,6 @@ struct SquaredLength {
     return dot3<S>(v, v);
   }
 };
-template <class View>
-SquaredLength(View) -> SquaredLength<View>;
 
 /// v / |v|, |v| being the length that is kept.
 template <class SmootherView, class DirectionView>
@@ -70,8 +64,6 @@ struct NormalisePower {
     direction[i].dx() *= S(static_cast<Scalar>(length > 0 ? 1 / length : 0.0));
   }
 };
-template <class... Views>
-NormalisePower(Views...) -> NormalisePower<Views...>;
 
 /// Keeps the length of v.
 template <class SmootherView>
@@ -79,8 +71,6 @@ struct StoreLength {
   SmootherView smoother;  ///< quasistatic::Smoother
   PHYSGEN_FUNCTION void operator()(double square) const { smoother[index_t{0}].length() = math::sqrt(square); }
 };
-template <class View>
-StoreLength(View) -> StoreLength<View>;
 
 /// The estimate: the factor by which v has grown in one iteration.
 template <class SmootherView>
@@ -93,8 +83,6 @@ struct StoreLargest {
     s.length() = length;
   }
 };
-template <class View>
-StoreLargest(View) -> StoreLargest<View>;
 
 }  // namespace physgen::fem
 

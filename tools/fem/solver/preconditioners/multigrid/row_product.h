@@ -45,8 +45,6 @@ struct AddRowProduct {
   PHYSGEN_FUNCTION void put(index_t node, const Vector& sum) const { differentials[node].df() = sum; }
   PHYSGEN_FUNCTION void operator()(index_t node) const { put(node, part(node, Lane{})); }
 };
-template <class... Views>
-AddRowProduct(EdgeRows::View, Views...) -> AddRowProduct<Views...>;
 
 /// Runs a kernel over edges once for each entry of rows: kernel(edge, entry, side).
 template <class Kernel, class EntryView>
@@ -60,7 +58,5 @@ struct AtEntries {
     kernel(NodeEdgeEntry::element(value), entry, NodeEdgeEntry::local(value));
   }
 };
-template <class... Arguments>
-AtEntries(Arguments...) -> AtEntries<Arguments...>;
 
 }  // namespace physgen::fem

@@ -66,8 +66,6 @@ struct BeginChebyshev {
     }
   }
 };
-template <class... Arguments>
-BeginChebyshev(bool, bool, double, Arguments...) -> BeginChebyshev<Arguments...>;
 
 /// Step k > 1 of the polynomial, with r after the step before.
 template <class NodeStiffnessView, class InverseView, class ResidualView, class SmootherView, class DirectionView,
@@ -105,8 +103,6 @@ struct ContinueChebyshev {
     }
   }
 };
-template <class... Arguments>
-ContinueChebyshev(int, bool, double, Arguments...) -> ContinueChebyshev<Arguments...>;
 
 }  // namespace physgen::fem
 

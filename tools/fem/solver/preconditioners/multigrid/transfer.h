@@ -40,8 +40,6 @@ struct RestrictResidual {
   }
   PHYSGEN_FUNCTION void operator()(index_t node) const { put(node, part(node, Lane{})); }
 };
-template <class... Arguments>
-RestrictResidual(Arguments...) -> RestrictResidual<Arguments...>;
 
 /// d = the parents' corrections, interpolated, z += d, and r takes in the nodes' part of K d.
 template <class Interpolation, class CoarseScaleView, class CoarseView, class ConstraintView, class ScaleView,
@@ -71,7 +69,5 @@ struct InterpolateCorrection {
     add_node_product<Scalar>(stiffness, residual, node, d);
   }
 };
-template <class... Arguments>
-InterpolateCorrection(Arguments...) -> InterpolateCorrection<Arguments...>;
 
 }  // namespace physgen::fem

@@ -20,8 +20,6 @@ struct CopyResidual {
     corrections[i].dx() = residual[i].df().get();
   }
 };
-template <class... Views>
-CopyResidual(Views...) -> CopyResidual<Views...>;
 
 struct NoPreconditioner : WithoutArrays {
   template <class On, class Levels>

@@ -37,8 +37,6 @@ struct StiffnessOfNodes {
     return (of_m | of_n) == 0 ? E : detail::free_block<Scalar>(E, of_m, of_n);
   }
 };
-template <class... Views>
-StiffnessOfNodes(Views...) -> StiffnessOfNodes<Views...>;
 
 /// The stiffness of supernodes and of pairs of them.
 template <class SupernodeView, class EdgeStiffnessView>
@@ -51,8 +49,6 @@ struct StiffnessOfSupernodes {
   PHYSGEN_FUNCTION Vector3<Scalar> magnitude(index_t n) const { return supernodes[n].magnitude(); }
   PHYSGEN_FUNCTION Matrix3<Scalar> edge(index_t e) const { return blocks[e].E(); }
 };
-template <class... Views>
-StiffnessOfSupernodes(Views...) -> StiffnessOfSupernodes<Views...>;
 
 /// A supernode's stiffness from the level before, in a fixed order.
 template <class Terms, class Stiffness, class SupernodeView>
@@ -83,8 +79,6 @@ struct SumSupernodes {
     supernodes[first + i].magnitude() = magnitude;
   }
 };
-template <class... Arguments>
-SumSupernodes(index_t, Arguments...) -> SumSupernodes<Arguments...>;
 
 /// The stiffness between two supernodes from the level before, in a fixed order.
 template <class Terms, class Stiffness, class EdgeStiffnessView>
@@ -107,8 +101,6 @@ struct SumPairs {
     pairs[first + i].E() = sum;
   }
 };
-template <class... Arguments>
-SumPairs(index_t, Arguments...) -> SumPairs<Arguments...>;
 
 namespace detail {
 
@@ -174,8 +166,6 @@ struct AddSupernodes {
     corrections[node].dx() = z;
   }
 };
-template <class... Views>
-AddSupernodes(index_t, Views...) -> AddSupernodes<Views...>;
 
 /// The arrays that applying the blocks reads and writes.
 template <class SlotView, class BlockView, class FactorView, class ResidualView, class CorrectionView,
@@ -191,8 +181,6 @@ struct SchwarzProduct {
   SupernodeResidualView supernode_residual;       ///< elasticity::NodeForceDifferential, written
   SupernodeCorrectionView supernode_corrections;  ///< elasticity::NodeDisplacement, written
 };
-template <class... Views>
-SchwarzProduct(index_t, Views...) -> SchwarzProduct<Views...>;
 
 /// Stiffness of supernodes, and the factors of all blocks. @pre the level's stiffness is given, and scaled_nodes is it
 /// without prescribed components

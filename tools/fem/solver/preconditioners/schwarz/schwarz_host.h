@@ -80,8 +80,6 @@ struct FactorBlock {
     return true;
   }
 };
-template <class... Arguments>
-FactorBlock(index_t, Arguments...) -> FactorBlock<Arguments...>;
 
 /// z = W^T W r of one block, and the sums of r over its supernodes.
 template <class Product>
