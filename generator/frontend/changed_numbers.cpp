@@ -28,7 +28,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     if (!before || !after || is_kept(*before, *after)) return true;
     report_.error(from->getSourceRange(),
                   text(*before) + " becomes " + text(*after) + " in the type " +
-                      quoted(cast->getType().getUnqualifiedType().getAsString(context_.getPrintingPolicy())) +
+                      in_quotes(cast->getType().getUnqualifiedType().getAsString(context_.getPrintingPolicy())) +
                       "; write a number that it can hold");
     return true;
   }

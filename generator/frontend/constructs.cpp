@@ -9,7 +9,7 @@
 namespace physgen::frontend {
 
 bool is_plain_record(const clang::CXXRecordDecl& record, Report& report) {
-  const std::string what = "object " + quoted(record.getName());
+  const std::string what = "object " + in_quotes(record.getName());
   for (const auto& base : record.bases())
     report.error(base.getSourceRange(), what + " has a base class; write a field of the base's type instead");
   const auto* aligned = record.getAttr<clang::AlignedAttr>();
@@ -25,7 +25,7 @@ bool is_harmless(const clang::CXXRecordDecl& record, const clang::Decl& member, 
   if (member.isImplicit() || llvm::isa<clang::AccessSpecDecl, clang::StaticAssertDecl, clang::EmptyDecl>(member))
     return true;
   if (llvm::isa<clang::IndirectFieldDecl>(member)) return false;  // its anonymous struct is reported
-  const std::string within = " in object " + quoted(record.getName());
+  const std::string within = " in object " + in_quotes(record.getName());
   const auto error = [&](const std::string& what) {
     report.error(member.getLocation(), what);
     return false;
@@ -40,7 +40,7 @@ bool is_harmless(const clang::CXXRecordDecl& record, const clang::Decl& member, 
     return error("static member" + within + "; write a constexpr constant beside the object");
   if (const auto* nested = llvm::dyn_cast<clang::CXXRecordDecl>(&member))
     return error((nested->getName().empty() ? "anonymous " + nested->getKindName().str()
-                                            : nested->getKindName().str() + " " + quoted(nested->getName())) +
+                                            : nested->getKindName().str() + " " + in_quotes(nested->getName())) +
                  " is defined" + within + "; write it as an object of its own before this one and nest it by name");
   return error("declaration" + within + " that is not a field; write it beside the object");
 }
@@ -48,7 +48,7 @@ bool is_harmless(const clang::CXXRecordDecl& record, const clang::Decl& member, 
 bool is_plain_field(const clang::FieldDecl& declaration, Report& report) {
   bool good = true;
   const auto refuse = [&](clang::SourceRange range, const std::string& what) {
-    report.error(range, "field " + quoted(declaration.getName()) + what);
+    report.error(range, "field " + in_quotes(declaration.getName()) + what);
     good = false;
   };
   if (declaration.getAccess() != clang::AS_public) {
@@ -68,8 +68,8 @@ bool is_plain_field(const clang::FieldDecl& declaration, Report& report) {
 void report_recursion(const clang::CXXRecordDecl& record, const clang::FieldDecl& declaration, Report& report) {
   const auto* type = declaration.getType()->getBaseElementTypeUnsafe()->getAsCXXRecordDecl();
   if (type == nullptr || type->getCanonicalDecl() != record.getCanonicalDecl()) return;
-  report.error(declaration.getLocation(), "object " + quoted(record.getName()) + " contains itself in field " +
-                                              quoted(declaration.getName()) +
+  report.error(declaration.getLocation(), "object " + in_quotes(record.getName()) + " contains itself in field " +
+                                              in_quotes(declaration.getName()) +
                                               "; store an Index of the other object instead");
 }
 

@@ -79,7 +79,7 @@ class SchemaReader {
     const auto range = marker(declaration, field_annotation);
     if (!range) return;
     if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(declaration.getDeclContext()))
-      report_.error(*range, "PHYSGEN stands in " + quoted(record->getName()) +
+      report_.error(*range, "PHYSGEN stands in " + in_quotes(record->getName()) +
                                 ", which is not an object; write 'struct PHYSGEN_OBJECT() " + record->getName().str() +
                                 "'");
     else
@@ -90,7 +90,7 @@ class SchemaReader {
     if (clang::isTemplateInstantiation(record.getTemplateSpecializationKind())) return;  // of what is walked itself
     const auto object_marker = marker(record, object_annotation);
     const auto refuse = [&](const std::string& what) {
-      report_.error(record.getLocation(), "object " + quoted(record.getName()) + what);
+      report_.error(record.getLocation(), "object " + in_quotes(record.getName()) + what);
     };
     if (object_marker && record.getDescribedClassTemplate() != nullptr)
       return refuse(" is a template, and the generator needs its sizes; write a struct for each set of arguments");
@@ -153,8 +153,9 @@ class SchemaReader {
     const std::string path = sources_.getFilename(where).str(), other = sources_.getFilename(first->second).str();
     if (!clashing_.insert(path).second) return;  // said of its first object
     report_.error(record.getLocation(),
-                  "object " + quoted(record.getName()) + " is declared in " + quoted(path) + " and others in " +
-                      quoted(other) + ", and the headers that are generated of the two have one name; rename one file",
+                  "object " + in_quotes(record.getName()) + " is declared in " + in_quotes(path) + " and others in " +
+                      in_quotes(other) +
+                      ", and the headers that are generated of the two have one name; rename one file",
                   Note{first->second, "an object of the other file is here"});
   }
 
@@ -165,7 +166,7 @@ class SchemaReader {
     for (const auto* redeclaration : record.redecls()) {
       const auto range = marker(*redeclaration, object_annotation);
       if (range && first)
-        report_.error(*range, "PHYSGEN_OBJECT is given twice for " + quoted(record.getName()) + "; keep one of them",
+        report_.error(*range, "PHYSGEN_OBJECT is given twice for " + in_quotes(record.getName()) + "; keep one of them",
                       Note{*first, "the other one is here"});
       else if (range)
         places = read_options(*redeclaration, object, report_);

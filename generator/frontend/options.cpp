@@ -58,9 +58,9 @@ void for_each_option(const clang::Decl& declaration, llvm::StringRef annotation,
 }
 
 /// Remembers where an option stands; an option that was there before is an error.
-class Places {
+class KnownPlaces {
  public:
-  explicit Places(Report& report) : report_(report) {}
+  explicit KnownPlaces(Report& report) : report_(report) {}
 
   bool add(Aspect aspect, const Option& option, llvm::StringRef name) {
     const auto [first, is_new] = places.emplace(aspect, option.range());
@@ -85,7 +85,7 @@ const Facts* known(std::span<const Facts> rows, const std::string& name, const c
   if (row == nullptr) {
     std::vector<std::string> words;
     for (const Facts& candidate : rows) words.emplace_back(candidate.word);
-    report.error(option.range(), "this physgen does not know the " + std::string(what) + " " + quoted(name) +
+    report.error(option.range(), "this physgen does not know the " + std::string(what) + " " + in_quotes(name) +
                                      " of <physgen/schema.h>, which is for another version; it knows " +
                                      model::joined(words, " and "));
   }
@@ -127,7 +127,7 @@ Words<Facts> words(const Option& option, std::span<const Facts> rows, const std:
 }  // namespace
 
 OptionPlaces read_options(const clang::Decl& declaration, model::Object& object, Report& report) {
-  Places places(report);
+  KnownPlaces places(report);
   for_each_option(declaration, object_annotation, report, [&](const Option& option) {
     if (option.type == "Layout") {
       const auto said = words(option, model::layouts(), "layout", "pattern", "layout",
@@ -150,7 +150,7 @@ OptionPlaces read_options(const clang::Decl& declaration, model::Object& object,
 }
 
 OptionPlaces read_options(const clang::Decl& declaration, model::Field& field, Report& report) {
-  Places places(report);
+  KnownPlaces places(report);
   for_each_option(declaration, field_annotation, report, [&](const Option& option) {
     if (option.type == "Unit") {
       if (!places.add(Aspect::unit, option, "unit(...)")) return;

@@ -46,7 +46,7 @@ class Report {
   std::vector<Entry> entries_;
 };
 
-using model::quoted;
+using model::in_quotes;
 
 /// If the type is declared in physgen::schema, its name there; else empty.
 [[nodiscard]] llvm::StringRef vocabulary_name(const clang::CXXRecordDecl* record);

@@ -69,7 +69,7 @@ class TypeReader {
   [[nodiscard]] std::string name() const { return declaration_.getName().str(); }
 
   bool fail(const std::string& what, clang::SourceRange range = {}) {
-    report_.error(range.isValid() ? range : type_range(declaration_), "field " + quoted(name()) + " " + what);
+    report_.error(range.isValid() ? range : type_range(declaration_), "field " + in_quotes(name()) + " " + what);
     return false;
   }
 
@@ -101,7 +101,7 @@ class TypeReader {
     if (const auto* record = type->getAsCXXRecordDecl()) return read_record(*record);
     const auto* builtin = type->getAs<clang::BuiltinType>();
     const std::string what =
-        "has the type " + quoted(spelled(declaration_.getType(), context_)) + ", which a schema does not have; ";
+        "has the type " + in_quotes(spelled(declaration_.getType(), context_)) + ", which a schema does not have; ";
     if (type->isEnumeralType()) return fail(what + "write Index and keep the enumeration for the values");
     if (type->isBooleanType()) return fail(what + "write Index and store 0 or 1");
     if (builtin != nullptr && builtin->isInteger())
@@ -116,19 +116,19 @@ class TypeReader {
     for (const model::ShapeFacts& shape : model::shapes())
       if (!vocabulary.empty() && shape.type == std::string_view(vocabulary)) return read_shape(record, shape);
     if (!vocabulary.empty())
-      return fail("has the type " + quoted(vocabulary) +
+      return fail("has the type " + in_quotes(vocabulary) +
                   " of a <physgen/schema.h> for another version, which this physgen does not know; " + allowed());
     if (const auto option = option_name(&record); !option.empty())
-      return fail("has the type " + quoted(option) + ", which is an option and not a field type; " + allowed());
+      return fail("has the type " + in_quotes(option) + ", which is an option and not a field type; " + allowed());
     if (record.isUnion()) return fail("is a union, whose members share memory; write one field per member");
     if (llvm::isa<clang::ClassTemplateSpecializationDecl>(record))
       return fail("has a template as its type, which a schema does not have; write a struct with PHYSGEN_OBJECT()");
     if (!is_object(record)) {
       if (report_.clang_errors()) return false;  // an option that Clang refused takes the marker with it
       report_.error(type_range(declaration_),
-                    "field " + quoted(name()) + " has the type " + quoted(record.getName()) +
+                    "field " + in_quotes(name()) + " has the type " + in_quotes(record.getName()) +
                         ", which is not an object; write 'struct PHYSGEN_OBJECT() " + record.getName().str() + "'",
-                    Note{record.getLocation(), quoted(record.getName()) + " is declared here"});
+                    Note{record.getLocation(), in_quotes(record.getName()) + " is declared here"});
       return false;
     }
     const std::string scope = scope_of(record);
@@ -154,8 +154,8 @@ class TypeReader {
     if (!element || type.hasQualifiers()) {
       std::vector<std::string> words;
       for (const model::ElementFacts& row : model::elements()) words.emplace_back(row.schema);
-      return fail("has elements of type " + quoted(type.getAsString(context_.getPrintingPolicy())) + "; write one of " +
-                  model::joined(words, " and "));
+      return fail("has elements of type " + in_quotes(type.getAsString(context_.getPrintingPolicy())) +
+                  "; write one of " + model::joined(words, " and "));
     }
     field_.element = *element;
     return true;

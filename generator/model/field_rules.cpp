@@ -14,7 +14,7 @@ namespace {
 
 bool check_sizes(const Field& field, const FieldReport& report) {
   const auto wrong = [&](const std::string& instead) {
-    report(Aspect::type, "field " + quoted(field.name) + " has the type " + schema_type(field) + ", " + instead);
+    report(Aspect::type, "field " + in_quotes(field.name) + " has the type " + schema_type(field) + ", " + instead);
     return false;
   };
   const std::string limits = "whose sizes must be from 1 to " + std::to_string(max_side);
@@ -65,7 +65,7 @@ void check_initial(const Field& field, const FieldReport& report) {
   const auto wrong = [&](const std::string& why) {
     report(Aspect::initial, "initial(" + number(value) + ") is " + why);
   };
-  const std::string elements = ", as the elements of " + quoted(field.name) + " are";
+  const std::string elements = ", as the elements of " + in_quotes(field.name) + " are";
   if (!std::isfinite(value))
     report(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
   else if (field.shape == Shape::rotation)
@@ -83,8 +83,8 @@ void check_initial(const Field& field, const FieldReport& report) {
 
 void check_options(const Field& field, const FieldReport& report) {
   if (field.shape == Shape::object) {
-    const std::string advice = " has no meaning for nested object " + quoted(field.name) +
-                               "; write it at the fields of " + quoted(field.object);
+    const std::string advice = " has no meaning for nested object " + in_quotes(field.name) +
+                               "; write it at the fields of " + in_quotes(field.object);
     if (!field.unit.empty()) report(Aspect::unit, "unit()" + advice);
     if (field.range) report(Aspect::range, "range()" + advice);
     if (field.initial) report(Aspect::initial, "initial()" + advice);

@@ -23,7 +23,7 @@ void check_magnitudes(Aspect aspect, const Field& field, const EncodingFacts& en
   const bool too_small = end > 0 && end < least;
   if (largest <= limit && !too_small) return;
   report(aspect, std::string(end > limit || too_small ? "the range" : "the initial value") + " of " +
-                     quoted(field.name) + " is beyond what this format holds, " +
+                     in_quotes(field.name) + " is beyond what this format holds, " +
                      (too_small ? "ranges that end above " + rounded(least, 3, std::ceil)
                                 : "sizes up to " + rounded(limit, 3, std::floor)) +
                      "; choose float64");
@@ -37,25 +37,26 @@ void check_format(Aspect aspect, const Field& field, const Format& format, const
   const std::string word(encoding.word);
   const bool in_steps = encoding.scaling == Scaling::interval && field.shape != Shape::rotation;
   if (facts(field.element).integer)
-    report(aspect, "the elements of " + quoted(field.name) + " are integers, which have no other format; leave it out");
+    report(aspect,
+           "the elements of " + in_quotes(field.name) + " are integers, which have no other format; leave it out");
   else if (format.quaternion && field.shape != Shape::rotation)
     report(aspect,
-           "only a Rotation can be stored as a quaternion; " + quoted(field.name) + " is a " + schema_type(field));
+           "only a Rotation can be stored as a quaternion; " + in_quotes(field.name) + " is a " + schema_type(field));
   else if (in_steps && !field.range)
-    report(aspect, word + " has equal steps over a range, and " + quoted(field.name) +
+    report(aspect, word + " has equal steps over a range, and " + in_quotes(field.name) +
                        " states none; add one, such as range(-1, 1)");
   else if (in_steps && !(field.range->low < field.range->high))
     report(aspect,
-           word + " has equal steps over a range of more than one value; widen the range of " + quoted(field.name));
+           word + " has equal steps over a range of more than one value; widen the range of " + in_quotes(field.name));
   else if (in_steps && !field.initial && (field.range->low > 0 || field.range->high < 0))
     report(aspect, "new objects hold 0 where no initial() is stated, which " + word + " over range(" +
                        number(field.range->low) + ", " + number(field.range->high) + ") does not hold; add initial(" +
                        number(field.range->low > 0 ? field.range->low : field.range->high) +
-                       ") or another value of the range to " + quoted(field.name) + ", or widen the range to 0");
+                       ") or another value of the range to " + in_quotes(field.name) + ", or widen the range to 0");
   else if (encoding.scaling == Scaling::exponent && field.initial && std::abs(*field.initial) > encoding.largest &&
            !field.range)
     report(aspect, "initial(" + number(*field.initial) + ") does not fit " + word + ", whose largest number is " +
-                       number(encoding.largest) + "; add range(...) to " + quoted(field.name) +
+                       number(encoding.largest) + "; add range(...) to " + in_quotes(field.name) +
                        ", so that it is scaled");
   else
     check_magnitudes(aspect, field, encoding, report);

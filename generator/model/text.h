@@ -8,7 +8,7 @@
 namespace physgen::model {
 
 /// `name` in the quotes of a message.
-[[nodiscard]] inline std::string quoted(std::string_view name) { return "'" + std::string(name) + "'"; }
+[[nodiscard]] inline std::string in_quotes(std::string_view name) { return "'" + std::string(name) + "'"; }
 
 /// Shortest text that reads back as `value`: "0.5", "1e-12", "3".
 [[nodiscard]] std::string number(double value);

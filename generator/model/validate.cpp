@@ -41,11 +41,11 @@ class Checker {
 
   void object(const Object& object) {
     if (const auto same = declared_.find(object.qualified_name()); same != declared_.end())
-      report(Aspect::name, "object " + quoted(object.qualified_name()) + " is declared twice; rename or remove one",
+      report(Aspect::name, "object " + in_quotes(object.qualified_name()) + " is declared twice; rename or remove one",
              same->second.place);
     if (object.fields.empty())
       report(Aspect::fields,
-             "object " + quoted(object.name) + " has no fields; declare at least one, such as 'Scalar x;'");
+             "object " + in_quotes(object.name) + " has no fields; declare at least one, such as 'Scalar x;'");
     layout(Aspect::host_layout, object.host_layout);
     layout(Aspect::cuda_layout, object.cuda_layout);
     if (object.alignment != 0 && !is_power_of_two_up_to(object.alignment, max_alignment))
@@ -59,12 +59,12 @@ class Checker {
       const std::string& name = object.fields[i].name;
       const auto [first, is_new] = fields.emplace(name, place_);
       if (!is_new)
-        report(Aspect::name, "field " + quoted(name) + " is declared twice; rename or remove one", first->second);
+        report(Aspect::name, "field " + in_quotes(name) + " is declared twice; rename or remove one", first->second);
       elements = std::min<long long>(elements + field(object, object.fields[i]), INT_MAX);
     }
     place_ = self;
     if (elements > max_elements) {
-      report(Aspect::name, "object " + quoted(object.name) + " has more than " + std::to_string(max_elements) +
+      report(Aspect::name, "object " + in_quotes(object.name) + " has more than " + std::to_string(max_elements) +
                                " elements; split it, or keep its large parts in arrays of objects of their own");
       elements = 0;  // those that nest it are not at fault
     }
@@ -75,7 +75,8 @@ class Checker {
   long long field(const Object& object, const Field& field) {
     const bool is_array = field.array_extent != 0;
     if (is_array && (field.array_extent < 1 || field.array_extent > max_extent))
-      report(Aspect::type, "array " + quoted(field.name) + " has an extent outside 1 to " + std::to_string(max_extent) +
+      report(Aspect::type, "array " + in_quotes(field.name) + " has an extent outside 1 to " +
+                               std::to_string(max_extent) +
                                "; keep large or varying numbers of entries in an array of objects of their own");
     const bool sized =
         check_field(field, [this](Aspect aspect, std::string message) { report(aspect, std::move(message)); });
@@ -87,13 +88,13 @@ class Checker {
   long long nested(const Object& object, const Field& field) {
     if (field.object == object.qualified_name()) {
       report(Aspect::type,
-             "object " + quoted(object.name) + " contains itself; store an 'Index' of the other object instead");
+             "object " + in_quotes(object.name) + " contains itself; store an 'Index' of the other object instead");
       return 0;
     }
     const auto found = declared_.find(field.object);
     if (found == declared_.end()) {
       report(Aspect::type,
-             "field " + quoted(field.name) + " nests " + quoted(field.object) +
+             "field " + in_quotes(field.name) + " nests " + in_quotes(field.object) +
                  ", which is not declared before it; declare that object first (objects cannot nest each other)");
       return 0;
     }

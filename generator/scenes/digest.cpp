@@ -10,7 +10,7 @@
 namespace physgen::scenes {
 namespace {
 
-constexpr int format = 1;  // counts up when an old reader would misread a new file
+constexpr int digest_format = 1;  // counts up when an old reader would misread a new file
 
 /// "aosoa 84 of 84 bytes", of each space where they differ.
 std::string records(const ArrayNeed& need) {
@@ -90,7 +90,7 @@ std::string steps(const usage::Usage& usage) {
 
 std::string digest(const Scene& scene, const Needs& needs, const usage::Usage& usage) {
   std::string text = "# What the scene " + scene.qualified_name() + " needs, without places. Written by physgen from " +
-                     scene.include + ": change that, not this file.\nformat " + std::to_string(format) + "\n";
+                     scene.include + ": change that, not this file.\nformat " + std::to_string(digest_format) + "\n";
   for (const Group& group : scene.groups)
     for (const Array& array : group.arrays) text += lines(group, array, needs.of(group.full_name(array)));
   text += steps(usage);

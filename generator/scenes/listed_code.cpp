@@ -17,7 +17,7 @@ using usage::Names;
 namespace {
 
 /// Casts that change a value and lead to no other memory.
-bool is_listed(const clang::CastExpr& cast) {
+bool is_listed_cast(const clang::CastExpr& cast) {
   switch (cast.getCastKind()) {
     case clang::CK_NoOp:
     case clang::CK_LValueToRValue:
@@ -50,7 +50,7 @@ bool is_listed_filler(const clang::Expr* filler) {
 
 bool is_listed(const clang::Stmt& statement) {
   if (const auto* cast = llvm::dyn_cast<clang::CastExpr>(&statement))
-    return is_listed(*cast) &&
+    return is_listed_cast(*cast) &&
            llvm::isa<clang::ImplicitCastExpr, clang::CStyleCastExpr, clang::CXXStaticCastExpr,
                      clang::CXXFunctionalCastExpr>(cast) &&
            (!llvm::isa<clang::CStyleCastExpr, clang::CXXFunctionalCastExpr>(cast) || cast->isPRValue()) &&

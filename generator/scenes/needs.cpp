@@ -16,7 +16,7 @@ std::string these(const std::string& array, const std::vector<std::string>& fiel
          (fields.size() == 1 ? " is" : " are");
 }
 
-std::string quoted(std::vector<std::string> fields) {
+std::string in_quotes(std::vector<std::string> fields) {
   for (std::string& field : fields) field = '"' + field + '"';
   return model::joined(fields);
 }
@@ -69,8 +69,9 @@ class NeedsFinder {
     for (const auto& [key, fields] : unwritten_) {
       const char* them = fields.size() == 1 ? "it" : "them";
       error(fields.front().first, these(key.first, names_of(fields)) + " read by " + key.second +
-                                      ", and no step writes " + them + "; declare input(" + quoted(names_of(fields)) +
-                                      ") where " + key.first + " is declared, or run the step that computes " + them);
+                                      ", and no step writes " + them + "; declare input(" +
+                                      in_quotes(names_of(fields)) + ") where " + key.first +
+                                      " is declared, or run the step that computes " + them);
     }
     for (const auto& [key, fields] : pruned_) {
       const char* them = fields.size() == 1 ? "it" : "them";
@@ -219,7 +220,7 @@ const ArrayNeed& Needs::of(const std::string& array) const {
 std::string text_of(const ReadTooEarly& read) {
   const char* them = read.fields.size() == 1 ? "it" : "them";
   return these(read.array, read.fields) + " read by " + read.step + " before any step has written " + them +
-         "; declare input(" + quoted(read.fields) + ") where " + read.array +
+         "; declare input(" + in_quotes(read.fields) + ") where " + read.array +
          " is declared, or run a step before it that writes " + them;
 }
 

@@ -42,8 +42,9 @@ class SceneReader {
                                     " { ... };' with its groups of arrays and its "
                                     "program, as <physgen/scene.h> says");
     if (scenes_.size() > 1)
-      report_.error(scenes_[1]->getLocation(), "a file declares one scene; move " +
-                                                   frontend::quoted(scenes_[1]->getName()) + " to a file of its own");
+      report_.error(
+          scenes_[1]->getLocation(),
+          "a file declares one scene; move " + frontend::in_quotes(scenes_[1]->getName()) + " to a file of its own");
     std::optional<Scene> result;
     if (scenes_.size() == 1) result = scene(*scenes_.front());
     report_.flush();
@@ -90,8 +91,8 @@ class SceneReader {
     scene.location = location(context_, record.getLocation());
     const std::string stem = fs::path(path_).stem().string();
     if (scene.name != stem)
-      report_.error(record.getLocation(), "scene " + frontend::quoted(scene.name) + " stands in the file of " +
-                                              frontend::quoted(stem) +
+      report_.error(record.getLocation(), "scene " + frontend::in_quotes(scene.name) + " stands in the file of " +
+                                              frontend::in_quotes(stem) +
                                               "; give both one name, which the generated files get");
     for (const clang::Decl* member : record.decls()) {
       if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(member); alias && alias->getName() == "Real")
@@ -100,7 +101,7 @@ class SceneReader {
     groups(record, scene);
     if (scene.groups.empty() && !report_.has_errors())
       report_.error(record.getLocation(),
-                    "scene " + frontend::quoted(scene.name) +
+                    "scene " + frontend::in_quotes(scene.name) +
                         " has no arrays; write a group, 'struct Body { PHYSGEN_ARRAY(per(\"tet\")) "
                         "Array<elasticity::TetObject, Real> tets; };'");
     program(record, scene);
@@ -139,7 +140,7 @@ class SceneReader {
     group.location = location(context_, record.getLocation());
     for (const clang::FieldDecl* member : record.fields()) {
       if (!is_marked(*member, array_annotation)) {
-        report_.error(member->getLocation(), frontend::quoted(member->getName()) +
+        report_.error(member->getLocation(), frontend::in_quotes(member->getName()) +
                                                  " is not marked as an array; write "
                                                  "PHYSGEN_ARRAY(per(\"tet\"), ...) before it");
         continue;
@@ -166,7 +167,7 @@ class SceneReader {
     }
     if (program == nullptr)
       return report_.error(record.getLocation(),
-                           "scene " + frontend::quoted(scene.name) + " has no function template 'program'; " + form);
+                           "scene " + frontend::in_quotes(scene.name) + " has no function template 'program'; " + form);
     const auto& function = *program->getTemplatedDecl();
     const std::size_t groups = scene.groups.size();
     if (report_.has_errors()) return;  // groups may not have been read

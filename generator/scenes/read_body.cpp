@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scenes/listed_code.h"
+#include "scenes/other_precision.h"
 #include "scenes/read_index.h"
 #include "scenes/read_plain.h"
 
@@ -31,8 +32,8 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     seen_.insert(function.getCanonicalDecl());
     bool is_known = true;
     if (!is_library(function)) {
-      found_ = asked_of_index(function, names_);
-      (void)namesakes(function, is_known);
+      asked(function);
+      (void)namesakes(function, names_, is_known);
     }
     if (!is_known) say("is specialised for some types", function.getLocation());
     while (!queue_.empty() && found_.empty()) {
@@ -65,6 +66,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   bool VisitExpr(clang::Expr* expression) {
     if (in_library_) return true;
     if (expression->getType().isVolatileQualified()) return say(*expression);
+    if (!made_of_known(expression->getType())) return false;
     const auto* made = llvm::dyn_cast<clang::CXXConstructExpr>(expression);
     if (expression->isPRValue() && is_pack(expression->getType()) && !llvm::isa<clang::CastExpr>(expression) &&
         (made == nullptr || !made->getConstructor()->isCopyOrMoveConstructor()))
@@ -114,7 +116,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   bool say(const char* what, clang::SourceLocation place) {
     return say(what + (" at " + usage::text_of(names_.place(place))));
   }
-  bool say(const clang::Stmt& what) { return say("holds " + quoted(what, context_, names_)); }
+  bool say(const clang::Stmt& what) { return say("holds " + in_quotes(what, context_, names_)); }
 
   /// The outermost namespace, or null.
   [[nodiscard]] static const clang::NamespaceDecl* space_of(const clang::FunctionDecl& function) {
@@ -160,25 +162,43 @@ class Body : public clang::RecursiveASTVisitor<Body> {
       const bool is_builtin = function.getBuiltinID() != 0;
       return (is_builtin && (in_library_ || is_listed_in_std(function) || function.hasAttr<clang::ConstAttr>())) ||
              (function.isNoReturn() && in_library_) || function.isImplicit() || function.isDefaulted() ||
-             say("calls what is not known, " + quoted(from, context_, names_));
+             say("calls what is not known, " + in_quotes(from, context_, names_));
     }
     if (!seen_.insert(definition->getCanonicalDecl()).second) return true;
     queue_.push_back(definition);
     if (is_library(*definition)) return true;
-    if (found_.empty()) found_ = asked_of_index(*definition, names_);
+    asked(*definition);
     bool is_known = true;
-    for (const clang::FunctionDecl* one : namesakes(*definition, is_known))
+    for (const clang::FunctionDecl* one : namesakes(*definition, names_, is_known))
       if (!follow(*one, from)) return false;
-    return is_known || say("has types choose what it calls, " + quoted(from, context_, names_));
+    return is_known || say("has types choose what it calls, " + in_quotes(from, context_, names_));
+  }
+  /// Reads a function's text before it is instantiated, and later what its calls may choose.
+  void asked(const clang::FunctionDecl& function) {
+    std::vector<Candidate> candidates;
+    if (found_.empty()) found_ = asked_of_index(function, names_, candidates);
+    for (const auto& [one, callee] : candidates)
+      if (!one->isDeleted() && !follow(*one, *callee)) return;
+  }
+  /// Whether the classes within a class are the same in another precision.
+  bool made_of_known(clang::QualType type) {
+    const auto* record = (type->isPointerType() ? type->getPointeeType() : type)->getAsCXXRecordDecl();
+    if (record == nullptr || names_.is_library(record->getLocation()) ||
+        !seen_.insert(record->getCanonicalDecl()).second)
+      return true;
+    if (found_.empty()) found_ = asked_of_class(*record, names_);
+    return found_.empty();
   }
   bool named(const clang::ValueDecl& declared, const clang::Expr& expression) {
     if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(&declared))
       return callees_.contains(&expression) || (in_library_ ? follow(*function, expression) : say(expression));
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(&declared);
     if (variable == nullptr || !variable->hasGlobalStorage()) return true;
-    const bool is_constant = variable->isConstexpr() || variable->getType().isConstQualified();
+    const bool is_constant =
+        (variable->isConstexpr() || variable->getType().isConstQualified()) &&
+        (in_library_ || !variable->getType()->isRecordType() || variable->getTemplateInstantiationPattern() == nullptr);
     if (is_constant && (in_library_ || holds_values(variable->getType(), names_))) return true;
-    return say("uses the variable " + quoted(expression, context_, names_));
+    return say("uses the variable " + in_quotes(expression, context_, names_));
   }
   bool destroyed(clang::QualType type, clang::SourceLocation place) {
     if (in_library_ || type->isDependentType()) return true;

@@ -9,6 +9,8 @@
 #include <set>
 #include <vector>
 
+#include "scenes/other_precision.h"
+
 namespace physgen::scenes {
 namespace {
 
@@ -41,24 +43,22 @@ bool is_of_numbers(const clang::Stmt* constant) {
          std::all_of(constant->child_begin(), constant->child_end(), is_of_numbers);
 }
 
-bool is_specialised(const auto& whole) {
-  return std::any_of(whole.spec_begin(), whole.spec_end(), [](const auto* one) {
-    return one->getTemplateSpecializationKind() == clang::TSK_ExplicitSpecialization;
-  });
-}
-
-/// Whether a function takes as many arguments as a call of another may give it.
-bool may_take(const clang::FunctionDecl* one, const clang::FunctionDecl& other) {
-  if (one == nullptr) return false;
-  const bool is_open = one->isVariadic() || (one->getNumParams() > 0 && one->parameters().back()->isParameterPack());
-  return one->getMinRequiredArguments() <= other.getNumParams() &&
-         (is_open || one->getNumParams() >= other.getMinRequiredArguments());
-}
-
 class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
  public:
-  IndexUse(const clang::FunctionDecl& function, const clang::FunctionDecl& pattern, Names& names)
-      : names_(names), sees_arrays_(sees_arrays(function, names)) {
+  /// @param instance a function or a class, whose templates' arguments are known
+  IndexUse(const clang::DeclContext& instance, Names& names, bool sees_arrays)
+      : names_(names), sees_arrays_(sees_arrays) {
+    for (const auto* outer = &instance; outer != nullptr; outer = outer->getParent()) {
+      const auto* special = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(outer);
+      const auto* function = llvm::dyn_cast<clang::FunctionDecl>(outer);
+      if (special != nullptr)
+        arguments_.insert(arguments_.begin(), special->getTemplateArgs().asArray());
+      else if (function != nullptr && function->getTemplateSpecializationArgs() != nullptr)
+        arguments_.insert(arguments_.begin(), function->getTemplateSpecializationArgs()->asArray());
+    }
+  }
+  void read(const clang::FunctionDecl& function, clang::FunctionDecl& pattern) {
+    outer_ = &pattern;
     const unsigned declared = pattern.getNumParams();
     for (unsigned i = 0; i < function.getNumParams() && declared > 0; ++i) {
       if (!is_pack(function.getParamDecl(i)->getType())) continue;
@@ -71,6 +71,16 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     }
     for (const auto* type : types_)
       if (type->hasTypeConstraint()) say(type->getLocation());
+    if (auto* whole = pattern.getDescribedFunctionTemplate(); whole != nullptr)
+      TraverseDecl(whole);
+    else
+      TraverseDecl(&pattern);
+  }
+  /// What a class is made of.
+  void read(const clang::CXXRecordDecl& pattern) {
+    outer_ = &pattern;
+    for (const auto& base : pattern.bases()) TraverseTypeLoc(base.getTypeSourceInfo()->getTypeLoc());
+    for (const auto* member : pattern.fields()) TraverseTypeLoc(member->getTypeSourceInfo()->getTypeLoc());
   }
 
   bool TraverseStmt(clang::Stmt* statement) {
@@ -96,6 +106,36 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
       for (unsigned i = 0; i < type.getNumArgs(); ++i)
         if (const auto* argument = type.getArgLoc(i).getTypeSourceInfo(); argument != nullptr)
           known_.insert(argument->getTypeLoc().getBeginLoc());
+    const auto* alias =
+        llvm::dyn_cast_or_null<clang::TypeAliasTemplateDecl>(type.getTypePtr()->getTemplateName().getAsTemplateDecl());
+    return alias == nullptr || read_alias(*alias->getTemplatedDecl());
+  }
+  // Such a class may be another one for another precision.
+  bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc type) {
+    const auto of = type.getTypePtr()->getQualifier();
+    const clang::Type* outer = of.getKind() == clang::NestedNameSpecifier::Kind::Type ? of.getAsType() : nullptr;
+    const auto* given = llvm::dyn_cast_or_null<clang::TemplateTypeParmType>(outer);
+    const auto* made = llvm::dyn_cast_or_null<clang::TemplateSpecializationType>(outer);
+    const auto* whole = made == nullptr ? nullptr : made->getTemplateName().getAsTemplateDecl();
+    if (!is_generated(type.getBeginLoc()) && !(given != nullptr && is_given(*given)) &&
+        !(whole != nullptr && is_of_libraries(*whole, names_)))
+      say(type.getBeginLoc(), "chooses its code by types");
+    return true;
+  }
+  bool VisitUnresolvedUsingTypeLoc(clang::UnresolvedUsingTypeLoc type) {
+    say(type.getBeginLoc(), "chooses its code by types");
+    return true;
+  }
+  /// Another precision may call any of them.
+  bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* callee) {
+    for (const clang::NamedDecl* named : callee->decls()) {
+      named = named->getUnderlyingDecl();
+      if (names_.is_library(named->getLocation())) continue;
+      if (const auto* one = llvm::dyn_cast<clang::FunctionDecl>(named))
+        candidates.emplace_back(one, callee);
+      else if (callee->getNumDecls() > 1)
+        say(callee->getBeginLoc(), "chooses its code by types");
+    }
     return true;
   }
   bool VisitTemplateTypeParmTypeLoc(clang::TemplateTypeParmTypeLoc type) {
@@ -125,11 +165,7 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     if (number->hasDefaultArgument()) return TraverseTemplateArgumentLoc(number->getDefaultArgument());
     return true;
   }
-  bool VisitTypedefTypeLoc(clang::TypedefTypeLoc type) {
-    const auto* alias = type.getTypePtr()->getDecl();
-    if (names_.is_library(alias->getLocation()) || !aliases_.insert(alias).second) return true;
-    return alias->getTypeSourceInfo() == nullptr || TraverseTypeLoc(alias->getTypeSourceInfo()->getTypeLoc());
-  }
+  bool VisitTypedefTypeLoc(clang::TypedefTypeLoc type) { return read_alias(*type.getTypePtr()->getDecl()); }
   bool VisitIfStmt(clang::IfStmt* choice) {
     if (choice->isConstexpr() && !is_of_numbers(choice->getCond()))
       say(choice->getBeginLoc(), "chooses its code by types");
@@ -137,8 +173,33 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
   }
 
   std::string found;
+  std::vector<Candidate> candidates;
 
  private:
+  /// Accessors name the places of fields, `typename Record::f`.
+  [[nodiscard]] bool is_generated(clang::SourceLocation place) const {
+    const auto& sources = outer_->getParentASTContext().getSourceManager();
+    return sources.getFilename(sources.getFileLoc(place)).ends_with(".physgen.h");
+  }
+  /// Whether a parameter's argument is a type whose own types are known to differ in the precision alone.
+  [[nodiscard]] bool is_given(const clang::TemplateTypeParmType& parameter) const {
+    if (is_foreign_ || parameter.getDepth() >= arguments_.size()) return false;
+    const auto given = arguments_[parameter.getDepth()];
+    return parameter.getIndex() < given.size() &&
+           given[parameter.getIndex()].getKind() == clang::TemplateArgument::Type &&
+           is_of_precision(given[parameter.getIndex()].getAsType().getNonReferenceType(), names_);
+  }
+  bool read_alias(const clang::TypedefNameDecl& alias) {
+    if (names_.is_library(alias.getLocation()) || !aliases_.insert(&alias).second) return true;
+    if (alias.getTypeSourceInfo() == nullptr) return true;
+    const bool was_foreign = is_foreign_;
+    is_foreign_ = is_foreign_ || !alias.getDeclContext()->Encloses(outer_) ||
+                  (llvm::isa<clang::TypeAliasDecl>(alias) &&
+                   llvm::cast<clang::TypeAliasDecl>(alias).getDescribedAliasTemplate() != nullptr);
+    const bool goes_on = TraverseTypeLoc(alias.getTypeSourceInfo()->getTypeLoc());
+    is_foreign_ = was_foreign;
+    return goes_on;
+  }
   /// Whether the reference at the end of the path names an object, or is an argument.
   [[nodiscard]] bool is_used(const clang::DeclRefExpr& named) const {
     std::size_t at = path_.size() - 1;
@@ -160,6 +221,9 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
 
   const Names& names_;
   const bool sees_arrays_;
+  const clang::DeclContext* outer_ = nullptr;                       // what is read
+  std::vector<llvm::ArrayRef<clang::TemplateArgument>> arguments_;  // of its templates, the outermost first
+  bool is_foreign_ = false;                                         // in an alias with other parameters than these
   std::set<const clang::ValueDecl*> indices_;
   std::set<const clang::TemplateTypeParmDecl*> types_;
   std::set<clang::SourceLocation> known_;  // where their names may stand
@@ -174,14 +238,20 @@ bool is_pack(clang::QualType type) {
   return Names::is_physgen(record, "Pack") || Names::is_physgen(record, "PartialPack");
 }
 
-std::string asked_of_index(const clang::FunctionDecl& function, Names& names) {
+std::string asked_of_index(const clang::FunctionDecl& function, Names& names, std::vector<Candidate>& candidates) {
   const auto* pattern = function.getTemplateInstantiationPattern();
   if (pattern == nullptr) pattern = &function;
-  IndexUse use(function, *pattern, names);
-  if (auto* whole = pattern->getDescribedFunctionTemplate(); whole != nullptr)
-    use.TraverseDecl(whole);
-  else
-    use.TraverseDecl(const_cast<clang::FunctionDecl*>(pattern));
+  IndexUse use(function, names, sees_arrays(function, names));
+  use.read(function, const_cast<clang::FunctionDecl&>(*pattern));
+  candidates = use.candidates;
+  return use.found;
+}
+
+std::string asked_of_class(const clang::CXXRecordDecl& record, Names& names) {
+  const auto* pattern = record.getTemplateInstantiationPattern();
+  if (pattern == nullptr || record.isLambda()) return {};
+  IndexUse use(record, names, false);
+  use.read(*pattern);
   return use.found;
 }
 
@@ -192,36 +262,6 @@ bool sees_arrays(const clang::FunctionDecl& function, Names& names) {
   return std::any_of(function.param_begin(), function.param_end(), [&](const clang::ParmVarDecl* parameter) {
     return is_pack(parameter->getType()) || !names.arrays(parameter->getType()).empty();
   });
-}
-
-bool is_one_text(const clang::CXXRecordDecl& record) {
-  const auto* special = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&record);
-  if (special == nullptr) return true;
-  llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> partial;
-  special->getSpecializedTemplate()->getPartialSpecializations(partial);
-  return partial.empty() && !is_specialised(*special->getSpecializedTemplate());
-}
-
-std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function, bool& is_known) {
-  std::vector<const clang::FunctionDecl*> result;
-  const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
-  if (method != nullptr && method->getParent()->isLambda()) return result;
-  is_known = is_known && (method == nullptr || is_one_text(*method->getParent()));
-  const auto add = [&](const clang::NamedDecl* named) {
-    named = named->getUnderlyingDecl();
-    if (!may_take(named->getAsFunction(), function)) return;
-    if (const auto* one = llvm::dyn_cast<clang::FunctionDecl>(named); one != nullptr && !one->isDeleted())
-      result.push_back(one);
-    if (const auto* whole = llvm::dyn_cast<clang::FunctionTemplateDecl>(named))
-      is_known = is_known && !whole->hasAssociatedConstraints() && !is_specialised(*whole) &&
-                 function.getPrimaryTemplate() != nullptr &&
-                 function.getPrimaryTemplate()->getCanonicalDecl() == whole->getCanonicalDecl();
-  };
-  if (llvm::isa<clang::CXXConversionDecl>(function))
-    for (const clang::NamedDecl* one : method->getParent()->getVisibleConversionFunctions()) add(one);
-  else
-    for (const clang::NamedDecl* one : function.getDeclContext()->lookup(function.getDeclName())) add(one);
-  return result;
 }
 
 }  // namespace physgen::scenes

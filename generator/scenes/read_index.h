@@ -6,6 +6,7 @@
 #include <clang/AST/Expr.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "usage/names.h"
@@ -19,17 +20,18 @@ namespace physgen::scenes {
 /// that it is of has a view.
 [[nodiscard]] bool sees_arrays(const clang::FunctionDecl& function, usage::Names& names);
 
+/// A function of the program that another precision may call, and the callee there.
+using Candidate = std::pair<const clang::FunctionDecl*, const clang::Expr*>;
+
 /// The list: an index is what objects are named by, `view[i]`, and an argument of functions; and its type is asked by
-/// `lanes_t<Scalar, I>` alone. What `if constexpr` chooses depends on no type, which another precision may change.
+/// `lanes_t<Scalar, I>` alone. What `if constexpr` chooses depends on no type, which another precision may change, nor
+/// does any class: `typename T::Law` is not on the list, but `typename V::Precision` of a view or of Eigen's is.
 /// @param function an instantiated one of the program
+/// @param candidates what its calls name
 /// @return what else it does, "asks what its index is at kernel.h:3:5"; empty: nothing
-[[nodiscard]] std::string asked_of_index(const clang::FunctionDecl& function, usage::Names& names);
-
-/// Whether a class has the same text in another precision.
-[[nodiscard]] bool is_one_text(const clang::CXXRecordDecl& record);
-
-/// A function of the program and the others that another precision may choose in its place.
-/// @param is_known false, if these may be others than those that are returned: of a template with others of its name
-[[nodiscard]] std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function, bool& is_known);
+[[nodiscard]] std::string asked_of_index(const clang::FunctionDecl& function, usage::Names& names,
+                                         std::vector<Candidate>& candidates);
+/// The same of the members and bases of an instantiated class.
+[[nodiscard]] std::string asked_of_class(const clang::CXXRecordDecl& record, usage::Names& names);
 
 }  // namespace physgen::scenes

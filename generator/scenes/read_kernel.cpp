@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "scenes/other_precision.h"
 #include "scenes/read_body.h"
 #include "scenes/read_index.h"
 #include "scenes/read_plain.h"

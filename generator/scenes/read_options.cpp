@@ -17,7 +17,7 @@ namespace physgen::scenes {
 namespace {
 
 using frontend::Constant;
-using frontend::quoted;
+using frontend::in_quotes;
 
 constexpr const char* array_options = "per(...), input(...), output(...) and uniform()";
 
@@ -119,7 +119,7 @@ class OptionReader {
 
  private:
   void error(clang::SourceRange range, const std::string& message) {
-    report_.error(range, "array " + quoted(array_.name) + " " + message);
+    report_.error(range, "array " + in_quotes(array_.name) + " " + message);
   }
 
   void option(const clang::Expr& argument) {
@@ -193,7 +193,7 @@ static bool has_own_real(clang::QualType type) {
 
 bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Report& report) {
   const auto wrong = [&](const std::string& message) {
-    report.error(declaration.getTypeSpecStartLoc(), "array " + quoted(array.name) + " " + message);
+    report.error(declaration.getTypeSpecStartLoc(), "array " + in_quotes(array.name) + " " + message);
     return false;
   };
   if (declaration.isInvalidDecl()) return false;  // Clang has reported it
@@ -214,7 +214,7 @@ bool read_type(const clang::FieldDecl& declaration, Array& array, frontend::Repo
   const auto& sources = declaration.getASTContext().getSourceManager();
   array.header = sources.getFilename(sources.getFileLoc(object->getLocation())).str();
   if (array.real != "float" && array.real != "double")
-    return wrong("has the precision " + quoted(array.real) + "; it is float or double");
+    return wrong("has the precision " + in_quotes(array.real) + "; it is float or double");
   for (const clang::Decl* member : type->decls()) {
     const auto* fields = llvm::dyn_cast<clang::VarDecl>(member);
     if (fields == nullptr || fields->getName() != "fields") continue;

@@ -76,7 +76,7 @@ class Escapes : public clang::RecursiveASTVisitor<Escapes> {
 
 }  // namespace
 
-std::string quoted(const clang::Stmt& statement, const clang::ASTContext& context, const usage::Names& names) {
+std::string in_quotes(const clang::Stmt& statement, const clang::ASTContext& context, const usage::Names& names) {
   const auto& sources = context.getSourceManager();
   const std::string words =
       clang::Lexer::getSourceText(sources.getExpansionRange(statement.getSourceRange()), sources, context.getLangOpts())
@@ -111,7 +111,7 @@ std::string Plain::not_in(const clang::Expr* expression) const {
     return found;
   };
   if (expression->getBeginLoc().isMacroID() || expression->getEndLoc().isMacroID())
-    return "the macro " + quoted(*expression, context_, names_);
+    return "the macro " + in_quotes(*expression, context_, names_);
   const bool is_of_numbers = is_number(expression->getType());
   if (llvm::isa<clang::IntegerLiteral, clang::FloatingLiteral, clang::CXXBoolLiteralExpr, clang::ImplicitValueInitExpr>(
           expression))
@@ -144,18 +144,18 @@ std::string Plain::not_in(const clang::Expr* expression) const {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(named->getDecl());
     if (variable != nullptr && is_readable(*variable)) return {};
   }
-  return quoted(*expression, context_, names_);
+  return in_quotes(*expression, context_, names_);
 }
 
 std::string Plain::not_in_statement(const clang::Stmt& statement) const {
   const auto* group = llvm::dyn_cast<clang::DeclStmt>(&statement);
-  if (group == nullptr) return quoted(statement, context_, names_);
+  if (group == nullptr) return in_quotes(statement, context_, names_);
   for (const clang::Decl* one : group->decls()) {
     const auto* variable = llvm::dyn_cast<clang::VarDecl>(one);
     if (variable == nullptr || llvm::isa<clang::DecompositionDecl>(variable) || !variable->hasLocalStorage() ||
         variable->hasAttrs() || variable->getInit() == nullptr ||
         !(is_number(variable->getType()) || is_plain_struct(variable->getType())))
-      return "a declaration of something other than a value, " + quoted(statement, context_, names_) + ",";
+      return "a declaration of something other than a value, " + in_quotes(statement, context_, names_) + ",";
     if (const std::string found = not_in(variable->getInit()); !found.empty())
       return "the declaration of " + variable->getNameAsString() + " by " + found;
   }

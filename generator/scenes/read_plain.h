@@ -33,8 +33,8 @@ class Plain {
 };
 
 /// The beginning of its text, and where it stands: "'log(2)' at x.h:3:5"
-[[nodiscard]] std::string quoted(const clang::Stmt& statement, const clang::ASTContext& context,
-                                 const usage::Names& names);
+[[nodiscard]] std::string in_quotes(const clang::Stmt& statement, const clang::ASTContext& context,
+                                    const usage::Names& names);
 
 /// Whether a type holds numbers, views of the scene's arrays, and structs of these, and nothing that could lead to
 /// other memory, of which nobody sees what kernels do there for which object.

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int format = 2;  // counts up when an old reader would misread a new file; the first had no number
+constexpr int report_format = 2;  // counts up when an old reader would misread a new file; the first had no number
 
 /// Bytes and elements of one object of each array of a set, together.
 struct Sum {
@@ -202,7 +202,7 @@ std::string report_text(const Scene& scene, const Needs& needs) {
 }
 
 std::string report_json(const Scene& scene, const Needs& needs) {
-  Json json = {{"format", format}, {"scene", scene.qualified_name()}};
+  Json json = {{"format", report_format}, {"scene", scene.qualified_name()}};
   json["arrays"] = Json::array();
   for_each_array(scene, needs, [&](const Group& group, const Array& array, const ArrayNeed& need) {
     Json written = {{"array", group.full_name(array)},

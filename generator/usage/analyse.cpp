@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <iomanip>
 #include <sstream>
 
 #include "frontend/program.h"
@@ -175,9 +174,10 @@ double seconds(Clock::duration duration) { return std::chrono::duration<double>(
 
 std::string text_of_time(const std::string& program, Side side, const Diagnostics& diagnostics) {
   std::ostringstream text;
-  text << program << (side == Side::host ? ", host" : ", device") << std::fixed << std::setprecision(2)
-       << ": analysed in " << diagnostics.seconds << " s, of which its headers took " << diagnostics.headers_seconds
-       << " s to parse (" << diagnostics.seconds / diagnostics.headers_seconds << " times as long)\n";
+  text.precision(2);
+  text << program << (side == Side::host ? ", host" : ", device") << std::fixed << ": analysed in "
+       << diagnostics.seconds << " s, of which its headers took " << diagnostics.headers_seconds << " s to parse ("
+       << diagnostics.seconds / diagnostics.headers_seconds << " times as long)\n";
   return std::move(text).str();
 }
 

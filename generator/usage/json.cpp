@@ -57,13 +57,13 @@ Json write(const Program& program) {
 }
 
 /// An object of a file, all of whose keys must be read.
-class Reader {
+class JsonReader {
  public:
-  Reader(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
+  JsonReader(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
     if (!json.is_object()) fail("is not an object");
   }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  JsonReader(const JsonReader&) = delete;
+  JsonReader& operator=(const JsonReader&) = delete;
 
   template <class T>
   T get(const char* key) {
@@ -88,7 +88,7 @@ class Reader {
     const Json list = get<Json>(key);
     if (!list.is_array()) fail("has a '" + std::string(key) + "' that is not a list");
     for (std::size_t i = 0; i < list.size(); ++i) {
-      Reader reader(list[i], where_ + "/" + key + "[" + std::to_string(i) + "]");
+      JsonReader reader(list[i], where_ + "/" + key + "[" + std::to_string(i) + "]");
       read(reader);
       reader.finish();
     }
@@ -117,7 +117,7 @@ class Reader {
   std::set<std::string> keys_;
 };
 
-FieldUse read_field(Reader& json) {
+FieldUse read_field(JsonReader& json) {
   FieldUse use;
   use.array = json.get<std::string>("array");
   use.field = json.get<std::string>("field");
@@ -133,22 +133,22 @@ FieldUse read_field(Reader& json) {
   return use;
 }
 
-StepUse read_step(Reader& json) {
+StepUse read_step(JsonReader& json) {
   StepUse step;
   step.kernel = json.get<std::string>("kernel");
   step.place = json.place("place");
   step.arrays = json.get<std::vector<std::string>>("arrays");
   step.root = json.flag("root");
-  json.each("fields", [&](Reader& field) { step.fields.push_back(read_field(field)); });
+  json.each("fields", [&](JsonReader& field) { step.fields.push_back(read_field(field)); });
   return step;
 }
 
-Program read_program(Reader& json) {
+Program read_program(JsonReader& json) {
   Program program;
   program.name = json.get<std::string>("name");
-  json.each("steps", [&](Reader& step) { program.usage.steps.push_back(read_step(step)); });
-  json.each("unattributed", [&](Reader& field) { program.usage.unattributed.push_back(read_field(field)); });
-  json.each("unknown", [&](Reader& use) {
+  json.each("steps", [&](JsonReader& step) { program.usage.steps.push_back(read_step(step)); });
+  json.each("unattributed", [&](JsonReader& field) { program.usage.unattributed.push_back(read_field(field)); });
+  json.each("unknown", [&](JsonReader& use) {
     program.usage.unknown.push_back({use.get<std::string>("array"), use.get<std::string>("what"), use.place("place")});
   });
   return program;
@@ -169,11 +169,11 @@ std::vector<Program> from_json(const std::string& text) {
   } catch (const Json::exception& error) {
     throw JsonError(std::string("this is not JSON: ") + error.what());
   }
-  Reader reader(json, "");
+  JsonReader reader(json, "");
   if (const int found = reader.get<int>("format"); found != format)
     reader.fail("has format " + std::to_string(found) + "; this physgen reads " + std::to_string(format));
   std::vector<Program> programs;
-  reader.each("programs", [&](Reader& program) { programs.push_back(read_program(program)); });
+  reader.each("programs", [&](JsonReader& program) { programs.push_back(read_program(program)); });
   reader.finish();
   return programs;
 }

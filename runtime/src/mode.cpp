@@ -17,7 +17,8 @@ const char physgen_objects_were_compiled_without_PHYSGEN_CHECKED = 0;
 asm(".pushsection .debug_gdb_scripts, \"MS\", %progbits, 1\n"
     ".byte 4\n"
     ".ascii \"gdb.inlined.physgen\\n\"\n"
-    ".incbin \"" PHYSGEN_GDB_SCRIPT "\"\n"
+    ".incbin \"" PHYSGEN_GDB_SCRIPT
+    "\"\n"
     ".byte 0\n"
     ".popsection\n");
 #endif

@@ -228,7 +228,8 @@ void storing_where_an_array_is_read_only(const Given& g) { store_where(g.m > S(0
 void adding_where_an_array_is_read_only(const Given& g) { add(g.i, g.read_only[g.j].x2222(), g.m); }
 
 // ---- Names that are not there ----
-/// refused at once a_misspelt_field: has no member named ‘x1112’; did you mean|no member named 'x1112' in 'physgen::ObjectRef<
+/// refused at once a_misspelt_field: has no member named ‘x1112’; did you mean|no member named 'x1112' in
+/// 'physgen::ObjectRef<
 void a_misspelt_field(const Given& g) { g.view[g.i].x1112() = g.m; }
 
 // ---- What is not refused ----

@@ -39,14 +39,18 @@ if(PHYSGEN_SANITIZE)  # exported as well: programs must be linked, and are bette
 endif()
 
 # Compiles the sources of `target` with the warnings of this project as errors. nvcc's host code is its own output, so
-# -Wpedantic says nothing useful there. Before version 13, GCC warns falsely of overlap inside std::string (its bug
-# 105651) and of operands that its own AVX-512 intrinsics, and Eigen, leave uninitialized on purpose.
+# -Wpedantic says nothing useful there. GCC warns falsely of operands that its own AVX-512 intrinsics, and Eigen, leave
+# uninitialized on purpose, and before version 13 of overlap inside std::string (its bug 105651).
 function(physgen_add_warnings target)
   set(cxx -Wall -Wextra -Wpedantic -Wconversion -Werror)
   set(cuda -Wall,-Wextra,-Wconversion,-Werror)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    list(APPEND cxx -Wno-restrict -Wno-uninitialized -Wno-maybe-uninitialized)
-    string(APPEND cuda ",-Wno-restrict,-Wno-uninitialized,-Wno-maybe-uninitialized")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    if(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      list(APPEND cxx -Wno-restrict)
+      string(APPEND cuda ",-Wno-restrict")
+    endif()
+    list(APPEND cxx -Wno-uninitialized -Wno-maybe-uninitialized)
+    string(APPEND cuda ",-Wno-uninitialized,-Wno-maybe-uninitialized")
   endif()
   target_compile_options(${target} PRIVATE
     "$<$<COMPILE_LANGUAGE:CXX>:${cxx}>" "$<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=${cuda};-Werror=all-warnings>")
@@ -85,7 +89,17 @@ function(physgen_precompile target)
   endif()
 endfunction()
 
-# Keeps the sources of `target`, which include Clang (1.3 GB of memory each), from filling the memory: at most one at a
+# physgen_join(target files)
+# Compiles the C++ sources of `target` joined, so many files at once, since what takes time in each are the same headers. Names
+# in unnamed namespaces must differ within a target. A source with options or definitions of its own stays alone;
+# CMAKE_UNITY_BUILD=OFF compiles each source alone.
+function(physgen_join target files)
+  if(NOT DEFINED CMAKE_UNITY_BUILD OR CMAKE_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
+  endif()
+endfunction()
+
+# Keeps the sources of `target`, which include Clang (1.9 GB of memory each), from filling the memory: at most one at a
 # time for every 2 GiB. Ninja only.
 function(physgen_limit_compile_jobs target)
   cmake_host_system_information(RESULT mebibytes QUERY TOTAL_PHYSICAL_MEMORY)

@@ -9,7 +9,7 @@ foreach(file IN LISTS files)
   file(REMOVE "$ENV{DESTDIR}${file}")
   # include/physgen and the like, and all folders below: no other folder is physgen's own.
   cmake_path(GET file PARENT_PATH folder)
-  while(folder MATCHES "/(include/physgen|include/physgen-fem|cmake/physgen|doc/physgen)(/|$)")
+  while(folder MATCHES "/(include/physgen|include/physgen-fem|cmake/physgen|doc/physgen|share/physgen)(/|$)")
     list(APPEND folders "${folder}")
     cmake_path(GET folder PARENT_PATH folder)
   endwhile()

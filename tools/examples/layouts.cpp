@@ -1,5 +1,6 @@
-// What `tools/dev try` runs behind README's example: its kernel, and one that gathers, over its object in three layouts; and
-// where the elements of that object lie in each. The example's files are taken from README when they are compiled.
+// What `tools/dev try` runs behind README's example: its kernel, and one that gathers, over its object in three
+// layouts; and where the elements of that object lie in each. The example's files are taken from README when they are
+// compiled.
 #include <elasticity.physgen.h>
 
 #include <algorithm>
@@ -47,7 +48,8 @@ double milliseconds(const Run& run) {
   for (int repetition = 0; repetition < 7; ++repetition) {
     const auto begin = std::chrono::steady_clock::now();
     run();
-    shortest = std::min(shortest, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    shortest =
+        std::min(shortest, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
   }
   return shortest;
 }
@@ -61,7 +63,8 @@ Times measure(const elasticity::TetArray<float, Host, Layout>& tets) {
   model::StressArray<float, Host, Layout> stress(objects), means(objects);
   const Pressure<typename decltype(stress)::View> pressure{stress.view()};
   const MeanOfCorners mean{stress.const_view(), tets.const_view(), means.view()};
-  return {milliseconds([&] { parallel_for(Host{}, objects, pressure); }), milliseconds([&] { parallel_for(Host{}, objects, mean); })};
+  return {milliseconds([&] { parallel_for(Host{}, objects, pressure); }),
+          milliseconds([&] { parallel_for(Host{}, objects, mean); })};
 }
 
 template <class Layout>
@@ -69,7 +72,8 @@ Times measure(const std::vector<std::int32_t>& corners) {
   elasticity::TetArray<float, Host, Layout> tets(objects);
   const auto view = tets.view();
   for (index_t i = 0; i < objects; ++i) {
-    for (int corner = 0; corner < 4; ++corner) view[i].nodes()[corner] = corners[static_cast<std::size_t>(4 * i + corner)];
+    for (int corner = 0; corner < 4; ++corner)
+      view[i].nodes()[corner] = corners[static_cast<std::size_t>(4 * i + corner)];
   }
   return measure<Layout>(tets);
 }
@@ -97,7 +101,9 @@ void draw(const char* name) {
   std::puts("  ...");
 }
 
-void print(const char* layout, double time, const char* sentence) { std::printf("  %-17s%7.2f ms  %s\n", layout, time, sentence); }
+void print(const char* layout, double time, const char* sentence) {
+  std::printf("  %-17s%7.2f ms  %s\n", layout, time, sentence);
+}
 
 }  // namespace
 
@@ -109,13 +115,15 @@ int main() {
   const Times structs = measure<Aos>(corners), arrays = measure<Soa>(corners), tiles = measure<Aosoa<16>>(corners);
 
   std::printf("README's kernel, which reads %d objects in order and writes one field of each:\n", int{objects});
-  print("array of structs", structs.in_order, "Each object lies in 28 bytes of its own, and packs pick its elements apart.");
+  print("array of structs", structs.in_order,
+        "Each object lies in 28 bytes of its own, and packs pick its elements apart.");
   print("struct of arrays", arrays.in_order, "Packs load whole registers; seven streams of memory are read at once.");
   print("tiles of 16", tiles.in_order, "Packs load whole registers, and all elements of 16 objects lie in 448 bytes.");
   std::puts("\nA kernel that gathers four objects by numbers in random order:");
   print("array of structs", structs.gathered, "An object comes with one or two lines of cache.");
   print("struct of arrays", arrays.gathered, "An object comes with seven lines, one for each element.");
-  print("tiles of 16", tiles.gathered, "An object comes with seven lines, which lie side by side.");
+  print("tiles of 16", tiles.gathered,
+        "Seven lines lie side by side; an address takes more steps: tile, channel, lane.");
   std::puts("\nMemory from its beginning: 1.s0 is the first element of sigma of object 1, and p is the pressure.");
   draw<Aos>("array of structs");
   draw<Soa>("struct of arrays");

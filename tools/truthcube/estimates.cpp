@@ -16,7 +16,8 @@ double plate_reaction(std::span<const fem::Index> upper, std::span<const Point> 
 }
 
 Estimates make_estimates(std::span<const fem::MeshLevel> levels, std::span<const fem::Index> coarse_upper,
-                         double reaction, std::span<const Point> positions, const fem::NodeState& coarser, double order) {
+                         double reaction, std::span<const Point> positions, const fem::NodeState& coarser,
+                         double order) {
   const fem::MeshLevel &finest = levels[0], &coarse = levels[1];
   Estimates estimates;
   const double factor = std::exp2(order), left = 1 / (factor - 1);

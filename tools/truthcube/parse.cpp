@@ -156,10 +156,11 @@ Options parse(const std::vector<std::string>& arguments) {
                     ->check(whole_number(1, 100000))
                     ->type_name("N");
   const auto* grading =
-      app.add_option("--grading", options.grading,
-                     "of the cube: its cells narrow towards all faces, where errors come from: the corner k of N/2 lies "
-                     "at 40 mm (2 k/N)^G; 1 is uniform. From 1.25 to 1.75 beads are nearer to those of finer "
-                     "cells the larger G is, and solves take longer")
+      app.add_option(
+             "--grading", options.grading,
+             "of the cube: its cells narrow towards all faces, where errors come from: the corner k of N/2 lies "
+             "at 40 mm (2 k/N)^G; 1 is uniform. From 1.25 to 1.75 beads are nearer to those of finer "
+             "cells the larger G is, and solves take longer")
           ->type_name("G");
   app.add_option("--mesh", options.mesh,
                  "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1), in metres, in place of the cube; its "
@@ -173,9 +174,8 @@ Options parse(const std::vector<std::string>& arguments) {
   add_choice(
       app, "--scene", options.scene, scene_kinds, "scene",
       "the problem that is solved: equilibria by Newton's method with any of the choices below (everything); the same "
-      "over arrays "
-      "of the one scene alone, in float, of stable Neo-Hookean bodies (quasistatic), also without blocks of edges "
-      "(matrix-free), or of fixed corotated ones (fixed-corotated); motion in time by backward Euler "
+      "over arrays of the one scene alone, in float, of stable Neo-Hookean bodies (quasistatic), also without blocks "
+      "of edges (matrix-free), or of fixed corotated ones (fixed-corotated); motion in time by backward Euler "
       "(implicit-dynamics; of stable Neo-Hookean bodies in float where --material and --precision say nothing else) or "
       "symplectic Euler (explicit-dynamics); equilibria for small strain (linear-elastic)");
   add_choice(app, "--material", options.solver.material, materials(), "material", "law of elasticity");
@@ -246,8 +246,7 @@ Options parse(const std::vector<std::string>& arguments) {
                  "nested: each load on coarser meshes first; loads: the plate moves inside the first linear solve");
   app.add_flag("--historical", options.historical,
                "as in 2005: matrix-free plain conjugate gradients in float, no line search, no nesting, an absolute "
-               "tolerance of "
-               "1e-3 N or --tolerance times E times the squared height, whichever is smaller")
+               "tolerance of 1e-3 N or --tolerance times E times the squared height, whichever is smaller")
       ->excludes(precision)
       ->excludes(preconditioner)
       ->excludes(product)

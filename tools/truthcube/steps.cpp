@@ -217,9 +217,9 @@ void Steps::warn(double compression, const fem::NewtonResult& result, const std:
   const char* remedies = scene_.grading > 1
                              ? "--plates contact, a smaller --grading, or more and smaller --compress steps"
                              : "more and smaller --compress steps, more --cells, or --plates contact";
-  terminal_.warning(
-      "at a compression of %g, %s. A real body has no such equilibrium. Try %s.", compression,
-      describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str(), remedies);
+  terminal_.warning("at a compression of %g, %s. A real body has no such equilibrium. Try %s.", compression,
+                    describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str(),
+                    remedies);
 }
 
 Outcome Steps::fail(double compression, const fem::NewtonResult& result, LastEquilibrium& last, double seconds) {

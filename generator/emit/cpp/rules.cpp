@@ -19,10 +19,10 @@ namespace {
 
 using model::Aspect;
 using model::Field;
+using model::in_quotes;
 using model::Issue;
 using model::Object;
 using model::Place;
-using model::quoted;
 using model::Shape;
 
 class Checker {
@@ -57,9 +57,9 @@ class Checker {
 
   void object_names(const Object& object) {
     if (auto problem = name_problem(object.name, NameOf::object); !problem.empty())
-      report(Aspect::name, "object name " + quoted(object.name) + " " + problem);
+      report(Aspect::name, "object name " + in_quotes(object.name) + " " + problem);
     if (object.scope.empty())
-      report(Aspect::name, "object " + quoted(object.name) +
+      report(Aspect::name, "object " + in_quotes(object.name) +
                                " stands outside all namespaces, where the C library has names such as index, time and "
                                "link; write 'namespace some_name { ... }' around it");
     for (std::size_t begin = 0; begin < object.scope.size();) {
@@ -74,7 +74,8 @@ class Checker {
       const auto space = scopes_.find(prefix + object.name + std::string(ending));
       if (space == scopes_.end()) continue;
       report(Aspect::name,
-             "object " + quoted(object.name) + " would generate a type " + quoted(object.name + std::string(ending)) +
+             "object " + in_quotes(object.name) + " would generate a type " +
+                 in_quotes(object.name + std::string(ending)) +
                  " beside the namespace of that name; rename one of them",
              space->second);
       reported = true;
@@ -85,8 +86,8 @@ class Checker {
       if (is_new || reported || taken->second == place_) continue;
       const Object& other = at(taken->second);
       report(Aspect::name,
-             "objects " + quoted(object.name) + " and " + quoted(other.name) + " would both generate a type " +
-                 quoted(object.name + std::string(ending)) + "; rename one of them",
+             "objects " + in_quotes(object.name) + " and " + in_quotes(other.name) + " would both generate a type " +
+                 in_quotes(object.name + std::string(ending)) + "; rename one of them",
              taken->second);
       reported = true;
     }
@@ -108,10 +109,10 @@ class Checker {
   /// @param qualified the same with those around it
   void scope(const Object& object, const std::string& name, const std::string& qualified) {
     if (auto problem = name_problem(name, NameOf::scope); !problem.empty())
-      report(Aspect::scope, "namespace " + quoted(name) + " " + problem);
+      report(Aspect::scope, "namespace " + in_quotes(name) + " " + problem);
     else if (name == qualified && is_name_of_the_c_library(name))
       report(Aspect::scope,
-             "namespace " + quoted(name) +
+             "namespace " + in_quotes(name) +
                  " has the name of something in the C library, which stands outside all namespaces, too; "
                  "choose another name");
     const auto [first, is_new] = scopes_.emplace(qualified, place_);
@@ -119,22 +120,23 @@ class Checker {
     const auto taken = generated_.find(qualified);
     if (taken == generated_.end()) return;
     report(Aspect::scope,
-           "object " + quoted(object.name) + " is in a namespace " + quoted(name) + ", beside object " +
-               quoted(at(taken->second).name) + ", which would generate a type of that name; rename one of them",
+           "object " + in_quotes(object.name) + " is in a namespace " + in_quotes(name) + ", beside object " +
+               in_quotes(at(taken->second).name) + ", which would generate a type of that name; rename one of them",
            taken->second);
   }
 
   void field_name(const Object& object, const Field& field, const NestedTypes& types) {
     if (auto problem = name_problem(field.name, NameOf::field); !problem.empty())
-      report(Aspect::name, "field name " + quoted(field.name) + " " + problem);
+      report(Aspect::name, "field name " + in_quotes(field.name) + " " + problem);
     for (const auto ending : generated_endings)
       if (field.name == object.name + std::string(ending))
-        report(Aspect::name, "field name " + quoted(field.name) + " is also the name of a type generated for object " +
-                                 quoted(object.name) + "; choose another name");
+        report(Aspect::name, "field name " + in_quotes(field.name) +
+                                 " is also the name of a type generated for object " + in_quotes(object.name) +
+                                 "; choose another name");
     const auto type = types.find(field.name);
     if (type != types.end() && field.name != object.name)
-      report(Aspect::name, "field name " + quoted(field.name) + " is also the name of the object type " +
-                               quoted(type->second) + " nested here; choose another name");
+      report(Aspect::name, "field name " + in_quotes(field.name) + " is also the name of the object type " +
+                               in_quotes(type->second) + " nested here; choose another name");
   }
 
   // Symmetric and skew-symmetric matrices are full ones as values.
@@ -144,7 +146,7 @@ class Checker {
     const int element = facts(field.element).bytes_with_double;
     const int bytes = field.rows * (facts(field.shape).column ? 1 : field.cols) * element;
     if (bytes > max_value_bytes)
-      report(Aspect::type, "field " + quoted(field.name) + " has the type " + schema_type(field) +
+      report(Aspect::type, "field " + in_quotes(field.name) + " has the type " + schema_type(field) +
                                ", whose value takes " + std::to_string(bytes) +
                                (element == 8 ? " bytes in double" : " bytes") + ", and Eigen keeps no more than " +
                                std::to_string(max_value_bytes) +
@@ -166,7 +168,7 @@ class Checker {
       const Place self = place_;
       place_.field = of.largest_nested;
       report(nested ? Aspect::type : Aspect::name,
-             "object " + quoted(object.name) + " would " +
+             "object " + in_quotes(object.name) + " would " +
                  (too_long ? "become about " + mebibytes(of.bytes) + " of generated code, and the limit is " +
                                  mebibytes(max_object_bytes)
                            : "have " + model::number(of.fields) + " fields, and the limit is " +
@@ -182,7 +184,7 @@ class Checker {
     const bool fitted = header_bytes_ <= max_header_bytes;
     header_bytes_ += of.bytes;
     if (fitted && header_bytes_ > max_header_bytes)
-      report(Aspect::name, "with object " + quoted(object.name) + ", the generated header would exceed " +
+      report(Aspect::name, "with object " + in_quotes(object.name) + ", the generated header would exceed " +
                                mebibytes(max_header_bytes) +
                                "; move it and those after it to a schema of their own, and nest less deeply");
   }

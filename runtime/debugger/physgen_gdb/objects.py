@@ -26,7 +26,7 @@ class Place:
         try:
             return bytes(gdb.selected_inferior().read_memory(address, size))
         except (gdb.error, OverflowError):
-            where = "; it lies in CUDA memory, which cuda-gdb reads" if self.space == "Cuda" else ""
+            where = ", in CUDA memory; copy the array to Host to look at it" if self.space == "Cuda" else ""
             raise Unreadable(f"no memory can be read at {address:#x}{where}") from None
 
 

@@ -5,6 +5,9 @@ from physgen_gdb import fields, objects, references
 from physgen_gdb.fields import Unreadable, arguments, plain_name
 
 
+FAULTS = (Unreadable, gdb.error, ValueError, KeyError, IndexError, StopIteration, OverflowError)  # of what memory may hold
+
+
 class Printed:
     """Text, and children under names or numbers."""
 
@@ -15,7 +18,10 @@ class Printed:
         return self.text
 
     def children(self):
-        return iter(self.given)
+        try:
+            yield from self.given
+        except FAULTS as why:
+            yield "...", str(why)
 
     def display_hint(self):
         return self.hint
@@ -27,7 +33,7 @@ def told(make):
     def printer(value):
         try:
             return make(value)
-        except (Unreadable, gdb.error, ValueError, KeyError, IndexError, StopIteration, OverflowError) as why:
+        except FAULTS as why:
             return Printed(str(why) or f"unreadable ({type(why).__name__})")
 
     return printer

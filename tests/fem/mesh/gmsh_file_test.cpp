@@ -360,9 +360,10 @@ TEST_F(GmshFile, of_many_gigabytes_is_refused_before_memory_is_taken_for_it) {
     return refusal(path);
   };
   const auto elements = text.size() - count - 8;
-  EXPECT_EQ(sized(200'000'000, 9'000'000'000),
-            "has at least 200000000 tets, more than 32-bit numbers can count; mesh more coarsely, or solve parts of the "
-            "body");
+  EXPECT_EQ(
+      sized(200'000'000, 9'000'000'000),
+      "has at least 200000000 tets, more than 32-bit numbers can count; mesh more coarsely, or solve parts of the "
+      "body");
   EXPECT_EQ(sized(150'000'000, 5'000'000'000), "byte " + std::to_string(count + 8) +
                                                    ": $Elements has 150000000 rows of 40 bytes from here on by its "
                                                    "counts, and the file ends after " +

@@ -189,20 +189,15 @@ def extended(arguments):
         if len(tree.touched) > LARGEST_ADDITION:
             sys.exit(f"that is more than {LARGEST_ADDITION}")
     parts = [copy / "generator" / part for part in ("model", "plan", "emit")]
-    generator = [source for part in parts for source in sorted(part.rglob("*.cpp"))]
-    drawing = sorted((copy / "tools/physgen").glob("layout_*.cpp"))
-    drawing.append(arguments.root / "tests/generator/catalog/everything.cpp")
-    # All sources of a part are compiled as one, since reading the headers that they share is what takes time. The drawing
-    # is apart: its headers have std::quoted, which would be taken for the generator's quoted().
-    objects = []
-    for name, sources in (("generator", generator), ("drawing", drawing)):
-        together = arguments.folder / f"{name}.cpp"
-        together.write_text("".join(f'#include "{path}"\n' for path in sources if not path.stem.endswith("json")))
-        objects.append(together.with_suffix(".o"))
-        folders = [f"-I{copy}/{folder}" for folder in ("generator", "tools/physgen", "runtime/include")]
-        run([*arguments.compiler, *folders, "-DPHYSGEN_ANY_MODE", "-c", together, "-o", objects[-1]])
+    sources = [source for part in parts for source in sorted(part.rglob("*.cpp"))]
+    sources += sorted((copy / "tools/physgen").glob("layout_*.cpp"))
+    sources.append(arguments.root / "tests/generator/catalog/everything.cpp")
+    # All sources are compiled as one, since reading the headers that they share is what takes time.
+    together = arguments.folder / "together.cpp"
+    together.write_text("".join(f'#include "{path}"\n' for path in sources if not path.stem.endswith("json")))
+    folders = [f"-I{copy}/{folder}" for folder in ("generator", "tools/physgen", "runtime/include")]
     everything = arguments.folder / "everything"
-    run([*arguments.compiler, *objects, *arguments.link, "-o", everything])
+    run([*arguments.compiler, *folders, "-DPHYSGEN_ANY_MODE", together, *arguments.link, "-o", everything])
     drawing = values_come_back(arguments, everything, copy / "runtime/include",
                                ["soa_odd", "centred_half", "shape_lower"])
     for words in ("shape_lower(2,2)", "Layout_soa_odd on host, soa_odd,", "pitch 1048608 for 1048576 objects"):

@@ -119,6 +119,85 @@ IN_DOUBLE = [
      "template <class T> requires(sizeof(T) == 8) T k_constrained(T x) { static T n = 0; return x + (n += 1); }", "v += k_constrained(v);"),
     ("converts", "struct KTwo { operator float() const { return 1; } operator double() const { static double n = 0; return n += 1; } };", "v += Scalar(KTwo());"),
     ("constructs", "struct KBuilt { float n; KBuilt(float x) : n(x) {} KBuilt(double) { static float m = 0; n = m += 1; } };", "v += KBuilt(v).n;"),
+    ("dependentalias", "struct HaS { template <class T> static T read(T x) { return x; } };\n"
+     "struct HaD { template <class T> static T read(T x) { static T n = 0; return x + (n += 1); } };\n"
+     "template <class T> struct HaPick { using type = HaS; };\n"
+     "template <> struct HaPick<double> { using type = HaD; };",
+     "using Law = typename HaPick<Scalar>::type;\nv = Law::read(v);"),
+    ("aliastemplate", "struct HbS { template <class T> static T read(T x) { return x; } };\n"
+     "struct HbD { template <class T> static T read(T x) { static T n = 0; return x + (n += 1); } };\n"
+     "template <class T> struct HbPick { using type = HbS; };\n"
+     "template <> struct HbPick<double> { using type = HbD; };\n"
+     "template <class T> using HbLaw = typename HbPick<T>::type;",
+     "v = HbLaw<Scalar>::read(v);"),
+    ("aliastemplatelocal", "struct HcS { template <class T> static T read(T x) { return x; } };\n"
+     "struct HcD { template <class T> static T read(T x) { static T n = 0; return x + (n += 1); } };\n"
+     "template <class T> struct HcPick { using type = HcS; };\n"
+     "template <> struct HcPick<double> { using type = HcD; };",
+     "const typename HcPick<Scalar>::type law{};\nv = law.read(v);"),
+    ("tagdispatch", "struct HeS {}; struct HeD {};\n"
+     "template <class T> struct HeTag { using type = HeS; };\n"
+     "template <> struct HeTag<double> { using type = HeD; };\n"
+     "template <class T> T he_read(T x, HeS) { return x; }\n"
+     "template <class T> T he_read(T x, HeD) { static T n = 0; return x + (n += 1); }",
+     "v = he_read(v, typename HeTag<Scalar>::type());"),
+    ("methodofreturned", "struct HgS { float read(float x) const { return x; } };\n"
+     "struct HgD { double read(double x) const { static double n = 0; return x + (n += 1); } };\n"
+     "inline HgS hg_of(float) { return {}; }\n"
+     "inline HgD hg_of(double) { return {}; }",
+     "v = hg_of(v).read(v);"),
+    ("autolocal", "struct HhS { float read(float x) const { return x; } };\n"
+     "struct HhD { double read(double x) const { static double n = 0; return x + (n += 1); } };\n"
+     "inline HhS hh_of(float) { return {}; }\n"
+     "inline HhD hh_of(double) { return {}; }",
+     "const auto law = hh_of(v);\nv = law.read(v);"),
+    ("usingtwo", "namespace hi_one { inline float hi_read(float x) { return x; } }\n"
+     "namespace hi_two { inline double hi_read(double x) { static double n = 0; return x + (n += 1); } }",
+     "using hi_one::hi_read;\nusing hi_two::hi_read;\nv = hi_read(v);"),
+    ("adl", "namespace hj_one { struct S { float x; }; inline float hj_read(S s) { return s.x; } }\n"
+     "namespace hj_two { struct D { double x; }; inline double hj_read(D s) { static double n = 0; return s.x + (n += 1); } }\n"
+     "inline hj_one::S hj_of(float x) { return {x}; }\n"
+     "inline hj_two::D hj_of(double x) { return {x}; }",
+     "v = hj_read(hj_of(v));"),
+    ("adltemplate", "namespace hk_one { struct S {}; template <class B> float hk_read(B s) { return s.x; } }\n"
+     "namespace hk_two { struct D {}; template <class B> double hk_read(B s) { static double n = 0; return s.x + (n += 1); } }\n"
+     "template <class T, class Tag> struct HkBox { T x; };\n"
+     "inline HkBox<float, hk_one::S> hk_of(float x) { return {x}; }\n"
+     "inline HkBox<double, hk_two::D> hk_of(double x) { return {x}; }",
+     "v = hk_read(hk_of(v));"),
+    ("libraryorown", "namespace hl { inline double fabs(double x) { static double n = 0; return x + (n += 1); } inline double max(double x, double) { static double n = 0; return x + (n += 1); } }",
+     "using std::max;\nusing hl::max;\nv = max(v, Scalar(1));"),
+    ("friendindouble", "template <class T> struct HvBox { T x; friend T hv_read(HvBox b) { return b.x; } };\n"
+     "template <> struct HvBox<double> { double x; friend double hv_read(HvBox b) { static double n = 0; return b.x + (n += 1); } };",
+     "v = hv_read(HvBox<Scalar>{v});"),
+    ("variabletemplate", "struct HwS { template <class T> T operator()(T x) const { return x; } };\n"
+     "struct HwD { template <class T> T operator()(T x) const { static T n = 0; return x + (n += 1); } };\n"
+     "template <class T> inline constexpr HwS hw_law{};\n"
+     "template <> inline constexpr HwD hw_law<double>{};",
+     "v = hw_law<Scalar>(v);"),
+    ("operators", "namespace hy_one { struct S { float x; }; inline float operator+(S s, float y) { return s.x + y; } }\n"
+     "namespace hy_two { struct D { double x; }; inline double operator+(D s, double y) { static double n = 0; return s.x + y + (n += 1); } }\n"
+     "inline hy_one::S hy_of(float x) { return {x}; }\n"
+     "inline hy_two::D hy_of(double x) { return {x}; }",
+     "v = hy_of(v) + Scalar(1);"),
+    ("membertype", "struct HzS { template <class T> static T read(T x) { return x; } };\n"
+     "struct HzD { template <class T> static T read(T x) { static T n = 0; return x + (n += 1); } };\n"
+     "template <class T> struct HzLaws { using Law = HzS; };\n"
+     "template <> struct HzLaws<double> { using Law = HzD; };\n"
+     "template <class T> T hz_read(T x) { using Law = typename HzLaws<T>::Law; return Law::read(x); }",
+     "v = hz_read(v);"),
+    ("memberofclass", "struct HoS { template <class T> static T read(T x) { return x; } };\n"
+     "struct HoD { template <class T> static T read(T x) { static T n = 0; return x + (n += 1); } };\n"
+     "template <class T> struct HoPick { using type = HoS; };\n"
+     "template <> struct HoPick<double> { using type = HoD; };\n"
+     "template <class T> struct HoHolds { typename HoPick<T>::type law; };",
+     "const HoHolds<Scalar> holds{};\nv = holds.law.read(v);"),
+    ("baseofclass", "struct HpS { template <class T> T read(T x) const { return x; } };\n"
+     "struct HpD { template <class T> T read(T x) const { static T n = 0; return x + (n += 1); } };\n"
+     "template <class T> struct HpPick { using type = HpS; };\n"
+     "template <> struct HpPick<double> { using type = HpD; };\n"
+     "template <class T> struct HpIs : HpPick<T>::type {};",
+     "v = HpIs<Scalar>().read(v);"),
 ]
 EFFECTS += [("indouble" + name, head, text) for name, head, text in IN_DOUBLE]
 
@@ -153,6 +232,20 @@ HARMLESS = [
     ("mathematics", "", "v = std::sqrt(std::abs(v)) + std::floor(v);"),
     ("vectors", "", "Eigen::Matrix<float, 2, 1> n(1, 2);\nn *= 2;\nv += n.dot(n) + n.sum();"),
     ("applies", "", "v += Eigen::Matrix<float, 2, 1>(1, 2).unaryExpr([](float x) { return x * 2; }).sum();"),
+    ("readspointer", "inline float hn_sum(const float* p) { return p[0] + p[1]; }",
+     "float n[2] = {1, 2};\nv += hn_sum(n);"),
+    ("writespointer", "inline void ho_set(float* p) { p[1] = 3; }",
+     "float n[2] = {1, 2};\nho_set(n);\nv += n[1];"),
+    ("binds", "struct HrPair { float x, y; };",
+     "auto [a, b] = HrPair{v, 2};\nv = a + b;"),
+    ("choosesobjects", "struct HsA { float f() const { return 1; } };",
+     "v += (v > 0 ? HsA() : HsA()).f();"),
+    ("stdarrays", "",
+     "std::array<float, 2> n{1, 2};\nn[1] += v;\nv = n[0] + n[1];"),
+    ("enumerates", "enum class Ht { one = 1, two };",
+     "const Ht t = v > 0 ? Ht::one : Ht::two;\nv += static_cast<int>(t);"),
+    ("puns", "union HqU { float f; unsigned n; };",
+     "HqU u{v};\nu.n += 0;\nv = u.f;"),
     ("commas", "", "int n = 0, m = 0;\nfor (; n < 3; ++n, --m) v += m;"),
 ]
 

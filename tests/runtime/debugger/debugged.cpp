@@ -1,5 +1,7 @@
-// A program to be looked at in a debugger: arrays in every layout and format, what refers to them, and broken ones. It prints
-// lines "expression = text" of what gdb should show, and stops in stop(). With an argument, it prints the law of addresses.
+// A program to be looked at in a debugger: arrays in every layout and format, what refers to them, and broken ones. It
+// prints lines "expression = text" of what gdb should show, and stops in stop(). With an argument, it prints the law of
+// addresses.
+#include <elasticity.physgen.h>
 #include <everything.physgen.h>
 #include <physgen/parallel_for.h>
 #include <physgen/row_arrays.h>
@@ -9,7 +11,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <elasticity.physgen.h>
 #include <new>
 
 #include "shown.h"
@@ -185,9 +186,17 @@ int look() {
   const Eigen::VectorXf dynamic = Eigen::Vector3f(1, 2, 3);
   const PartialPack<8> partial{16, 2, 5};
 
-  const void* const kept[] = {&aos, &aos_padded, &soa, &soa_in_double, &tiles_of_2, &tiles_of_8, &tiles_of_64, &formats,
-    &formats_in_double, &odd, &aligned, &nested, &turned, &view, &read_only, &one, &part, &number, &value, &uniform, &rows,
-    &rows_view, &empty, &moved, &stolen, &thief, &garbage, &null_view, &stray, &plain, &dynamic, &partial, &same};
+  const void* const kept[] = {&aos,           &aos_padded, &soa,
+                              &soa_in_double, &tiles_of_2, &tiles_of_8,
+                              &tiles_of_64,   &formats,    &formats_in_double,
+                              &odd,           &aligned,    &nested,
+                              &turned,        &view,       &read_only,
+                              &one,           &part,       &number,
+                              &value,         &uniform,    &rows,
+                              &rows_view,     &empty,      &moved,
+                              &stolen,        &thief,      &garbage,
+                              &null_view,     &stray,      &plain,
+                              &dynamic,       &partial,    &same};
   std::fflush(stdout);
   stop(static_cast<const void* const*>(kept));
   const Inside<decltype(tiles_of_2)::ConstView> inside{tiles_of_2.const_view()};
@@ -205,9 +214,11 @@ void tell_law(const char* name) {
         const int record = Layout::record_bytes(content, alignment);
         const typename Layout::Pitch pitch(Layout::pitch(objects));
         std::printf("%s %lld %d %d : %lld %lld %d", name, static_cast<long long>(objects), content, alignment,
-                    static_cast<long long>(Layout::pitch(objects)), static_cast<long long>(Layout::padded(objects)), record);
+                    static_cast<long long>(Layout::pitch(objects)), static_cast<long long>(Layout::padded(objects)),
+                    record);
         for (index_t i = 0; i < objects; i += 1 + objects / 3) {
-          std::printf(" %lld", static_cast<long long>(law::element(index_t{256}, pitch, record, i, index_t{content - 2}, 2)));
+          std::printf(" %lld",
+                      static_cast<long long>(law::element(index_t{256}, pitch, record, i, index_t{content - 2}, 2)));
         }
         std::puts("");
       }

@@ -237,7 +237,7 @@ case $rule in
     expect_exit 0 "${small[@]}" --compress 0.05 0.1 --out a --grading 1.25 --restart
     expect out 'continuing behind step 1' ;;
   cells_that_are_too_narrow_for_a_fold_are_said)
-    flags=(--cells 16 --grading 2.4 --threads 1 --compress 0.1825)
+    flags=(--cells 16 --grading 2 --threads 1 --compress 0.3)
     expect_exit 0 "${flags[@]}"
     expect err 'tets are inverted, .* Try --plates contact, a smaller --grading, or more and smaller --compress steps[.]$'
     expect_exit 0 "${flags[@]}" --plates contact

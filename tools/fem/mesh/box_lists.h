@@ -1,4 +1,4 @@
-// The lists of a box's mesh by formula. For mesh.cpp.
+// The lists of a box's mesh by formula. For box_mesh.cpp.
 #pragma once
 
 #include <fem/mesh/mesh.h>

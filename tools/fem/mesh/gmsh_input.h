@@ -44,8 +44,7 @@ class GmshInput {
   [[nodiscard]] std::string place_at(std::uint64_t offset) const { return place(begin_ + offset); }
   /// @throw Error with the file's name. Characters that a terminal would obey are shown as '?'.
   [[noreturn]] void refuse(std::string what) const {
-    std::ranges::replace_if(
-        what, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+    std::ranges::replace_if(what, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
     throw Error("mesh file " + name_ + ": " + what);
   }
   [[noreturn]] void refuse_at(const char* of, const std::string& what) const {

@@ -7,8 +7,8 @@
 
 namespace physgen::fem {
 
-/// Positions 0 .. cells of nodes along a side of a cube [m]: side/2 (2 k/cells)^grading up to the middle, and the mirror
-/// images of these behind it. The cube of half as many cells has every second of them, to the last bit.
+/// Positions 0 .. cells of nodes along a side of a cube [m]: side/2 (2 k/cells)^grading up to the middle, and the
+/// mirror images of these behind it. The cube of half as many cells has every second of them, to the last bit.
 [[nodiscard]] std::vector<double> graded_positions(Index cells, double side, double grading);
 
 /// The width of a cube's widest cell over that of its narrowest.

@@ -88,7 +88,6 @@ struct ListOf<Operands<Operand...>, Real, Space, Layout, Scheme> {
   using type = std::tuple<One<typename Operand::Source, typename Operand::template Layout<Layout, Space>>...>;
   using host = std::tuple<Array<typename Operand::Source::Object, Real, Host, Aosoa<16>>...>;
   using masters = std::tuple<const Master<typename Operand::Source::Object>&...>;
-  using values = std::tuple<typename Operand::Source::Object::template Value<Real>...>;
   static constexpr Domain domains[] = {Operand::Source::domain...};
 };
 
@@ -103,9 +102,6 @@ using HostArrays = typename detail::ListOf<List, Real, Host, Aosoa<16>, SchemaFo
 /// The scene's arrays of Operands<...>.
 template <class List>
 using Masters = typename detail::ListOf<List, double, Host, Aosoa<16>, SchemaFormats>::masters;
-/// A tuple of one object of each.
-template <class List, class Real>
-using ValuesOf = typename detail::ListOf<List, Real, Host, Aosoa<16>, SchemaFormats>::values;
 /// The domain of the k-th of them.
 template <class List>
 constexpr Domain domain_of(std::size_t k) {

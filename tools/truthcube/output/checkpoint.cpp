@@ -14,6 +14,7 @@ namespace physgen::truthcube {
 
 namespace {
 
+using h5::one;
 using Json = nlohmann::json;
 
 constexpr std::int32_t current_version = 1;
@@ -53,11 +54,6 @@ std::string differences(const Json& then, const Json& now) {
             value_of(now, key) + " in this run";
   }
   return text;
-}
-
-template <class T>
-std::span<const T> one(const T& value) {
-  return {&value, 1};
 }
 
 // A file that can be read, and must not be used.

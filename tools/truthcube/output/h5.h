@@ -13,6 +13,12 @@
 
 namespace physgen::truthcube::h5 {
 
+/// A value as the span that attributes and datasets are written from.
+template <class T>
+std::span<const T> one(const T& value) {
+  return {&value, 1};
+}
+
 /// Owns one HDF5 object and closes it.
 class Handle {
  public:

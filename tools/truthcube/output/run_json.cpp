@@ -12,7 +12,7 @@ namespace physgen::truthcube {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <class Record, class Visit>
 void visit_newton(Record& step, const Visit& visit) {
@@ -67,8 +67,8 @@ void visit_stage(Record& stage, const Visit& visit) {
 }
 
 template <class T>
-void take(const Json& object, const char* key, T& value) {
-  const Json& found = object.at(key);
+void take(const OrderedJson& object, const char* key, T& value) {
+  const OrderedJson& found = object.at(key);
   if constexpr (std::is_same_v<T, double>) {
     value = found.is_null() ? std::numeric_limits<double>::quiet_NaN() : found.get<double>();
   } else {
@@ -79,39 +79,39 @@ void take(const Json& object, const char* key, T& value) {
 }  // namespace
 
 void write_run_json(const std::filesystem::path& file, const RunRecord& record) {
-  Json run;
+  OrderedJson run;
   visit_run(record, [&run](const char* key, const auto& value) { run[key] = value; });
   visit_plates(record, [&run](const char* key, const PlateRecord& plate) {
     run["held"][key] = {{"nodes", plate.nodes}, {"area", plate.area}};
   });
-  run["setup_stages"] = Json::array();
+  run["setup_stages"] = OrderedJson::array();
   for (const StageRecord& stage : record.stages) {
-    Json& entry = run["setup_stages"].emplace_back();
+    OrderedJson& entry = run["setup_stages"].emplace_back();
     visit_stage(stage, [&entry](const char* key, const auto& value) { entry[key] = value; });
   }
-  run["settings"] = Json::parse(record.settings, nullptr, false);
+  run["settings"] = OrderedJson::parse(record.settings, nullptr, false);
   if (!run["settings"].is_object())
     throw Error(file.string() + ": the settings are not a JSON object: " + record.settings);
-  run["steps"] = Json::array();
+  run["steps"] = OrderedJson::array();
   for (const StepRecord& step : record.steps) {
-    Json entry;
+    OrderedJson entry;
     visit_step(step, [&entry](const char* key, const auto& value) { entry[key] = value; });
-    entry["newton"] = Json::array();
+    entry["newton"] = OrderedJson::array();
     for (const NewtonRecord& newton : step.newton) {
-      Json& line = entry["newton"].emplace_back();
+      OrderedJson& line = entry["newton"].emplace_back();
       visit_newton(newton, [&line](const char* key, const auto& value) { line[key] = value; });
     }
     run["steps"].push_back(entry);
   }
   // Names of files in a command need not be UTF-8, which JSON is.
-  write_text(file, run.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text(file, run.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
 }
 
 RunRecord read_run_json(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) throw Error(file.string() + ": cannot be opened");
   try {
-    const Json run = Json::parse(stream);
+    const OrderedJson run = OrderedJson::parse(stream);
     RunRecord record;
     visit_run(record, [&run](const char* key, auto& value) { take(run, key, value); });
     if (run.contains("held")) {
@@ -120,19 +120,19 @@ RunRecord read_run_json(const std::filesystem::path& file) {
         take(held.at(key), "area", plate.area);
       });
     }
-    for (const Json& entry : run.value("setup_stages", Json::array())) {
+    for (const OrderedJson& entry : run.value("setup_stages", OrderedJson::array())) {
       visit_stage(record.stages.emplace_back(), [&entry](const char* key, auto& value) { take(entry, key, value); });
     }
     record.settings = run.at("settings").dump();
-    for (const Json& entry : run.at("steps")) {
+    for (const OrderedJson& entry : run.at("steps")) {
       StepRecord& step = record.steps.emplace_back();
       visit_step(step, [&entry](const char* key, auto& value) { take(entry, key, value); });
-      for (const Json& line : entry.at("newton")) {
+      for (const OrderedJson& line : entry.at("newton")) {
         visit_newton(step.newton.emplace_back(), [&line](const char* key, auto& value) { take(line, key, value); });
       }
     }
     return record;
-  } catch (const Json::exception& error) {
+  } catch (const OrderedJson::exception& error) {
     std::string said = error.what();  // which quotes the file
     std::ranges::replace_if(
         said, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');  // as a terminal can show it

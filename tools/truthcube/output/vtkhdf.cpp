@@ -15,6 +15,8 @@ namespace physgen::truthcube {
 
 namespace {
 
+using h5::one;
+
 constexpr const char* root = "/VTKHDF";
 constexpr const char* steps_group = "/VTKHDF/Steps";
 constexpr const char* first_steps_group =
@@ -44,11 +46,6 @@ hsize_t chunk_rows(std::uint64_t rows, int components) {
 
 // A dataset of 1 component has 1 dimension.
 hsize_t columns(int components) { return components == 1 ? 0 : static_cast<hsize_t>(components); }
-
-template <class T>
-std::span<const T> one(const T& value) {
-  return {&value, 1};
-}
 
 std::string of_mesh(std::uint64_t points, std::uint64_t tets) {
   return std::to_string(points) + " points and " + std::to_string(tets) + " tets";

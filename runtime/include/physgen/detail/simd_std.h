@@ -1,10 +1,10 @@
 // Calls of std::sqrt() and its like with packs, of which the standard library knows nothing: they are refused by types
 // whose names compilers print, in place of a list of all overloads.
 //
-// These functions stand in namespace std, where a program may declare none [namespace.std]. Nothing else is looked up by
-// a qualified call, and a batch, which is xsimd's, has no base that could convert to what std::sqrt() takes. They are
-// viable for packs and references to them alone, which the standard library has no overloads for, and an unqualified
-// call prefers those of packs, which are more special.
+// These functions stand in namespace std, where a program may declare none [namespace.std]. Nothing else is looked up
+// by a qualified call, and a batch, which is xsimd's, has no base that could convert to what std::sqrt() takes. They
+// are viable for packs and references to them alone, which the standard library has no overloads for, and an
+// unqualified call prefers those of packs, which are more special.
 #pragma once
 
 #include <physgen/detail/reference_rules.h>
@@ -39,7 +39,7 @@ namespace std {
 
 // What refuses is a template's argument, too, since clang names no types that functions return. This macro is undefined
 // below.
-#define PHYSGEN_REFUSED(function)                                                                                \
+#define PHYSGEN_REFUSED(function)                                                                                  \
   template <class Refused = physgen::detail::std_has_no_functions_of_packs_so_write_the_call_without_std, class X, \
             class... More>                                                                                         \
     requires physgen::detail::HavePacks<X, More...>                                                                \

@@ -89,10 +89,6 @@ PHYSGEN_FUNCTION inline auto cast_matrix(const Matrix3<S>& A) {
   return result;
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// The beginning of the kernels of a tet: its shape at rest, and the SVD of F.
 template <class S>
 struct DeformedTet {

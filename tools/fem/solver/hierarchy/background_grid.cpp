@@ -1,15 +1,18 @@
 #include <fem/solver/hierarchy/background_grid.h>
+#include <fem/solver/hierarchy/grid_axis.h>
 #include <physgen/error.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 namespace physgen::fem {
 
 namespace {
 
 using Cells = std::array<Index, 3>;
+using Axes = std::array<GridAxis, 3>;
 
 /// The number of a corner of the grid among all of the box, which may have more than 32-bit numbers reach.
 using CornerNumber = std::int64_t;
@@ -75,15 +78,11 @@ struct Located {
   std::array<CornerNumber, 4> corners;
   std::array<double, 4> weights;
 };
-Located locate_in(const Box& box, const Cells& cells, const Point& x) {
+Located locate_in(const Axes& axes, const Cells& cells, const Point& x) {
   constexpr double rounding = 1e-9;  // of a cell: closer to a face than this is on it
   std::array<Index, 3> at{};
   Point part{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double t = (x[k] - box.low[k]) / (box.high[k] - box.low[k]) * cells[k];
-    at[k] = std::clamp(static_cast<Index>(t), Index{0}, cells[k] - 1);
-    part[k] = t - at[k];
-  }
+  for (std::size_t k = 0; k < 3; ++k) std::tie(at[k], part[k]) = axes[k].locate(x[k]);
   std::array<std::size_t, 3> order{0, 1, 2};
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t k) { return part[k]; });
   Located located{};
@@ -123,13 +122,13 @@ class UsedCorners {
 };
 
 /// A level of these corners, all prescribed.
-MeshLevel make_level(const Box& box, const Cells& cells, const UsedCorners& corners) {
+MeshLevel make_level(const Axes& axes, const Cells& cells, const UsedCorners& corners) {
   MeshLevel level;
   level.mesh.nodes = static_cast<Index>(corners.numbers().size());
   for (const CornerNumber number : corners.numbers()) {
     const auto at = corner_at(cells, number);
     Point x{};
-    for (std::size_t k = 0; k < 3; ++k) x[k] = std::lerp(box.low[k], box.high[k], double(at[k]) / cells[k]);
+    for (std::size_t k = 0; k < 3; ++k) x[k] = axes[k].plane(at[k], cells[k]);
     level.rest.push_back(x);
   }
   level.fixed.assign(level.rest.size(), 7);
@@ -137,15 +136,15 @@ MeshLevel make_level(const Box& box, const Cells& cells, const UsedCorners& corn
 }
 
 /// The finest grid, and where the nodes of the mesh lie in it.
-MeshLevel make_finest(const Box& box, const Cells& cells, MeshLevel& mesh, UsedCorners& corners) {
+MeshLevel make_finest(const Axes& axes, const Cells& cells, MeshLevel& mesh, UsedCorners& corners) {
   std::vector<Located> located;
   std::vector<CornerNumber> numbers;
   for (const Point& x : mesh.rest) {
-    located.push_back(locate_in(box, cells, x));
+    located.push_back(locate_in(axes, cells, x));
     numbers.insert(numbers.end(), located.back().corners.begin(), located.back().corners.end());
   }
   corners = UsedCorners(std::move(numbers));
-  MeshLevel grid = make_level(box, cells, corners);
+  MeshLevel grid = make_level(axes, cells, corners);
   for (std::size_t n = 0; n < located.size(); ++n) {
     GridLocation location{{}, located[n].weights};
     for (std::size_t c = 0; c < 4; ++c) {
@@ -158,7 +157,7 @@ MeshLevel make_finest(const Box& box, const Cells& cells, MeshLevel& mesh, UsedC
 }
 
 /// The next coarser grid: half as many cells where their number is even.
-MeshLevel make_coarser(const Box& box, Cells& cells, MeshLevel& fine, UsedCorners& corners) {
+MeshLevel make_coarser(const Axes& axes, Cells& cells, MeshLevel& fine, UsedCorners& corners) {
   Cells coarse = cells;
   for (Index& count : coarse) {
     if (count % 2 == 0) count /= 2;
@@ -177,7 +176,7 @@ MeshLevel make_coarser(const Box& box, Cells& cells, MeshLevel& fine, UsedCorner
   }
   cells = coarse;
   corners = UsedCorners(std::move(numbers));
-  MeshLevel grid = make_level(box, cells, corners);
+  MeshLevel grid = make_level(axes, cells, corners);
   for (std::size_t n = 0; n < ends.size(); ++n) {
     fine.parents.push_back({corners[ends[n][0]], corners[ends[n][1]]});
     for (const Index p : fine.parents.back()) grid.fixed[static_cast<std::size_t>(p)] &= fine.fixed[n];
@@ -191,12 +190,18 @@ std::array<Index, 3> add_background_grid(std::vector<MeshLevel>& levels) {
   if (levels.empty() || levels.back().mesh.nodes <= most_coarse_nodes) return {};
   const Box box = box_around(levels.back().rest);
   const Cells finest = choose_cells(box, 2 * mean_spacing(levels.back().mesh, levels.back().rest));
+  const auto axis = [&](std::size_t k) {
+    GridAxis found(box.low[k], box.high[k], finest[k]);
+    found.follow(levels.back().mesh, levels.back().rest, k);
+    return found;
+  };
+  const Axes axes{axis(0), axis(1), axis(2)};
   Cells cells = finest;
   UsedCorners corners({});
-  levels.push_back(make_finest(box, cells, levels.back(), corners));
+  levels.push_back(make_finest(axes, cells, levels.back(), corners));
   const auto even = [](Index count) { return count % 2 == 0; };
   while (levels.back().mesh.nodes > most_coarse_nodes && std::ranges::any_of(cells, even)) {
-    levels.push_back(make_coarser(box, cells, levels.back(), corners));
+    levels.push_back(make_coarser(axes, cells, levels.back(), corners));
   }
   return finest;
 }

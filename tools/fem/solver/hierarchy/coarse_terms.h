@@ -2,7 +2,7 @@
 // fine blocks each coarse block consists of.
 #pragma once
 
-#include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/hierarchy/level_graph.h>
 
 namespace physgen::fem::detail {
 

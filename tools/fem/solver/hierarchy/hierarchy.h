@@ -2,9 +2,9 @@
 // how a level hangs on the next coarser one, and what each coarse block of stiffness consists of.
 #pragma once
 
+#include <fem/solver/hierarchy/level_graph.h>
 #include <fem/solver/mesh_level.h>
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -15,23 +15,6 @@ inline constexpr Index most_coarse_nodes = 125;
 
 /// The side of a cube as large as the six tets that a node has on average: about the distance of neighbours [m].
 [[nodiscard]] double mean_spacing(const TetMesh& mesh, const std::vector<Point>& rest);
-
-/// The nodes and edges of a level as its stiffness has them, and the way to the next coarser level.
-struct LevelGraph {
-  Index nodes = 0;
-  bool is_grid = false;
-  EdgeList edges;            ///< those of tets, patches, rings and finer levels
-  IncidenceList node_edges;  ///< edge, side
-  std::vector<std::uint8_t> fixed;
-
-  // To the next coarser level; empty on the coarsest.
-  std::vector<std::array<Index, 2>> parents;
-  std::vector<GridLocation> grid_parents;  ///< in place of `parents`
-  /// Per coarse node: fine node, how many of its two parents are this node; or which of its grid parents is.
-  IncidenceList children;
-  /// Per coarse edge: fine node or edge, galerkin_code(); of a grid with one quarter, since weights are looked up.
-  IncidenceList edge_terms;
-};
 
 /// The terms of the edges of the finest level, or of any level on which equilibrium is solved.
 struct EdgeParts {

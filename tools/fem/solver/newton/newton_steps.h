@@ -227,19 +227,6 @@ struct KeepForces {
   }
 };
 
-/// The force on prescribed components, component by component: minus the reactions.
-template <class ForceView, class ConstraintView>
-struct PrescribedForce {
-  using Scalar = double;
-  ForceView forces;            ///< elasticity::NodeForce
-  ConstraintView constraints;  ///< quasistatic::NodeConstraint
-  PHYSGEN_FUNCTION Eigen::Matrix<double, 3, 1> operator()(index_t node) const {
-    using Vector = Eigen::Matrix<double, 3, 1>;
-    const Vector f = forces[node].f();
-    return f - detail::free_part<double>(f, constraints[node]);
-  }
-};
-
 }  // namespace physgen::fem
 
 #pragma pop_macro("I")
