@@ -50,7 +50,6 @@ class NodeSet {
 
 // A box as make_box_mesh() numbers it.
 struct Box {
-  static constexpr std::size_t tets_per_cell = 6;
   index_t row, layer, cells_x, cells_y, cells;  // row, layer: distances of neighbours in y and z
 
   // The box whose first cell has these tets. @throw Error when there is none
@@ -60,7 +59,7 @@ struct Box {
       if (!cell.fits(mesh.tets[t])) refuse_other_than_cells();
       cell.add(mesh.tets[t]);
     }
-    if (cell.nodes().size() < at(VolumePatches::max_nodes)) refuse_other_than_cells();
+    if (cell.nodes().size() < 8) refuse_other_than_cells();
     const index_t row = cell.nodes()[2], layer = cell.nodes()[4];
     if (row < 2 || layer < 2 * row || layer % row != 0 || mesh.nodes % layer != 0) refuse_other_than_cells();
     const Box box{row, layer, row - 1, layer / row - 1, static_cast<index_t>(mesh.tets.size() / tets_per_cell)};
@@ -77,6 +76,8 @@ struct Box {
     }
     return nodes;
   }
+
+  static constexpr std::size_t tets_per_cell = 6;
 };
 
 }  // namespace
