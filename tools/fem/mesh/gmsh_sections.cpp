@@ -1,5 +1,7 @@
-// A description of the format: Gmsh's reference manual, chapters "MSH file format" and its "legacy" versions 1 and 2.
+// Rows are read one after the other, in text as in binary files.
 #include <fem/mesh/check.h>
+#include <fem/mesh/gmsh_format.h>
+#include <fem/mesh/gmsh_kinds.h>
 #include <fem/mesh/gmsh_sections.h>
 
 #include <algorithm>
@@ -9,59 +11,6 @@
 namespace physgen::fem {
 
 namespace {
-
-struct Kind {
-  int type, dimension, order;
-  std::size_t nodes;
-  const char* name;  // as Gmsh has it; of elements with volume alone
-};
-
-constexpr int tet = 4;
-
-// Up to order 5, by type.
-constexpr std::array kinds{
-    Kind{1, 1, 1, 2, ""},
-    Kind{2, 2, 1, 3, ""},
-    Kind{3, 2, 1, 4, ""},
-    Kind{tet, 3, 1, 4, "Tetrahedron 4"},
-    Kind{5, 3, 1, 8, "Hexahedron 8"},
-    Kind{6, 3, 1, 6, "Prism 6"},
-    Kind{7, 3, 1, 5, "Pyramid 5"},
-    Kind{8, 1, 2, 3, ""},
-    Kind{9, 2, 2, 6, ""},
-    Kind{10, 2, 2, 9, ""},
-    Kind{11, 3, 2, 10, "Tetrahedron 10"},
-    Kind{12, 3, 2, 27, "Hexahedron 27"},
-    Kind{13, 3, 2, 18, "Prism 18"},
-    Kind{14, 3, 2, 14, "Pyramid 14"},
-    Kind{15, 0, 0, 1, ""},
-    Kind{16, 2, 2, 8, ""},
-    Kind{17, 3, 2, 20, "Hexahedron 20"},
-    Kind{18, 3, 2, 15, "Prism 15"},
-    Kind{19, 3, 2, 13, "Pyramid 13"},
-    Kind{20, 2, 3, 9, ""},
-    Kind{21, 2, 3, 10, ""},
-    Kind{22, 2, 4, 12, ""},
-    Kind{23, 2, 4, 15, ""},
-    Kind{24, 2, 5, 15, ""},
-    Kind{25, 2, 5, 21, ""},
-    Kind{26, 1, 3, 4, ""},
-    Kind{27, 1, 4, 5, ""},
-    Kind{28, 1, 5, 6, ""},
-    Kind{29, 3, 3, 20, "Tetrahedron 20"},
-    Kind{30, 3, 4, 35, "Tetrahedron 35"},
-    Kind{31, 3, 5, 56, "Tetrahedron 56"},
-    Kind{32, 3, 4, 22, "Tetrahedron 22"},
-    Kind{33, 3, 5, 28, "Tetrahedron 28"},
-    Kind{36, 2, 3, 16, ""},
-    Kind{37, 2, 4, 25, ""},
-    Kind{38, 2, 5, 36, ""},
-    Kind{39, 2, 3, 12, ""},
-    Kind{40, 2, 4, 16, ""},
-    Kind{41, 2, 5, 20, ""},
-    Kind{92, 3, 3, 64, "Hexahedron 64"},
-    Kind{93, 3, 4, 125, "Hexahedron 125"},
-};
 
 class Reader {
  public:
@@ -75,7 +24,7 @@ class Reader {
       end_ = (name_ == "$NOD" || name_ == "$ELM" ? "$END" : "$End") + name_.substr(1);
       bool skips = false;
       if (name_ == "$MeshFormat") {
-        read_format();
+        file_.version = read_gmsh_format(input_);
         skips = true;  // what later versions may add
       } else if (name_ == "$NOD" || name_ == "$Nodes" || name_ == "$ParametricNodes") {
         require_version();
@@ -90,39 +39,13 @@ class Reader {
       if (skips) refuse_end();
       refuse_rows();
     }
-    refuse_other_solids();
+    refuse_other_solids(input_, found_);
     return std::move(file_);
   }
 
  private:
   [[nodiscard]] bool is_of_blocks() const { return file_.version >= 4; }
   [[nodiscard]] std::string section() const { return name_ + " " + input_.place(start_); }
-
-  void read_format() {
-    const std::string_view line = input_.line();
-    std::array<double, 3> words{};
-    const char *at = line.data(), *end = at + line.size();
-    for (double& word : words) {
-      while (at < end && *at == ' ') ++at;
-      at = std::from_chars(at, end, word).ptr;
-    }
-    file_.version = words[0];
-    input_.is_binary = words[1] != 0;
-    if (!(words[0] >= 2 && words[0] <= 2.2) && words[0] != 4.1) {
-      const std::string version(line.substr(0, std::min(line.find(' '), std::size_t{20})));
-      input_.refuse("is in version " + version +
-                    " of Gmsh's format; save it in version 4.1 (gmsh FILE -save -format msh41 -o FILE.msh)");
-    }
-    if (!input_.is_binary) return;
-    const char* place = input_.here();
-    const std::int64_t one = input_.integer();
-    if (one == 0x01000000) {
-      input_.refuse(
-          "has numbers of another order of bytes; save it on a machine like this one, or as text (Gmsh: Mesh.Binary = "
-          "0)");
-    }
-    if (one != 1 || words[2] != 8) input_.refuse_at(place, "this is no binary file with numbers of 8 bytes");
-  }
 
   void require_version() const {
     if ((name_ != "$NOD" && name_ != "$ELM") == (file_.version >= 2)) return;
@@ -270,18 +193,11 @@ class Reader {
 
   // ---- Elements
 
-  const Kind& kind_of(std::int64_t type, const char* place) const {
-    const auto* found = std::ranges::lower_bound(kinds, type, {}, &Kind::type);
-    if (found != kinds.end() && found->type == type) return *found;
-    input_.refuse("has " + input_.place(place) + " an element of type " + std::to_string(type) +
-                  ", which is not known here; mesh the volume with linear tetrahedra alone");
-  }
-
   // The nodes of an element, which are next.
   template <class Stored>
-  void read_element(const Kind& kind, std::uint64_t tag, std::uint64_t place) {
-    ++found_.at(static_cast<std::size_t>(&kind - kinds.data()));
-    if (kind.type == tet) {
+  void read_element(const GmshKind& kind, std::uint64_t tag, std::uint64_t place) {
+    ++found_.at(static_cast<std::size_t>(&kind - gmsh_kinds.data()));
+    if (kind.type == gmsh_tet) {
       require_fits(1);
       std::array<std::uint64_t, 4> nodes{};
       for (std::uint64_t& node : nodes) node = input_.natural<Stored>();
@@ -319,7 +235,7 @@ class Reader {
       const std::uint64_t offset = input_.offset_of(place);
       std::uint64_t tag = 0, count = 1, groups = 2;
       if (!input_.is_binary) tag = input_.natural<std::int32_t>();
-      const Kind& kind = kind_of(input_.integer(), place);
+      const GmshKind& kind = gmsh_kind_of(input_, input_.integer(), place);
       if (input_.is_binary) count = input_.natural<std::int32_t>();
       if (file_.version >= 2) groups = input_.natural<std::int32_t>();
       if (input_.is_binary) require_rows(count, 4 * (1 + kind.nodes));
@@ -347,11 +263,11 @@ class Reader {
       const char* place = input_.here();
       input_.integer();  // the entity's dimension
       input_.integer();  // and tag
-      const Kind& kind = kind_of(input_.integer(), place);
+      const GmshKind& kind = gmsh_kind_of(input_, input_.integer(), place);
       const std::uint64_t count = take(input_.natural<std::uint64_t>(), left);
       input_.end_row();
       require_rows(count, 8 * (1 + kind.nodes));
-      if (kind.type == tet) require_fits(count);
+      if (kind.type == gmsh_tet) require_fits(count);
       for (std::uint64_t e = 0; e < count; ++e) {
         row();
         const std::uint64_t offset = input_.offset_of(input_.here());
@@ -363,21 +279,9 @@ class Reader {
     if (left > 0) refuse_rows();
   }
 
-  void refuse_other_solids() const {
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-      const Kind& kind = kinds.at(k);
-      if (kind.dimension < 3 || kind.type == tet || found_.at(k) == 0) continue;
-      const std::string name = kind.name;
-      const std::string found = "has " + std::to_string(found_.at(k)) + " elements of the kind '" + name + "'";
-      if (!name.starts_with("Tet")) input_.refuse(found + "; mesh the volume with tetrahedra alone");
-      input_.refuse(found + " of order " + std::to_string(kind.order) +
-                    "; save linear tetrahedra (Gmsh: Mesh.ElementOrder = 1, or -order 1)");
-    }
-  }
-
   GmshInput& input_;
   GmshSections file_;
-  std::array<std::uint64_t, kinds.size()> found_{};
+  std::array<std::uint64_t, gmsh_kinds.size()> found_{};
   // The section that is being read.
   const char* start_ = nullptr;
   std::string name_, end_;
