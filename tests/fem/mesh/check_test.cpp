@@ -2,6 +2,7 @@
 #include <fem/mesh/check.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
+#include <physgen/threads.h>
 
 #include <algorithm>
 #include <limits>
@@ -220,6 +221,33 @@ TEST(MeshCheck, says_what_is_wrong_where_in_the_file_s_own_numbers_and_what_to_d
             "error: 7 elements of negative volume (elements 5000, 5001, 5002, 5003, 5004, ...); exchange two of their "
             "corners, or mesh again without overlaps\n"
             "error: 1 node of no element (node 112); remove what no element uses (in Gmsh: save the volumes alone)\n");
+}
+
+TEST(MeshCheck, takes_a_node_with_thousands_of_tets) {
+  for (const MeshCase& given : {reference::star(5000), reference::shuffled(reference::star(5000), 47)}) {
+    const MeshReport report = check_mesh(given.rest, given.mesh.tets);
+    EXPECT_TRUE(report.errors().empty()) << report.describe();
+    EXPECT_EQ(report.component_count, 1u);
+    Tets tets = given.mesh.tets;
+    tets.push_back(tets[1234]);
+    expect_found(check_mesh(given.rest, tets).duplicates, {5000});
+  }
+}
+
+TEST(MeshCheck, finds_the_same_on_any_number_of_threads) {
+  MeshCase given = reference::shuffled(reference::beside(reference::box(20, 20, 20), reference::box(9, 9, 9)), 48);
+  Tets tets = given.mesh.tets;
+  for (const std::size_t t : drawn(40, tets.size(), 49)) std::swap(tets[t][0], tets[t][1]);
+  for (const std::size_t t : drawn(30, tets.size(), 50)) tets.push_back(tets[t]);
+  for (const std::size_t t : drawn(20, tets.size(), 51)) tets[t][0] = tets[t][1];
+  for (const std::size_t t : drawn(10, tets.size(), 52)) tets[t][2] = -1;
+  set_threads(1);
+  const std::string alone = check_mesh(given.rest, tets).describe();
+  for (const int threads : {2, 16}) {
+    set_threads(threads);
+    EXPECT_EQ(check_mesh(given.rest, tets).describe(), alone) << threads << " threads";
+  }
+  set_threads(0);
 }
 
 TEST(MeshCheck, refuses_a_mesh_without_tets) {

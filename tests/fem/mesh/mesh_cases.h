@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <set>
@@ -104,6 +105,19 @@ inline MeshCase beside(const MeshCase& one, const MeshCase& other) {
     tets.push_back(tet);
   }
   result.mesh = make_tet_mesh(static_cast<Index>(result.rest.size()), std::move(tets));
+  return result;
+}
+
+/// Tets around one edge: each of its two ends is a corner of all of them.
+inline MeshCase star(Index tets) {
+  MeshCase result{"star", {}, {{0, 0, 0}, {0, 0, 1}}};
+  std::vector<std::array<Index, 4>> list;
+  for (Index t = 0; t < tets; ++t) {
+    const double angle = 2 * std::acos(-1.) * t / tets;
+    result.rest.push_back({std::cos(angle), std::sin(angle), 0.5});
+    list.push_back({0, 2 + t, 2 + (t + 1) % tets, 1});
+  }
+  result.mesh = make_tet_mesh(tets + 2, std::move(list));
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include <fem/mesh/patches.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
+#include <physgen/threads.h>
 
 #include <algorithm>
 #include <set>
@@ -172,8 +173,23 @@ TEST(GreedyPatches, are_about_one_per_node_and_hardly_ever_small_whatever_the_nu
 }
 
 TEST(GreedyPatches, depend_on_the_mesh_alone) {
-  const auto mesh = [] { return reference::shuffled(reference::box(4, 5, 3), 11).mesh; };
-  EXPECT_EQ(greedy_patches(mesh()).tet_patch, greedy_patches(mesh()).tet_patch);
+  const TetMesh mesh = reference::shuffled(reference::box(20, 20, 20), 11).mesh;
+  set_threads(1);
+  const VolumePatches alone = greedy_patches(mesh);
+  for (const int threads : {2, 16}) {
+    set_threads(threads);
+    const VolumePatches patches = greedy_patches(mesh);
+    EXPECT_EQ(patches.tet_patch, alone.tet_patch) << threads << " threads";
+    EXPECT_EQ(patches.tet_slots, alone.tet_slots) << threads << " threads";
+  }
+  set_threads(0);
+}
+
+TEST(GreedyPatches, take_a_node_with_thousands_of_tets) {
+  const TetMesh mesh = reference::shuffled(reference::star(5000), 12).mesh;
+  const VolumePatches patches = greedy_patches(mesh);
+  expect_partition(mesh, patches);
+  EXPECT_LT(patches.nodes.size(), 1250u);
 }
 
 TEST(GreedyPatches, take_the_mesh_of_a_few_tets_whole) {

@@ -2,6 +2,7 @@
 #include <fem/mesh/check.h>
 #include <fem/mesh/faces.h>
 #include <fem/mesh/geometry.h>
+#include <fem/mesh/stages.h>
 #include <physgen/fill_rows.h>
 
 #include <algorithm>
@@ -205,6 +206,8 @@ bool fits_32_bits(std::size_t nodes, std::size_t tets) {
 }
 
 MeshReport check_mesh(std::span<const Point> rest, std::span<const Tet> tets) {
+  InStage stage("checks of the mesh");
+  stage.moves(rest, tets);
   MeshReport report;
   report.nodes = rest.size();
   report.tets = tets.size();

@@ -4,6 +4,7 @@
 #include <fem/mesh/gmsh_input.h>
 #include <fem/mesh/gmsh_sections.h>
 #include <fem/mesh/mapped_file.h>
+#include <fem/mesh/stages.h>
 #include <physgen/detail/launch.h>
 
 #include <algorithm>
@@ -131,6 +132,7 @@ void leave_out(const std::vector<std::uint8_t>& is_used, const std::vector<std::
 }  // namespace
 
 ReadMesh read_gmsh(const std::filesystem::path& path) {
+  InStage stage("reading of the mesh");
   const MappedFile bytes(path);
   GmshInput input(path.string(), bytes.is_open() ? bytes.bytes() : "");
   if (!bytes.is_open()) input.refuse("cannot be read; check its name and your rights");
@@ -157,6 +159,7 @@ ReadMesh read_gmsh(const std::filesystem::path& path) {
   mesh.node_tags = std::move(file.node_tags);
   mesh.tet_tags = std::move(file.tet_tags);
   leave_out(is_used, is_of_others, file.version < 4, mesh);
+  stage.moves(bytes.bytes(), mesh.rest, mesh.tets, mesh.node_tags, mesh.tet_tags);
   return mesh;
 }
 

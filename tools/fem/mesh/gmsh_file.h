@@ -27,7 +27,7 @@ struct ReadMesh {
 /// @throw Error with the file's name, the line or byte, and a remedy: when the file cannot be read, is not in Gmsh's
 /// format or one of those versions, is cut off, has more or fewer rows than it counts, two nodes or tets of one tag, no
 /// tets, tets of second or higher order, other elements with volume, an element with a node that the file does not
-/// have, or more nodes or tets than 32-bit incidences hold (said before memory is taken for them)
+/// have, or more nodes or tets than 32-bit numbers can count (said before memory is taken for them)
 [[nodiscard]] ReadMesh read_gmsh(const std::filesystem::path& path);
 
 }  // namespace physgen::fem

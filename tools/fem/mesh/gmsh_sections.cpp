@@ -147,7 +147,7 @@ class Reader {
       while (at < end && (*at == ' ' || *at == '\t')) ++at;
       const auto [next, error] = std::from_chars(at, end, numbers.at(k));
       if (error != std::errc() || numbers.at(k) > most || (next < end && *next != ' ' && *next != '\t')) {
-        input_.refuse_at(line.data(), name_ + " begins with the counts of what follows, and not with '" +
+        input_.refuse_at(line.data(), name_ + " must begin with the counts of what follows, not with '" +
                                           std::string(line.substr(0, 40)) + "'");
       }
       at = next;
@@ -190,7 +190,7 @@ class Reader {
     if (lines == said_) {
       input_.refuse(section() + " has blocks that have other sums than its first counts" + GmshInput::again);
     }
-    input_.refuse(section() + " is to have " + std::to_string(said_) + " lines by its counts, and has " +
+    input_.refuse(section() + " should have " + std::to_string(said_) + " lines by its counts, but has " +
                   std::to_string(lines) + " before " + end_ + " " + input_.place(line.data()) + GmshInput::again);
   }
 

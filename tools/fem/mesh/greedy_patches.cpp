@@ -2,6 +2,7 @@
 // patch, so its fourth decides whether it fits. What the growth asks of a tet lies side by side in memory.
 #include <fem/mesh/faces.h>
 #include <fem/mesh/patches.h>
+#include <fem/mesh/stages.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -255,6 +256,12 @@ class Greedy {
 
 }  // namespace
 
-VolumePatches greedy_patches(const TetMesh& mesh) { return Greedy(mesh).run(); }
+VolumePatches greedy_patches(const TetMesh& mesh) {
+  InStage stage("patches");
+  VolumePatches patches = Greedy(mesh).run();
+  stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries, patches.nodes, patches.node_counts,
+              patches.tet_patch, patches.tet_slots, patches.patch_tets.first, patches.patch_tets.entries);
+  return patches;
+}
 
 }  // namespace physgen::fem

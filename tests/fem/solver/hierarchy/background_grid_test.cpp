@@ -210,42 +210,6 @@ TEST(BackgroundGrid, takes_few_iterations_which_hardly_grow_as_meshes_become_fin
   }
 }
 
-/// An irregular cube whose tets narrow to all faces: x = 40 (2t)^grading mm.
-Tets narrowed(Index cells, double grading) {
-  Tets tets = jittered(cells);
-  for (Point& x : tets.rest) {
-    for (double& number : x) {
-      const bool behind = number > side / 2;
-      const double part = 2 * (behind ? side - number : number) / side;
-      const double moved = side / 2 * std::pow(part, grading);
-      number = behind ? side - moved : moved;
-    }
-  }
-  return tets;
-}
-
-TEST(BackgroundGrid, follows_a_mesh_whose_tets_narrow_to_the_faces) {
-  constexpr Index cells = 24;
-  const Fixed fixed = shapes()[0].fixed;
-  const auto count = [&](double grading, std::array<double, 2>& first) {
-    auto levels = make_levels(narrowed(cells, grading), 0, true, fixed);
-    EXPECT_EQ(add_background_grid(levels), (std::array<Index, 3>{12, 12, 12}));
-    first = {side, 0};  // the lowest planes behind that through the origin
-    for (const Point& x : levels[1].rest) {
-      if (x[2] > 0) first[0] = std::min(first[0], x[2]);
-      if (x[2] < side) first[1] = std::max(first[1], x[2]);
-    }
-    return iterations(levels, 0.49, Preconditioner::multigrid);
-  };
-  std::array<double, 2> even{}, narrow{};
-  const int uniform = count(1, even), graded = count(1.5, narrow);
-  std::printf("24 cells, patches, nu .49: %d iterations, graded %d\n", uniform, graded);
-  EXPECT_LE(graded, 2 * uniform);
-  EXPECT_DOUBLE_EQ(even[0], side / 12);
-  EXPECT_NEAR(narrow[0], side / 2 * std::pow(1. / 6, 1.5), 0.2 * narrow[0]);
-  EXPECT_NEAR(narrow[0] + narrow[1], side, 0.1 * narrow[0]);
-}
-
 TEST(BackgroundGrid, leads_to_the_state_to_which_block_jacobi_leads) {
   for (const Shape& shape : shapes()) {
     for (const bool patches : {false, true}) {

@@ -88,25 +88,24 @@ TEST(InterpolateMotion, is_exact_for_affine_motions_everywhere) {
   }
 }
 
-/// Along the middle line of the cube, whose coarse nodes have exact gradients of this motion: a cubic of x.
-TEST(InterpolateMotion, takes_the_cubic_where_a_node_lies_between_its_parents) {
+/// On the middle line of the cube along x. Its diagonals run towards the middle: a node has the six tets of the cells
+/// whose inner corner it is, and two of the cells behind it; all have the same gradient of x^2 along an edge.
+TEST(InterpolateMotion, takes_the_cubic_where_a_node_lies_off_the_middle_of_an_edge) {
   const Body body = graded(cube_with(0), 1.5);
-  const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
-  const auto motion = [](const Point& x) { return Point{x[0] * x[0], 0, 0}; };
-  const auto positions = interpolated(body, motion, 0);
-  int between = 0;
-  for (std::size_t n = 0; n < positions.size(); ++n) {
-    const auto& [a, b] = fine.parents[n];
-    const Point &from = coarse.rest[std::size_t(a)], &to = coarse.rest[std::size_t(b)];
-    const bool along = a != b && from[1] == to[1] && from[2] == to[2];
-    if (!along) continue;
-    ++between;
-    // Straight lines are off by (x - a)(b - x), half-way weights by more than a tenth of it in the outer cells; mean
-    // gradients of quadratic motions are off by a part of the widths' difference.
-    const double x = fine.rest[n][0], off = positions[n][0] - x - x * x;
-    EXPECT_LE(std::abs(off), 0.5 * (x - from[0]) * (to[0] - x)) << n;
+  const auto positions = interpolated(body, [](const Point& x) { return Point{x[0] * x[0], 0, 0}; }, 0);
+  const std::vector<double> at = graded_positions(4, side, 1.5);
+  const auto gradient = [&](std::size_t k) {
+    const double before = (k <= 2 ? 6 : 2) * (at[k] - at[k - 1]), behind = (k >= 2 ? 6 : 2) * (at[k + 1] - at[k]);
+    return (before * (at[k] + at[k - 1]) + behind * (at[k] + at[k + 1])) / (before + behind);
+  };
+  for (const std::size_t k : {1U, 2U}) {
+    const std::size_t node = 2 * k + 1 + 9 * (4 + 9 * 4);
+    const double x = body.levels[0].rest[node][0], length = at[k + 1] - at[k], s = (x - at[k]) / length;
+    EXPECT_GT(std::abs(s - 0.5), 0.02);
+    const double rise = at[k + 1] * at[k + 1] - at[k] * at[k];
+    const double bend = (1 - s) * (gradient(k) * length - rise) - s * (gradient(k + 1) * length - rise);
+    EXPECT_NEAR(positions[node][0], x + at[k] * at[k] + s * rise + s * (1 - s) * bend, 1e-13) << k;
   }
-  EXPECT_EQ(between, 4 * 25);
 }
 
 /// A straight line between parents would be off by h^2/8 times the second derivative. The mean gradient at

@@ -1,18 +1,20 @@
+#include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/background_grid.h>
-#include <fem/solver/hierarchy/grid_axis.h>
 #include <physgen/error.h>
+#include <physgen/sort.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <span>
 #include <string>
-#include <tuple>
+#include <utility>
 
 namespace physgen::fem {
 
 namespace {
 
 using Cells = std::array<Index, 3>;
-using Axes = std::array<GridAxis, 3>;
 
 /// The number of a corner of the grid among all of the box, which may have more than 32-bit numbers reach.
 using CornerNumber = std::int64_t;
@@ -20,6 +22,12 @@ using CornerNumber = std::int64_t;
 /// A grid's node whose free children all weigh less has the square of that for stiffness, which rounding of the blocks
 /// between which it is a difference would spoil. It is left out.
 constexpr double least_weight = 1e-3;
+
+template <class Act>
+void each(std::size_t count, const Act& act) {
+  physgen::detail::for_each_index<16>(0, static_cast<index_t>(count),
+                                      [&act](index_t i) { act(static_cast<std::size_t>(i)); });
+}
 
 struct Box {
   Point low, high;
@@ -78,11 +86,15 @@ struct Located {
   std::array<CornerNumber, 4> corners;
   std::array<double, 4> weights;
 };
-Located locate_in(const Axes& axes, const Cells& cells, const Point& x) {
+Located locate_in(const Box& box, const Cells& cells, const Point& x) {
   constexpr double rounding = 1e-9;  // of a cell: closer to a face than this is on it
   std::array<Index, 3> at{};
   Point part{};
-  for (std::size_t k = 0; k < 3; ++k) std::tie(at[k], part[k]) = axes[k].locate(x[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double t = (x[k] - box.low[k]) / (box.high[k] - box.low[k]) * cells[k];
+    at[k] = std::clamp(static_cast<Index>(t), Index{0}, cells[k] - 1);
+    part[k] = t - at[k];
+  }
   std::array<std::size_t, 3> order{0, 1, 2};
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t k) { return part[k]; });
   Located located{};
@@ -104,83 +116,89 @@ Located locate_in(const Axes& axes, const Cells& cells, const Point& x) {
   return located;
 }
 
-/// Numbers of those corners of a grid that are used.
-class UsedCorners {
- public:
-  explicit UsedCorners(std::vector<CornerNumber> numbers) : numbers_(std::move(numbers)) {
-    std::ranges::sort(numbers_);
-    const auto twice = std::ranges::unique(numbers_);
-    numbers_.erase(twice.begin(), twice.end());
-  }
-  [[nodiscard]] const std::vector<CornerNumber>& numbers() const { return numbers_; }
-  [[nodiscard]] Index operator[](CornerNumber number) const {
-    return static_cast<Index>(std::ranges::lower_bound(numbers_, number) - numbers_.begin());
-  }
+/// Those corners of a grid that are used, ascending, and for each use which of them it is.
+struct UsedCorners {
+  std::vector<CornerNumber> numbers;
+  HostList<Index> of_uses;
 
- private:
-  std::vector<CornerNumber> numbers_;
+  UsedCorners() = default;
+  explicit UsedCorners(HostList<CornerNumber> uses) : of_uses(uses.size()) {
+    HostList<std::uint32_t> order(uses.size());
+    each(order.size(), [&](std::size_t k) { order[k] = static_cast<std::uint32_t>(k); });
+    sort_by_key(Host{}, std::span(uses), std::span(order));
+    for (std::size_t k = 0; k < uses.size(); ++k) {
+      if (k == 0 || uses[k] != uses[k - 1]) numbers.push_back(uses[k]);
+      of_uses[order[k]] = static_cast<Index>(numbers.size() - 1);
+    }
+  }
 };
 
 /// A level of these corners, all prescribed.
-MeshLevel make_level(const Axes& axes, const Cells& cells, const UsedCorners& corners) {
+MeshLevel make_level(const Box& box, const Cells& cells, const UsedCorners& corners) {
   MeshLevel level;
-  level.mesh.nodes = static_cast<Index>(corners.numbers().size());
-  for (const CornerNumber number : corners.numbers()) {
-    const auto at = corner_at(cells, number);
-    Point x{};
-    for (std::size_t k = 0; k < 3; ++k) x[k] = axes[k].plane(at[k], cells[k]);
-    level.rest.push_back(x);
-  }
+  level.mesh.nodes = static_cast<Index>(corners.numbers.size());
+  level.rest.resize(corners.numbers.size());
+  each(level.rest.size(), [&](std::size_t n) {
+    const auto at = corner_at(cells, corners.numbers[n]);
+    for (std::size_t k = 0; k < 3; ++k) level.rest[n][k] = std::lerp(box.low[k], box.high[k], double(at[k]) / cells[k]);
+  });
   level.fixed.assign(level.rest.size(), 7);
   return level;
 }
 
+/// Of a node of a grid, only what is prescribed at a child, too, stays so. Several threads may say so at once.
+void keep_prescribed(MeshLevel& grid, Index node, std::uint8_t fixed) {
+  std::atomic_ref(grid.fixed[static_cast<std::size_t>(node)]).fetch_and(fixed, std::memory_order_relaxed);
+}
+
 /// The finest grid, and where the nodes of the mesh lie in it.
-MeshLevel make_finest(const Axes& axes, const Cells& cells, MeshLevel& mesh, UsedCorners& corners) {
-  std::vector<Located> located;
-  std::vector<CornerNumber> numbers;
-  for (const Point& x : mesh.rest) {
-    located.push_back(locate_in(axes, cells, x));
-    numbers.insert(numbers.end(), located.back().corners.begin(), located.back().corners.end());
-  }
-  corners = UsedCorners(std::move(numbers));
-  MeshLevel grid = make_level(axes, cells, corners);
-  for (std::size_t n = 0; n < located.size(); ++n) {
-    GridLocation location{{}, located[n].weights};
+MeshLevel make_finest(const Box& box, const Cells& cells, MeshLevel& mesh, UsedCorners& corners) {
+  const std::size_t nodes = mesh.rest.size();
+  HostList<CornerNumber> uses(4 * nodes);
+  mesh.grid_parents.resize(nodes);
+  each(nodes, [&](std::size_t n) {
+    const Located located = locate_in(box, cells, mesh.rest[n]);
+    for (std::size_t c = 0; c < 4; ++c) uses[4 * n + c] = located.corners[c];
+    mesh.grid_parents[n].weights = located.weights;
+  });
+  corners = UsedCorners(std::move(uses));
+  MeshLevel grid = make_level(box, cells, corners);
+  each(nodes, [&](std::size_t n) {
+    GridLocation& location = mesh.grid_parents[n];
     for (std::size_t c = 0; c < 4; ++c) {
-      location.nodes[c] = corners[located[n].corners[c]];
-      if (location.weights[c] >= least_weight) grid.fixed[static_cast<std::size_t>(location.nodes[c])] &= mesh.fixed[n];
+      location.nodes[c] = corners.of_uses[4 * n + c];
+      if (location.weights[c] >= least_weight) keep_prescribed(grid, location.nodes[c], mesh.fixed[n]);
     }
-    mesh.grid_parents.push_back(location);
-  }
+  });
   return grid;
 }
 
 /// The next coarser grid: half as many cells where their number is even.
-MeshLevel make_coarser(const Axes& axes, Cells& cells, MeshLevel& fine, UsedCorners& corners) {
+MeshLevel make_coarser(const Box& box, Cells& cells, MeshLevel& fine, UsedCorners& corners) {
   Cells coarse = cells;
   for (Index& count : coarse) {
     if (count % 2 == 0) count /= 2;
   }
-  std::vector<std::array<CornerNumber, 2>> ends;
-  std::vector<CornerNumber> numbers;
-  for (const CornerNumber number : corners.numbers()) {
-    auto low = corner_at(cells, number), high = low;
+  const std::size_t nodes = corners.numbers.size();
+  HostList<CornerNumber> uses(2 * nodes);
+  each(nodes, [&](std::size_t n) {
+    auto low = corner_at(cells, corners.numbers[n]), high = low;
     for (std::size_t k = 0; k < 3; ++k) {
       if (coarse[k] == cells[k]) continue;
       high[k] = (low[k] + 1) / 2;
       low[k] /= 2;
     }
-    ends.push_back({corner_number(coarse, low), corner_number(coarse, high)});
-    numbers.insert(numbers.end(), ends.back().begin(), ends.back().end());
-  }
+    uses[2 * n] = corner_number(coarse, low);
+    uses[2 * n + 1] = corner_number(coarse, high);
+  });
   cells = coarse;
-  corners = UsedCorners(std::move(numbers));
-  MeshLevel grid = make_level(axes, cells, corners);
-  for (std::size_t n = 0; n < ends.size(); ++n) {
-    fine.parents.push_back({corners[ends[n][0]], corners[ends[n][1]]});
-    for (const Index p : fine.parents.back()) grid.fixed[static_cast<std::size_t>(p)] &= fine.fixed[n];
-  }
+  corners = UsedCorners(std::move(uses));
+  MeshLevel grid = make_level(box, cells, corners);
+  fine.parents.resize(nodes);
+  each(nodes, [&](std::size_t n) {
+    fine.parents[n] = {corners.of_uses[2 * n], corners.of_uses[2 * n + 1]};
+    for (const Index p : fine.parents[n]) keep_prescribed(grid, p, fine.fixed[n]);
+  });
   return grid;
 }
 
@@ -188,21 +206,18 @@ MeshLevel make_coarser(const Axes& axes, Cells& cells, MeshLevel& fine, UsedCorn
 
 std::array<Index, 3> add_background_grid(std::vector<MeshLevel>& levels) {
   if (levels.empty() || levels.back().mesh.nodes <= most_coarse_nodes) return {};
+  InStage stage("background grid");
+  stage.moves(levels.back().mesh.tets, levels.back().rest);
   const Box box = box_around(levels.back().rest);
   const Cells finest = choose_cells(box, 2 * mean_spacing(levels.back().mesh, levels.back().rest));
-  const auto axis = [&](std::size_t k) {
-    GridAxis found(box.low[k], box.high[k], finest[k]);
-    found.follow(levels.back().mesh, levels.back().rest, k);
-    return found;
-  };
-  const Axes axes{axis(0), axis(1), axis(2)};
   Cells cells = finest;
-  UsedCorners corners({});
-  levels.push_back(make_finest(axes, cells, levels.back(), corners));
+  UsedCorners corners;
+  levels.push_back(make_finest(box, cells, levels.back(), corners));
   const auto even = [](Index count) { return count % 2 == 0; };
   while (levels.back().mesh.nodes > most_coarse_nodes && std::ranges::any_of(cells, even)) {
-    levels.push_back(make_coarser(axes, cells, levels.back(), corners));
+    levels.push_back(make_coarser(box, cells, levels.back(), corners));
   }
+  for (const MeshLevel& level : levels) stage.moves(level.grid_parents, level.parents);
   return finest;
 }
 

@@ -1,6 +1,5 @@
 // Coarser levels for a mesh that has none of its own: a background grid, cells of six Kuhn tets over the box around
-// the body, about twice as wide as the mesh is fine on average and narrower where its tets are small along an axis, and
-// the same grid in cells twice as wide, and so on.
+// the body, about twice as wide as the mesh is fine, and the same grid in cells twice as wide, and so on.
 #pragma once
 
 #include <fem/solver/hierarchy/hierarchy.h>
