@@ -160,14 +160,26 @@ void find_edges(TetMesh& mesh) {
 
 IncidenceList edges_of_nodes(Index nodes, std::span<const std::array<Index, 2>> edges) {
   InStage stage("rows of edges");
-  IncidenceList list;
+  check_entries(edges.size(), 2, "edges");
+  const auto count = static_cast<index_t>(edges.size());
+  HostList<Index> first_higher(at(nodes) + 1), first_lower, lower;  // of the edges to higher nodes, and to lower ones
+  physgen::detail::for_each_index(0, count + 1, [&](index_t e) {
+    const Index from = e == 0 ? 0 : edges[at(e - 1)][0] + 1, to = e == count ? nodes : edges[at(e)][0];
+    for (Index n = from; n <= to; ++n) first_higher[at(n)] = static_cast<Index>(e);
+  });
   fill_rows(
-      Host{}, nodes, static_cast<index_t>(edges.size()),
-      [edges](index_t e, const auto& put) {
-        put(edges[at(e)][1], IncidenceEntry{static_cast<Index>(e), 1});
-        put(edges[at(e)][0], IncidenceEntry{static_cast<Index>(e), 0});
-      },
-      list.first, list.entries);
+      Host{}, nodes, count, [edges](index_t e, const auto& put) { put(edges[at(e)][1], static_cast<Index>(e)); },
+      first_lower, lower);
+  IncidenceList list;
+  list.first.resize(at(nodes) + 1);
+  list.entries.resize(2 * edges.size());
+  list.first[0] = 0;
+  physgen::detail::for_each_index<16>(0, nodes, [&](index_t n) {
+    IncidenceEntry* next = list.entries.data() + first_lower[at(n)] + first_higher[at(n)];
+    for (Index k = first_lower[at(n)]; k < first_lower[at(n) + 1]; ++k) *next++ = {lower[at(k)], 1};
+    for (Index e = first_higher[at(n)]; e < first_higher[at(n) + 1]; ++e) *next++ = {e, 0};
+    list.first[at(n) + 1] = first_lower[at(n) + 1] + first_higher[at(n) + 1];
+  });
   stage.moves(edges, list.first, list.entries);
   return list;
 }

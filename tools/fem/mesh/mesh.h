@@ -52,7 +52,7 @@ struct TetMesh {
 /// @throws Error when a corner is not in [0, nodes), a tet names a node twice, or a list would exceed 2^31 entries
 [[nodiscard]] TetMesh make_tet_mesh(Index nodes, std::vector<std::array<Index, 4>> tets);
 
-/// Per node, its edges of a list: edge, side. The entries of a node are those that TetMesh::node_edges has.
+/// Per node, its edges of an ascending list: edge, side. The entries of a node are those that TetMesh::node_edges has.
 [[nodiscard]] IncidenceList edges_of_nodes(Index nodes, std::span<const std::array<Index, 2>> edges);
 
 /// The cells of a box that are cut as the mirror images of those before them: from this number on along each axis.

@@ -63,7 +63,7 @@ template <class Record, class Visit>
 void visit_stage(Record& stage, const Visit& visit) {
   visit("name", stage.name);
   visit("seconds", stage.seconds);
-  visit("bytes", stage.bytes);
+  visit("bytes_moved", stage.bytes);
 }
 
 template <class T>
