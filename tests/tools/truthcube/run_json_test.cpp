@@ -62,7 +62,8 @@ TEST_F(RunJson, has_the_keys_that_scripts_look_for) {
   EXPECT_EQ(run["setup_seconds"], 0.1);
   EXPECT_EQ(run["held"]["lower"], Json::parse(R"({"nodes": 4225, "area": 0.0064})"));
   EXPECT_EQ(run["held"]["upper"], Json::parse(R"({"nodes": 4224, "area": 0.0063})"));
-  EXPECT_EQ(run["setup_stages"][0], Json::parse(R"({"name": "rows of tets", "seconds": 0.03, "bytes_moved": 1000000000})"));
+  EXPECT_EQ(run["setup_stages"][0],
+            Json::parse(R"({"name": "rows of tets", "seconds": 0.03, "bytes_moved": 1000000000})"));
   EXPECT_EQ(run["settings"]["material"], "neo_hookean");
   ASSERT_EQ(run["steps"].size(), 2U);
   const Json& step = run["steps"][1];
