@@ -38,7 +38,7 @@ TEST(State, of_other_meshes_or_with_numbers_that_are_not_finite_is_refused_and_c
                  [](SolverState& state) { state.positions[1][3][0] = INFINITY; });
   expect_refused("level 1 has 125 nodes, but that of the state has 124",
                  [](SolverState& state) { state.positions[1].pop_back(); });
-  expect_refused("levels for a solver that solves on", [](SolverState& state) { state.positions.pop_back(); });
+  expect_refused("levels, but this solver solves on", [](SolverState& state) { state.positions.pop_back(); });
   solver->restore(good);
   EXPECT_EQ(solver->solve_to(0.1, {}).status, NewtonStatus::converged);
 }

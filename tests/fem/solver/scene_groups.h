@@ -26,7 +26,7 @@ struct SceneGroups {
   SceneGroups(const Body& given, const SolverSettings& settings) {
     using Mesh = EquilibriumOver<float, BodyGroup, PatchesOver<Patches>, NoArrays, Chunk>;
     using Level = LevelOver<float, Host, StoredAsComputed, AssembledOnMeshes, LevelGroup, NoArrays, NoArrays, NoArrays>;
-    const LevelsInUse used = levels_in_use(given.levels, settings);
+    LevelsInUse used = levels_in_use(given.levels, settings);
     const MeshLevel& finest = used.levels.front();
     Mesh mesh(finest, used.graphs.front(), false, TangentLists::of_edges, nullptr);
     store_loading(mesh, finest, given.loading.motion, given.loading.forces);

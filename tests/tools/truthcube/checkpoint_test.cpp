@@ -81,7 +81,7 @@ TEST_F(Checkpoints, that_are_missing_are_an_error) {
 TEST_F(Checkpoints, of_another_version_are_refused) {
   write_checkpoint(path, checkpoint_of(1));
   testing::H5File(path, true).set_integer("/", "version", 2);
-  expect_refused("is of version 2", "reads version 1");
+  expect_refused("has version 2", "reads version 1");
 }
 
 TEST_F(Checkpoints, of_another_mesh_are_refused) {
@@ -141,9 +141,9 @@ TEST_F(Checkpoints, with_settings_that_are_no_object_are_not_written) {
 
 TEST_F(Checkpoints, that_are_other_files_are_refused) {
   testing::put_text(path, "");
-  expect_refused("damaged, or no checkpoint");
+  expect_refused("is damaged, or is not a checkpoint");
   testing::put_text(path, std::string(5000, 'x'));
-  expect_refused("damaged, or no checkpoint");
+  expect_refused("is damaged, or is not a checkpoint");
   H5Fclose(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   expect_refused("this is not a checkpoint of truthcube");
 }

@@ -96,7 +96,7 @@ case $rule in
     for bad in 0 -1 0.99 nan inf; do
       expect_refused "--grading $bad: the grading is a number from 1 on, .* 1.5 is common" --grading $bad
     done
-    expect_refused 'grading = steep; a number is wanted there' --grading steep
+    expect_refused 'grading = steep; give a number there' --grading steep
     expect_refused '--grading 3: the widest of 32 cells along a side .* 45 times .*; --grading 2[.][0-9]+ fits' --cells 32 --grading 3
     expect_exit 0 --cells 32 --dry-run --grading "$(sed -nE 's/.*--grading ([0-9.]+) fits$/\1/p' err)"
     expect_refused '--tolerance 0: ' --tolerance 0 ;;

@@ -111,8 +111,8 @@ TEST(Plates, say_that_nodes_lie_just_beyond_and_which_tolerance_holds_them) {
   EXPECT_EQ(plates.upper.just_beyond, 5);
   const std::vector<std::string> said = warnings_of(plates);
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_NE(said[0].find("the upper plate holds 20 nodes"), std::string::npos) << said[0];
-  EXPECT_NE(said[0].find("5 more of the mesh lie just beyond"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("the upper plate holds the 20 nodes"), std::string::npos) << said[0];
+  EXPECT_NE(said[0].find("5 more nodes lie just beyond"), std::string::npos) << said[0];
   EXPECT_NE(said[0].find("--plate-tolerance 0.00042"), std::string::npos) << said[0];
   const PlatesOfBody wider = hold_between_plates(levels, 0.00042);
   EXPECT_EQ(wider.upper.nodes[0].size(), 25u);
