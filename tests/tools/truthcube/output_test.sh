@@ -22,7 +22,7 @@ case $rule in
     awk -F, 'NR > 1 && !($7 < 0 && $7 > -0.08 * $1 * 1.2) { bad = 1; print } END { exit bad }' o/p/beads.csv >&2 ||
       fail 'beads as above'
     keys() { grep -oE "^ {$1}\"[A-Za-z_]+\"" o/p/run.json | tr -d ' "' | tr '\n' ' '; }
-    [[ $(keys 2) == 'nodes tets bytes device layout command setup_seconds held settings steps ' ]] || fail "keys $(keys 2)"
+    [[ $(keys 2) == 'nodes tets bytes device layout command setup_seconds held setup_stages settings steps ' ]] || fail "keys $(keys 2)"
     step='compression newton_iterations pcg_iterations residual energy smallest_J reaction reaction_estimate error_estimate past_plates seconds warm_seconds time kinetic_energy newton '
     [[ $(keys 6) == "nodes area nodes area $step$step" ]] || fail "keys of steps $(keys 6)"
     # A line for each Newton step that was printed, those of coarser meshes too.
@@ -235,7 +235,7 @@ case $rule in
     expect err 'grading: 1[.]0 in the checkpoint, 1[.]25 in this run'
     expect_exit 0 "${small[@]}" --compress 0.05 --out a --grading 1.25
     expect_exit 0 "${small[@]}" --compress 0.05 0.1 --out a --grading 1.25 --restart
-    expect out 'continuing behind step 1' ;;
+    expect out 'continuing after step 1' ;;
   cells_that_are_too_narrow_for_a_fold_are_said)
     flags=(--cells 16 --grading 2 --threads 1 --compress 0.3)
     expect_exit 0 "${flags[@]}"

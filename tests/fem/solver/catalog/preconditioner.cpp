@@ -15,7 +15,7 @@ int main() {
   fem::SolverSettings settings;
   settings.nested = false;
   settings.newton.preconditioner.kind = fem::Preconditioner::diagonal;
-  const auto used = fem::levels_in_use(fem::make_cube_levels(2, 1, false), settings);
+  auto used = fem::levels_in_use(fem::make_cube_levels(2, 1, false), settings);
   const auto levels =
       fem::make_linear_levels<fem::LinearLevel<double, physgen::Host, fem::StoredAsComputed>>(used, settings);
   auto& level = *levels.front();
