@@ -35,9 +35,10 @@ TEST(ThreadEnvironment, words_that_are_no_numbers_do_not_count_and_are_remarked)
     EXPECT_EQ(read.remark, std::string("OMP_NUM_THREADS=") + word + " is not a number of threads and is ignored");
   }
   const ThreadEnvironment both = read_thread_environment("a", "b", 6);
-  EXPECT_EQ(both.remark,
-            "OMP_NUM_THREADS=a is not a number of threads and is ignored; OMP_THREAD_LIMIT=b is no number of threads "
-            "and does not count");
+  EXPECT_EQ(
+      both.remark,
+      "OMP_NUM_THREADS=a is not a number of threads and is ignored; OMP_THREAD_LIMIT=b is not a number of threads "
+      "and is ignored");
 }
 
 TEST(ThreadEnvironment, a_programs_own_number_goes_before_and_more_threads_than_processors_are_remarked_once) {
