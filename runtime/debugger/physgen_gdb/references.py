@@ -42,8 +42,8 @@ def lanes(pack):
 
 def objects_of(reference):
     """The objects that an ObjectRef stands on, and whether it is one by itself."""
-    accessors = arguments(plain_name(reference.type))[1][0]
-    name, (real, formats, _) = arguments(accessors)
+    base = next(field for field in reference.type.strip_typedefs().unqualified().fields() if field.is_base_class)
+    name, (real, formats, _) = arguments(plain_name(base.type))  # of the generated accessors
     cursor, tag = Cursor(reference["at_"]), name[: -len("Ref")] + "Object"
     fields = fields_of(tag, real, formats)
     return [Object(tag, real, fields, cursor.place, i) for i in cursor.records], cursor.one

@@ -88,6 +88,8 @@ struct FindPlaces {
     places[index_t{incidence.element()}].places()[incidence.local()] = static_cast<std::int32_t>(entry);
   }
 };
+template <class... Views>
+FindPlaces(Views...) -> FindPlaces<Views...>;  // for clang before 17, where no template makes one
 
 /// Stores each tet's force on each of its corners at that corner's place.
 template <class PlaceView, class CornerView, class PlacedView>

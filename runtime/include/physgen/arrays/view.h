@@ -47,7 +47,7 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   using Precision = std::remove_const_t<Real>;
   using Byte = std::conditional_t<std::is_const_v<Real>, const std::byte, std::byte>;
   using Record = typename Object::template Record<Precision, Formats>;
-  static constexpr int record_bytes = detail::record_size<Object, Precision, Layout, Formats>.stored;
+  static constexpr int record_bytes = Layout::record_bytes(Record::bytes, Record::alignment);  // debuggers read it
   template <class I>
   using CursorAt = detail::CursorIn<Object, Real, Layout, Formats, I>;
   /// The reference to object(s) under an index of type I, and its value type.
