@@ -196,6 +196,6 @@ def _record_bytes(value, objects):
         return int(value["record_bytes"])
     except gdb.error:
         pass
-    if objects.layout.kind == "Soa" or objects.layout.tile > 2:
+    if objects.layout.kind in ("Soa", "Uniform") or objects.layout.tile > 2:
         return objects.layout.record_bytes(objects.content, 1)
     raise Unreadable("the bytes of its records are not in the debug information of this program; look at the array")

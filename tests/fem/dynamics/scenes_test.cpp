@@ -164,7 +164,7 @@ TEST(Scenes, implicit_dynamics_refuses_what_it_has_not) {
     }
   };
   expect_refused("is in float", [](SolverSettings& s) { s.precision = TangentPrecision::float64; });
-  expect_refused("is of the material 'stable-neo-hookean', and 'neo-hookean'",
+  expect_refused("is of the material 'stable-neo-hookean', but 'neo-hookean'",
                  [](SolverSettings& s) { s.material = "neo-hookean"; });
   expect_refused("has no Schwarz", [](SolverSettings& s) { s.newton.preconditioner.kind = Preconditioner::schwarz; });
   expect_refused("assembles its stiffness", [](SolverSettings& s) { s.newton.product = Product::matrix_free; });
