@@ -49,7 +49,9 @@ class View : private Layout_::Pitch {  // a base, because nvcc lays [[no_unique_
   using Record = typename Object::template Record<Precision, Formats>;
   static constexpr int record_bytes = Layout::record_bytes(Record::bytes, Record::alignment);  // debuggers read it
   template <class I>
-  using CursorAt = detail::CursorIn<Object, Real, Layout, Formats, I>;
+  using CursorAt =
+      Cursor<Byte, Layout,
+             RecordSize{Record::bytes, record_bytes, detail::record_size<Object, Precision, Layout, Formats>.lane}, I>;
   /// The reference to object(s) under an index of type I, and its value type.
   template <class I>
   using Ref =
