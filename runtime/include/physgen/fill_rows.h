@@ -39,7 +39,9 @@ void fill_rows(Host /*space*/, index_t rows, index_t items, const Visit& visit, 
   });
 }
 
-/// Row r has the entries that visit(r, scratch, row) appends to `row`, in that order; as above.
+/// Row r has the entries that visit(r, scratch, row) appends to `row`, in that order. What threads append stays beside
+/// the list until it is whole: as much memory again for a while.
+/// @throw Error when there are more than 2^31 - 1 entries, after all rows were visited
 /// @param make_scratch what it returns is handed to visit() as `scratch`, and belongs to one call at a time: room for
 /// lists, which then are allocated once for each thread
 /// @param visit called once for each row, in any order. @throw what a call throws

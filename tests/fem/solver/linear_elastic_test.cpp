@@ -259,7 +259,8 @@ TEST(LinearElastic, what_it_cannot_do_is_refused_with_a_reason) {
   const SolverSettings good = linear_settings(0.4);
   EXPECT_EQ(refusal(make_truth_cube_body(2, false), good), "");
   EXPECT_NE(refusal(make_truth_cube_body(2, true), good).find("do not average volumes"), std::string::npos);
-  EXPECT_NE(refusal(with_contact(make_truth_cube_body(2, false)), good).find("cannot have rigid planes"), std::string::npos);
+  EXPECT_NE(refusal(with_contact(make_truth_cube_body(2, false)), good).find("cannot have rigid planes"),
+            std::string::npos);
   EXPECT_NE(refusal({{}, {}}, good).find("a mesh with at least one tet"), std::string::npos);
   SolverSettings settings = good;
   settings.poissons_ratio = 0.5;
