@@ -4,7 +4,7 @@
 # files.
 set -euo pipefail
 readme=$1 folder=$2 generator=$3 program=$4 files=("${@:5}")
-work="$folder/example of $(basename "$readme")"
+work="$folder/example of $(basename "$readme")${CXX:+ with $(basename "$CXX")}"
 rm -rf "$work"
 mkdir -p "$work"
 awk -v folder="$work" -f "$(dirname "$0")/../../tools/examples/blocks.awk" "$readme"

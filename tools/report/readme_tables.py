@@ -6,40 +6,8 @@ tools/packages.txt, and that of joined steps from the folder of the scenes' dige
 `kernel/layout/storage/space/objects`, where `*` stands for anything within a part."""
 import re
 
+from table_text import captioned, count, eps, error, markdown, ms, times
 from truthcube import bead_errors, layouts, linear_solves, records, runs, scenes
-
-
-# ---- Numbers ---------------------------------------------------------------------------------------------------------
-def ms(row, digits=3):
-    return f"{row.ms:.{digits}f}"
-
-
-def count(number):
-    return f"{number:,.0f}"
-
-
-def eps(value):
-    return f"{value:.1f} eps" if value < 1e4 else f"{value:.0e} eps"
-
-
-def error(row, which):
-    return f"{row.error(which):.1e}"
-
-
-def times(before, after):
-    return f"{before.ms / after.ms:.2f}x"
-
-
-# ---- Tables ----------------------------------------------------------------------------------------------------------
-def _lines(header, body):
-    head, *lines = ("| " + " | ".join(cells) + " |\n" for cells in (header, *body))
-    return head + "|---" * len(header) + "|\n" + "".join(lines)
-
-
-def _captioned(row, words, table):
-    """A table with the machine and the number of objects of its rows above it."""
-    return f"{row.machine}, {count(row.objects)} {words}:\n\n{table}"
-
 
 PAPER = {"dp_from_df": 8.33, "stress_derivative": 6.72, "add_force_differential": 5.13}  # table 1, over AoS, GTX 285, 2010
 FIRST = [*PAPER, "element_force_differential"]  # these come first
@@ -57,7 +25,7 @@ def _kernels(file):
     body.append(_kernel("force_chain_separate", chain[0], None, chain[1]))
     body.append(_kernel("svd over three arrays", file.one("svd/aos_three_arrays/float/cuda/*"), None, None))
     header = "kernel,objects,bytes,AoS [ms],SoA [ms],AoSoA-32 [ms],/copy,over AoS,the paper's,err p50,max"
-    return f"{file.one('svd/aosoa32/float/cuda/*').machine}, float:\n\n" + _lines(header.split(","), body)
+    return f"{file.one('svd/aosoa32/float/cuda/*').machine}, float:\n\n" + markdown(header.split(","), body)
 
 
 def _kernel(name, aos, soa, tiles):
@@ -83,7 +51,7 @@ def _fast(file):
     for kernel, words in FAST.items():
         aos, tiles = (file.one(f"{kernel}/{layout}/float/cuda/*") for layout in ("aos", "aosoa32"))
         body.append([words, ms(aos), ms(tiles), times(aos, tiles), f"{tiles.copy_fraction:.2f}"])
-    return _lines(["kernel", "array of structs [ms]", "AoSoA-32 [ms]", "", "/copy"], body)
+    return markdown(["kernel", "array of structs [ms]", "AoSoA-32 [ms]", "", "/copy"], body)
 
 
 def _one_thread(file):
@@ -95,7 +63,7 @@ def _one_thread(file):
         rate = f"{tiles.objects / tiles.ms / 1e3:.0f}"
         body.append([f"`{kernel}`", ms(tiles), f"{tiles.copy_fraction:.2f}", times(structs, tiles), times(eigen, tiles), rate])
     header = "kernel,AoSoA-16 [ms],/copy,over AoS,over plain Eigen,million objects a second"
-    return _captioned(file.one("svd/aosoa16/float/host/*"), "objects of float", _lines(header.split(","), body))
+    return captioned(file.one("svd/aosoa16/float/host/*"), "objects of float", markdown(header.split(","), body))
 
 
 def _errors(file):
@@ -116,8 +84,8 @@ def _errors(file):
                 f"{sum(row.counter('failures') for row in sets):.0f}",
             ]
         )
-    table = _lines(["", "ms", "/copy", "max error", "U, V orthogonal to", "failures"], body)
-    return _captioned(file.one("svd/aosoa32/float/cuda/*/random"), "objects of float", table)
+    table = markdown(["", "ms", "/copy", "max error", "U, V orthogonal to", "failures"], body)
+    return captioned(file.one("svd/aosoa32/float/cuda/*/random"), "objects of float", table)
 
 
 STORAGE = {
@@ -144,7 +112,7 @@ def _storage_in(tiles, storages, others):
             + [error(row, which) for which in ("p50", "p99", "max")]
             for words, row in found
         ]
-        return _captioned(aos, "objects", _lines(["storage", "bytes", "ms", "over AoS", "err p50", "p99", "max"], body))
+        return captioned(aos, "objects", markdown(["storage", "bytes", "ms", "over AoS", "err p50", "p99", "max"], body))
 
     return table
 
@@ -171,8 +139,8 @@ def _fused_in(tiles):
                 [words, ms(apart), ms(fused), times(apart, fused), f"{per_tet:.0f}"]
                 + [f"{fused.copy_fraction:.2f}", error(fused, "p50"), error(fused, "max")]
             )
-        table = _lines("group,separate [ms],fused [ms],,bytes per tet,/copy,err p50,max".split(","), body)
-        return _captioned(file.one(f"newton_update_fused/{tiles}/*"), "tets in float", table)
+        table = markdown("group,separate [ms],fused [ms],,bytes per tet,/copy,err p50,max".split(","), body)
+        return captioned(file.one(f"newton_update_fused/{tiles}/*"), "tets in float", table)
 
     return table
 
@@ -198,7 +166,7 @@ def _rates(operations):
         for words, pattern, of in operations:
             found = [row.copy_fraction for row in file.all(pattern) if "padded" not in row.layout]
             body.append([words, f"{min(found):.2f} to {max(found):.2f}", of])
-        return _lines(["operation", "rate", "of"], body)
+        return markdown(["operation", "rate", "of"], body)
 
     return table
 
@@ -206,14 +174,14 @@ def _rates(operations):
 def _transfers(file):
     """Who converts: floats on the host to halves on the device."""
     found = [file.one(f"transfer_{of}_48/aos_to_aosoa32/half/cuda/*") for of in ("pinned", "pageable")]
-    table = _lines(["from", "ms"], [[f"{of} memory", ms(row, 1)] for of, row in zip(("pinned", "pageable"), found)])
-    return _captioned(found[0], "objects of 48 bytes, floats on the host, to halves", table)
+    table = markdown(["from", "ms"], [[f"{of} memory", ms(row, 1)] for of, row in zip(("pinned", "pageable"), found)])
+    return captioned(found[0], "objects of 48 bytes, floats on the host, to halves", table)
 
 
 def _launches(file):
     """Few objects cost their launch."""
     found = [row for row in file.all("dp_from_df/aosoa32/float/cuda/*") if row.objects <= 2**18]
-    return _lines(["objects", *(count(row.objects) for row in found)], [["µs", *(f"{row.ms * 1e3:.1f}" for row in found)]])
+    return markdown(["objects", *(count(row.objects) for row in found)], [["µs", *(f"{row.ms * 1e3:.1f}" for row in found)]])
 
 
 def _products(file):
@@ -225,8 +193,8 @@ def _products(file):
         "cusparse_bsr_rows": "cuSPARSE, full blocks by rows",
     }
     found = [(words, file.one(f"*/{name}/float/cuda/*")) for name, words in names.items()]
-    table = _lines(["product", "ms", "/copy"], [[words, ms(row), f"{row.copy_fraction:.2f}"] for words, row in found])
-    return _captioned(found[0][1], "nodes", table)
+    table = markdown(["product", "ms", "/copy"], [[words, ms(row), f"{row.copy_fraction:.2f}"] for words, row in found])
+    return captioned(found[0][1], "nodes", table)
 
 
 GATHERS = {"ordered": "as the mesh is made", "random": "at random", "renumbered": "random, renumbered"}
@@ -238,8 +206,8 @@ def _gathers(file):
     body = [
         [words, *(ms(file.one(f"gather_nodes/{layout}/float/cuda/*/{of}")) for layout in kept)] for of, words in GATHERS.items()
     ]
-    table = _lines(["numbering", *(f"{name} [ms]" for name in kept.values())], body)
-    return _captioned(file.all("gather_nodes/*/float/cuda/*/*")[0], "tets", table)
+    table = markdown(["numbering", *(f"{name} [ms]" for name in kept.values())], body)
+    return captioned(file.all("gather_nodes/*/float/cuda/*/*")[0], "tets", table)
 
 
 def _sectors(file):
@@ -249,7 +217,7 @@ def _sectors(file):
     for kernel in ("dp_from_df", "stress_derivative", "deformation_gradient"):
         found = [file.one(f"{kernel}/{layout}/float/cuda/*") for layout in layouts_of]
         body.append([f"`{kernel}`", *(f"{row.counter('sectors_per_request'):.1f}" for row in found)])
-    return _lines(["sectors per request", *layouts_of.values()], body)
+    return markdown(["sectors per request", *layouts_of.values()], body)
 
 
 def _packages(text):
@@ -258,7 +226,7 @@ def _packages(text):
     best, *others = lines.pop("LLVM").split()
     del lines["RUN"], lines["MORE"]
     names = {name: name.replace("LLVM", best) + f" (or {', '.join(others)})" * ("LLVM" in name) for name in lines}
-    return _lines(["package", "what for"], [[names[name], reason] for name, reason in lines.items()])
+    return markdown(["package", "what for"], [[names[name], reason] for name, reason in lines.items()])
 
 
 def _kernels_in(text):
@@ -275,12 +243,12 @@ def _joins(digests):
         fused = dict.fromkeys(_kernels_in(step.rsplit("(", 1)[0]) for step in found["steps"] if "physgen::Fused<" in step)
         steps = len(dict.fromkeys(step.split("(")[0] for step in found["steps"] if step.startswith("step ")))
         body.append([f"`{scene}`", f"{steps}", "; ".join(joined) or "none", "; ".join(fused) or "none"])
-    return _lines(["scene", "kernels", "joined by physgen", "joined by hand, with `fuse(...)`"], body)
+    return markdown(["scene", "kernels", "joined by physgen", "joined by hand, with `fuse(...)`"], body)
 
 
 def _of_cubes(lines, name):
     """A table of a file of truthcube: `lines` makes its header and rows of the file's content."""
-    return lambda text: _lines(*lines(records.parse(text, name), name))
+    return lambda text: markdown(*lines(records.parse(text, name), name))
 
 
 TABLES = {
