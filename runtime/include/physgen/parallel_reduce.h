@@ -11,7 +11,7 @@ namespace physgen {
 
 /// Calls kernel(i) for the objects begin .. end-1, on threads() threads, as parallel_for() does, and folds what the
 /// calls return. The kernel may also store fields.
-/// @param fold Sum, Max, Min, Argmax, All, Any, Count, or one's own; see reduce.h
+/// @tparam Fold Sum, Max, Min, Argmax, All, Any, Count, or one's own; see reduce.h
 /// @return the fold's Value, or of several terms a std::array or Eigen matrix of them
 /// @throw what a call throws (the first to be caught), after all other calls have been made
 template <class Kernel, class Fold>

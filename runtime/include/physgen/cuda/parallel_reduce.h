@@ -15,7 +15,7 @@ namespace physgen {
 /// Calls kernel(i) for the objects begin .. end-1 on the current device, ordered in `stream`, folds what the calls
 /// return, and calls then(value) on the device, once. Does not wait and allocates nothing; can be captured in a graph.
 /// The kernel may also store fields, which `then` sees.
-/// @param fold Sum, Max, Min, Argmax, All, Any, Count, or one's own; see reduce.h
+/// @tparam Fold Sum, Max, Min, Argmax, All, Any, Count, or one's own; see reduce.h
 /// @param then takes the fold's Value, or of several terms a std::array or Eigen matrix of them
 /// @pre no other reduction in the workspace is under way, but for those before this one in `stream`
 /// @throw Error when the workspace is too small or the launch fails

@@ -27,7 +27,8 @@ PHYSGEN_FUNCTION inline void check_inner(int index, int count, const char* what)
 #endif
 }
 #else
-PHYSGEN_FUNCTION constexpr void check_inner(int /*index*/, int /*count*/, const char* /*what*/) {}
+PHYSGEN_FUNCTION constexpr void check_inner([[maybe_unused]] int index, [[maybe_unused]] int count,
+                                            [[maybe_unused]] const char* what) {}
 #endif
 
 }  // namespace physgen

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# make.sh FOLDER: makes the site of documentation in FOLDER/html with Doxygen, from the pages of the tree and the headers that are
+# installed, and checks its links.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd -P)
+mkdir -p "$1"
+PHYSGEN_SITE=$(cd "$1" && pwd -P)
+cd "$root"
+PHYSGEN_VERSION=$(sed -n 's/^## \([0-9.]*\)$/\1/p;T;q' CHANGELOG.md)
+PHYSGEN_PAGES=$(find . -name build -prune -o -name '.*' -not -name . -prune -o -name '*.md' -printf '%P ' | tr ' ' '\n' | sort | tr '\n' ' ')
+export PHYSGEN_SITE PHYSGEN_VERSION PHYSGEN_PAGES
+rm -rf "$PHYSGEN_SITE/html"
+doxygen tools/site/Doxyfile
+tools/site/check_links.py "$PHYSGEN_SITE/html"
