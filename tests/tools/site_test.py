@@ -9,6 +9,7 @@ sys.dont_write_bytecode = True  # leaves no __pycache__ among the sources
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SITE = ROOT / "tools" / "site"
 sys.path.insert(0, str(SITE))
+import header_filter  # noqa: E402
 import page_filter  # noqa: E402
 
 
@@ -40,6 +41,17 @@ class PageFilterTest(unittest.TestCase):
     def test_code_stays(self):
         for text in ("```\n# no heading\n[a](../runtime/README.md)\n```\n", "`f[i](../runtime/README.md)`", "`a\nb[i](#c)`"):
             self.assertEqual(filtered(text), text)
+
+
+class HeaderFilterTest(unittest.TestCase):
+    def test_the_lines_at_the_top_describe_the_file(self):
+        text = header_filter.filtered("// Runs <k>:\n//   #include <k>\n// #3.\n#pragma once\n// of no one\n")
+        self.assertEqual(
+            text, "/// @file\n/// Runs &lt;k>:\n///\n///        #include <k>\n/// \\#3.\n\n#pragma once\n// of no one\n"
+        )
+
+    def test_a_range_ends_no_sentence(self):
+        self.assertEqual(header_filter.filtered("/// Of 0 .. n-1.\nf(\" .. \");\n"), "/// Of 0 &hellip; n-1.\nf(\" .. \");\n")
 
 
 class LinksTest(unittest.TestCase):

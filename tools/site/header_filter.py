@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+"""Gives a header as Doxygen reads it: header_filter.py HEADER. The lines at its top, which say what it is for, become its description;
+ranges as in `0 .. n-1` do not end a sentence."""
+import re
+import sys
+
+
+def described(top):
+    """The lines of a file's top as its description: indented ones are code."""
+    lines, code = ["/// @file"], False
+    for line in top.splitlines():
+        line = line.removeprefix("//")
+        if line.startswith("   "):
+            lines += [] if code else ["///"]
+            lines.append(f"///     {line}")
+        else:
+            lines.append("///" + re.sub(r"[#@\\]", r"\\\g<0>", line.replace("<", "&lt;")))
+        code = line.startswith("   ")
+    return "\n".join(lines) + "\n\n"
+
+
+def filtered(text):
+    text = re.sub(r"(?m)^( *///.*)$", lambda line: line[0].replace(" .. ", " &hellip; "), text)
+    top = re.match(r"(?://(?!/)[^\n]*\n)+", text)
+    return described(top.group()) + text[top.end() :] if top else text
+
+
+if __name__ == "__main__":
+    with open(sys.argv[1], encoding="utf-8") as file:
+        sys.stdout.write(filtered(file.read()))
