@@ -32,16 +32,16 @@ void require_initial_value(const UntypedArray& array, const FieldInfo& field) {
   throw Error(message.str());
 }
 
-}  // namespace
+enum class Memory : std::uint8_t { zero, any };
 
-void initialize(const UntypedArray& array, index_t begin, index_t end) {
+void fill(const UntypedArray& array, index_t begin, index_t end, Memory memory) {
   if (begin == end) return;
   detail::wait_for_host_work(array.space);
   for (const FieldInfo& field : array.fields) {
     if (!field.is_stored()) continue;
     require_initial_value(array, field);
     const detail::Fill fill(field);
-    if (fill.is_zero()) continue;
+    if (memory == Memory::zero && fill.is_zero()) continue;
     if (host_accessible(array.space)) {
       const detail::Addressing addresses(array);
       detail::for_each_index(begin, end, [&](index_t i) { fill.apply(addresses, i); });
@@ -50,5 +50,11 @@ void initialize(const UntypedArray& array, index_t begin, index_t end) {
     }
   }
 }
+
+}  // namespace
+
+void initialize(const UntypedArray& array, index_t begin, index_t end) { fill(array, begin, end, Memory::zero); }
+
+void reset(const UntypedArray& array, index_t begin, index_t end) { fill(array, begin, end, Memory::any); }
 
 }  // namespace physgen

@@ -1,6 +1,7 @@
 // Sets of arrays and arrays of scenes that a compiler must refuse, with words that say what is wrong. refused.py
 // compares them with what it reports.
 #include <elasticity.physgen.h>
+#include <physgen/channel.h>
 #include <physgen/gather.h>
 #include <physgen/row_arrays.h>
 #include <physgen/scene.h>
@@ -48,12 +49,28 @@ void scattering_to_an_array(const Ranges& from, const std::vector<Range*>& to) {
   scatter(from, to, [](Range& range, const Range& value) { range = value; });
 }
 
-/// refused at once brackets_on_an_array: an_array_is_indexed_by_its_view_so_write_array_view_of_i
-void brackets_on_an_array(Entries& entries) { entries[3].local() = 1; }
-/// refused at once a_loop_over_an_array: an_array_is_indexed_by_its_view_so_write_array_view_of_i
-void a_loop_over_an_array(const Entries& entries) {
+/// refused brackets_on_an_array_of_the_device: an array in Cuda memory is not reached on the host: copy it to an array
+void brackets_on_an_array_of_the_device(elasticity::IncidenceArray<float, Cuda>& entries) { entries[3].local() = 1; }
+/// refused a_loop_over_an_array_of_the_device: an array in Cuda memory is not reached on the host: copy it to an array
+void a_loop_over_an_array_of_the_device(const elasticity::IncidenceArray<float, Cuda>& entries) {
   for (const auto& entry : entries) (void)entry;
 }
+/// refused an_object_added_on_the_device: an array in Cuda memory is not reached on the host: copy it to an array
+void an_object_added_on_the_device(elasticity::EdgeArray<float, Cuda>& edges) { edges.push_back({}); }
+
+template <class Layout, class Space = Host, class Formats = FormatsOf<elasticity::NodePositionObject, Space>>
+using Nodes = elasticity::NodePositionArray<float, Space, Layout, Formats>;
+struct HalfNodes : elasticity::NodePositionFormats<Host> {
+  using x = format::Half<>;
+};
+/// refused a_channel_of_tiles: channel(): only the layout Soa keeps an element of all objects side by side
+void a_channel_of_tiles(Nodes<Aosoa<16>>& nodes) { (void)channel<"x">(nodes); }
+/// refused a_channel_of_the_device: channel(): an array in Cuda memory is not reached on the host
+void a_channel_of_the_device(Nodes<Soa, Cuda>& nodes) { (void)channel<"x">(nodes); }
+/// refused a_channel_of_no_field: channel(): the objects have no field of this name
+void a_channel_of_no_field(Nodes<Soa>& nodes) { (void)channel<"y">(nodes); }
+/// refused a_channel_of_halves: channel(): this field is not stored as plain float, double or int32
+void a_channel_of_halves(Nodes<Soa, Host, HalfNodes>& nodes) { (void)channel<"x">(nodes); }
 
 // ---- What is not refused ----
 void accepted_order(const Ranges& from, Ranges& to, const std::vector<Range*>& pointers) {

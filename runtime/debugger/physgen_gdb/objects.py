@@ -147,15 +147,17 @@ def of_array(value):
     base, held = int(buffer["data_"]), int(buffer["bytes_"])
     objects = Objects(tag, real, formats, shape, space, int(value["size_"]))
     objects.check(base)
+    capacity = int(value["capacity_"])  # there is memory for so many
     kind = {"Host": "host", "PinnedHost": "pinned", "Cuda": "cuda"}[objects.space]
-    record = record_in(held, objects.layout.padded(objects.size))
+    record = record_in(held, objects.layout.padded(capacity))
     if (
         base % BUFFER_ALIGNMENT
+        or capacity < objects.size
         or record < objects.content
         or (held > 0 and (record == 0 or str(buffer["space_"]).split("::")[-1] != kind))
     ):
         raise Unreadable(f"corrupted: {held} bytes at {base:#x} are not those of {objects.size} objects")
-    objects.place = Place(base, objects.layout.pitch(objects.size), record, objects.space)
+    objects.place = Place(base, objects.layout.pitch(capacity), record, objects.space)
     return objects
 
 

@@ -4,6 +4,7 @@
 #include <physgen/arrays/array_losses.h>
 #include <physgen/arrays/copy.h>
 #include <physgen/arrays/initial_values.h>
+#include <physgen/arrays/object_iterator.h>
 #include <physgen/arrays/single_elements.h>
 #include <physgen/arrays/view.h>
 #include <physgen/detail/copy_fields.h>
@@ -57,7 +58,9 @@ class Array {
   ~Array() = default;
 
   [[nodiscard]] index_t size() const { return size_; }
-  [[nodiscard]] index_t pitch() const { return Layout::pitch(size_); }
+  /// Objects for which there is memory without a change of it: size() or more.
+  [[nodiscard]] index_t capacity() const { return capacity_; }
+  [[nodiscard]] index_t pitch() const { return Layout::pitch(capacity_); }
   /// Bytes of memory held, padding included.
   [[nodiscard]] index_t bytes() const { return buffer_.bytes(); }
 
@@ -66,15 +69,31 @@ class Array {
   [[nodiscard]] ConstView view() const { return {buffer_.data(), size_, pitch(), losses()}; }
   [[nodiscard]] ConstView const_view() const { return view(); }
 
-  // Objects are named through a view; kernels hold it.
-  detail::an_array_is_indexed_by_its_view_so_write_array_view_of_i operator[](index_t i) const = delete;
-  detail::an_array_is_indexed_by_its_view_so_write_array_view_of_i begin() const = delete;
-  detail::an_array_is_indexed_by_its_view_so_write_array_view_of_i end() const = delete;
+  /// The object at index i, or those under a SIMD index, as a view gives it; on the host. A loop takes references by
+  /// value: `for (auto object : array) object.pressure() = 0;`. Kernels hold a view.
+  template <class I>
+  [[nodiscard]] auto operator[](I&& i) {
+    return host_view()[std::forward<I>(i)];
+  }
+  template <class I>
+  [[nodiscard]] auto operator[](I&& i) const {
+    return host_view()[std::forward<I>(i)];
+  }
+  [[nodiscard]] auto begin() { return ObjectIterator(host_view(), 0); }
+  [[nodiscard]] auto end() { return ObjectIterator(host_view(), size_); }
+  [[nodiscard]] auto begin() const { return ObjectIterator(host_view(), 0); }
+  [[nodiscard]] auto end() const { return ObjectIterator(host_view(), size_); }
 
   /// The array without its types, for copy().
   [[nodiscard]] UntypedArray untyped() const {
-    return {buffer_.data(), size_,       Layout::padded(size_), pitch(),
-            record_bytes,   Space::kind, Object::name,          Object::template fields<Real, Formats>};
+    return {buffer_.data(),
+            size_,
+            Layout::padded(capacity_),
+            pitch(),
+            record_bytes,
+            Space::kind,
+            Object::name,
+            Object::template fields<Real, Formats>};
   }
 
   /// Counts of the values that formats could not hold when kernels stored here, since this was last called; all zero in
@@ -83,21 +102,43 @@ class Array {
     return checked_build && size_ > 0 ? physgen::take_losses(*losses(), size_, Space::kind) : Losses();
   }
 
-  /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values.
+  /// Changes the number of objects. The first min(old, new) keep their values, new ones get initial values. Up to
+  /// capacity() objects the memory stays, and fewer objects keep it all; more get memory for as many as asked for.
   /// On CUDA and in pinned memory this works in the default stream. @pre work on this array in other streams is done
   /// (see synchronize())
   /// @throw Error as the constructor does; the array is then unchanged
   void resize(index_t size) {
     if (size == size_) return;
-    Array resized;
-    resized.buffer_ = Buffer(Space::kind, checked_bytes(size) + (size > 0 ? loss_bytes : 0),
-                             std::string(Object::name) + "[" + std::to_string(size) + "]");
-    resized.size_ = size;
-    const index_t kept = std::min(size, size_);
-    copy_range(resized.untyped(), untyped(), 0, kept);
-    initialize(resized.untyped(), kept, Layout::padded(size));  // packs run over padding, too
-    resized.inherit_losses(*this);
-    swap(resized);
+    if (size < 0 || size > capacity_) return replace(size, size);
+    const index_t changed = std::min(size, size_), end = Layout::padded(size);  // packs run over padding, too
+    reset(untyped(), changed, std::clamp(used_, changed, end));
+    used_ = std::max(used_, end);
+    set_size(size);
+  }
+
+  /// Gets memory for `capacity` objects or more, so that the array has as many before it needs other memory.
+  /// @throw Error as the constructor does; the array is then unchanged
+  void reserve(index_t capacity) {
+    if (capacity > capacity_) replace(capacity, size_);
+  }
+  /// Gives back the memory that no object needs.
+  void shrink_to_fit() {
+    if (capacity_ > size_) replace(size_, size_);
+  }
+
+  /// Adds one object at the end, on the host. Where there is no memory for it, the array gets memory for half as many
+  /// objects again and moves there, so that n calls move fewer than 3 n objects. It ends the array's views.
+  /// @throw Error as the constructor does; the array is then unchanged
+  void push_back(const Value& value) {
+    if (size_ == capacity_) reserve(std::max(size_ + size_ / 2, padding_objects));
+    const index_t end = Layout::padded(size_ + 1);
+    if (end > used_) {
+      used_ = end;
+    } else if (end > Layout::padded(size_)) {
+      reset(untyped(), size_, end);
+    }
+    set_size(size_ + 1);
+    host_view().put(size_ - 1, value);
   }
 
   /// In checked builds, takes the counts of an array whose place this one will take, and leaves that one's as they are.
@@ -114,6 +155,8 @@ class Array {
   void swap(Array& other) noexcept {
     buffer_.swap(other.buffer_);
     std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
+    std::swap(used_, other.used_);
   }
 
  private:
@@ -121,8 +164,7 @@ class Array {
     constexpr index_t limit = std::numeric_limits<index_t>::max() / std::max(record_bytes, 1) / 4;  // room for padding
     if (size < 0 || size > limit) {
       throw Error(std::string(Object::name) + ": an array of " + std::to_string(size) + " objects of " +
-                  std::to_string(record_bytes) + " bytes cannot exist; it has 0 to " + std::to_string(limit) +
-                  " of them");
+                  std::to_string(record_bytes) + " bytes cannot exist; give a size from 0 to " + std::to_string(limit));
     }
     return Layout::padded(size) * record_bytes;
   }
@@ -131,11 +173,44 @@ class Array {
   static constexpr index_t loss_bytes = checked_build ? index_t{sizeof(Losses)} : 0;
   [[nodiscard]] Losses* losses() const {
     if (!checked_build || size_ == 0) return nullptr;
-    return reinterpret_cast<Losses*>(buffer_.data() + Layout::padded(size_) * record_bytes);
+    return reinterpret_cast<Losses*>(buffer_.data() + Layout::padded(capacity_) * record_bytes);
+  }
+
+  template <class Self>
+  [[nodiscard]] static auto host_view_of(Self& self) {
+    static_assert(host_accessible(Space::kind),
+                  "an array in Cuda memory is not reached on the host: copy it to an array in Host, or give its view() "
+                  "to a kernel");
+    return self.view();
+  }
+  [[nodiscard]] auto host_view() { return host_view_of(*this); }
+  [[nodiscard]] auto host_view() const { return host_view_of(*this); }
+
+  void set_size(index_t size) {
+    const Losses* old = losses();
+    size_ = size;
+    if (checked_build && size > 0) start_losses(*losses(), old, size, Space::kind);
+  }
+
+  // Moves to memory of another capacity, as an array of `size` objects.
+  void replace(index_t capacity, index_t size) {
+    Array other;
+    other.buffer_ = Buffer(Space::kind, checked_bytes(capacity) + (capacity > 0 ? loss_bytes : 0),
+                           std::string(Object::name) + "[" + std::to_string(capacity) + "]");
+    other.capacity_ = capacity;
+    other.size_ = size;
+    const index_t kept = std::min(size, size_);
+    copy_range(other.untyped(), untyped(), 0, kept);
+    initialize(other.untyped(), kept, Layout::padded(capacity));
+    other.used_ = std::clamp(used_, Layout::padded(size), Layout::padded(capacity));  // copies may take padding along
+    other.inherit_losses(*this);
+    swap(other);
   }
 
   Buffer buffer_;
   index_t size_ = 0;
+  index_t capacity_ = 0;
+  index_t used_ = 0;  // objects from here to the end of the memory have initial values
 };
 
 namespace detail {

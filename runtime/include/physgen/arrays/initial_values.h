@@ -10,4 +10,7 @@ namespace physgen {
 /// @pre 0 <= begin <= end <= array.padded
 void initialize(const UntypedArray& array, index_t begin, index_t end);
 
+/// The same for objects whose memory holds anything.
+void reset(const UntypedArray& array, index_t begin, index_t end);
+
 }  // namespace physgen

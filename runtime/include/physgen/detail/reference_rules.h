@@ -55,7 +55,6 @@ concept Wider = std::is_floating_point_v<T> && std::is_floating_point_v<Number> 
 struct a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it {};
 struct a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself {};
 struct integers_calculate_with_integers_so_convert_first {};
-struct an_array_is_indexed_by_its_view_so_write_array_view_of_i;
 struct an_empty_value_so_use_setZero {};
 struct a_named_reference_is_not_assigned_so_write_to_the_view_itself {};
 struct lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index;
