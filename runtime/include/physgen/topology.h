@@ -18,9 +18,8 @@ namespace physgen {
 ///
 /// All new arrays are built before the first of them replaces an old one. So a change that fails, be it that the last
 /// array's memory cannot be had, leaves every array as it was; and while it runs a change needs the memory of the set
-/// once more. Each change moves all objects, so collect them into one call;
-/// no array has spare capacity afterwards. It ends all
-/// views of the arrays. It is ordered in the default stream (device.h) and done when the call returns.
+/// once more. Each change moves all objects, so collect them into one call; no array has spare capacity afterwards. It
+/// ends all views of the arrays. It is ordered in the default stream (device.h) and done when the call returns.
 /// @pre work on the arrays in other streams is done (see synchronize())
 template <class... Arrays>
 class ArraySet {
