@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "arrays.h"
+#include "device_start.h"
 #include "memory.h"
 #include "motion.h"
 #include "output/folder_lock.h"
@@ -56,18 +57,38 @@ void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, 
   }
 }
 
-/// @throw Error when the run would not fit, before it is allocated
-void require_memory_for(const Options& options, const RunBytes& bytes) {
-  const std::string who = options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh";
-  const std::string remedy = (options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
-                             "--volume tets, --precision half or --product matrix-free need less";
-  if (options.solver.device == fem::Device::cuda) {
-    require_memory(who, bytes.solver + bytes.stresses, "the GPU", cuda_memory(), remedy);
-    require_memory("setting up " + who, bytes.lists, "this machine", host_memory(), remedy);
-  } else {
-    require_memory(who, bytes.solver + bytes.lists, "this machine", host_memory(), remedy);
+/// The memory that a run takes, and its words where there is less.
+class NeededMemory {
+ public:
+  NeededMemory(const Options& options, const RunBytes& bytes)
+      : who_(options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh"),
+        remedy_((options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
+                "--volume tets, --precision half or --product matrix-free need less"),
+        bytes_(bytes) {}
+
+  /// @throw Error when the run would not fit, before it is allocated
+  void require(const Options& options, const DeviceStart& device) const {
+    if (options.solver.device != fem::Device::cuda) {
+      require_memory(who_, bytes_.solver + bytes_.lists, "this machine", host_memory(), remedy_);
+      return;
+    }
+    require_memory("setting up " + who_, bytes_.lists, "this machine", host_memory(), remedy_);
+    if (on_gpu() > most_without_a_look) require_on_gpu(device);
   }
-}
+  /// @throw Error when it does not fit into the GPU, or there is none
+  void require_on_gpu(const DeviceStart& device) const {
+    require_memory(who_, on_gpu(), "the GPU", device.free_bytes(), remedy_);
+  }
+
+ private:
+  /// Of runs this small the lists are made before the GPU is there to be asked; larger ones are refused sooner.
+  static constexpr std::int64_t most_without_a_look = 4'000'000'000;
+
+  [[nodiscard]] std::int64_t on_gpu() const { return bytes_.solver + bytes_.stresses; }
+
+  std::string who_, remedy_;
+  RunBytes bytes_;
+};
 
 /// How such a run speaks of its solves. The remedies where there is no equilibrium are those that it has not taken yet.
 SolveWords solve_words(const Options& options) {
@@ -94,6 +115,7 @@ PlateRecord record_of(const Plate& plate) {
 Outcome run_recorded(Options options, const std::string& command, const fem::Stages& stages) {
   const Terminal terminal(options.quiet);
   const auto start = Clock::now();
+  const DeviceStart device(options.solver.device == fem::Device::cuda && !options.dry_run);
   constexpr int parts = 4;
   terminal.set_up(1, parts, "sizes");
   std::vector<std::string> notes;
@@ -119,7 +141,8 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;
   }
-  require_memory_for(options, bytes);
+  const NeededMemory needed(options, bytes);
+  needed.require(options, device);
   std::optional<FolderLock> lock;
   if (!options.out.empty()) {
     if (!options.restart) require_writable(options.out);
@@ -160,6 +183,9 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   if (!options.beads.empty()) beads.emplace(options.beads, finest);
 
   terminal.set_up(4, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
+  if (options.solver.device == fem::Device::cuda) {
+    options.solver.before_device = [&] { needed.require_on_gpu(device); };
+  }
   std::unique_ptr<fem::EquilibriumSolver> solver;
   std::unique_ptr<fem::DynamicSolver> dynamic;
   if (options.moves()) {

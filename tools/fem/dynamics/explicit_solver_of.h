@@ -63,7 +63,7 @@ class ExplicitSolverOf final : public DynamicSolver {
   ExplicitSolverOf(const MeshLevel& level, const Loading& loading, const DynamicSettings& settings)
       : settings_(settings),
         rest_(level.rest),
-        on_(make_executor<On>(index_t(level.mesh.tets.size()))),
+        on_(make_executor<On>(index_t(level.mesh.tets.size()), settings.solver)),
         steps_(make_explicit_steps<On, Body>(settings.solver)) {
     fill_explicit_body(body_, level, loading, lumped_masses(level.mesh, level.rest, settings.density),
                        settings.fixed_order);

@@ -4,6 +4,7 @@
 #include <fem/solver/preconditioner_rows.h>
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,9 @@ struct SolverSettings {
   /// fail.
   double plane_stiffness = 100;
   NewtonSettings newton;
+  /// Called once while a solver is made, when the host's lists are ready and before the device is used first: a program
+  /// that makes the device's context on another thread waits for it here. What it throws ends the making.
+  std::function<void()> before_device = {};
 };
 
 /// `total` becomes the result of the increment behind it, with the numbers of steps of both.

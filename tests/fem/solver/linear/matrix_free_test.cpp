@@ -12,8 +12,6 @@
 
 namespace physgen::fem {
 
-PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(HostExecutor, double, Host)
-
 namespace {
 
 constexpr double side = tangent_scene_side;

@@ -5,9 +5,6 @@
 
 namespace physgen::fem {
 
-PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(HostExecutor, double, Host)
-PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(HostExecutor, float, Host)
-
 namespace {
 
 constexpr double side = tangent_scene_side;

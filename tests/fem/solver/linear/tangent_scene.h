@@ -1,9 +1,10 @@
 // A body that is deformed at random, and products with its tangent, for tests.
 #pragma once
 
+#include <fem/solver/elastic/evaluate.h>
 #include <fem/solver/linear/product_host.h>
 #include <fem/solver/newton/newton.h>
-#include <fem/solver/solvers/make_evaluator.h>
+#include <fem/solver/solvers/all_arrays.h>
 #include <gtest/gtest.h>
 
 #include "../bodies.h"

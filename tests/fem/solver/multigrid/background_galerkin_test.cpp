@@ -1,8 +1,9 @@
 // The stiffness of a background grid against dense matrices: P^T M K M P, where M takes out what is prescribed.
+#include <fem/solver/elastic/evaluate.h>
 #include <fem/solver/hierarchy/background_grid.h>
 #include <fem/solver/linear/product_host.h>
 #include <fem/solver/newton/newton.h>
-#include <fem/solver/solvers/make_evaluator.h>
+#include <fem/solver/solvers/all_arrays.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -11,8 +12,6 @@
 #include "../irregular.h"
 
 namespace physgen::fem {
-
-PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(HostExecutor, double, Host)
 
 namespace {
 

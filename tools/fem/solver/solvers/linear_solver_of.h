@@ -83,7 +83,7 @@ class LinearSolverOf final : public EquilibriumSolver {
   LinearSolverOf(const Loading& loading, const SolverSettings& settings, LevelsInUse used)
       : settings_(settings),
         rest_(used.levels.front().rest),
-        on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
+        on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()), settings)),
         linear_(make_linear_levels<Level>(used, settings)),
         lame_(lame_parameters(settings.youngs_modulus, settings.poissons_ratio, "linear elasticity")),
         rounding_force_(rounding_force(settings, used.levels.front(), loading.motion, false,

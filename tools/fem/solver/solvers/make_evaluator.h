@@ -1,4 +1,5 @@
-// Materials by name. The evaluators themselves are compiled in files of their own: see CMakeLists.txt.
+// Materials by name. Only files that compile the evaluators include this (see CMakeLists.txt); for all others
+// evaluate.h declares the function. nvcc compiles a material's kernels wherever it reads its evaluator's text.
 #pragma once
 
 #include <fem/materials/materials.h>
@@ -21,11 +22,5 @@ std::unique_ptr<Evaluator<On, Arrays>> make_evaluator(const std::string& materia
   if (made == nullptr) refuse_material(material);
   return made;
 }
-
-// Inside physgen::fem, so that a source does not compile all materials by itself.
-#define PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE(Model, header, word, On, Real, Space) \
-  extern template class MaterialEvaluator<On, EquilibriumArrays<Real, Space>, Model<double>>;
-#define PHYSGEN_EVALUATORS_ARE_COMPILED_ELSEWHERE(On, Real, Space) \
-  PHYSGEN_MATERIALS(PHYSGEN_EVALUATOR_IS_COMPILED_ELSEWHERE, On, Real, Space)
 
 }  // namespace physgen::fem

@@ -85,7 +85,7 @@ class SolverParts {
  private:
   SolverParts(const Loading& loading, const SolverSettings& settings, LevelsInUse used)
       : settings_(settings),
-        own_on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()))),
+        own_on_(make_executor<On>(index_t(used.levels.front().mesh.tets.size()), settings)),
         on_(own_on_.get()),
         evaluator_(Types::make_material(
             settings, used.levels.front().averages_at_nodes || !used.levels.front().patches.nodes.empty())),

@@ -1,9 +1,9 @@
 // The types of the solvers that have all choices at run time.
 #pragma once
 
+#include <fem/solver/elastic/evaluate.h>
 #include <fem/solver/settings.h>
 #include <fem/solver/solvers/all_arrays.h>
-#include <fem/solver/solvers/make_evaluator.h>
 
 #include <memory>
 
