@@ -17,6 +17,30 @@ bool is_specialised(const auto& whole) {
   });
 }
 
+/// Whether something in a class of a template's instance has a text of its own.
+bool has_special_members(const clang::CXXRecordDecl& record) {
+  const auto is_special = [](clang::TemplateSpecializationKind kind) {
+    return kind == clang::TSK_ExplicitSpecialization;
+  };
+  return std::any_of(record.decls_begin(), record.decls_end(), [&](const clang::Decl* one) {
+    if (const auto* function = llvm::dyn_cast<clang::FunctionDecl>(one))
+      return is_special(function->getTemplateSpecializationKind());
+    if (const auto* variable = llvm::dyn_cast<clang::VarDecl>(one))
+      return is_special(variable->getTemplateSpecializationKind());
+    if (const auto* type = llvm::dyn_cast<clang::EnumDecl>(one))
+      return is_special(type->getTemplateSpecializationKind());
+    if (const auto* inner = llvm::dyn_cast<clang::CXXRecordDecl>(one))
+      return is_special(inner->getTemplateSpecializationKind()) || has_special_members(*inner);
+    if (const auto* whole = llvm::dyn_cast<clang::RedeclarableTemplateDecl>(one); whole != nullptr) {
+      if (whole->isMemberSpecialization()) return true;
+      if (const auto* functions = llvm::dyn_cast<clang::FunctionTemplateDecl>(whole)) return is_specialised(*functions);
+      if (const auto* classes = llvm::dyn_cast<clang::ClassTemplateDecl>(whole)) return is_specialised(*classes);
+      if (const auto* variables = llvm::dyn_cast<clang::VarTemplateDecl>(whole)) return is_specialised(*variables);
+    }
+    return false;
+  });
+}
+
 /// Whether a function takes as many arguments as a call of another may give it.
 bool may_take(const clang::FunctionDecl* one, const clang::FunctionDecl& other) {
   if (one == nullptr) return false;
@@ -32,7 +56,8 @@ bool return_alike(const clang::FunctionDecl& a, const clang::FunctionDecl& b, co
          (is_of_precision(of_a, names) && is_of_precision(of_b, names));
 }
 
-/// What has a function's name in a namespace of the program or in one within it, where arguments' types may find it.
+/// What has a function's name in a namespace or in one within it, where arguments' types may find it. A program may add
+/// to the namespaces of libraries.
 std::vector<const clang::NamedDecl*> in_namespaces(const clang::DeclContext& outer, const clang::FunctionDecl& function,
                                                    const Names& names) {
   std::vector<const clang::NamedDecl*> result;
@@ -45,14 +70,39 @@ std::vector<const clang::NamedDecl*> in_namespaces(const clang::DeclContext& out
   return result;
 }
 
+llvm::StringRef outer_space(const clang::Decl& declared) {
+  const clang::NamespaceDecl* space = nullptr;
+  for (const auto* outer = declared.getDeclContext(); !outer->isTranslationUnit(); outer = outer->getParent())
+    if (const auto* named = llvm::dyn_cast<clang::NamespaceDecl>(outer)) space = named;
+  return space == nullptr ? "" : space->getName();
+}
+
+/// Whether an argument, in another precision, may be given to a parameter of this type.
+bool may_become(clang::QualType argument, clang::QualType parameter, const Names& names) {
+  const auto* given = argument.getNonReferenceType()->getAsCXXRecordDecl();
+  const bool is_number = given == nullptr || outer_space(*given) == "xsimd";
+  // Accessors of the runtime, and classes of the program, may convert to anything.
+  if (!is_number && (outer_space(*given) == "physgen" || !is_of_libraries(*given, names))) return true;
+  const auto* made = llvm::dyn_cast<clang::TemplateSpecializationType>(parameter.getTypePtr());
+  const clang::NamedDecl* wanted = parameter->getAsCXXRecordDecl();
+  if (wanted == nullptr && made != nullptr) wanted = made->getTemplateName().getAsTemplateDecl();
+  if (wanted == nullptr) return is_number || parameter->isDependentType();
+  if (is_of_libraries(*wanted, names)) return given != nullptr && outer_space(*given) == outer_space(*wanted);
+  const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(wanted);
+  if (record == nullptr || !record->hasDefinition()) return record != nullptr;
+  return std::any_of(record->decls_begin(), record->decls_end(), [](const clang::Decl* one) {
+    const auto* whole = llvm::dyn_cast<clang::FunctionTemplateDecl>(one);
+    const auto* maker = llvm::dyn_cast<clang::CXXConstructorDecl>(whole != nullptr ? whole->getTemplatedDecl() : one);
+    return maker != nullptr && !maker->isCopyOrMoveConstructor() && maker->getNumParams() > 0 &&
+           maker->getMinRequiredArguments() <= 1;
+  });
+}
+
 }  // namespace
 
 bool is_of_libraries(const clang::Decl& declared, const Names& names) {
   static const std::set<llvm::StringRef> spaces = {"Eigen", "physgen", "xsimd"};
-  const clang::NamespaceDecl* space = nullptr;
-  for (const auto* outer = declared.getDeclContext(); !outer->isTranslationUnit(); outer = outer->getParent())
-    if (const auto* named = llvm::dyn_cast<clang::NamespaceDecl>(outer)) space = named;
-  return space != nullptr && spaces.contains(space->getName()) && names.is_library(declared.getLocation());
+  return spaces.contains(outer_space(declared)) && names.is_library(declared.getLocation());
 }
 
 bool is_of_precision(clang::QualType type, const Names& names) {
@@ -61,11 +111,33 @@ bool is_of_precision(clang::QualType type, const Names& names) {
 }
 
 bool is_one_text(const clang::CXXRecordDecl& record) {
+  const auto* outer = llvm::dyn_cast<clang::CXXRecordDecl>(record.getDeclContext());
+  if (outer != nullptr && !is_one_text(*outer)) return false;
   const auto* special = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&record);
   if (special == nullptr) return true;
+  const auto& whole = *special->getSpecializedTemplate();
   llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> partial;
-  special->getSpecializedTemplate()->getPartialSpecializations(partial);
-  return partial.empty() && !is_specialised(*special->getSpecializedTemplate());
+  whole.getPartialSpecializations(partial);
+  return partial.empty() && !whole.isMemberSpecialization() && !is_specialised(whole) &&
+         std::none_of(whole.spec_begin(), whole.spec_end(), [](const auto* one) { return has_special_members(*one); });
+}
+
+const clang::NamedDecl* rival(const clang::FunctionDecl& called, llvm::ArrayRef<clang::QualType> arguments,
+                              const Names& names) {
+  if (!called.getDeclName().isIdentifier() && !called.isOverloadedOperator()) return nullptr;
+  for (const clang::NamedDecl* one : in_namespaces(*called.getASTContext().getTranslationUnitDecl(), called, names)) {
+    const auto* other = one->getUnderlyingDecl()->getAsFunction();
+    if (other == nullptr || names.is_library(other->getLocation()) || other->isDeleted()) continue;
+    const unsigned declared = other->getNumParams();
+    const bool is_open = other->isVariadic() || (declared > 0 && other->parameters().back()->isParameterPack());
+    if (arguments.size() < other->getMinRequiredArguments() || (arguments.size() > declared && !is_open)) continue;
+    bool takes = true;
+    for (unsigned i = 0; i < arguments.size() && i < declared && takes; ++i)
+      takes = other->getParamDecl(i)->isParameterPack() ||
+              may_become(arguments[i], other->getParamDecl(i)->getType().getNonReferenceType(), names);
+    if (takes) return other;
+  }
+  return nullptr;
 }
 
 std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function, const Names& names,

@@ -15,7 +15,7 @@ namespace physgen::scenes {
 /// Numbers, and classes of the libraries that kernels calculate with, whose own types differ in the precision alone.
 [[nodiscard]] bool is_of_precision(clang::QualType type, const usage::Names& names);
 
-/// Whether a class has the same text in another precision.
+/// Whether a class and its members have the same text in another precision.
 [[nodiscard]] bool is_one_text(const clang::CXXRecordDecl& record);
 
 /// A function of the program and the others that another precision may choose in its place.
@@ -23,5 +23,10 @@ namespace physgen::scenes {
 ///        or return other classes
 [[nodiscard]] std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function,
                                                                 const usage::Names& names, bool& is_known);
+
+/// A function of the program that another precision may choose in place of one of a library: of its name, and for as
+/// many arguments; null where there is none.
+[[nodiscard]] const clang::NamedDecl* rival(const clang::FunctionDecl& called, unsigned arguments,
+                                            const usage::Names& names);
 
 }  // namespace physgen::scenes

@@ -154,7 +154,20 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
     if (!in_library_ && is_library(function) && !is_listed_library(function)) return say(call);
     if (method != nullptr && method->isVirtual() && !is_library(function)) return say(call);
+    if (!in_library_ && is_library(function) && has_rival(function, call))
+      return say("has types choose what it calls, " + in_quotes(call, context_, names_));
     return follow(function, call);
+  }
+  /// Whether another precision may call a function of the program in place of this one.
+  bool has_rival(const clang::FunctionDecl& function, const clang::Expr& from) {
+    const auto* call = llvm::dyn_cast<clang::CallExpr>(&from);
+    if (call == nullptr || llvm::isa<clang::CXXMemberCallExpr>(call)) return false;
+    const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());
+    if (named != nullptr && named->hasQualifier()) return false;
+    std::vector<clang::QualType> types;
+    for (const clang::Expr* argument : call->arguments())
+      types.push_back(argument->IgnoreImplicit()->getType().getNonReferenceType().getCanonicalType());
+    return rival(function, types, names_) != nullptr;
   }
   bool follow(const clang::FunctionDecl& function, const clang::Expr& from) {
     const clang::FunctionDecl* definition = nullptr;

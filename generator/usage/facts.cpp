@@ -141,8 +141,9 @@ class Facts : public clang::RecursiveASTVisitor<Facts> {
   }
 
   void constant(const clang::VarDecl& variable, clang::SourceLocation location) {
-    if (!variable.isUsableInConstantExpressions(context_)) return;
-    const clang::APValue* value = variable.evaluateValue();
+    const clang::VarDecl* defined = nullptr;
+    if (variable.getAnyInitializer(defined) == nullptr || !defined->isUsableInConstantExpressions(context_)) return;
+    const clang::APValue* value = defined->evaluateValue();
     if (value != nullptr && !variable.getType()->isRecordType())
       add(location, value->getAsString(context_, variable.getType()));
   }
