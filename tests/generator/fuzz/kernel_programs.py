@@ -2,6 +2,7 @@
 
 A part is what stands at namespace scope before a kernel, and statements of its body that may change its number v. What a part
 does on the side is seen in v: of two steps that are joined, the second would find it otherwise."""
+from precision_programs import CHOSEN_IN_DOUBLE
 from scene_programs import Block
 
 
@@ -199,7 +200,7 @@ IN_DOUBLE = [
      "template <class T> struct HpIs : HpPick<T>::type {};",
      "v = HpIs<Scalar>().read(v);"),
 ]
-EFFECTS += [("indouble" + name, head, text) for name, head, text in IN_DOUBLE]
+EFFECTS += [("indouble" + name, head, text) for name, head, text in IN_DOUBLE + CHOSEN_IN_DOUBLE]
 
 # Kernels whose members do it: what they have beside their views, and how the steps give it.
 MEMBERS = [
