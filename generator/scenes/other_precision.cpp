@@ -186,6 +186,16 @@ std::vector<const clang::FunctionDecl*> OtherFunctions::of(const clang::Function
     for (const clang::NamedDecl* one : method->getParent()->getVisibleConversionFunctions()) add(one);
   else if (method != nullptr && !is_library)
     for (const clang::NamedDecl* one : method->getParent()->lookup(function.getDeclName())) add(one);
+  if (method == nullptr && function.isOverloadedOperator()) {  // operators that are members of its first operand
+    const auto types = operands(function);
+    const auto* first = types.empty() ? nullptr : types.front()->getAsCXXRecordDecl();
+    const auto members = [&](const clang::CXXRecordDecl* record) {
+      if (!names_.is_library(record->getLocation()))
+        for (const clang::NamedDecl* one : record->lookup(function.getDeclName())) add(one);
+      return true;
+    };
+    if (first != nullptr && first->hasDefinition() && members(first)) (void)first->forallBases(members);
+  }
   const auto found = functions_.find(function.getDeclName());
   if (found == functions_.end() || (method != nullptr && !function.isOverloadedOperator())) return result;
   const auto spaces = is_library ? spaces_of(function, call) : std::set<const clang::DeclContext*>();
