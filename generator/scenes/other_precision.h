@@ -3,6 +3,7 @@
 
 #include <clang/AST/DeclCXX.h>
 
+#include <map>
 #include <vector>
 
 #include "usage/names.h"
@@ -15,18 +16,28 @@ namespace physgen::scenes {
 /// Numbers, and classes of the libraries that kernels calculate with, whose own types differ in the precision alone.
 [[nodiscard]] bool is_of_precision(clang::QualType type, const usage::Names& names);
 
-/// Whether a class and its members have the same text in another precision.
-[[nodiscard]] bool is_one_text(const clang::CXXRecordDecl& record);
+/// Whether a class has the same text in another precision: the program specialises neither it nor a member of it.
+[[nodiscard]] bool is_one_text(const clang::CXXRecordDecl& record, const usage::Names& names);
 
-/// A function of the program and the others that another precision may choose in its place.
-/// @param is_known false, if these may be others than those that are returned, of a template with others of its name,
-///        or return other classes
-[[nodiscard]] std::vector<const clang::FunctionDecl*> namesakes(const clang::FunctionDecl& function,
-                                                                const usage::Names& names, bool& is_known);
+/// Functions of the program, friends among them, by their names: what another precision may choose in place of a
+/// function, be it the program's or a library's.
+class OtherFunctions {
+ public:
+  OtherFunctions(const clang::DeclContext& all, const usage::Names& names) : names_(names) { collect(all); }
 
-/// A function of the program that another precision may choose in place of one of a library: of its name, and for as
-/// many arguments; null where there is none.
-[[nodiscard]] const clang::NamedDecl* rival(const clang::FunctionDecl& called, unsigned arguments,
-                                            const usage::Names& names);
+  /// @param call where it is called, or null
+  /// @param is_known false, if these may be others than those that are returned, of a template with others of its name,
+  ///        or return other classes
+  [[nodiscard]] std::vector<const clang::FunctionDecl*> of(const clang::FunctionDecl& function, const clang::Expr* call,
+                                                           bool& is_known) const;
+  /// Whether an operator that is the language's here may be one of the program.
+  [[nodiscard]] bool has(clang::DeclarationName name) const { return functions_.contains(name); }
+
+ private:
+  void collect(const clang::DeclContext& outer);
+
+  const usage::Names& names_;
+  std::map<clang::DeclarationName, std::vector<const clang::NamedDecl*>> functions_;
+};
 
 }  // namespace physgen::scenes

@@ -24,7 +24,8 @@ using usage::Names;
 /// they call, such as those that std::invoke() is given.
 class Body : public clang::RecursiveASTVisitor<Body> {
  public:
-  Body(Names& names, const clang::ASTContext& context) : names_(names), context_(context) {}
+  Body(Names& names, const clang::ASTContext& context)
+      : names_(names), context_(context), others_(*context.getTranslationUnitDecl(), names) {}
   [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
 
   std::string find(const clang::FunctionDecl& function) {
@@ -33,7 +34,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     bool is_known = true;
     if (!is_library(function)) {
       asked(function);
-      (void)namesakes(function, names_, is_known);
+      (void)others_.of(function, nullptr, is_known);
     }
     if (!is_known) say("is specialised for some types", function.getLocation());
     while (!queue_.empty() && found_.empty()) {
@@ -85,6 +86,8 @@ class Body : public clang::RecursiveASTVisitor<Body> {
   bool VisitCXXInheritedCtorInitExpr(clang::CXXInheritedCtorInitExpr* made) {
     return called(*made->getConstructor(), *made);
   }
+  bool VisitBinaryOperator(clang::BinaryOperator* two) { return built_in(*two); }
+  bool VisitUnaryOperator(clang::UnaryOperator* one) { return built_in(*one); }
   bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* size) {
     return in_library_ || !size->isArgumentType() || !size->getArgumentType()->isVariablyModifiedType() || say(*size);
   }
@@ -150,24 +153,22 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     return space->isStdNamespace() ? is_listed_in_std(function)
                                    : space->getName() == "Eigen" || space->getName() == "xsimd";
   }
+  /// The language's operators of numbers that objects or enumerators are converted to may be the program's of these.
+  template <class Operator>
+  bool built_in(const Operator& made) {
+    const auto is_of_class = [](const clang::Stmt* operand) {
+      const auto type = llvm::cast<clang::Expr>(operand)->IgnoreUnlessSpelledInSource()->getType();
+      return type->isRecordType() || type->isEnumeralType();
+    };
+    const auto name = context_.DeclarationNames.getCXXOperatorName(Operator::getOverloadedOperator(made.getOpcode()));
+    return in_library_ || !others_.has(name) || std::none_of(made.child_begin(), made.child_end(), is_of_class) ||
+           say("has types choose what it calls, " + in_quotes(made, context_, names_));
+  }
   bool called(const clang::FunctionDecl& function, const clang::Expr& call) {
     const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
     if (!in_library_ && is_library(function) && !is_listed_library(function)) return say(call);
     if (method != nullptr && method->isVirtual() && !is_library(function)) return say(call);
-    if (!in_library_ && is_library(function) && has_rival(function, call))
-      return say("has types choose what it calls, " + in_quotes(call, context_, names_));
     return follow(function, call);
-  }
-  /// Whether another precision may call a function of the program in place of this one.
-  bool has_rival(const clang::FunctionDecl& function, const clang::Expr& from) {
-    const auto* call = llvm::dyn_cast<clang::CallExpr>(&from);
-    if (call == nullptr || llvm::isa<clang::CXXMemberCallExpr>(call)) return false;
-    const auto* named = llvm::dyn_cast<clang::DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts());
-    if (named != nullptr && named->hasQualifier()) return false;
-    std::vector<clang::QualType> types;
-    for (const clang::Expr* argument : call->arguments())
-      types.push_back(argument->IgnoreImplicit()->getType().getNonReferenceType().getCanonicalType());
-    return rival(function, types, names_) != nullptr;
   }
   bool follow(const clang::FunctionDecl& function, const clang::Expr& from) {
     const clang::FunctionDecl* definition = nullptr;
@@ -179,10 +180,9 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     }
     if (!seen_.insert(definition->getCanonicalDecl()).second) return true;
     queue_.push_back(definition);
-    if (is_library(*definition)) return true;
-    asked(*definition);
+    if (!is_library(*definition)) asked(*definition);
     bool is_known = true;
-    for (const clang::FunctionDecl* one : namesakes(*definition, names_, is_known))
+    for (const clang::FunctionDecl* one : others_.of(*definition, &from, is_known))
       if (!follow(*one, from)) return false;
     return is_known || say("has types choose what it calls, " + in_quotes(from, context_, names_));
   }
@@ -199,6 +199,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     if (record == nullptr || names_.is_library(record->getLocation()) ||
         !seen_.insert(record->getCanonicalDecl()).second)
       return true;
+    if (!is_one_text(*record, names_)) return say("has types choose what it is made of,", record->getLocation());
     if (found_.empty()) found_ = asked_of_class(*record, names_);
     return found_.empty();
   }
@@ -232,6 +233,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
 
   Names& names_;
   const clang::ASTContext& context_;
+  const OtherFunctions others_;
   std::vector<const clang::FunctionDecl*> queue_;
   std::set<const clang::Decl*> seen_;
   std::set<const clang::Expr*> callees_;

@@ -108,7 +108,16 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
           known_.insert(argument->getTypeLoc().getBeginLoc());
     const auto* alias =
         llvm::dyn_cast_or_null<clang::TypeAliasTemplateDecl>(type.getTypePtr()->getTemplateName().getAsTemplateDecl());
+    if (alias != nullptr && alias->isInStdNamespace() && !chooses_by_numbers(*alias))
+      say(type.getBeginLoc(), "chooses its code by types");
     return alias == nullptr || read_alias(*alias->getTemplatedDecl());
+  }
+  // Guides of the program may choose by types.
+  bool VisitDeducedTemplateSpecializationTypeLoc(clang::DeducedTemplateSpecializationTypeLoc type) {
+    const auto* whole = type.getTypePtr()->getTemplateName().getAsTemplateDecl();
+    if (whole == nullptr || !names_.is_library(whole->getLocation()))
+      say(type.getBeginLoc(), "chooses its code by types");
+    return true;
   }
   // Such a class may be another one for another precision.
   bool VisitDependentNameTypeLoc(clang::DependentNameTypeLoc type) {
@@ -143,7 +152,11 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
     return true;
   }
   // What asks for types may ask for that of an object at the index.
-  bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc type) { return asks(type.getUnderlyingExpr(), type.getBeginLoc()); }
+  bool VisitDecltypeTypeLoc(clang::DecltypeTypeLoc type) {
+    if (!is_generated(type.getBeginLoc()) && !llvm::isa<clang::DeclRefExpr>(type.getUnderlyingExpr()->IgnoreParens()))
+      say(type.getBeginLoc(), "chooses its code by types");
+    return asks(type.getUnderlyingExpr(), type.getBeginLoc());
+  }
   bool VisitUnaryExprOrTypeTraitExpr(clang::UnaryExprOrTypeTraitExpr* size) {
     return size->isArgumentType() || asks(size->getArgumentExpr(), size->getBeginLoc());
   }
@@ -180,6 +193,14 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
   [[nodiscard]] bool is_generated(clang::SourceLocation place) const {
     const auto& sources = outer_->getParentASTContext().getSourceManager();
     return sources.getFilename(sources.getFileLoc(place)).ends_with(".physgen.h");
+  }
+  /// Whether an alias of std takes references and qualifiers away, or chooses by a number, which is looked at by
+  /// itself.
+  [[nodiscard]] static bool chooses_by_numbers(const clang::NamedDecl& alias) {
+    static const std::set<llvm::StringRef> listed = {"conditional_t",      "decay_t",        "enable_if_t",
+                                                     "remove_const_t",     "remove_cv_t",    "remove_cvref_t",
+                                                     "remove_reference_t", "type_identity_t"};
+    return listed.contains(alias.getName());
   }
   /// Whether a parameter's argument is a type whose own types are known to differ in the precision alone.
   [[nodiscard]] bool is_given(const clang::TemplateTypeParmType& parameter) const {

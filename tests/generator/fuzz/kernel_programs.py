@@ -2,6 +2,7 @@
 
 A part is what stands at namespace scope before a kernel, and statements of its body that may change its number v. What a part
 does on the side is seen in v: of two steps that are joined, the second would find it otherwise."""
+from precision_programs import CHOSEN_IN_DOUBLE
 from scene_programs import Block
 
 
@@ -198,53 +199,8 @@ IN_DOUBLE = [
      "template <> struct HpPick<double> { using type = HpD; };\n"
      "template <class T> struct HpIs : HpPick<T>::type {};",
      "v = HpIs<Scalar>().read(v);"),
-    ("operatoramonglibrarys", "namespace Eigen { inline Matrix<double, 2, 1> operator*(const Matrix<double, 2, 1>& a, const Matrix<double, 1, 1>& b) {\n"
-     "  static double n = 0; return Matrix<double, 2, 1>(a(0) * b(0) + (n += 1), 0);\n} }",
-     "const Eigen::Matrix<Scalar, 2, 1> a(v, 1);\nconst Eigen::Matrix<Scalar, 1, 1> b(2);\nv = Eigen::Matrix<Scalar, 2, 1>(a * b)(0);"),
-    ("unaryoperator", "namespace Eigen { inline Matrix<double, 2, 1> operator-(const Matrix<double, 2, 1>& a) {\n"
-     "  static double n = 0; return Matrix<double, 2, 1>((n += 1) - a(0), 0);\n} }",
-     "const Eigen::Matrix<Scalar, 2, 1> a(v, 1);\nv = Eigen::Matrix<Scalar, 2, 1>(-a)(0);"),
-    ("compoundoperator", "namespace Eigen { inline Matrix<double, 2, 1>& operator+=(Matrix<double, 2, 1>& a, const Matrix<double, 2, 1>& b) {\n"
-     "  static double n = 0; a(0) += b(0) + (n += 1); return a;\n} }",
-     "Eigen::Matrix<Scalar, 2, 1> a(v, 1);\na += Eigen::Matrix<Scalar, 2, 1>(1, 1);\nv = a(0);"),
-    ("functionamonglibrarys", "namespace Eigen { inline Matrix<double, 2, 1> abs(const Matrix<double, 2, 1>& a) {\n"
-     "  static double n = 0; return Matrix<double, 2, 1>((n += 1) + a(0), 0);\n}\ninline Matrix<float, 2, 1> abs(const Matrix<float, 2, 1>& a) { return a; } }",
-     "v = Eigen::Matrix<Scalar, 2, 1>(abs(Eigen::Matrix<Scalar, 2, 1>(v, 1)))(0);"),
-    ("comparedoperator", "namespace Eigen { inline bool operator==(const Matrix<double, 2, 1>& a, const Matrix<double, 2, 1>& b) {\n"
-     "  static int n = 0; return a(0) + b(0) > (n += 1);\n} }",
-     "const Eigen::Matrix<Scalar, 2, 1> a(v, 1), b(v, 1);\nv += a == b ? 1 : 2;"),
-    ("swapamonglibrarys", "namespace Eigen { inline void swap(Matrix<double, 2, 1>& a, Matrix<double, 2, 1>& b) {\n"
-     "  static double n = 0; a(0) = b(0) + (n += 1);\n}\ninline void swap(Matrix<float, 2, 1>& a, Matrix<float, 2, 1>& b) { a(0) = b(0); } }",
-     "Eigen::Matrix<Scalar, 2, 1> a(v, 1), b(2, 1);\nswap(a, b);\nv = a(0);"),
-    ("specialisedmember", "template <class T>\nstruct KaMember { static T next(T x) { return x; } };\n"
-     "template <>\ninline double KaMember<double>::next(double x) { static double n = 0; return x + (n += 1); }", "v = KaMember<Scalar>::next(v);"),
-    ("specialisedconstructor", "template <class T>\nstruct KbMade { T n; KbMade(T x) : n(x) {} };\n"
-     "template <>\ninline KbMade<double>::KbMade(double x) : n(x) { static double m = 0; n += m += 1; }", "v = KbMade<Scalar>(v).n;"),
-    ("specialisedconversion", "template <class T>\nstruct KcGives { T n; operator T() const { return n; } };\n"
-     "template <>\ninline KcGives<double>::operator double() const { static double m = 0; return n + (m += 1); }", "v = KcGives<Scalar>{v};"),
-    ("specialisedinner", "template <class T>\nstruct KdOuter { struct Inner { static T next(T x) { return x; } }; };\n"
-     "template <>\nstruct KdOuter<double>::Inner { static double next(double x) { static double n = 0; return x + (n += 1); } };",
-     "v = KdOuter<Scalar>::Inner::next(v);"),
-    ("specialisedinnerobject", "template <class T>\nstruct KeOuter { struct Inner { T next(T x) const { return x; } }; T next(T x) const { return Inner().next(x); } };\n"
-     "template <>\nstruct KeOuter<double>::Inner { double next(double x) const { static double n = 0; return x + (n += 1); } };",
-     "v = KeOuter<Scalar>().next(v);"),
-    ("specialisedmembertemplate", "template <class T>\nstruct KfMember { template <class U> static U next(U x) { return x; } };\n"
-     "template <>\ntemplate <>\ninline double KfMember<double>::next<double>(double x) { static double n = 0; return x + (n += 1); }",
-     "v = KfMember<Scalar>::next(v);"),
-    ("specialisedfriend", "template <class T> struct KhBox { T x; template <class U> friend U kh_read(KhBox<U> b); };\n"
-     "template <class U> U kh_read(KhBox<U> b) { return b.x; }\n"
-     "template <> inline double kh_read<double>(KhBox<double> b) { static double n = 0; return b.x + (n += 1); }",
-     "v = kh_read(KhBox<Scalar>{v});"),
-    ("enumofmember", "template <class T> struct KiHas { enum { effects = 0 }; };\ntemplate <> struct KiHas<double> { enum { effects = 1 }; };\n"
-     "template <class T> T ki_next(T x) { static T n = 0; return KiHas<T>::effects != 0 ? x + (n += 1) : x; }", "v = ki_next(v);"),
-    ("subscriptoperator", "template <class T> struct KjList { T n[2]; T operator[](int k) const { return n[k]; } };\n"
-     "template <> inline double KjList<double>::operator[](int k) const { static double m = 0; return n[k] + (m += 1); }",
-     "v = KjList<Scalar>{{v, 1}}[0];"),
-    ("outerspecialised", "template <class T> struct KkOuter { template <class U> struct Inner { static U next(U x) { return x; } }; };\n"
-     "template <> template <class U> struct KkOuter<double>::Inner { static U next(U x) { static U n = 0; return x + (n += 1); } };",
-     "v = KkOuter<Scalar>::template Inner<Scalar>::next(v);"),
 ]
-EFFECTS += [("indouble" + name, head, text) for name, head, text in IN_DOUBLE]
+EFFECTS += [("indouble" + name, head, text) for name, head, text in IN_DOUBLE + CHOSEN_IN_DOUBLE]
 
 # Kernels whose members do it: what they have beside their views, and how the steps give it.
 MEMBERS = [
