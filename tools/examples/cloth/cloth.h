@@ -24,7 +24,7 @@ inline Touches rows_of(const Setting& setting) {
   return Touches::from_offsets({"spring", static_cast<index_t>(setting.springs.size())}, setting.first, entries);
 }
 
-/// The sheet that a setting describes. It has objects of arrays that it owns, and is not copied.
+/// The sheet that a setting describes, as arrays.
 struct Sheet {
   NodeArray<double> nodes;
   SearchArray<double> search;
