@@ -29,14 +29,14 @@ Point times(const std::array<double, 6>& J, const Point& p) {
   return {dot({J[0], J[1], J[2]}, p), dot({J[1], J[3], J[4]}, p), dot({J[2], J[4], J[5]}, p)};
 }
 
-struct Sheet {
+struct PlainSheet {
   std::vector<Node> nodes;
   std::vector<Search> search;
   std::vector<Spring> springs;
   const std::vector<std::int32_t>&first, &touches;
   double h, gravity;
 
-  explicit Sheet(const Setting& setting)
+  explicit PlainSheet(const Setting& setting)
       : search(setting.positions.size()),
         first(setting.first),
         touches(setting.touches),
@@ -134,7 +134,7 @@ struct Sheet {
 }  // namespace
 
 Result run_plain(const Setting& setting, int steps) {
-  Sheet sheet(setting);
+  PlainSheet sheet(setting);
   Result result;
   for (int step = 0; step < steps; ++step) {
     result.spring_seconds += ports::seconds_of([&] { sheet.compute_springs(); });

@@ -1,9 +1,9 @@
 // The two programs.
 #pragma once
 
-#include <vector>
+#include <setting.h>
 
-#include "setting.h"
+#include <vector>
 
 namespace sheet {
 

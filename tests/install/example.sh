@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# example.sh NAME FOLDER GENERATOR: copies the example NAME out of the package in FOLDER/package, builds it with the CMake
+# generator GENERATOR by the command that its page has, and runs it. The page must have what the program prints, where it
+# prints the same on every machine: the first words of each line.
+set -euo pipefail
+name=$1 folder=$2 generator=$3
+from=$(find "$folder/package" -type d -path "*/examples/$name")
+[[ $from ]] || { echo "FAILED: there is no example $name in $folder/package" >&2; exit 1; }
+work="$folder/example $name"
+rm -rf "$work"
+cp -r "$from" "$work"
+cmake -S "$work" -B "$work/build" -G "$generator" -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON \
+  -Dphysgen_DIR="$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")"
+cmake --build "$work/build"
+"$work/build/$name" | tee "$work/printed"
+while read -r words; do
+  grep -qF -- "$words" "$work/README.md" || { echo "FAILED: the page of $name lacks what it prints: $words" >&2; exit 1; }
+done < <(sed 's/  .*//' "$work/printed")
+for picture in $(grep -oP '!\[[^]]*\]\(\K[^)]+' "$work/README.md"); do
+  [[ -s $work/$picture ]] || { echo "FAILED: the example $name has no picture $picture" >&2; exit 1; }
+done
+rm -rf "$work"
