@@ -30,6 +30,8 @@ bool is_specialised(const Template& whole, const Names& names) {
       const auto within = [&](const auto& self, const clang::DeclContext& outer) -> bool {
         return std::any_of(outer.decls_begin(), outer.decls_end(), [&](const clang::Decl* member) {
           const auto* inner = llvm::dyn_cast<clang::CXXRecordDecl>(member);
+          const auto* of_functions = llvm::dyn_cast<clang::FunctionTemplateDecl>(member);
+          if (of_functions != nullptr && is_specialised(*of_functions, names)) return true;
           return (is_explicit(*member) && !names.is_library(member->getLocation())) ||
                  (inner != nullptr && !inner->isInjectedClassName() && self(self, *inner));
         });
