@@ -74,10 +74,10 @@ class ObjectPrinter {
 }  // namespace detail
 
 /// Writes the fields of an object by name. Numbers have the precision of `out`.
-template <class Object, class Real, class I, class Layout, class... Stored>
-  requires std::is_arithmetic_v<typename ObjectRef<Object, Real, I, Layout, Stored...>::Cursor::template Lanes<float>>
-std::ostream& operator<<(std::ostream& out, const ObjectRef<Object, Real, I, Layout, Stored...>& object) {
-  using Record = typename ObjectRef<Object, Real, I, Layout, Stored...>::Record;
+template <class Object, class Real, class Index, class Layout, class... Stored>
+  requires std::is_arithmetic_v<typename ObjectRef<Object, Real, Index, Layout, Stored...>::Cursor::template Lanes<float>>
+std::ostream& operator<<(std::ostream& out, const ObjectRef<Object, Real, Index, Layout, Stored...>& object) {
+  using Record = typename ObjectRef<Object, Real, Index, Layout, Stored...>::Record;
   out << '{';
   detail::ObjectPrinter(out, Object::texts.data())
       .fields(detail::CursorOf::reference(object), 0, typename Record::fields_());

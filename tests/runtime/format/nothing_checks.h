@@ -164,6 +164,8 @@ void check_only_pruned_fields() {
   EXPECT_THROW(empty.resize(-1), Error);
   empty.resize(0);
   EXPECT_EQ(empty.size(), 0);
+  EXPECT_EQ(empty.bytes(), of_counters);
+  empty.shrink_to_fit();
   EXPECT_EQ(empty.bytes(), 0);
 }
 

@@ -71,13 +71,13 @@ class Array {
 
   /// The object at index i, or those under a SIMD index, as a view gives it; on the host. A loop takes references by
   /// value: `for (auto object : array) object.pressure() = 0;`. Kernels hold a view.
-  template <class I>
-  [[nodiscard]] auto operator[](I&& i) {
-    return host_view()[std::forward<I>(i)];
+  template <class Index>
+  [[nodiscard]] auto operator[](Index&& i) {
+    return host_view()[std::forward<Index>(i)];
   }
-  template <class I>
-  [[nodiscard]] auto operator[](I&& i) const {
-    return host_view()[std::forward<I>(i)];
+  template <class Index>
+  [[nodiscard]] auto operator[](Index&& i) const {
+    return host_view()[std::forward<Index>(i)];
   }
   [[nodiscard]] auto begin() { return ObjectIterator(host_view(), 0); }
   [[nodiscard]] auto end() { return ObjectIterator(host_view(), size_); }

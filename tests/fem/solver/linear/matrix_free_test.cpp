@@ -4,8 +4,7 @@
 #include <fem/kernels/deformation_gradient.h>
 #include <fem/kernels/force_differential.h>
 #include <fem/kernels/stress_derivative.h>
-#include <fem/materials/fixed_corotated.h>
-#include <fem/materials/neo_hookean.h>
+#include <fem/materials/materials.h>
 #include <gtest/gtest.h>
 
 #include <cstdio>
