@@ -74,6 +74,22 @@ S a_double_where_a_function_takes_two_packs(const Given& g) { return atan2(g.r, 
 void multiplying_integers_by_a_float(Integers n) { n *= 0.5F; }
 /// refused integers_modulo_an_unsigned_number: integer_lanes_beside_a_number_they_cannot_hold
 Integers integers_modulo_an_unsigned_number(const Given& g) { return g.n % 3U; }
+/// refused floats_times_integers: no match for|invalid operands
+auto floats_times_integers(const Given& g) { return g.r * g.n; }
+/// refused a_field_times_integers: no match for|invalid operands
+auto a_field_times_integers(const Given& g) { return g.view[g.i].x1111() * g.n; }
+/// refused integers_compared_with_floats: no match for|invalid operands
+auto integers_compared_with_floats(const Given& g) { return g.n < g.r; }
+/// refused floats_plus_doubles: no match for|invalid operands
+auto floats_plus_doubles(const Given& g) { return g.r + g.x; }
+/// refused floats_made_of_the_bits_of_integers: no matching function|no matching conversion
+S floats_made_of_the_bits_of_integers(const Given& g) { return S(g.n); }
+/// refused integers_made_of_the_bits_of_floats: no matching function|no matching conversion
+Integers integers_made_of_the_bits_of_floats(const Given& g) { return Integers(g.r); }
+/// refused a_mask_times_floats: no match for|invalid operands
+auto a_mask_times_floats(const Given& g) { return (g.r > S(1)) * g.r; }
+/// refused a_mask_plus_a_mask: no match for|invalid operands
+auto a_mask_plus_a_mask(const Given& g) { return (g.r > S(1)) + (g.r < S(2)); }
 
 // ---- One object, in a kernel that packs could be given to ----
 /// refused one_product_with_a_literal: so_write_S_of_it

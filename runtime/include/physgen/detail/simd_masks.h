@@ -5,6 +5,8 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/detail/simd_registers.h>
+
 #include <concepts>
 #include <type_traits>
 #include <xsimd/config/xsimd_arch.hpp>

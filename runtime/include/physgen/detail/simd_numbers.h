@@ -5,6 +5,7 @@
 #undef I
 
 #include <physgen/detail/reference_rules.h>
+#include <physgen/detail/simd_registers.h>
 
 #include <concepts>
 #include <type_traits>

@@ -3,6 +3,8 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/detail/simd_registers.h>
+
 #include <concepts>
 #include <cstddef>
 #include <cstdint>

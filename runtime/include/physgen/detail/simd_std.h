@@ -8,6 +8,7 @@
 #pragma once
 
 #include <physgen/detail/reference_rules.h>
+#include <physgen/detail/simd_registers.h>
 
 #include <cmath>
 #include <type_traits>

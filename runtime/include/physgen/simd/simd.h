@@ -23,10 +23,12 @@
 
 namespace physgen {
 
-static_assert(!std::is_constructible_v<bool, xsimd::batch_bool<float>> &&
-                  !std::is_constructible_v<bool, xsimd::batch_bool<std::int32_t>>,
-              "masks convert to bool with this xsimd, so that `if (mask)` would mean any lane: see simd_masks.h, which "
-              "must be included before <xsimd/xsimd.hpp>");
+static_assert(
+    !std::is_constructible_v<bool, xsimd::batch_bool<float>> &&
+        !std::is_constructible_v<bool, xsimd::batch_bool<std::int32_t>> &&
+        !std::is_constructible_v<xsimd::batch<float>, xsimd::batch<std::int32_t>>,
+    "masks convert to bool with this xsimd, so that `if (mask)` would mean any lane, or packs to packs of other "
+    "numbers: see simd_masks.h and simd_registers.h, which must be included before <xsimd/xsimd.hpp>");
 
 /// The widest batch of the target architecture.
 template <class Real>
