@@ -3,6 +3,7 @@
 #include <elasticity.physgen.h>
 #include <physgen/channel.h>
 #include <physgen/gather.h>
+#include <physgen/random.h>
 #include <physgen/row_arrays.h>
 #include <physgen/scene.h>
 #include <physgen/topology.h>
@@ -71,6 +72,9 @@ void a_channel_of_the_device(Nodes<Soa, Cuda>& nodes) { (void)channel<"x">(nodes
 void a_channel_of_no_field(Nodes<Soa>& nodes) { (void)channel<"y">(nodes); }
 /// refused a_channel_of_halves: channel(): this field is not stored as plain float, double or int32
 void a_channel_of_halves(Nodes<Soa, Host, HalfNodes>& nodes) { (void)channel<"x">(nodes); }
+
+/// refused a_random_long_double: random numbers are float or double
+void a_random_long_double(RandomNumbers& random) { (void)random.uniform<long double>(); }
 
 // ---- What is not refused ----
 void accepted_order(const Ranges& from, Ranges& to, const std::vector<Range*>& pointers) {
