@@ -75,7 +75,8 @@ class ObjectPrinter {
 
 /// Writes the fields of an object by name. Numbers have the precision of `out`.
 template <class Object, class Real, class Index, class Layout, class... Stored>
-  requires std::is_arithmetic_v<typename ObjectRef<Object, Real, Index, Layout, Stored...>::Cursor::template Lanes<float>>
+  requires std::is_arithmetic_v<
+      typename ObjectRef<Object, Real, Index, Layout, Stored...>::Cursor::template Lanes<float>>
 std::ostream& operator<<(std::ostream& out, const ObjectRef<Object, Real, Index, Layout, Stored...>& object) {
   using Record = typename ObjectRef<Object, Real, Index, Layout, Stored...>::Record;
   out << '{';
