@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "scenes/listed_code.h"
-#include "scenes/other_precision.h"
 #include "scenes/read_index.h"
 #include "scenes/read_plain.h"
 
@@ -24,8 +23,8 @@ using usage::Names;
 /// they call, such as those that std::invoke() is given.
 class Body : public clang::RecursiveASTVisitor<Body> {
  public:
-  Body(Names& names, const clang::ASTContext& context)
-      : names_(names), context_(context), others_(*context.getTranslationUnitDecl(), names) {}
+  Body(Names& names, const clang::ASTContext& context, const OtherFunctions& others)
+      : names_(names), context_(context), others_(others) {}
   [[nodiscard]] static bool shouldVisitImplicitCode() { return true; }
 
   std::string find(const clang::FunctionDecl& function) {
@@ -178,8 +177,10 @@ class Body : public clang::RecursiveASTVisitor<Body> {
              (function.isNoReturn() && in_library_) || function.isImplicit() || function.isDefaulted() ||
              say("calls what is not known, " + in_quotes(from, context_, names_));
     }
-    if (!seen_.insert(definition->getCanonicalDecl()).second) return true;
-    queue_.push_back(definition);
+    const bool is_new = seen_.insert(definition->getCanonicalDecl()).second;
+    if (is_new) queue_.push_back(definition);
+    // What else a call may find of a library's function goes by its arguments, so each call is looked at.
+    if (!is_new && (in_library_ || !is_library(*definition))) return true;
     if (!is_library(*definition)) asked(*definition);
     bool is_known = true;
     for (const clang::FunctionDecl* one : others_.of(*definition, &from, is_known))
@@ -233,7 +234,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
 
   Names& names_;
   const clang::ASTContext& context_;
-  const OtherFunctions others_;
+  const OtherFunctions& others_;
   std::vector<const clang::FunctionDecl*> queue_;
   std::set<const clang::Decl*> seen_;
   std::set<const clang::Expr*> callees_;
@@ -243,8 +244,8 @@ class Body : public clang::RecursiveASTVisitor<Body> {
 
 }  // namespace
 
-std::string not_in_body(const clang::FunctionDecl& function, Names& names) {
-  return Body(names, function.getASTContext()).find(function);
+std::string not_in_body(const clang::FunctionDecl& function, Names& names, const OtherFunctions& others) {
+  return Body(names, function.getASTContext(), others).find(function);
 }
 
 }  // namespace physgen::scenes

@@ -137,9 +137,14 @@ class IndexUse : public clang::RecursiveASTVisitor<IndexUse> {
   }
   /// Another precision may call any of them.
   bool VisitUnresolvedLookupExpr(clang::UnresolvedLookupExpr* callee) {
+    const auto is_library = [&](const clang::NamedDecl* named) {
+      return names_.is_library(named->getUnderlyingDecl()->getLocation());
+    };
+    const bool has_library = std::any_of(callee->decls_begin(), callee->decls_end(), is_library);
     for (const clang::NamedDecl* named : callee->decls()) {
+      if (is_library(named)) continue;
+      if (has_library) say(callee->getBeginLoc(), "chooses its code by types");
       named = named->getUnderlyingDecl();
-      if (names_.is_library(named->getLocation())) continue;
       if (const auto* one = llvm::dyn_cast<clang::FunctionDecl>(named))
         candidates.emplace_back(one, callee);
       else if (callee->getNumDecls() > 1)

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "scenes/other_precision.h"
 #include "scenes/read_body.h"
 #include "scenes/read_index.h"
 #include "scenes/read_plain.h"
@@ -43,7 +42,8 @@ clang::QualType scalar(const clang::CXXRecordDecl& record) {
 
 }  // namespace
 
-KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel, const clang::FunctionDecl& step) {
+KernelFacts read_kernel(Names& names, const OtherFunctions& others, const Scene& scene, clang::QualType kernel,
+                        const clang::FunctionDecl& step) {
   KernelFacts facts;
   const clang::FunctionDecl* definition = nullptr;
   if (step.isDefined(definition)) facts.takes_packs = lanes(definition->getBody()) > 1;
@@ -73,7 +73,7 @@ KernelFacts read_kernel(Names& names, const Scene& scene, clang::QualType kernel
                        " is neither a number nor a view of the scene's arrays, at " +
                        usage::text_of(names.place(member->getLocation()));
   if (facts.obstacle.empty())
-    if (const std::string other = not_in_body(*packs, names); !other.empty()) facts.obstacle = "it " + other;
+    if (const std::string other = not_in_body(*packs, names, others); !other.empty()) facts.obstacle = "it " + other;
   if (is_one_text(*record, names)) facts.stores = Stores(names, scene, context).of(*packs);
   return facts;
 }

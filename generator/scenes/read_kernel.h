@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "scenes/other_precision.h"
 #include "scenes/scene.h"
 #include "usage/names.h"
 
@@ -20,8 +21,9 @@ struct KernelFacts {
   std::string obstacle;                                  ///< see ProgramStep
 };
 
+/// @param others of the whole program
 /// @param step physgen::probe::detail::step of the kernel
-[[nodiscard]] KernelFacts read_kernel(usage::Names& names, const Scene& scene, clang::QualType kernel,
-                                      const clang::FunctionDecl& step);
+[[nodiscard]] KernelFacts read_kernel(usage::Names& names, const OtherFunctions& others, const Scene& scene,
+                                      clang::QualType kernel, const clang::FunctionDecl& step);
 
 }  // namespace physgen::scenes

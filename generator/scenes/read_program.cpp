@@ -19,9 +19,7 @@
 
 namespace physgen::scenes {
 namespace {
-
 using usage::Names;
-
 constexpr const char* blanks = " \t\n\r\v\f";
 
 /// The function of an executor that is called: run, reduce, repeat, ...; empty: it is not a call of an executor.
@@ -256,7 +254,8 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
     step.kernel = {result_.text.find_first_not_of(blanks, comma + 1), *end};
     step.runs = counted(call.getArg(0), scene_, context_);
     const auto kernel = call.getDirectCallee()->getTemplateSpecializationArgs()->get(0).getAsType();
-    KernelFacts facts = read_kernel(names_, scene_, kernel, *steps_.at(context_.getCanonicalType(kernel).getTypePtr()));
+    KernelFacts facts =
+        read_kernel(names_, others_, scene_, kernel, *steps_.at(context_.getCanonicalType(kernel).getTypePtr()));
     step.takes_packs = facts.takes_packs;
     step.scalar_bytes = facts.scalar_bytes;
     step.stores = std::move(facts.stores);
@@ -279,6 +278,7 @@ class ProgramReader : public clang::RecursiveASTVisitor<ProgramReader> {
   const clang::SourceManager& sources_;
   const Scene& scene_;
   Names names_;
+  const OtherFunctions others_{*context_.getTranslationUnitDecl(), names_};
   std::optional<Plain> plain_;
   std::map<const clang::Type*, const clang::FunctionDecl*> steps_;  // by kernel
   clang::FileID file_;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <ostream>
+#include <string>
+#include <type_traits>
 
 namespace physgen {
 

@@ -1,4 +1,5 @@
-// Bodies without forces at the end, without free components, and states that are set from outside.
+// Bodies without forces at the end, without free components, and states that are set from outside; and what is called
+// while a solver is made.
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 
@@ -12,6 +13,21 @@ namespace physgen::fem {
 namespace {
 
 constexpr double side = 0.08;
+
+TEST(BeforeDevice, is_called_once_while_a_solver_is_made_and_ends_it_by_what_it_throws) {
+  const Body body = make_truth_cube_body(4, false);
+  SolverSettings settings;
+  int calls = 0;
+  settings.before_device = [&] { ++calls; };
+  const auto solver = make_solver(body.levels, body.loading, settings);
+  EXPECT_EQ(calls, 1);
+  ASSERT_EQ(solver->solve_to(0.05, {}).status, NewtonStatus::converged);
+  EXPECT_EQ(calls, 1);
+  (void)make_linear_solver(body.levels, body.loading, settings);
+  EXPECT_EQ(calls, 2);
+  settings.before_device = [] { throw Error("the device is taken"); };
+  EXPECT_THROW((void)make_solver(body.levels, body.loading, settings), Error);
+}
 
 TEST(NoForces, unloading_leads_back_to_rest) {
   for (const bool patches : {false, true}) {

@@ -110,4 +110,9 @@ CHOSEN_IN_DOUBLE = [
     ("outerspecialised", "template <class T> struct KkOuter { template <class U> struct Inner { static U next(U x) { return x; } }; };\n"
      "template <> template <class U> struct KkOuter<double>::Inner { static U next(U x) { static U n = 0; return x + (n += 1); } };",
      "v = KkOuter<Scalar>::template Inner<Scalar>::next(v);"),
+    ("unlistedlibrary", "namespace kl_own { inline float gamma(float x) { return x; } }",
+     "using ::gamma;\nusing kl_own::gamma;\nv = gamma(v);"),
+    laws("secondcall", "namespace K_space {\ntemplate <class T> struct K_V { T x; operator T() const { return x; } };\n"
+         "inline double fabs(K_V<double> p) { static double n = 0; return p.x + (n += 1); }\n}",
+         "using std::fabs;\nv += fabs(v);\nv = fabs(K_space::K_V<Scalar>{v});"),
 ]

@@ -126,10 +126,13 @@ class Array {
     if (capacity_ > size_) replace(size_, size_);
   }
 
-  /// Adds one object at the end, on the host. Where there is no memory for it, the array gets memory for half as many
-  /// objects again and moves there, so that n calls move fewer than 3 n objects. It ends the array's views.
+  /// Adds one object at the end, on the host; in pinned memory it waits for the default stream. Where there is no
+  /// memory for it, the array gets memory for half as many objects again and moves there, so that n calls move fewer
+  /// than 3 n objects. It ends the array's views.
+  /// @pre work on this array in other streams is done (see synchronize())
   /// @throw Error as the constructor does; the array is then unchanged
   void push_back(const Value& value) {
+    detail::wait_for_host_work(Space::kind);
     if (size_ == capacity_) reserve(std::max(size_ + size_ / 2, padding_objects));
     const index_t end = Layout::padded(size_ + 1);
     if (end > used_) {
