@@ -38,13 +38,13 @@ TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
 
   const auto solver = make_explicit_solver(level, body.loading, settings);
   solver->set_positions(begin);
+  HostExecutor on;
   scenes::explicit_dynamics_scene::Body<> scene;
   fill_explicit_body(scene, level, body.loading, lumped_masses(level.mesh, level.rest, density), false);
-  store_displacements(sum(begin, level.rest, -1), scene.displacements);
-  store_displacements(sum(begin, level.rest, -1), scene.rounded);
+  store_displacements(on, sum(begin, level.rest, -1), scene.displacements);
+  store_displacements(on, sum(begin, level.rest, -1), scene.rounded);
   EXPECT_EQ(scene.bytes(), solver->bytes());
 
-  HostExecutor on;
   const auto material = NeoHookean<float>::from(young, 0.4);
   for (int k = 1; k <= 20; ++k) {
     const TimeStep step{dt, 0.01 * k / 20, settings.damping};
@@ -56,8 +56,8 @@ TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
   EXPECT_GT(measured.elastic, 0);
   EXPECT_EQ(on.value(scene.measured).kinetic, measured.kinetic);
   EXPECT_EQ(on.value(scene.measured).elastic, measured.elastic);
-  EXPECT_EQ(plain_velocities(scene.velocities), solver->velocities());
-  EXPECT_EQ(sum(plain_displacements(scene.displacements), level.rest), solver->positions());
+  EXPECT_EQ(plain_velocities(on, scene.velocities), solver->velocities());
+  EXPECT_EQ(sum(plain_displacements(on, scene.displacements), level.rest), solver->positions());
 }
 
 TEST(Scenes, implicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_solver) {
@@ -84,12 +84,12 @@ TEST(Scenes, implicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
       masses = coarsened_masses(masses, body.levels[l].parents, body.levels[l + 1].mesh.nodes);
     }
   }
-  store_velocities(start, inertia[0].velocities);
+  HostExecutor on;
+  store_velocities(on, start, inertia[0].velocities);
   inertia[0].measured.view()[0].elastic() = 0;
   groups.facts.node_stiffness =
       node_stiffness(settings.solver, false, groups.spacing) + largest_mass * (1 / dt + settings.damping) / dt;
 
-  HostExecutor on;
   const auto material = StableNeoHookean<double>::from(young, 0.45);
   for (int k = 1; k <= 3; ++k) {
     const TimeStep step{dt, 0.02 * k, settings.damping};
@@ -104,7 +104,7 @@ TEST(Scenes, implicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_s
     settings.solver.newton.start_load = step.load;
     settings.solver.newton.last_reaction = found.reaction;
   }
-  EXPECT_EQ(plain_velocities(inertia[0].velocities), solver->velocities());
+  EXPECT_EQ(plain_velocities(on, inertia[0].velocities), solver->velocities());
   const auto positions = solver->positions();
   for (std::size_t n = 0; n < positions.size(); ++n) {
     const Eigen::Vector3d x = groups.body.positions.view()[index_t(n)].x();
@@ -203,9 +203,9 @@ TEST(Scenes, linear_elastic_over_its_generated_arrays_gives_the_bits_of_the_solv
   scenes::linear_elastic::program(on, linear, preconditioner, vectors, stresses, lame_parameters(young, 0.4, "a test"),
                                   0.1, 0.03 * settings.newton.tolerance, settings.newton.most_iterations);
   EXPECT_EQ(int{on.value(vectors.state).iterations}, result.iterations);
-  EXPECT_EQ(sum(plain_displacements(linear.displacements), level.rest), solver->positions());
-  EXPECT_EQ(plain_forces(linear.forces), solver->forces());
-  EXPECT_EQ(plain_stresses(stresses.of_tets), solver->stresses());
+  EXPECT_EQ(sum(plain_displacements(on, linear.displacements), level.rest), solver->positions());
+  EXPECT_EQ(plain_forces(on, linear.forces), solver->forces());
+  EXPECT_EQ(plain_stresses(on, stresses.of_tets), solver->stresses());
   EXPECT_EQ(on.value(linear.state).smallest_ratio, result.smallest_J);
   EXPECT_LE(linear.bytes() + preconditioner.bytes() + vectors.bytes(), solver->bytes());
 }

@@ -1,8 +1,11 @@
-// States and positions that are set from outside: which are refused.
+// States and positions that are set from outside: which are refused. And when arrays are read and written from outside.
+#include <fem/solver/arrays/host_points.h>
+#include <fem/solver/arrays/node_vectors.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -62,6 +65,51 @@ TEST(SetPositions, that_are_not_finite_or_not_one_of_each_node_is_refused_with_t
   EXPECT_NE(refusal(positions).find("the position is given for 26 nodes of 27: give one vector for each node"),
             std::string::npos);
   EXPECT_EQ(solver->positions(), body.levels[0].rest);
+}
+
+/// Does what it was given when it is waited for, as a device may.
+struct LateExecutor {
+  std::function<void()> given;
+  void wait() { given(); }
+};
+
+TEST(PlainNumbers, are_those_that_the_last_steps_of_an_executor_leave) {
+  elasticity::NodePositionArray<double> positions(3);
+  elasticity::NodeForceArray<double> forces(3);
+  elasticity::StressArray<double> stresses(3);
+  elasticity::NodeDisplacementArray<double> displacements(3);
+  dynamics::NodeVelocityArray<double> velocities(3);
+  LateExecutor on{[&] {
+    for (index_t n = 0; n < 3; ++n) {
+      const auto number = static_cast<double>(n + 1);
+      positions[n].x()[1] = forces[n].f()[1] = displacements[n].dx()[1] = velocities[n].v()[1] = number;
+      stresses[n].P()[4] = number;
+    }
+  }};
+  const std::vector<Point> expected{{0, 1, 0}, {0, 2, 0}, {0, 3, 0}};
+  const auto poison = [&] {
+    for (index_t n = 0; n < 3; ++n) {
+      positions[n].x()[1] = forces[n].f()[1] = displacements[n].dx()[1] = velocities[n].v()[1] = -7;
+      stresses[n].P()[4] = -7;
+    }
+  };
+  poison();
+  EXPECT_EQ(points(on, positions), expected);
+  poison();
+  EXPECT_EQ(plain_forces(on, forces), expected);
+  poison();
+  EXPECT_EQ(plain_displacements(on, displacements), expected);
+  poison();
+  EXPECT_EQ(plain_velocities(on, velocities), expected);
+  poison();
+  EXPECT_EQ(plain_stresses(on, stresses)[2][4], 3);
+
+  const std::vector<Point> given{{4, 5, 6}, {7, 8, 9}, {10, 11, 12}};
+  store_displacements(on, given, displacements);  // what is still to be done may not write over it
+  store_velocities(on, given, velocities);
+  LateExecutor idle{[] {}};
+  EXPECT_EQ(plain_displacements(idle, displacements), given);
+  EXPECT_EQ(plain_velocities(idle, velocities), given);
 }
 
 }  // namespace

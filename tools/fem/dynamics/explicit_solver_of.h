@@ -78,37 +78,30 @@ class ExplicitSolverOf final : public DynamicSolver {
   }
   [[nodiscard]] double time() const override { return time_; }
   [[nodiscard]] std::vector<Point> positions() const override {
-    on_->wait();
-    std::vector<Point> x = plain_displacements(body_.displacements);
+    std::vector<Point> x = plain_displacements(*on_, body_.displacements);
     for (std::size_t n = 0; n < x.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) x[n][k] += rest_[n][k];
     }
     return x;
   }
-  [[nodiscard]] std::vector<Point> velocities() const override {
-    on_->wait();
-    return plain_velocities(body_.velocities);
-  }
+  [[nodiscard]] std::vector<Point> velocities() const override { return plain_velocities(*on_, body_.velocities); }
   void set_positions(std::span<const Point> positions) override {
     require_vectors("the position", positions, rest_.size());
     std::vector<Point> u(positions.begin(), positions.end());
     for (std::size_t n = 0; n < u.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) u[n][k] -= rest_[n][k];
     }
-    on_->wait();
-    store_displacements(u, body_.displacements);
-    store_displacements(u, body_.rounded);
+    store_displacements(*on_, u, body_.displacements);
+    store_displacements(*on_, u, body_.rounded);
   }
   void set_velocities(std::span<const Point> velocities) override {
     require_vectors("the velocity", velocities, rest_.size());
-    on_->wait();
-    store_velocities(velocities, body_.velocities);
+    store_velocities(*on_, velocities, body_.velocities);
   }
   [[nodiscard]] std::vector<Point> forces() override {
     steps_->forces(*on_, body_);
-    on_->wait();
-    std::vector<Point> f = plain_forces(body_.forces);
-    const std::vector<Point> loads = plain_forces(body_.loads);
+    std::vector<Point> f = plain_forces(*on_, body_.forces);
+    const std::vector<Point> loads = plain_forces(*on_, body_.loads);
     for (std::size_t n = 0; n < f.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) f[n][k] += load_ * loads[n][k];
     }
@@ -117,8 +110,7 @@ class ExplicitSolverOf final : public DynamicSolver {
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     typename ExplicitSteps<On, Body>::Stresses stresses(body_.tets.size());
     steps_->stresses(*on_, body_, stresses);
-    on_->wait();
-    return plain_stresses(stresses);
+    return plain_stresses(*on_, stresses);
   }
   [[nodiscard]] MotionMeasure measure() override {
     steps_->measure(*on_, body_);

@@ -1,4 +1,5 @@
-// Arrays of nodes and tets as plain numbers on the host.
+// Arrays of nodes and tets as plain numbers on the host. Each of these waits for what the executor was given: on CUDA
+// its stream is not the one that arrays are copied in.
 #pragma once
 
 #include <fem/mesh/mesh.h>
@@ -9,9 +10,10 @@
 
 namespace physgen::fem {
 
-/// @param array of elasticity::NodePosition in double
-template <class Array>
-[[nodiscard]] std::vector<Point> points(const Array& array) {
+/// @param on whose steps wrote the array. @param array of elasticity::NodePosition in double
+template <class On, class Array>
+[[nodiscard]] std::vector<Point> points(On& on, const Array& array) {
+  on.wait();
   const auto host = moved_to<elasticity::NodePositionArray<double>>(array);
   std::vector<Point> result(static_cast<std::size_t>(host.size()));
   for (index_t n = 0; n < host.size(); ++n) {
@@ -20,9 +22,10 @@ template <class Array>
   return result;
 }
 
-/// @param array of elasticity::NodeForce in double [N]
-template <class Array>
-[[nodiscard]] std::vector<Point> plain_forces(const Array& array) {
+/// @param on whose steps wrote the array. @param array of elasticity::NodeForce in double [N]
+template <class On, class Array>
+[[nodiscard]] std::vector<Point> plain_forces(On& on, const Array& array) {
+  on.wait();
   const auto host = moved_to<elasticity::NodeForceArray<double>>(array);
   std::vector<Point> result(static_cast<std::size_t>(host.size()));
   for (index_t n = 0; n < host.size(); ++n) {
@@ -31,9 +34,10 @@ template <class Array>
   return result;
 }
 
-/// @param array of elasticity::Stress in double [Pa]. @return by columns
-template <class Array>
-[[nodiscard]] std::vector<std::array<double, 9>> plain_stresses(const Array& array) {
+/// @param on whose steps wrote the array. @param array of elasticity::Stress in double [Pa]. @return by columns
+template <class On, class Array>
+[[nodiscard]] std::vector<std::array<double, 9>> plain_stresses(On& on, const Array& array) {
+  on.wait();
   const auto host = moved_to<elasticity::StressArray<double>>(array);
   std::vector<std::array<double, 9>> result(static_cast<std::size_t>(host.size()));
   for (index_t t = 0; t < host.size(); ++t) {

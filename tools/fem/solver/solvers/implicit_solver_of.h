@@ -70,14 +70,8 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
   }
 
   [[nodiscard]] double time() const override { return time_; }
-  [[nodiscard]] std::vector<Point> positions() const override {
-    on_->wait();
-    return points(arrays_.front()->positions);
-  }
-  [[nodiscard]] std::vector<Point> velocities() const override {
-    on_->wait();
-    return plain_velocities(inertia().velocities);
-  }
+  [[nodiscard]] std::vector<Point> positions() const override { return points(*on_, arrays_.front()->positions); }
+  [[nodiscard]] std::vector<Point> velocities() const override { return plain_velocities(*on_, inertia().velocities); }
   void set_positions(std::span<const Point> positions) override {
     require_vectors("the position", positions, nodes());
     Parts::store(*arrays_.front(), positions);
@@ -85,12 +79,11 @@ class ImplicitSolverOf final : public DynamicSolver, private SolverParts<On, Typ
   }
   void set_velocities(std::span<const Point> velocities) override {
     require_vectors("the velocity", velocities, nodes());
-    on_->wait();
-    store_velocities(velocities, inertia().velocities);
+    store_velocities(*on_, velocities, inertia().velocities);
   }
   [[nodiscard]] std::vector<Point> forces() override {
     (void)Parts::evaluate_now(0, load_);
-    return plain_forces(arrays_.front()->forces);
+    return plain_forces(*on_, arrays_.front()->forces);
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override { return Parts::stresses_at(load_); }
   [[nodiscard]] MotionMeasure measure() override {

@@ -44,8 +44,7 @@ class LinearSolverOf final : public EquilibriumSolver {
 
   [[nodiscard]] double load() const override { return load_; }
   [[nodiscard]] std::vector<Point> positions() const override {
-    on_->wait();
-    std::vector<Point> x = plain_displacements(body_.displacements);
+    std::vector<Point> x = plain_displacements(*on_, body_.displacements);
     for (std::size_t n = 0; n < x.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) x[n][k] += rest_[n][k];
     }
@@ -53,13 +52,12 @@ class LinearSolverOf final : public EquilibriumSolver {
   }
   [[nodiscard]] std::vector<Point> forces() override {
     (void)evaluate(load_);
-    return plain_forces(body_.forces);
+    return plain_forces(*on_, body_.forces);
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override {
     elasticity::StressArray<double, Space> stresses(body_.tets.size());
     compute_linear_stresses(*on_, body_, lame_, stresses);
-    on_->wait();
-    return plain_stresses(stresses);
+    return plain_stresses(*on_, stresses);
   }
   [[nodiscard]] index_t bytes() const override {
     index_t sum = body_.bytes() + vectors_.bytes();
@@ -74,8 +72,7 @@ class LinearSolverOf final : public EquilibriumSolver {
     for (std::size_t n = 0; n < u.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) u[n][k] -= rest_[n][k];
     }
-    on_->wait();
-    store_displacements(u, body_.displacements);
+    store_displacements(*on_, u, body_.displacements);
     load_ = state.load;
   }
 

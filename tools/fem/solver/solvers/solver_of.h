@@ -53,16 +53,16 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
   }
 
   [[nodiscard]] double load() const override { return load_; }
-  [[nodiscard]] std::vector<Point> positions() const override { return points(arrays_.front()->positions); }
+  [[nodiscard]] std::vector<Point> positions() const override { return points(*on_, arrays_.front()->positions); }
   [[nodiscard]] std::vector<Point> forces() override {
     (void)evaluate_now(0, load_);
-    return plain_forces(arrays_.front()->forces);
+    return plain_forces(*on_, arrays_.front()->forces);
   }
   [[nodiscard]] std::optional<NodeState> coarser_equilibrium() override {
     if (solved_ < 2 || coarser_load_ != load_ || !reached_) return std::nullopt;
     const Arrays& coarser = *arrays_[1];
     (void)evaluate_now(1, load_);
-    return NodeState{points(coarser.positions), plain_forces(coarser.forces), plane_contacts_of(1)};
+    return NodeState{points(*on_, coarser.positions), plain_forces(*on_, coarser.forces), plane_contacts_of(1)};
   }
   [[nodiscard]] std::vector<std::array<double, 9>> stresses() override { return Nested::stresses_at(load_); }
   [[nodiscard]] std::vector<PlaneContact> plane_contacts() override { return plane_contacts_of(0); }
@@ -72,7 +72,7 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
     SolverState state;
     state.load = load_;
     state.is_equilibrium = reached_;
-    for (const auto& a : arrays_) state.positions.push_back(points(a->positions));
+    for (const auto& a : arrays_) state.positions.push_back(points(*on_, a->positions));
     return state;
   }
   void restore(const SolverState& state) override {

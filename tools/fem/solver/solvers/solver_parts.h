@@ -58,7 +58,7 @@ class SolverParts {
   [[nodiscard]] std::vector<std::array<double, 9>> stresses_at(double load) {
     elasticity::StressArray<double, Space> stresses(arrays_.front()->tet_count());
     evaluate_stresses(load, stresses);
-    return plain_stresses(stresses);
+    return plain_stresses(*on_, stresses);
   }
 
   void store(Arrays& a, std::span<const Point> points) {
