@@ -7,8 +7,11 @@ mkdir -p "$1"
 PHYSGEN_SITE=$(cd "$1" && pwd -P)
 cd "$root"
 PHYSGEN_VERSION=$(sed -n 's/^## \([0-9.]*\)$/\1/p;T;q' CHANGELOG.md)
-PHYSGEN_PAGES=$(find . -name build -prune -o -name '.*' -not -name . -prune -o -name '*.md' -printf '%P ' | tr ' ' '\n' | sort | tr '\n' ' ')
-export PHYSGEN_SITE PHYSGEN_VERSION PHYSGEN_PAGES
+# Prints what find tells, with `-printf FORMAT`, of the tree's files of a name, each thing once, in one line.
+of_files() { find . -name build -prune -o -name '.*' -not -name . -prune -o -name "$1" -printf "$2\n" | sort -u | tr '\n' ' '; }
+PHYSGEN_PAGES=$(of_files '*.md' %P)
+PHYSGEN_PICTURES=$(of_files '*.[ps][nv]g' %h)
+export PHYSGEN_SITE PHYSGEN_VERSION PHYSGEN_PAGES PHYSGEN_PICTURES
 rm -rf "$PHYSGEN_SITE/html"
 doxygen tools/site/Doxyfile
 tools/site/check_links.py "$PHYSGEN_SITE/html"
