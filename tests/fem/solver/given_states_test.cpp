@@ -70,7 +70,9 @@ TEST(SetPositions, that_are_not_finite_or_not_one_of_each_node_is_refused_with_t
 /// Does what it was given when it is waited for, as a device may.
 struct LateExecutor {
   std::function<void()> given;
-  void wait() { given(); }
+  void wait() {
+    std::exchange(given, [] {})();
+  }
 };
 
 TEST(PlainNumbers, are_those_that_the_last_steps_of_an_executor_leave) {
@@ -79,37 +81,39 @@ TEST(PlainNumbers, are_those_that_the_last_steps_of_an_executor_leave) {
   elasticity::StressArray<double> stresses(3);
   elasticity::NodeDisplacementArray<double> displacements(3);
   dynamics::NodeVelocityArray<double> velocities(3);
-  LateExecutor on{[&] {
+  const auto set = [&](double first, double step) {
     for (index_t n = 0; n < 3; ++n) {
-      const auto number = static_cast<double>(n + 1);
+      const double number = first + step * static_cast<double>(n);
       positions[n].x()[1] = forces[n].f()[1] = displacements[n].dx()[1] = velocities[n].v()[1] = number;
       stresses[n].P()[4] = number;
     }
-  }};
-  const std::vector<Point> expected{{0, 1, 0}, {0, 2, 0}, {0, 3, 0}};
-  const auto poison = [&] {
-    for (index_t n = 0; n < 3; ++n) {
-      positions[n].x()[1] = forces[n].f()[1] = displacements[n].dx()[1] = velocities[n].v()[1] = -7;
-      stresses[n].P()[4] = -7;
-    }
   };
-  poison();
+  const auto late = [&] {
+    set(-7, 0);
+    return LateExecutor{[&] { set(1, 1); }};
+  };
+  const std::vector<Point> expected{{0, 1, 0}, {0, 2, 0}, {0, 3, 0}};
+  LateExecutor on = late();
   EXPECT_EQ(points(on, positions), expected);
-  poison();
+  on = late();
   EXPECT_EQ(plain_forces(on, forces), expected);
-  poison();
+  on = late();
   EXPECT_EQ(plain_displacements(on, displacements), expected);
-  poison();
+  on = late();
   EXPECT_EQ(plain_velocities(on, velocities), expected);
-  poison();
+  on = late();
   EXPECT_EQ(plain_stresses(on, stresses)[2][4], 3);
 
+  // What is still to be done when a state is given does not write over it.
   const std::vector<Point> given{{4, 5, 6}, {7, 8, 9}, {10, 11, 12}};
-  store_displacements(on, given, displacements);  // what is still to be done may not write over it
+  on = late();
+  store_displacements(on, given, displacements);
+  on.wait();
+  EXPECT_EQ(plain_displacements(on, displacements), given);
+  on = late();
   store_velocities(on, given, velocities);
-  LateExecutor idle{[] {}};
-  EXPECT_EQ(plain_displacements(idle, displacements), given);
-  EXPECT_EQ(plain_velocities(idle, velocities), given);
+  on.wait();
+  EXPECT_EQ(plain_velocities(on, velocities), given);
 }
 
 }  // namespace
