@@ -21,9 +21,8 @@ bool is_explicit(const clang::Decl& declared) {
          (whole != nullptr && whole->isMemberSpecialization());
 }
 
-/// Whether the program specialises a template, or a member of it.
 template <class Template>
-bool is_specialised(const Template& whole, const Names& names) {
+bool specialises(const Template& whole, const Names& names) {
   return std::any_of(whole.spec_begin(), whole.spec_end(), [&](const auto* one) {
     if (is_explicit(*one)) return !names.is_library(one->getLocation());
     if constexpr (std::is_same_v<Template, clang::ClassTemplateDecl>) {
@@ -31,7 +30,7 @@ bool is_specialised(const Template& whole, const Names& names) {
         return std::any_of(outer.decls_begin(), outer.decls_end(), [&](const clang::Decl* member) {
           const auto* inner = llvm::dyn_cast<clang::CXXRecordDecl>(member);
           const auto* of_functions = llvm::dyn_cast<clang::FunctionTemplateDecl>(member);
-          if (of_functions != nullptr && is_specialised(*of_functions, names)) return true;
+          if (of_functions != nullptr && specialises(*of_functions, names)) return true;
           return (is_explicit(*member) && !names.is_library(member->getLocation())) ||
                  (inner != nullptr && !inner->isInjectedClassName() && self(self, *inner));
         });
@@ -131,15 +130,22 @@ bool is_of_precision(clang::QualType type, const Names& names) {
   return record == nullptr ? type->isArithmeticType() || type->isVoidType() : is_of_libraries(*record, names);
 }
 
-bool is_one_text(const clang::CXXRecordDecl& record, const Names& names) {
+template <class Template>
+bool OtherFunctions::is_specialised(const Template& whole) const {
+  const auto [found, is_new] = specialised_.try_emplace(whole.getCanonicalDecl(), false);
+  if (is_new) found->second = specialises(whole, names_);
+  return found->second;
+}
+
+bool OtherFunctions::is_one_text(const clang::CXXRecordDecl& record) const {
   const auto* outer = llvm::dyn_cast<clang::CXXRecordDecl>(record.getDeclContext());
-  if (outer != nullptr && !is_one_text(*outer, names)) return false;
+  if (outer != nullptr && !is_one_text(*outer)) return false;
   const auto* special = llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(&record);
   if (special == nullptr) return true;
   llvm::SmallVector<clang::ClassTemplatePartialSpecializationDecl*, 4> partial;
   special->getSpecializedTemplate()->getPartialSpecializations(partial);
-  return std::ranges::all_of(partial, [&](const auto* one) { return names.is_library(one->getLocation()); }) &&
-         !is_specialised(*special->getSpecializedTemplate(), names);
+  return std::ranges::all_of(partial, [&](const auto* one) { return names_.is_library(one->getLocation()); }) &&
+         !is_specialised(*special->getSpecializedTemplate());
 }
 
 void OtherFunctions::collect(const clang::DeclContext& outer) {
@@ -165,9 +171,9 @@ std::vector<const clang::FunctionDecl*> OtherFunctions::of(const clang::Function
   const auto* method = llvm::dyn_cast<clang::CXXMethodDecl>(&function);
   if (method != nullptr && method->getParent()->isLambda()) return result;
   const bool is_library = names_.is_library(function.getLocation());
-  is_known = is_known && (method == nullptr || is_one_text(*method->getParent(), names_));
+  is_known = is_known && (method == nullptr || is_one_text(*method->getParent()));
   const auto* primary = function.getPrimaryTemplate();
-  if (primary != nullptr) is_known = is_known && !is_specialised(*primary->getCanonicalDecl(), names_);
+  if (primary != nullptr) is_known = is_known && !is_specialised(*primary);
   const auto* pattern = function.getTemplateInstantiationPattern();
   const auto add = [&](const clang::NamedDecl* named) {
     named = named->getUnderlyingDecl();
@@ -181,8 +187,8 @@ std::vector<const clang::FunctionDecl*> OtherFunctions::of(const clang::Function
       is_known = is_known && (one->isDependentContext() || return_alike(*one, function, names_));
     }
     if (const auto* whole = llvm::dyn_cast<clang::FunctionTemplateDecl>(named))
-      is_known = is_known && !whole->hasAssociatedConstraints() && !is_specialised(*whole, names_) &&
-                 primary != nullptr && primary->getCanonicalDecl() == whole->getCanonicalDecl();
+      is_known = is_known && !whole->hasAssociatedConstraints() && !is_specialised(*whole) && primary != nullptr &&
+                 primary->getCanonicalDecl() == whole->getCanonicalDecl();
   };
   if (llvm::isa<clang::CXXConversionDecl>(function) && !is_library)
     for (const clang::NamedDecl* one : method->getParent()->getVisibleConversionFunctions()) add(one);

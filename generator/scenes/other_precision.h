@@ -16,9 +16,6 @@ namespace physgen::scenes {
 /// Numbers, and classes of the libraries that kernels calculate with, whose own types differ in the precision alone.
 [[nodiscard]] bool is_of_precision(clang::QualType type, const usage::Names& names);
 
-/// Whether a class has the same text in another precision: the program specialises neither it nor a member of it.
-[[nodiscard]] bool is_one_text(const clang::CXXRecordDecl& record, const usage::Names& names);
-
 /// Functions of the program, friends among them, by their names: what another precision may choose in place of a
 /// function, be it the program's or a library's.
 class OtherFunctions {
@@ -30,14 +27,20 @@ class OtherFunctions {
   ///        or return other classes
   [[nodiscard]] std::vector<const clang::FunctionDecl*> of(const clang::FunctionDecl& function, const clang::Expr* call,
                                                            bool& is_known) const;
+  /// Whether a class has the same text in another precision: the program specialises neither it nor a member of it.
+  [[nodiscard]] bool is_one_text(const clang::CXXRecordDecl& record) const;
   /// Whether an operator that is the language's here may be one of the program.
   [[nodiscard]] bool has(clang::DeclarationName name) const { return functions_.contains(name); }
 
  private:
   void collect(const clang::DeclContext& outer);
+  /// Whether the program specialises a template, or a member of it.
+  template <class Template>
+  [[nodiscard]] bool is_specialised(const Template& whole) const;
 
   const usage::Names& names_;
   std::map<clang::DeclarationName, std::vector<const clang::NamedDecl*>> functions_;
+  mutable std::map<const clang::Decl*, bool> specialised_;  // templates that were looked at
 };
 
 }  // namespace physgen::scenes

@@ -200,7 +200,7 @@ class Body : public clang::RecursiveASTVisitor<Body> {
     if (record == nullptr || names_.is_library(record->getLocation()) ||
         !seen_.insert(record->getCanonicalDecl()).second)
       return true;
-    if (!is_one_text(*record, names_)) return say("has types choose what it is made of,", record->getLocation());
+    if (!others_.is_one_text(*record)) return say("has types choose what it is made of,", record->getLocation());
     if (found_.empty()) found_ = asked_of_class(*record, names_);
     return found_.empty();
   }

@@ -74,7 +74,7 @@ KernelFacts read_kernel(Names& names, const OtherFunctions& others, const Scene&
                        usage::text_of(names.place(member->getLocation()));
   if (facts.obstacle.empty())
     if (const std::string other = not_in_body(*packs, names, others); !other.empty()) facts.obstacle = "it " + other;
-  if (is_one_text(*record, names)) facts.stores = Stores(names, scene, context).of(*packs);
+  if (others.is_one_text(*record)) facts.stores = Stores(names, scene, context).of(*packs);
   return facts;
 }
 
