@@ -101,13 +101,13 @@ case $rule in
   test_covers_cuda_where_nvcc_is_found)
     fake nvcc
     dev 8 test
-    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=90$'
+    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DPHYSGEN_BENCHMARK_CUDA_ROWS=OFF -DCMAKE_CUDA_ARCHITECTURES=90$'
     PHYSGEN_CUDA=OFF dev 8 test
     says 'neither compiled nor tested: PHYSGEN_CUDA=OFF'
     called 'cmake --preset release -DPHYSGEN_CUDA=OFF$'
     fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else printf "8.6\n9.0\n"; fi'
     dev 8 test
-    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=86$'
+    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DPHYSGEN_BENCHMARK_CUDA_ROWS=ON -DCMAKE_CUDA_ARCHITECTURES=86$'
     ;;
   test_names_how_many_were_skipped_and_not_each)
     fake ctest 'printf "100%% tests passed\n\nThe following tests did not run:\n\t  7 - A.b (Skipped)\n\t  8 - A.c (Skipped)\n"'
