@@ -7,10 +7,11 @@ mkdir -p "$1"
 PHYSGEN_SITE=$(cd "$1" && pwd -P)
 cd "$root"
 PHYSGEN_VERSION=$(sed -n 's/^## \([0-9.]*\)$/\1/p;T;q' CHANGELOG.md)
-# Prints what find tells, with `-printf FORMAT`, of the tree's files of a name, each thing once, in one line.
-of_files() { find . -name build -prune -o -name '.*' -not -name . -prune -o -name "$1" -printf "$2\n" | sort -u | tr '\n' ' '; }
-PHYSGEN_PAGES=$(of_files '*.md' %P)
-PHYSGEN_PICTURES=$(of_files '*.[ps][nv]g' %h)
+# of_files ENDINGS FORMAT: prints what find's -printf FORMAT says of each file of the tree that has one of the endings, sorted,
+# each text once, in one line.
+of_files() { find . -name build -prune -o -name '.*' -not -name . -prune -o -regex ".*\.\($1\)" -printf "$2\n" | sort -u | tr '\n' ' '; }
+PHYSGEN_PAGES=$(of_files md %P)
+PHYSGEN_PICTURES=$(of_files 'png\|svg' %h)  # their folders
 export PHYSGEN_SITE PHYSGEN_VERSION PHYSGEN_PAGES PHYSGEN_PICTURES
 rm -rf "$PHYSGEN_SITE/html"
 doxygen tools/site/Doxyfile

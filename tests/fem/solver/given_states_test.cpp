@@ -1,4 +1,5 @@
-// States and positions that are set from outside: which are refused. And when arrays are read and written from outside.
+// States and positions that are set from outside: which are refused; and that arrays are read and written from outside
+// only when the steps that use them have ended.
 #include <fem/solver/arrays/host_points.h>
 #include <fem/solver/arrays/node_vectors.h>
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bodies.h"

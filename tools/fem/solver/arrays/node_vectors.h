@@ -41,7 +41,7 @@ template <class On, class Array>
       on, array, [](const auto& view, index_t n) { return view[n].v().get(); });
 }
 
-/// Rounds to the array's precision. @param on whose steps read the array. @param array of elasticity::NodeDisplacement
+/// Rounds to the array's precision. @param on whose steps use the array. @param array of elasticity::NodeDisplacement
 template <class On, class Array>
 void store_displacements(On& on, std::span<const Point> vectors, Array& array) {
   on.wait();
@@ -52,7 +52,7 @@ void store_displacements(On& on, std::span<const Point> vectors, Array& array) {
   copy(array, host);
   synchronize();
 }
-/// @param on whose steps wrote the array. @param array of dynamics::NodeVelocity
+/// @param on whose steps use the array. @param array of dynamics::NodeVelocity
 template <class On, class Array>
 void store_velocities(On& on, std::span<const Point> vectors, Array& array) {
   on.wait();

@@ -26,8 +26,9 @@ template <class On, class Step>
 }
 
 /// Puts the right-hand side where the forces are. @return |force| over free components [N]
-template <class Arrays, class Level>
-[[nodiscard]] double store_force(Arrays& a, const Level& level, std::span<const Point> force) {
+template <class On, class Arrays, class Level>
+[[nodiscard]] double store_force(On& on, Arrays& a, const Level& level, std::span<const Point> force) {
+  on.wait();
   const auto constraints = moved_to<quasistatic::NodeConstraintArray<typename Level::Real>>(level.constraints);
   elasticity::NodeForceArray<double> host(a.nodes());
   double square = 0;
@@ -44,8 +45,9 @@ template <class Arrays, class Level>
   return std::sqrt(square);
 }
 
-template <class Array>
-void read_step(const Array& array, std::vector<Point>& step) {
+template <class On, class Array>
+void read_step(On& on, const Array& array, std::vector<Point>& step) {
+  on.wait();
   const auto found = moved_to<elasticity::NodeDisplacementArray<typename Array::Precision>>(array);
   step.resize(static_cast<std::size_t>(found.size()));
   for (index_t n = 0; n < found.size(); ++n) {
@@ -63,7 +65,7 @@ template <class On, class Arrays, class Levels, class Vectors, class Evaluator>
   auto& level = *levels[0];
   const PreconditionerSettings& preconditioner = settings.preconditioner;
   settings.most_iterations = std::max(settings.most_iterations, 100000);
-  const double force_length = detail::store_force(a, level, force);
+  const double force_length = detail::store_force(on, a, level, force);
   const double length = task.norm == LinearNorm::euclidean ? task.tolerance * force_length : 0.0;
   const auto solve_on = [&](auto& executor, auto& loop) {
     executor.run(a.nodes(),
@@ -81,7 +83,7 @@ template <class On, class Arrays, class Levels, class Vectors, class Evaluator>
     for (auto* times : {&assembly, &preparation, &solution}) times->clear();
   }
   measured.result = linear_result(on, v);
-  if (step != nullptr) detail::read_step(v.step, *step);
+  if (step != nullptr) detail::read_step(on, v.step, *step);
   if (task.repeats == 0) return measured;
   measured.assembly_seconds = median(assembly);
   measured.preconditioner_seconds = median(preparation);
