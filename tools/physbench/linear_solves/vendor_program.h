@@ -75,7 +75,7 @@ class VendorProgram {
     return result;
   }
 
-  void read_step(std::vector<fem::Point>& step) const { fem::detail::read_step(step_, step); }
+  void read_step(std::vector<fem::Point>& step) const { fem::detail::read_step(on_, step_, step); }
 
  private:
   using Vector = elasticity::NodeDisplacementArray<float, Space, Aos>;
