@@ -92,7 +92,7 @@ case $rule in
     dev 8 test -L runtime
     says 'nvcc was not found'
     called "ctest --test-dir $root/build/release --output-on-failure -j [0-9]* -L runtime\$"
-    called 'cmake --preset release -DPHYSGEN_CUDA=OFF$'
+    called 'cmake --preset release -DPHYSGEN_BENCHMARK_ALL_ROWS=OFF -DPHYSGEN_CUDA=OFF$'
     fake cmake 'exit 1'
     : >"$calls"
     dev 1 test
@@ -101,13 +101,13 @@ case $rule in
   test_covers_cuda_where_nvcc_is_found)
     fake nvcc
     dev 8 test
-    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DPHYSGEN_BENCHMARK_CUDA_ROWS=OFF -DCMAKE_CUDA_ARCHITECTURES=90$'
+    called 'cmake --preset release -DPHYSGEN_BENCHMARK_ALL_ROWS=OFF -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=90$'
     PHYSGEN_CUDA=OFF dev 8 test
     says 'neither compiled nor tested: PHYSGEN_CUDA=OFF'
-    called 'cmake --preset release -DPHYSGEN_CUDA=OFF$'
+    called 'cmake --preset release -DPHYSGEN_BENCHMARK_ALL_ROWS=OFF -DPHYSGEN_CUDA=OFF$'
     fake nvidia-smi 'if [[ $1 == -L ]]; then echo "GPU 0: a device"; else printf "8.6\n9.0\n"; fi'
     dev 8 test
-    called 'cmake --preset release -DPHYSGEN_CUDA=ON -DPHYSGEN_BENCHMARK_CUDA_ROWS=ON -DCMAKE_CUDA_ARCHITECTURES=86$'
+    called 'cmake --preset release -DPHYSGEN_BENCHMARK_ALL_ROWS=ON -DPHYSGEN_CUDA=ON -DCMAKE_CUDA_ARCHITECTURES=86$'
     ;;
   test_names_how_many_were_skipped_and_not_each)
     fake ctest 'printf "100%% tests passed\n\nThe following tests did not run:\n\t  7 - A.b (Skipped)\n\t  8 - A.c (Skipped)\n"'
@@ -145,7 +145,7 @@ case $rule in
     for name in physbench_first physbench_cpu physbench_errors physbench; do program build/first/bin/$name; done
     program build/release/bin/physbench_solves
     dev 0 run
-    called 'cmake --preset first -DPHYSGEN_CUDA=OFF$'
+    called 'cmake --preset first -DPHYSGEN_BENCHMARK_ALL_ROWS=OFF -DPHYSGEN_CUDA=OFF$'
     called 'cmake --build --preset first -j [0-9]* --target physbench_first$'
     says 'Each line is one kernel over one layout'
     dev 0 run --threads=1 --objects=1000
