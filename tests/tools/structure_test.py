@@ -9,7 +9,7 @@ import unittest
 sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Folders whose sources are included by these paths.
-SEARCHED = ("runtime/include", "generator", "schemas", "tools", "tools/physbench", "tools/truthcube", "tools/physgen")
+SEARCHED = ("runtime/include", "runtime/src", "generator", "schemas", "tools", "tools/physbench", "tools/truthcube", "tools/physgen")
 # The folders of the solver, from the ground up. Its interface is below them, since all of them include it.
 SOLVER = (
     *("", "/hierarchy", "/arrays", "/loads", "/elastic", "/levels", "/preconditioners/jacobi", "/preconditioners/none"),
@@ -30,7 +30,7 @@ ROOMS = (
 )
 # The headers that users include; all others stand in folders that say what for.
 DOORS = """channel config device error executor fill_rows format fuse gather kernel layout mirror parallel_for
-    parallel_reduce print probe random row_arrays rows runtime scan scene schema sort threads topology version""".split()
+    parallel_reduce print probe random row_arrays rows runtime save scan scene schema sort threads topology version""".split()
 LONGEST = 300  # of a file that people write, in lines
 WRITTEN = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", "CMakeLists.txt", "tools/dev")  # how their paths end
 

@@ -1,5 +1,5 @@
 // A kill or a full disk at any moment of writing: earlier steps stay readable, and the run can go on.
-#include <truthcube/output/disk.h>
+#include <hdf5/disk.h>
 #include <truthcube/output/vtkhdf.h>
 
 #include <cstdlib>
@@ -123,7 +123,7 @@ TEST_F(InterruptedVtkHdf, full_disk_is_said_before_anything_is_written) {
 
 TEST_F(InterruptedVtkHdf, more_bytes_than_any_disk_has_are_refused_by_the_system) {
   const std::filesystem::path path = copy_with_steps(0);
-  testing::expect_error([&] { reserve_space(path, std::uint64_t{1} << 60U); }, path.string(), "1152921504606846976");
+  testing::expect_error([&] { disk::reserve_space(path, std::uint64_t{1} << 60U); }, path.string(), "1152921504606846976");
   scene.expect_only_steps(copy_with_steps(1), 1);
 }
 

@@ -1,7 +1,7 @@
 // beads.csv is written a step at a time, and the file is closed in between.
 #include <physgen/error.h>
 #include <truthcube/output/beads.h>
-#include <truthcube/output/disk.h>
+#include <hdf5/disk.h>
 
 #include <algorithm>
 #include <charconv>
@@ -67,7 +67,7 @@ std::vector<fem::Point> interpolate_displacements(std::span<const fem::Location>
   return displacements;
 }
 
-BeadFile::BeadFile(std::filesystem::path path) : path_(std::move(path)) { write_text(path_, header); }
+BeadFile::BeadFile(std::filesystem::path path) : path_(std::move(path)) { disk::write_text(path_, header); }
 
 BeadFile BeadFile::append_to(std::filesystem::path path, int steps) {
   if (steps <= 0) return BeadFile(std::move(path));
@@ -85,7 +85,7 @@ BeadFile BeadFile::append_to(std::filesystem::path path, int steps) {
     throw Error(path.string() + ":" + std::to_string(1 + std::ranges::count(kept.substr(0, stray), '\n')) +
                 ": this is not a row of numbers, so the file is damaged; run again without --restart");
   }
-  write_text(path, kept);
+  disk::write_text(path, kept);
   return {std::move(path), Existing{}};
 }
 
@@ -101,7 +101,7 @@ void BeadFile::write_step(double compression, std::span<const fem::Point> displa
     for (const double x : rest[b]) add_number(rows, x, ',');
     for (std::size_t k = 0; k < 3; ++k) add_number(rows, displacements[b][k], k < 2 ? ',' : '\n');
   }
-  append_text(path_, rows);
+  disk::append_text(path_, rows);
 }
 
 }  // namespace physgen::truthcube

@@ -1,8 +1,8 @@
 // An HDF5 file of its own, with a checksum of all that a run takes from it.
 #include <physgen/error.h>
 #include <truthcube/output/checkpoint.h>
-#include <truthcube/output/disk.h>
-#include <truthcube/output/h5.h>
+#include <hdf5/disk.h>
+#include <hdf5/h5.h>
 #include <truthcube/output/hash.h>
 
 #include <bit>
@@ -97,7 +97,7 @@ Checkpoint read_all(const std::filesystem::path& path) {
 
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& c) {
   static_cast<void>(parse_settings(c.settings, path.string()));
-  replace_file(path, [&c](const std::filesystem::path& written) {
+  disk::replace_file(path, [&c](const std::filesystem::path& written) {
     const std::uint64_t bytes = (c.positions.size() + c.pressures.size()) * sizeof(double) + c.settings.size();
     h5::File file = h5::File::create(written, bytes + room_for_attributes);
     file.write_attribute("/", "format", std::string(format));

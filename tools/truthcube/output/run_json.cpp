@@ -1,6 +1,6 @@
 // Keys and members are paired once, for writing and reading.
 #include <physgen/error.h>
-#include <truthcube/output/disk.h>
+#include <hdf5/disk.h>
 #include <truthcube/output/run_json.h>
 
 #include <algorithm>
@@ -104,7 +104,7 @@ void write_run_json(const std::filesystem::path& file, const RunRecord& record) 
     run["steps"].push_back(entry);
   }
   // Names of files in a command need not be UTF-8, which JSON is.
-  write_text(file, run.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
+  disk::write_text(file, run.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
 }
 
 RunRecord read_run_json(const std::filesystem::path& file) {

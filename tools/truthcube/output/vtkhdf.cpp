@@ -2,8 +2,8 @@
 // the rest. Nothing is ever taken out of a file, since HDF5 cuts a file off before it notes the new end. Viewers read
 // all of Steps/Values into memory for NSteps times, so Values grows last: it is never longer than that.
 #include <physgen/error.h>
-#include <truthcube/output/disk.h>
-#include <truthcube/output/h5.h>
+#include <hdf5/disk.h>
+#include <hdf5/h5.h>
 #include <truthcube/output/hash.h>
 #include <truthcube/output/vtkhdf.h>
 
@@ -124,7 +124,7 @@ VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, std::span<const
                 std::to_string(steps));
   }
   if (found > steps) {
-    replace_file(writer.path_, [&](const std::filesystem::path& written) {
+    disk::replace_file(writer.path_, [&](const std::filesystem::path& written) {
       copy_steps(file, VtkHdfWriter(written, points, tets), steps);
     });
   }
@@ -199,7 +199,7 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
   std::vector<Arrays::Kind> point_kinds = checked_kinds(points_, point_fields);
   cells_.kinds = checked_kinds(cells_, cell_fields);
   points_.kinds = std::move(point_kinds);
-  reserve_space(path_, bytes_of_step());
+  disk::reserve_space(path_, bytes_of_step());
   h5::File file = h5::File::open(path_, true);
 
   const bool first = steps_ == 0;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace physgen::truthcube::h5 {
+namespace physgen::h5 {
 
 // The type of T in memory; the same in files has the lowest byte first.
 template <class T>
@@ -28,4 +28,4 @@ hid_t file_type() {
   if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_STD_U64LE;
 }
 
-}  // namespace physgen::truthcube::h5
+}  // namespace physgen::h5

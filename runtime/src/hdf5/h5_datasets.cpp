@@ -1,10 +1,10 @@
 // Datasets: of fixed shape, in one piece, and growing, in chunks.
-#include <truthcube/output/h5.h>
-#include <truthcube/output/h5_types.h>
-
 #include <algorithm>
 
-namespace physgen::truthcube::h5 {
+#include "h5.h"
+#include "h5_types.h"
+
+namespace physgen::h5 {
 
 // Without the time of day, so that files of equal contents are equal.
 Handle File::dataset_properties(const std::string& asked) const {
@@ -129,4 +129,4 @@ template void File::make_growing<std::int64_t>(const std::string&, hsize_t, hsiz
 template void File::write_rows(const std::string&, hsize_t, std::span<const double>);
 template void File::write_rows(const std::string&, hsize_t, std::span<const std::int64_t>);
 
-}  // namespace physgen::truthcube::h5
+}  // namespace physgen::h5

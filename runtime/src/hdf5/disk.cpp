@@ -1,17 +1,19 @@
 // Linux calls: fallocate() for room, fsync() and rename() for replacement.
+#include "disk.h"
+
 #include <fcntl.h>
 #include <physgen/error.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <truthcube/output/disk.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
 
-namespace physgen::truthcube {
+namespace physgen::disk {
 
 namespace {
 
@@ -84,8 +86,16 @@ void reserve_space(const fs::path& file, std::uint64_t bytes) {
               " are free there: " + reason(unsupported ? ENOSPC : error));
 }
 
+fs::path new_name(const fs::path& file) {
+  static std::atomic<std::uint64_t> count = 0;
+  return file.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(++count) + ".new";
+}
+
 void replace_file(const fs::path& file, const std::function<void(const fs::path&)>& write) {
-  const fs::path written = file.string() + ".new";  // in the same folder, hence on the same file system
+  replace_file(file, file.string() + ".new", write);
+}
+
+void replace_file(const fs::path& file, const fs::path& written, const std::function<void(const fs::path&)>& write) {
   try {
     write(written);
     const Descriptor descriptor(written, O_RDONLY, "open it");
@@ -123,4 +133,4 @@ void append_text(const fs::path& file, std::string_view text) {
   if (!descriptor.close()) throw Error(file.string() + ": cannot be closed: " + reason(errno));
 }
 
-}  // namespace physgen::truthcube
+}  // namespace physgen::disk

@@ -1,12 +1,15 @@
-// Files stay in HDF5's oldest format: its newer ones mark a file that is open for writing, and refuse it after a kill.
+// Files that grow in place stay in HDF5's oldest format: its newer ones mark a file that is open for writing, and
+// refuse it after a kill. Whole ones have the format of HDF5 1.8, whose descriptions of the contents have checksums.
+#include "h5.h"
+
 #include <physgen/error.h>
-#include <truthcube/output/disk.h>
-#include <truthcube/output/h5.h>
-#include <truthcube/output/h5_types.h>
 
 #include <algorithm>
 
-namespace physgen::truthcube::h5 {
+#include "disk.h"
+#include "h5_types.h"
+
+namespace physgen::h5 {
 
 namespace {
 
@@ -31,11 +34,12 @@ void begin() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
 }
 
-hid_t access_properties() {
+hid_t access_properties(Growth growth) {
   const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
   if (list >= 0) {
     H5Pset_fclose_degree(list, H5F_CLOSE_STRONG);
     H5Pset_file_locking(list, false, true);
+    if (growth == Growth::whole) H5Pset_libver_bounds(list, H5F_LIBVER_V18, H5F_LIBVER_V18);
   }
   return list;
 }
@@ -48,21 +52,21 @@ void File::fail(const std::string& asked) const {
   throw Error(path_.string() + ": cannot " + asked + ": " + reason);
 }
 
-File File::create(const std::filesystem::path& path, std::uint64_t bytes) {
+File File::create(const std::filesystem::path& path, std::uint64_t bytes, Growth growth) {
   begin();
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  H5Pset_istore_k(creation.id(), index_half_width);
-  const Handle access(access_properties(), H5Pclose);
+  if (growth == Growth::in_place) H5Pset_istore_k(creation.id(), index_half_width);
+  const Handle access(access_properties(growth), H5Pclose);
   File file(path, Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose));
   file.require(file.file_.id() >= 0, "create it");
   file.close();
-  reserve_space(path, bytes);
-  return open(path, true);
+  disk::reserve_space(path, bytes);
+  return open(path, true, growth);
 }
 
-File File::open(const std::filesystem::path& path, bool to_write) {
+File File::open(const std::filesystem::path& path, bool to_write, Growth growth) {
   begin();
-  const Handle access(access_properties(), H5Pclose);
+  const Handle access(access_properties(growth), H5Pclose);
   File file(path, Handle(H5Fopen(path.c_str(), to_write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access.id()), H5Fclose));
   file.require(file.file_.id() >= 0, to_write ? "open it for writing" : "open it");
   if (to_write) file.require(H5Fincrement_filesize(file.file_.id(), 0) >= 0, "find its end");
@@ -162,6 +166,16 @@ T File::read_attribute(const std::string& object, const std::string& name) const
   return value;
 }
 
+std::vector<std::uint64_t> File::read_values_attribute(const std::string& object, const std::string& name) const {
+  const Handle attribute = open_attribute(open_object(object), name);
+  const Handle space = hold(H5Aget_space(attribute.id()), H5Sclose, "read " + name);
+  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+  require(count >= 0 && count < 1024, "read the values of " + name);
+  std::vector<std::uint64_t> values(static_cast<std::size_t>(count));
+  require(H5Aread(attribute.id(), H5T_NATIVE_UINT64, values.data()) >= 0, "read " + name);
+  return values;
+}
+
 std::string File::read_text_attribute(const std::string& object, const std::string& name) const {
   const Handle attribute = open_attribute(open_object(object), name);
   const Handle type = hold(H5Aget_type(attribute.id()), H5Tclose, "read " + name);
@@ -179,4 +193,4 @@ template double File::read_attribute(const std::string&, const std::string&) con
 template std::int32_t File::read_attribute(const std::string&, const std::string&) const;
 template std::uint64_t File::read_attribute(const std::string&, const std::string&) const;
 
-}  // namespace physgen::truthcube::h5
+}  // namespace physgen::h5

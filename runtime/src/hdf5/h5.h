@@ -1,4 +1,5 @@
-// The part of the HDF5 library that this folder needs: one file, whose groups, attributes and datasets have full names
+// The part of the HDF5 library that saved arrays and truthcube's files need: one file, whose groups, attributes and
+// datasets have full names
 // ("/VTKHDF/Points"). Every call is checked; an Error names the file, what was asked, and HDF5's reason.
 #pragma once
 
@@ -6,12 +7,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace physgen::truthcube::h5 {
+namespace physgen::h5 {
 
 /// A value as the span that attributes and datasets are written from.
 template <class T>
@@ -41,15 +43,20 @@ class Handle {
   Close close_;
 };
 
+/// How a file gets its contents. in_place: it is opened again, and survives a kill in between. whole: it is written
+/// once and then closed; what describes its contents has checksums then, so that HDF5 finds damage there.
+enum class Growth : std::uint8_t { in_place, whole };
+
 /// An open file. Names of objects are full paths. All members throw Error. Types of values: double, and integers of 8
 /// bits without sign, 32 and 64 with, and 64 without; those stored may be float.
 class File {
  public:
   /// A new file that can grow by so many bytes without a full disk, in the place of an old one.
-  [[nodiscard]] static File create(const std::filesystem::path& path, std::uint64_t bytes);
+  [[nodiscard]] static File create(const std::filesystem::path& path, std::uint64_t bytes,
+                                   Growth growth = Growth::in_place);
   /// An existing file, for reading, or for writing as well. Takes no lock: a viewer may hold the file open. What a
   /// killed process wrote behind the end that it had noted is never given to new data.
-  [[nodiscard]] static File open(const std::filesystem::path& path, bool to_write);
+  [[nodiscard]] static File open(const std::filesystem::path& path, bool to_write, Growth growth = Growth::in_place);
 
   /// Hands all that was written to the operating system.
   void flush();
@@ -63,12 +70,14 @@ class File {
   /// Names of what is in a group, in ascending order.
   [[nodiscard]] std::vector<std::string> names_in(const std::string& group) const;
 
-  /// An attribute of one value, or of several: a new one, or new values for an old one.
+  /// An attribute of one value, or of several: a new one, or new values for an old one. One value is read.
   template <class T>
   void write_attribute(const std::string& object, const std::string& name, std::span<const T> values);
   void write_attribute(const std::string& object, const std::string& name, const std::string& text);
   template <class T>
   [[nodiscard]] T read_attribute(const std::string& object, const std::string& name) const;
+  [[nodiscard]] std::vector<std::uint64_t> read_values_attribute(const std::string& object,
+                                                                 const std::string& name) const;
   [[nodiscard]] std::string read_text_attribute(const std::string& object, const std::string& name) const;
 
   /// A new dataset of fixed shape: rows of `columns` values, or, with 0 columns, one value per row.
@@ -76,6 +85,15 @@ class File {
   void write_dataset(const std::string& name, std::span<const T> values, hsize_t columns = 0);
   template <class T>
   [[nodiscard]] std::vector<T> read_dataset(const std::string& name) const;
+
+  /// A new dataset of this type and shape whose rows are written by write_raw_rows(), all of them.
+  void make_fixed(const std::string& name, hid_t type, std::span<const hsize_t> shape);
+  /// Rows of a dataset from and to memory of this type, side by side.
+  void write_raw_rows(const std::string& name, hid_t type, hsize_t first_row, hsize_t rows, const void* values);
+  void read_raw_rows(const std::string& name, hid_t type, hsize_t first_row, hsize_t rows, void* values) const;
+  [[nodiscard]] bool has_type(const std::string& name, hid_t type) const;
+  /// Whether the file has room for all values of a dataset, whose shape may be damaged.
+  [[nodiscard]] bool holds_all(const std::string& name) const;
 
   /// A new dataset without rows that can grow, by chunks of so many rows.
   template <class Stored>
@@ -110,6 +128,8 @@ class File {
   void put_rows(const std::string& name, hid_t memory, const void* values, std::size_t count, hsize_t first_row);
   // Selects rows, of all columns, of a dataset of this shape.
   void select(const Handle& space, hsize_t first_row, std::vector<hsize_t> shape, const std::string& asked) const;
+  void move_rows(const std::string& name, hsize_t first_row, hsize_t rows, const std::string& asked,
+                 const std::function<herr_t(hid_t dataset, hid_t here, hid_t in_file)>& move) const;
   void set_attribute(const std::string& object, const std::string& name, hid_t file, hid_t memory, const void* values,
                      hsize_t count);
 
@@ -117,4 +137,4 @@ class File {
   Handle file_;
 };
 
-}  // namespace physgen::truthcube::h5
+}  // namespace physgen::h5

@@ -1,0 +1,76 @@
+// Arrays in files, without their types: what save.h stands on. Compiled in the component hdf5.
+#pragma once
+
+#include <physgen/arrays/untyped_array.h>
+#include <physgen/memory/buffer.h>
+
+#include <concepts>
+#include <filesystem>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace physgen {
+
+/// An array, and the name that it has in a file: {"stress", stress}. Does not own the array.
+struct NamedArray {
+  std::string name;  ///< without '/'
+  UntypedArray array;
+
+  NamedArray(std::string the_name, const UntypedArray& untyped) : name(std::move(the_name)), array(untyped) {}
+  template <class Array>
+    requires requires(const Array& a) {
+      { a.untyped() } -> std::same_as<UntypedArray>;
+    }
+  NamedArray(std::string the_name, const Array& the_array) : name(std::move(the_name)), array(the_array.untyped()) {}
+};
+
+/// Writes arrays to one HDF5 file, in the place of an old one: as `file` either the old or the new one is found,
+/// whatever happens. Arrays in Cuda memory are copied to the host first, in the default stream.
+/// @throw Error when two names are equal or one cannot be a name, or the file cannot be written, as where its folder
+/// may not be written to or its disk is full; an old file is then as it was
+void save(const std::filesystem::path& file, std::span<const NamedArray> arrays);
+inline void save(const std::filesystem::path& file, std::initializer_list<NamedArray> arrays) {
+  save(file, std::span<const NamedArray>(arrays.begin(), arrays.size()));
+}
+
+/// What came of load().
+struct Loaded {
+  index_t objects = 0;
+  std::vector<std::string> fields;    ///< that were loaded
+  std::vector<std::string> left_out;  ///< fields of the file that the array does not store
+  std::vector<std::string> kept;      ///< fields of the array that the file lacks; they keep their values
+  /// Whether file and array have the same fields, or those that were asked for were loaded.
+  [[nodiscard]] bool complete() const { return left_out.empty() && kept.empty(); }
+  /// All of this as a sentence.
+  [[nodiscard]] std::string text() const;
+};
+
+namespace detail {
+
+/// One array of a file in the memory of the host, read and found undamaged, before any array of the program changes.
+class ArrayOfFile {
+ public:
+  /// @param form the type of the array that is to get the objects; its memory is not touched
+  /// @param fields to load; all that both have where there are none
+  ArrayOfFile(const std::filesystem::path& file, const std::string& name, const UntypedArray& form,
+              std::span<const std::string> fields);
+  [[nodiscard]] const Loaded& loaded() const { return loaded_; }
+  /// Writes what was loaded to an array of as many objects. @param check refuse values that its formats cannot hold
+  void give(const UntypedArray& to, bool check) const;
+
+ private:
+  struct Field {
+    std::vector<FieldInfo> fields;  ///< as many as the array has, of which one is stored
+    Buffer memory;
+    [[nodiscard]] UntypedArray array(const UntypedArray& form, index_t size) const;
+  };
+  std::string place_;  ///< for messages
+  Loaded loaded_;
+  std::vector<Field> fields_;
+};
+
+}  // namespace detail
+
+}  // namespace physgen

@@ -1,0 +1,132 @@
+// Files that are truncated, damaged, foreign or newer, and places that cannot be written to.
+#include "saved_files.h"
+
+#include <elasticity.physgen.h>
+#include <hdf5/h5.h>
+#include <physgen/save.h>
+#include <physgen/version.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "stored_records.h"
+
+namespace physgen::test {
+namespace {
+
+using Svd = Array<elasticity::DeformationSvdObject, float, Host, Soa>;
+
+class SavedFile : public ::testing::Test {
+ protected:
+  SavedFile() : saved_(19), array_(7) {
+    std::mt19937 random(seed());
+    copy(saved_, random_objects<elasticity::DeformationSvdObject>(19, random));
+    save(file_, {{"svd", saved_}});
+    bytes_ = bytes_of_file(file_);
+  }
+  /// The Error of a load, which leaves the array as it was; empty where the objects were loaded as they were saved.
+  std::string refusal() {
+    Svd array = array_;
+    std::string message;
+    try {
+      load(file_, "svd", array);
+    } catch (const Error& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(count_wrong(array.untyped(), records_of(message.empty() ? saved_.untyped() : array_.untyped())), 0);
+    return message;
+  }
+  void expect_refusal(const std::string& part) {
+    const std::string message = refusal();
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_NE(message.find(file_.string()), std::string::npos) << message;
+  }
+  /// The Error of a save, after which the old file is there alone.
+  std::string failed_save(const std::filesystem::path& file, const Svd& array) {
+    const std::string message = message_of([&] { save(file, {{"svd", array}}); });
+    EXPECT_EQ(bytes_of_file(file_), bytes_);
+    EXPECT_EQ(folder_.names().size(), std::filesystem::exists(folder_ / "folder") ? 2 : 1);
+    return message;
+  }
+
+  Folder folder_;
+  std::filesystem::path file_ = folder_ / "a.h5";
+  Svd saved_, array_;
+  std::string bytes_;
+};
+
+TEST_F(SavedFile, with_any_wrong_byte_is_refused_or_gives_what_was_saved) {
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < bytes_.size(); ++at) {
+    std::string damaged = bytes_;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << (at % 8)));
+    write_file(file_, damaged);
+    refused += refusal().empty() ? 0 : 1;
+    ASSERT_FALSE(HasFailure()) << "byte " << at << " of " << bytes_.size();
+  }
+  EXPECT_GT(refused, std::size_t{19 * 21 * 4});  // at least all elements; what lies between is not used
+}
+TEST_F(SavedFile, with_a_wrong_element_is_refused_as_damaged) {
+  const float element = saved_.view()[3].s()[1];
+  const std::size_t at = bytes_.find(std::string(reinterpret_cast<const char*>(&element), sizeof element));
+  ASSERT_NE(at, std::string::npos);
+  bytes_[at] = static_cast<char>(bytes_[at] ^ 1);
+  write_file(file_, bytes_);
+  expect_refusal("'svd' /svd/s is damaged");
+}
+TEST_F(SavedFile, that_is_truncated_anywhere_is_refused) {
+  for (std::size_t size = 0; size < bytes_.size(); size += 97) {
+    write_file(file_, bytes_.substr(0, size));
+    ASSERT_NE(refusal(), "") << size << " of " << bytes_.size() << " bytes";
+  }
+  write_file(file_, bytes_.substr(0, bytes_.size() / 2));
+  expect_refusal("truncated file");
+}
+TEST_F(SavedFile, of_another_program_is_refused) {
+  std::filesystem::remove(file_);
+  expect_refusal("No such file");
+  write_file(file_, std::string(5000, 'x'));
+  expect_refusal("cannot open it");
+  h5::File foreign = h5::File::create(file_, 0);
+  foreign.make_group("/svd");
+  foreign.close();
+  expect_refusal("is an HDF5 file, but none that physgen::save() wrote");
+  h5::File half = h5::File::open(file_, true);  // and one that looks like save()'s but has no objects
+  half.write_attribute("/", "physgen_file", h5::one(std::int32_t{1}));
+  half.close();
+  expect_refusal("cannot find the attribute object");
+}
+TEST_F(SavedFile, of_a_newer_version_is_refused_with_both_versions) {
+  h5::File file = h5::File::open(file_, true);
+  file.write_attribute("/", "physgen_file", h5::one(std::int32_t{2}));
+  file.close();
+  expect_refusal("is a file of version 2, written by physgen " PHYSGEN_VERSION "; this library reads version 1");
+}
+TEST_F(SavedFile, with_another_count_of_objects_is_refused) {
+  h5::File file = h5::File::open(file_, true);
+  file.write_attribute("/svd", "count", h5::one(std::uint64_t{1} << 40U));
+  file.close();
+  expect_refusal("has 19 rows for 1099511627776 objects");
+}
+TEST_F(SavedFile, stays_as_it_was_where_a_new_one_cannot_be_written) {
+  EXPECT_NE(failed_save(folder_ / "none/a.h5", saved_).find("No such file or directory"), std::string::npos);
+  std::filesystem::create_directory(folder_ / "folder");
+  EXPECT_NE(failed_save(folder_ / "folder", saved_).find("cannot take the place of its old version"),
+            std::string::npos);
+  if (::geteuid() == 0) return;  // who may write anywhere
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  EXPECT_NE(failed_save(file_, saved_).find("Permission denied"), std::string::npos);
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms::owner_all);
+}
+TEST_F(SavedFile, stays_as_it_was_where_there_is_no_room_for_a_new_one) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{100000, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string message = failed_save(file_, Svd(100000));
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_NE(message.find("bytes more, and this process may write files of 100000 bytes at most"), std::string::npos)
+      << message;
+}
+
+}  // namespace
+}  // namespace physgen::test

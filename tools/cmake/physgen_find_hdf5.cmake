@@ -1,0 +1,25 @@
+# Finds HDF5's C library, of saved arrays and of truthcube: PHYSGEN_HDF5_LIBRARIES and PHYSGEN_HDF5_INCLUDE, both empty where
+# there is none. A build with CUDA can be carried to a bare machine, so HDF5 and what it stands on are then linked statically;
+# its reader of cloud storage, which alone needs libcurl, stays in the archive.
+set(HDF5_USE_STATIC_LIBRARIES ${PHYSGEN_CUDA})
+find_package(HDF5 1.10.7 QUIET COMPONENTS C)
+set(PHYSGEN_HDF5_LIBRARIES "")
+set(PHYSGEN_HDF5_INCLUDE "")
+if(HDF5_FOUND)
+  set(PHYSGEN_HDF5_INCLUDE ${HDF5_C_INCLUDE_DIRS})
+  set(PHYSGEN_HDF5_LIBRARIES ${HDF5_C_LIBRARIES})
+  if(PHYSGEN_CUDA)
+    list(FILTER PHYSGEN_HDF5_LIBRARIES EXCLUDE REGEX "/lib(crypto|curl)\\.")
+    foreach(shared IN LISTS PHYSGEN_HDF5_LIBRARIES)
+      if(shared MATCHES "/lib(sz|z)\\.so$")
+        string(REGEX REPLACE "\\.so$" ".a" static ${shared})
+        list(TRANSFORM PHYSGEN_HDF5_LIBRARIES REPLACE "^${shared}$" ${static})
+      endif()
+    endforeach()
+    find_library(PHYSGEN_LIBAEC NAMES libaec.a)  # libsz is a part of it
+    mark_as_advanced(PHYSGEN_LIBAEC)
+    if(PHYSGEN_LIBAEC)
+      list(APPEND PHYSGEN_HDF5_LIBRARIES ${PHYSGEN_LIBAEC})
+    endif()
+  endif()
+endif()
