@@ -14,6 +14,10 @@
 
 namespace physgen {
 
+namespace detail {
+struct RowFill;
+}
+
 /// The objects that entries of rows name.
 struct RowTargets {
   std::string field;  ///< of the entries, which holds the numbers: "element", or "pair.node" of a nested object
@@ -146,6 +150,8 @@ class RowArrays {
   }
 
  private:
+  friend detail::RowFill;  // makes rows anew in place
+
   template <class Given>
   using HostForm = Array<typename Given::Object, typename Given::Precision, Host, Aos, typename Given::Formats>;
   using HostRanges = HostForm<Ranges>;
