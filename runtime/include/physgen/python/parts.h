@@ -44,7 +44,7 @@ class Part {
   }
 
   /// Names of its fields and parts.
-  [[nodiscard]] std::set<std::string> names() const {
+  [[nodiscard]] py::list names() const {
     std::set<std::string> found;
     const std::string begin = prefix_.empty() ? "" : prefix_ + ".";
     for (const FieldInfo& field : fields()) {
@@ -52,7 +52,9 @@ class Part {
       const std::string_view rest = field.name.substr(begin.size());
       found.emplace(rest.substr(0, rest.find_first_of(".[")));
     }
-    return found;
+    py::list list;
+    for (const std::string& name : found) list.append(name);
+    return list;
   }
   /// "model::Stress.svd"
   [[nodiscard]] std::string text() const {
@@ -60,16 +62,11 @@ class Part {
   }
   /// The words of an error: there is no such field, and which is nearest.
   [[nodiscard]] std::string unknown(const std::string& name) const {
-    const std::set<std::string> known = names();
-    std::string message = text() + " has no field '" + name + "'; ";
-    const py::list near = py::module_::import("difflib").attr("get_close_matches")(name, py::cast(known), 1);
-    if (!near.empty()) return message + "did you mean '" + near[0].cast<std::string>() + "'?";
-    const char* between = "it has ";
-    for (const std::string& one : known) {
-      message += between + one;
-      between = ", ";
-    }
-    return message;
+    const py::list known = names();
+    const py::list near = py::module_::import("difflib").attr("get_close_matches")(name, known, 1);
+    const std::string hint = near.empty() ? "it has " + py::str(", ").attr("join")(known).cast<std::string>()
+                                          : "did you mean '" + near[0].cast<std::string>() + "'?";
+    return text() + " has no field '" + name + "'; " + hint;
   }
 
  private:
