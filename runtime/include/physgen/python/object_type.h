@@ -69,6 +69,7 @@ inline constexpr auto shapes_of =
 /// A layout as data.
 struct LayoutRow {
   std::string_view name;  ///< as a schema writes it
+  bool tiled;             ///< has tiles of several objects, and more than one
   index_t (*pitch)(index_t objects);
   index_t (*padded)(index_t objects);
   int (*record_bytes)(int bytes, int alignment);
@@ -77,7 +78,7 @@ struct LayoutRow {
 namespace detail {
 template <class Layout>
 constexpr LayoutRow layout_row(std::string_view name) {
-  return {name, Layout::pitch, Layout::padded, Layout::record_bytes};
+  return {name, requires { Layout::tile; }, Layout::pitch, Layout::padded, Layout::record_bytes};
 }
 }  // namespace detail
 
