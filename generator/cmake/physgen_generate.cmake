@@ -1,7 +1,7 @@
 # Two functions that make a library target of generated headers as a part of a build. Used by physgen's own tree and,
 # through find_package(physgen), by every other project.
 #
-#   physgen_generate(TARGET name SCHEMAS a.h b.h [OUTPUT_DIR dir] [LAYOUT layout] [CHECKED_IN dir])
+#   physgen_generate(TARGET name SCHEMAS a.h b.h [PYTHON] [OUTPUT_DIR dir] [LAYOUT layout] [CHECKED_IN dir])
 #   physgen_generate_scenes(TARGET name SCENES s.h t.h [LIBRARIES library...] [FLAGS flag...] [DEVICE] [EVERYTHING]
 #                           [NO_FUSE] [OUTPUT_DIR dir] [CHECKED_IN dir])
 #
@@ -13,7 +13,8 @@
 # used as they are.
 #
 # physgen_generate() writes a.physgen.h and b.physgen.h, accessor classes of the objects of schemas. LAYOUT (aos,
-# aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state, which needs the command.
+# aos_padded, soa, aosoa, aosoa(W)) takes the place of all layouts that the schemas state, which needs the command. With
+# PYTHON it writes a.python.cpp and b.python.cpp, too, sources of Python modules: physgen_python() makes one of them.
 #
 # physgen_generate_scenes() writes s.scene.h and s.program.h, t.scene.h and t.program.h, with digests and reports beside them. The
 # library `name` links LIBRARIES, whose headers the scenes include. Programs are read with the folders and definitions of
@@ -30,7 +31,7 @@ function(physgen_generate)
     message(FATAL_ERROR "physgen_generate: SCENES have a function of their own: write physgen_generate_scenes(TARGET ... "
       "SCENES ...) with the same arguments")
   endif()
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIR;LAYOUT;CHECKED_IN" "SCHEMAS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "PYTHON" "TARGET;OUTPUT_DIR;LAYOUT;CHECKED_IN" "SCHEMAS")
   if(arg_LAYOUT AND NOT TARGET physgen::physgen)
     message(FATAL_ERROR "physgen_generate(${arg_TARGET}): there is no physgen command (physgen was built without "
       "LLVM), which LAYOUT ${arg_LAYOUT} needs")
@@ -44,16 +45,19 @@ function(physgen_generate)
   # physgen for ever. The list of schemas is an input, because Make does not compare commands.
   set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/physgen/${arg_TARGET})
   _physgen_remove_former(${state}.written "${headers}")
-  file(CONFIGURE OUTPUT ${state}.schemas CONTENT "${sources}\n${arg_OUTPUT_DIR}\n${arg_LAYOUT}\n" @ONLY)
-  set(layout "")
+  file(CONFIGURE OUTPUT ${state}.schemas CONTENT "${sources}\n${arg_OUTPUT_DIR}\n${arg_LAYOUT}\n${arg_PYTHON}\n" @ONLY)
+  set(options "")
   if(arg_LAYOUT)
-    set(layout --layout ${arg_LAYOUT})
+    list(APPEND options --layout ${arg_LAYOUT})
+  endif()
+  if(arg_PYTHON)
+    list(APPEND options --python)
   endif()
   file(RELATIVE_PATH shown ${CMAKE_BINARY_DIR} ${arg_OUTPUT_DIR})
   add_custom_command(
     OUTPUT ${state}.stamp
     BYPRODUCTS ${headers}
-    COMMAND physgen::physgen generate ${sources} -o ${arg_OUTPUT_DIR} ${layout} --depfile ${state}.d --stamp ${state}.stamp
+    COMMAND physgen::physgen generate ${sources} -o ${arg_OUTPUT_DIR} ${options} --depfile ${state}.d --stamp ${state}.stamp
     DEPENDS ${sources} ${state}.schemas physgen::physgen
     DEPFILE ${state}.d
     COMMENT "Generating ${names} in ${shown}"
@@ -109,6 +113,10 @@ macro(_physgen_add_library function kind ending LIST)
     list(APPEND names "${name}")
     list(APPEND sources "${source}")
     list(APPEND headers "${arg_OUTPUT_DIR}/${name}")
+    if(arg_PYTHON)
+      list(APPEND names "${stem}.python.cpp")
+      list(APPEND headers "${arg_OUTPUT_DIR}/${stem}.python.cpp")
+    endif()
   endforeach()
 
   add_library(${arg_TARGET} INTERFACE)
@@ -221,6 +229,9 @@ function(_physgen_use_checked_in function target checked_in names kind)
   endif()
   cmake_path(ABSOLUTE_PATH checked_in BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   set(command "generate SCHEMA")
+  if(names MATCHES "[.]python[.]cpp")
+    set(command "generate SCHEMA --python")
+  endif()
   if(kind STREQUAL "scene")
     set(command "scene SCENE")
   endif()

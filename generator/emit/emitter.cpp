@@ -3,6 +3,7 @@
 
 #include "emit/cpp/header.h"
 #include "emit/cpp/rules.h"
+#include "emit/python/module.h"
 #include "model/text.h"
 
 namespace physgen::emit {
@@ -10,6 +11,8 @@ namespace physgen::emit {
 std::span<const Emitter> emitters() {
   static constexpr Emitter all[] = {
       {"cpp", "accessor classes in C++ and CUDA", cpp::ending, cpp::objections, cpp::accessor_header},
+      {"python", "the source of a Python module over these classes", python::ending, python::objections,
+       python::module_source},
   };
   return all;
 }

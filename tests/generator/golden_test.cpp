@@ -1,5 +1,5 @@
-// Whole headers against those in golden/: each .h is a schema, the .physgen.h beside it the header expected from it.
-// After an intended change, PHYSGEN_UPDATE_GOLDEN=1 writes the headers; golden_run_test.cpp compiles and runs them.
+// Whole texts against those in golden/: each .h is a schema, the .physgen.h and .python.cpp beside it what is expected
+// from it. After an intended change, PHYSGEN_UPDATE_GOLDEN=1 writes them; golden_run_test.cpp compiles and runs them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -47,12 +47,16 @@ std::string difference(const std::string& expected_text, const std::string& foun
   return out.str();
 }
 
-class Golden : public testing::TestWithParam<const char*> {};
+struct Case {
+  const char* schema;
+  const char* emitter;
+};
+class Golden : public testing::TestWithParam<Case> {};
 
-TEST_P(Golden, header_is_what_the_emitter_writes) {
+TEST_P(Golden, text_is_what_the_emitter_writes) {
   const std::filesystem::path folder = PHYSGEN_GOLDEN_DIR;
-  const std::string name = GetParam();
-  const emit::Emitter& emitter = emit::emitters().front();
+  const std::string name = GetParam().schema;
+  const emit::Emitter& emitter = emit::emitter(GetParam().emitter);
   frontend::ParseOptions options;
   options.objections = emitter.objections;
   const auto parsed = frontend::parse(folder / (name + ".h"), options);
@@ -67,8 +71,10 @@ TEST_P(Golden, header_is_what_the_emitter_writes) {
   EXPECT_TRUE(expected == found) << difference(expected, found);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Golden, testing::Values("materials", "everything"),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Models, Golden,
+                         testing::Values(Case{"materials", "cpp"}, Case{"everything", "cpp"},
+                                         Case{"everything", "python"}),
+                         [](const auto& info) { return info.param.schema + std::string("_") + info.param.emitter; });
 
 }  // namespace
 }  // namespace physgen

@@ -10,9 +10,13 @@ work="$folder/example $name"
 rm -rf "$work"
 cp -r "$from" "$work"
 cmake -S "$work" -B "$work/build" -G "$generator" -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON \
-  -Dphysgen_DIR="$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")"
+  -DPython_EXECUTABLE=/usr/bin/python3 -Dphysgen_DIR="$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")"
 cmake --build "$work/build"
-"$work/build/$name" | tee "$work/printed"
+program=("$work/build/$name")
+if [[ -e $work/main.py ]]; then
+  program=(env "PYTHONPATH=$work/build" /usr/bin/python3 "$work/main.py")
+fi
+"${program[@]}" | tee "$work/printed"
 while read -r words; do
   grep -qF -- "$words" "$work/README.md" || { echo "FAILED: the page of $name lacks what it prints: $words" >&2; exit 1; }
 done < <(sed 's/  .*//' "$work/printed")

@@ -2,14 +2,15 @@
 # headers.sh alone|together COMPILER ROOT FLAGS...: whether COMPILER accepts the public headers of the source tree ROOT
 # without a warning: those of the runtime each by itself, or all of them, generated ones and those of fem in one source. Of
 # CUDA, only what ordinary C++ can include, and that where CUDA_INCLUDE names the folder of the toolkit's headers.
-# Together they are compiled behind <complex.h> and <sys/sysmacros.h>, whose macros must not change them.
+# Together they are compiled behind <complex.h> and <sys/sysmacros.h>, whose macros must not change them. Those for Python
+# need pybind11; a test compiles them as a module.
 # A header that another one includes before anything else is compiled by itself there, and not a second time. Those that
 # include Eigen, itself or by way of others, take it from one precompiled header where the compiler is g++: reading it is
 # what takes time.
 set -euo pipefail
 how=$1 compiler=$2 root=$3 flags=("${@:4}")
 headers() { # headers FOLDER PATTERN: as they are included
-  (cd "$1" && find . -name '*.h' -path "$2" -not -path '*cuda*' -not -path '*/reference/*' -printf '%P\n' | sort)
+  (cd "$1" && find . -name '*.h' -path "$2" -not -path '*cuda*' -not -path './physgen/python/*' -not -path '*/reference/*' -printf '%P\n' | sort)
 }
 compile() { # compile FLAG... -x LANGUAGE FILE
   "$compiler" -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wno-unknown-pragmas -Werror \

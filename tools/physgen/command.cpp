@@ -41,7 +41,7 @@ struct Arguments {
   SceneRequest scene;
   UsageRequest usage;
   std::string drawing;  // file of the JSON; empty: standard output
-  bool json = false, svg = false, verbose = false;
+  bool json = false, svg = false, verbose = false, python = false;
 };
 
 struct Streams {
@@ -64,7 +64,7 @@ std::optional<Parsed> parse_all(const Arguments& arguments, std::ostream& err) {
   Parsed parsed;
   bool good = true;
   frontend::ParseOptions options = arguments.options;
-  options.objections = emit::emitter(arguments.emitter).objections;
+  options.objections = emit::emitter(arguments.python ? "python" : arguments.emitter).objections;
   for (const std::string& path : arguments.schemas) {
     auto result = frontend::parse(path, options);
     err << result.diagnostics;
@@ -102,7 +102,8 @@ void set_layouts(model::Schema& schema, const std::string& word) {
 int generate(const Arguments& arguments, const Streams& streams) {
   if (arguments.output_dir.empty()) throw UsageError("the folder given with -o is empty; write -o . for this folder");
   const Stamp stamp{arguments.stamp};
-  const emit::Emitter& emitter = emit::emitter(arguments.emitter);
+  std::vector<const emit::Emitter*> chosen{&emit::emitter(arguments.emitter)};
+  if (arguments.python) chosen.push_back(&emit::emitter("python"));
   require_different_headers(arguments);
   if (arguments.layout_of_all) (void)read_layout(*arguments.layout_of_all, model::Space::host);
   auto parsed = parse_all(arguments, streams.err);
@@ -111,7 +112,8 @@ int generate(const Arguments& arguments, const Streams& streams) {
     for (model::Schema& schema : parsed->schemas) set_layouts(schema, *arguments.layout_of_all);
   std::vector<File> files;
   for (const model::Schema& schema : parsed->schemas)
-    files.push_back({arguments.output_dir + "/" + emit::file_of(emitter, schema.file), emitter.emit(schema)});
+    for (const emit::Emitter* one : chosen)
+      files.push_back({arguments.output_dir + "/" + emit::file_of(*one, schema.file), one->emit(schema)});
   if (!arguments.depfile.empty()) files.push_back({arguments.depfile, depfile(arguments.stamp, parsed->dependencies)});
   const auto changed = write_outputs(files, parsed->dependencies, stamp);
   if (arguments.verbose)
@@ -164,14 +166,6 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* what, Argumen
   return command;
 }
 
-/// "aosoa(16) on the host and aosoa(32) on CUDA"
-std::string standard_layouts() {
-  std::vector<std::string> words;
-  for (const model::SpaceFacts& row : model::spaces())
-    words.push_back(model::layout_word(row.standard) + " " + std::string(row.place));
-  return model::joined(words, " and ");
-}
-
 /// "Kind of output: cpp (accessor classes in C++ and CUDA; the default)"
 std::string emitter_choices() {
   std::vector<std::string> choices;
@@ -222,7 +216,11 @@ void describe(CLI::App& app, Arguments& arguments) {
                    "names a layout keeps it: " +
                        layout_choices_of_a_space() + " (" + standard_layouts() + ")")
       ->type_name("LAYOUT");
-  generate->add_option("--emitter", arguments.emitter, emitter_choices())->type_name("NAME");
+  auto* emitter = generate->add_option("--emitter", arguments.emitter, emitter_choices())->type_name("NAME");
+  generate
+      ->add_flag("--python", arguments.python,
+                 "Write the source of a Python module as well: x.h gives DIR/x.python.cpp")
+      ->excludes(emitter);
   auto* stamp = generate
                     ->add_option("--stamp", arguments.stamp,
                                  "File that is made after all outputs, with the time when reading began")

@@ -115,6 +115,13 @@ std::string layout_choices() {
 
 std::string layout_choices_of_a_space() { return model::joined(words_of_layouts(), " or "); }
 
+std::string standard_layouts() {
+  std::vector<std::string> words;
+  for (const model::SpaceFacts& row : model::spaces())
+    words.push_back(model::layout_word(row.standard) + " " + std::string(row.place));
+  return model::joined(words, " and ");
+}
+
 std::string space_choices() {
   std::vector<std::string> words;
   for (const model::SpaceFacts& row : model::spaces()) words.emplace_back(row.word);

@@ -33,6 +33,9 @@ struct LayoutRequest {
 /// The words that read_layout() takes, for messages: "aos, aos_padded, soa, 'aosoa(32)' or aosoa".
 [[nodiscard]] std::string layout_choices_of_a_space();
 
+/// "aosoa(16) on the host and aosoa(32) on CUDA".
+[[nodiscard]] std::string standard_layouts();
+
 /// The words of LayoutRequest::layout, for messages: "aos, aos_padded, soa, 'aosoa(32)', aosoa or all".
 [[nodiscard]] std::string layout_choices();
 

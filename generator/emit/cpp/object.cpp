@@ -7,11 +7,6 @@
 namespace physgen::emit::cpp {
 namespace {
 
-std::string layout_type(const model::Layout& layout) {
-  const model::LayoutFacts& row = model::facts(layout.kind);
-  return "physgen::" + std::string(row.type) + (row.tiled ? "<" + std::to_string(layout.tile) + ">" : "");
-}
-
 std::string space_type(model::Space space) { return "physgen::" + std::string(model::facts(space).type); }
 
 // "??/" in a string is a backslash to compilers that know trigraphs, and a warning to others.

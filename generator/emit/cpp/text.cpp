@@ -87,6 +87,11 @@ std::string format_type(const model::Field& field, model::Space space) {
   return "physgen::format::Quaternion<" + (kind == model::Encoding::native ? "" : name) + ">";
 }
 
+std::string layout_type(const model::Layout& layout) {
+  const model::LayoutFacts& row = model::facts(layout.kind);
+  return "physgen::" + std::string(row.type) + (row.tiled ? "<" + std::to_string(layout.tile) + ">" : "");
+}
+
 std::string nested_type_name(const model::Field& field, const char* ending, const model::Object& user) {
   const auto colons = field.object.rfind("::");
   const bool global = colons == std::string::npos;

@@ -20,6 +20,9 @@ namespace physgen::emit::cpp {
 /// "physgen::format::Half<4>": how elements of the field are stored in a space. @pre not an object
 [[nodiscard]] std::string format_type(const model::Field& field, model::Space space);
 
+/// "physgen::Aosoa<16>".
+[[nodiscard]] std::string layout_type(const model::Layout& layout);
+
 /// Name of a type generated for the object that `field` nests, as written in the code of
 /// `user`: qualified when the namespaces differ.
 [[nodiscard]] std::string nested_type_name(const model::Field& field, const char* ending, const model::Object& user);

@@ -50,7 +50,7 @@ TEST(Emitters, are_found_by_their_names_and_the_nearest_is_named) {
     return std::string("found");
   };
   EXPECT_EQ(error_of("cppp"), "there is no emitter 'cppp'; did you mean 'cpp'?");
-  EXPECT_EQ(error_of("fortran"), "there is no emitter 'fortran'; there are cpp");
+  EXPECT_EQ(error_of("fortran"), "there is no emitter 'fortran'; there are cpp and python");
 }
 
 TEST(Emitter, refuses_another_runtime_by_an_error) {

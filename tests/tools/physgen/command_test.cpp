@@ -28,6 +28,18 @@ TEST_F(Command, generates_a_header_per_schema) {
   EXPECT_EQ(files("new/out"), (std::vector<std::string>{"a.physgen.h", "b.schema.physgen.h"}));
 }
 
+TEST_F(Command, writes_sources_of_python_modules_as_well) {
+  folder.write("a.h", sound);
+  const auto outcome = run("generate a.h -o out --python --layout soa");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(files("out"), (std::vector<std::string>{"a.physgen.h", "a.python.cpp"}));
+  EXPECT_NE(text_of(folder / "out/a.python.cpp").find(", physgen::Soa>("), std::string::npos);
+  folder.write("a-b.h", sound);
+  EXPECT_EQ(run("generate a-b.h -o out").status, 0);
+  EXPECT_EQ(run("generate a-b.h -o other --python").status, 1);
+  EXPECT_FALSE(exists("other"));
+}
+
 TEST_F(Command, takes_schemas_without_the_word_generate) {
   folder.write("a.h", sound);
   EXPECT_EQ(run("a.h -o x").status, 0);

@@ -1,0 +1,104 @@
+// Arrays of NumPy over memory of objects, and the checks of what is assigned to one.
+#pragma once
+
+#include <physgen/python/object_array.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+namespace physgen::python {
+
+namespace py = pybind11;
+
+/// The type by which NumPy can show the stored numbers of a field; null: it knows none.
+[[nodiscard]] inline py::object stored_dtype(const FieldInfo& field) {
+  if (field.scale != 1 || field.centre != 0 || field.own != nullptr || field.quaternion) return {};
+  switch (field.type) {
+    case ElementType::float32:
+      return py::dtype::of<float>();
+    case ElementType::float64:
+      return py::dtype::of<double>();
+    case ElementType::int32:
+      return py::dtype::of<std::int32_t>();
+    case ElementType::half:
+      return py::dtype(23);  // NPY_HALF
+    case ElementType::bfloat16:
+    case ElementType::snorm16:
+    case ElementType::none:
+      break;
+  }
+  return {};
+}
+
+/// Shape and strides of an array of NumPy.
+struct Extents {
+  std::vector<py::ssize_t> shape, strides;
+  void add(py::ssize_t count, py::ssize_t stride) {
+    shape.push_back(count);
+    strides.push_back(stride);
+  }
+  /// Appends those of one object's field, an element of which is `stride` bytes from the next.
+  void add_elements(const FieldShape& of, int elements, py::ssize_t stride) {
+    if (of.entries > 1) add(of.entries, elements / of.entries * stride);
+    if (of.rows > 0) add(of.rows, stride);  // columns one after the other
+    if (of.columns > 0) add(of.columns, of.rows * stride);
+  }
+};
+
+/// An array of NumPy over memory that it keeps.
+[[nodiscard]] inline py::array array_over(const py::object& dtype, Extents extents, const std::byte* first,
+                                          const std::shared_ptr<Buffer>& memory) {
+  const py::capsule keeper(new std::shared_ptr<Buffer>(memory),
+                           [](void* held) { delete static_cast<std::shared_ptr<Buffer>*>(held); });
+  return {py::reinterpret_borrow<py::dtype>(dtype), std::move(extents.shape), std::move(extents.strides), first,
+          keeper};
+}
+
+/// What is assigned, as an array of NumPy. @throw a BufferError where it lies in other memory than the host's
+[[nodiscard]] inline py::array given_values(const py::object& values, const std::string& name) {
+  constexpr int host_device = 1, pinned_device = 3;  // kDLCPU, kDLCUDAHost
+  if (py::isinstance<py::array>(values)) return values;
+  if (py::hasattr(values, "__dlpack_device__")) {
+    const auto device = values.attr("__dlpack_device__")().cast<py::tuple>();
+    const int kind = device[0].cast<int>();
+    if (kind != host_device && kind != pinned_device) {
+      throw py::buffer_error(name + ": the values lie on DLPack's device " + py::repr(device).cast<std::string>() +
+                             ", and this array on the host, (1, 0); copy them to the host first");
+    }
+    return py::module_::import("numpy").attr("from_dlpack")(values);
+  }
+  return py::module_::import("numpy").attr("asarray")(values);
+}
+
+[[nodiscard]] inline std::string shape_text(const py::array& values) {
+  return py::str(values.attr("shape")).cast<std::string>();
+}
+
+/// Writes `values` to all of `target`. @throw a TypeError or ValueError naming the field where they do not fit
+inline void assign(const py::array& target, const py::array& values, const std::string& name) {
+  const py::module_ numpy = py::module_::import("numpy");
+  const auto text = [](const py::object& of) { return py::str(of).cast<std::string>(); };
+  if (!numpy.attr("can_cast")(values.dtype(), target.dtype(), "same_kind").cast<bool>()) {
+    throw py::type_error(name + " holds numbers of type " + text(target.dtype()) + ", to which " +
+                         text(values.dtype()) + " does not convert; convert the values by .astype() if that is meant");
+  }
+  py::object fitting;
+  try {
+    fitting = numpy.attr("broadcast_to")(values, target.attr("shape"));
+  } catch (const py::error_already_set&) {
+    throw py::value_error(name + " has the shape " + shape_text(target) + "; values of the shape " +
+                          shape_text(values) + " do not fit");
+  }
+  if (target.dtype().kind() == 'i' && values.dtype().itemsize() > target.dtype().itemsize() && values.size() > 0) {
+    const double low = values.attr("min")().cast<double>(), high = values.attr("max")().cast<double>();
+    if (low < std::numeric_limits<std::int32_t>::min() || high > std::numeric_limits<std::int32_t>::max()) {
+      throw py::value_error(name + " holds whole numbers from -2147483648 to 2147483647, and the values go from " +
+                            text(values.attr("min")()) + " to " + text(values.attr("max")()));
+    }
+  }
+  numpy.attr("copyto")(target, fitting, "same_kind");
+}
+
+}  // namespace physgen::python
