@@ -17,8 +17,8 @@ class Error:
         self.line, self.context = line, context
         self.message = ERROR.search(line)[1]
         self.leads = [text for text in context if LEADS[compiler].search(text)]
+        self.at_once = self.message if compiler == "clang" else self.message[:200]  # clang says types first
         # clang says in a note which function is deleted, and shows it, and its parameter's type says why.
-        self.at_once = "\n".join([self.message, *context]) if compiler == "clang" else self.message[:200]
         self.words = "\n".join([self.message, *context]) if compiler == "clang" else self.message
 
     def lines_of(self, source):

@@ -6,7 +6,7 @@ A case begins with a line `/// refused NAME: words` and ends where the next one 
 least one error in it, or in a template that it instantiates, must have the words; errors elsewhere are faults. `|` stands
 between words of which one must be there, as where compilers say the same in other words. A line `/// naming A; B` behind it asks for
 more: what g++ says around one of these errors names A and B, such as a step, an array and a field. In a case
-`/// refused at once NAME: words` the first error has the words, g++'s within 200 characters.
+`/// refused at once NAME: words` the line of the first error has the words, g++'s within 200 characters.
 """
 import re
 import sys

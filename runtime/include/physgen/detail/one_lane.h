@@ -5,6 +5,7 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/detail/deleted.h>
 #include <physgen/detail/lanewise.h>
 #include <physgen/detail/reference_rules.h>
 
@@ -79,7 +80,8 @@ concept WiderThan = Wider<T, Number>;
   PHYSGEN_FUNCTION one_lane_of_S<T>& operator op(one_lane_of_S<T>&, const Value&);           \
   template <class T, WiderThan<T> Number,                                                    \
             class Refused = a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it> \
-  Refused operator op(one_lane_of_S<T>&, Number) = delete;
+  Refused operator op(one_lane_of_S<T>&, Number)                                             \
+      PHYSGEN_DELETED(a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it);
 #define PHYSGEN_COMPARISON(op)                                                         \
   template <class T>                                                                   \
   PHYSGEN_FUNCTION bool operator op(const one_lane_of_S<T>&, const one_lane_of_S<T>&); \
@@ -91,10 +93,12 @@ concept WiderThan = Wider<T, Number>;
 #define PHYSGEN_REFUSED(op)                                                                  \
   template <class T, WiderThan<T> Number,                                                    \
             class Refused = a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it> \
-  Refused operator op(const one_lane_of_S<T>&, Number) = delete;                             \
+  Refused operator op(const one_lane_of_S<T>&, Number)                                       \
+      PHYSGEN_DELETED(a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it);      \
   template <class T, WiderThan<T> Number,                                                    \
             class Refused = a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it> \
-  Refused operator op(Number, const one_lane_of_S<T>&) = delete;
+  Refused operator op(Number, const one_lane_of_S<T>&)                                       \
+      PHYSGEN_DELETED(a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it);
 PHYSGEN_OPERATOR(+)
 PHYSGEN_OPERATOR(-)
 PHYSGEN_OPERATOR(*)

@@ -5,6 +5,7 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/detail/deleted.h>
 #include <physgen/detail/simd_registers.h>
 
 #include <concepts>
@@ -16,7 +17,7 @@ namespace physgen::detail {
 /// The base of masks; its name is what compilers print, some of them as that of the function's argument.
 struct a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it {
   template <class Why = a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it>
-  explicit operator bool() const = delete;
+  explicit operator bool() const PHYSGEN_DELETED(a_mask_is_no_bool_so_write_select_or_if_any_of_i_and_it);
 };
 
 /// The register of masks where packs have one like it.

@@ -4,6 +4,7 @@
 #pragma push_macro("I")  // of <complex.h>
 #undef I
 
+#include <physgen/detail/deleted.h>
 #include <physgen/detail/reference_rules.h>
 #include <physgen/detail/simd_registers.h>
 
@@ -29,14 +30,14 @@ namespace xsimd {
 #define PHYSGEN_REFUSED_ASSIGNMENT(op, Beside, refused) \
   template <class T, class A, class Number>             \
     requires physgen::detail::Beside<T, Number>         \
-  physgen::detail::refused operator op(batch<T, A>&, Number) = delete;
-#define PHYSGEN_REFUSED_OPERATOR(op, Beside, refused)                        \
-  template <class T, class A, class Number>                                  \
-    requires physgen::detail::Beside<T, Number>                              \
-  physgen::detail::refused operator op(const batch<T, A>&, Number) = delete; \
-  template <class T, class A, class Number>                                  \
-    requires physgen::detail::Beside<T, Number>                              \
-  physgen::detail::refused operator op(Number, const batch<T, A>&) = delete;
+  physgen::detail::refused operator op(batch<T, A>&, Number) PHYSGEN_DELETED(refused);
+#define PHYSGEN_REFUSED_OPERATOR(op, Beside, refused)                                        \
+  template <class T, class A, class Number>                                                  \
+    requires physgen::detail::Beside<T, Number>                                              \
+  physgen::detail::refused operator op(const batch<T, A>&, Number) PHYSGEN_DELETED(refused); \
+  template <class T, class A, class Number>                                                  \
+    requires physgen::detail::Beside<T, Number>                                              \
+  physgen::detail::refused operator op(Number, const batch<T, A>&) PHYSGEN_DELETED(refused);
 #define PHYSGEN_REFUSED(Beside, refused)          \
   PHYSGEN_REFUSED_ASSIGNMENT(+=, Beside, refused) \
   PHYSGEN_REFUSED_ASSIGNMENT(-=, Beside, refused) \

@@ -7,6 +7,7 @@
 // unqualified call prefers those of packs, which are more special.
 #pragma once
 
+#include <physgen/detail/deleted.h>
 #include <physgen/detail/reference_rules.h>
 #include <physgen/detail/simd_registers.h>
 
@@ -44,11 +45,13 @@ namespace std {
   template <class Refused = physgen::detail::std_has_no_functions_of_packs_so_write_the_call_without_std, class X, \
             class... More>                                                                                         \
     requires physgen::detail::HavePacks<X, More...>                                                                \
-  Refused function(const X&, const More&...) = delete;                                                             \
+  Refused function(const X&, const More&...)                                                                       \
+      PHYSGEN_DELETED(std_has_no_functions_of_packs_so_write_the_call_without_std);                                \
   template <class Refused = physgen::detail::functions_of_packs_take_no_references_so_write_get_of_it_without_std, \
             class X, class... More>                                                                                \
     requires physgen::detail::HaveReferences<X, More...>                                                           \
-  Refused function(const X&, const More&...) = delete;
+  Refused function(const X&, const More&...)                                                                       \
+      PHYSGEN_DELETED(functions_of_packs_take_no_references_so_write_get_of_it_without_std);
 PHYSGEN_REFUSED(abs)
 PHYSGEN_REFUSED(acos)
 PHYSGEN_REFUSED(asin)

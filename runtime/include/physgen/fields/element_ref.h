@@ -5,6 +5,7 @@
 // are read, and only temporaries and constants are assigned: what compiles means the same for every index and format.
 #pragma once
 
+#include <physgen/detail/deleted.h>
 #include <physgen/detail/reference_rules.h>
 #include <physgen/detail/stored_copy.h>
 #include <physgen/format/probe_traits.h>
@@ -25,11 +26,13 @@ namespace physgen {
   }                                                                                                                   \
   template <class Number>                                                                                             \
     requires(std::is_integral_v<T> && std::is_floating_point_v<Number>)                                               \
-  detail::integers_calculate_with_integers_so_convert_first operator op## = (Number) const& = delete;                 \
-  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator op## = (const Operand&)& = delete;   \
+  detail::integers_calculate_with_integers_so_convert_first operator op## =                                           \
+      (Number) const & PHYSGEN_DELETED(integers_calculate_with_integers_so_convert_first);                            \
+  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator op## =                               \
+      (const Operand&)&PHYSGEN_DELETED(a_named_reference_is_not_assigned_so_write_to_the_view_itself);                \
   detail::lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index operator op## = (const Operand&) const& \
     requires(Cursor::gathered)                                                                                        \
-  = delete;
+  PHYSGEN_DELETED(lanes_may_name_one_object_twice_so_use_add_of_the_kernels_own_index);
 
 /// @tparam Format of the element (format.h)
 /// @tparam T the type computed with
@@ -51,9 +54,10 @@ class ElementRef {
   /// The value. For temporaries only: `const S m = view[i].m();`.
   [[nodiscard]] PHYSGEN_FUNCTION detail::ReadValue<Value> get() const&& { return read(); }
   PHYSGEN_FUNCTION operator Value() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
-  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& PHYSGEN_DELETED(
+      a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself);
   template <class Why = detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself>
-  operator Value() const& = delete;
+  operator Value() const& PHYSGEN_DELETED(a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself);
 
   PHYSGEN_FUNCTION const ElementRef& operator=(const Value& value) const& { return write(value); }
   /// Copies the element, with the bits that are stored.
@@ -84,9 +88,10 @@ class ElementRef {
   }
 
   ElementRef& operator=(const ElementRef&) & = delete;
-  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(const ElementRef&) const& =
-      delete;
-  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator=(const Value&) & = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(
+      const ElementRef&) const& PHYSGEN_DELETED(a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself);
+  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator=(const Value&) &
+      PHYSGEN_DELETED(a_named_reference_is_not_assigned_so_write_to_the_view_itself);
 
   /// The address of a probe's element, which any code may read and write. Nothing lies there.
   PHYSGEN_FUNCTION auto operator&() const&&
@@ -151,7 +156,8 @@ concept WiderThanLanes = Wider<typename std::remove_cvref_t<Ref>::Element, Numbe
   }                                                                                                           \
   template <class A, class B>                                                                                 \
     requires detail::NamedReference<A, B>                                                                     \
-  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator op(A&&, B&&) = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator op(A&&, B&&)         \
+      PHYSGEN_DELETED(a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself);
 PHYSGEN_ELEMENT_OPERATOR(+)
 PHYSGEN_ELEMENT_OPERATOR(-)
 PHYSGEN_ELEMENT_OPERATOR(*)
@@ -166,20 +172,23 @@ PHYSGEN_ELEMENT_OPERATOR(!=)
 
 // A double beside the floats of a reference, which is refused as beside their values; the argument of the template is
 // what nvcc prints. PHYSGEN_REFUSED_OPERATOR and PHYSGEN_REFUSED_ASSIGNMENT are undefined below.
-#define PHYSGEN_REFUSED_OPERATOR(op)                                                                         \
-  template <detail::ElementReference A, class Number,                                                        \
-            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it>                 \
-    requires detail::WiderThanLanes<A, Number>                                                               \
-  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(A&&, Number) = delete; \
-  template <class Number, detail::ElementReference A,                                                        \
-            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it>                 \
-    requires detail::WiderThanLanes<A, Number>                                                               \
-  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(Number, A&&) = delete;
-#define PHYSGEN_REFUSED_ASSIGNMENT(op)                                                       \
-  template <detail::ElementReference A, class Number,                                        \
-            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it> \
-    requires detail::Wider<typename std::remove_cvref_t<A>::Element, Number>                 \
-  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(A&&, Number) = delete;
+#define PHYSGEN_REFUSED_OPERATOR(op)                                                               \
+  template <detail::ElementReference A, class Number,                                              \
+            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it>       \
+    requires detail::WiderThanLanes<A, Number>                                                     \
+  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(A&&, Number) \
+      PHYSGEN_DELETED(a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it);            \
+  template <class Number, detail::ElementReference A,                                              \
+            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it>       \
+    requires detail::WiderThanLanes<A, Number>                                                     \
+  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(Number, A&&) \
+      PHYSGEN_DELETED(a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it);
+#define PHYSGEN_REFUSED_ASSIGNMENT(op)                                                             \
+  template <detail::ElementReference A, class Number,                                              \
+            class = detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it>       \
+    requires detail::Wider<typename std::remove_cvref_t<A>::Element, Number>                       \
+  detail::a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it operator op(A&&, Number) \
+      PHYSGEN_DELETED(a_double_beside_floats_has_other_bits_in_packs_so_write_S_of_it);
 PHYSGEN_REFUSED_OPERATOR(+)
 PHYSGEN_REFUSED_OPERATOR(-)
 PHYSGEN_REFUSED_OPERATOR(*)

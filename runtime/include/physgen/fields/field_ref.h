@@ -3,6 +3,7 @@
 // by their numbers.
 #pragma once
 
+#include <physgen/detail/deleted.h>
 #include <physgen/fields/checks.h>
 #include <physgen/fields/element_ref.h>
 #include <physgen/fields/shape.h>
@@ -36,11 +37,12 @@ class FieldRef {
   [[nodiscard]] PHYSGEN_FUNCTION const Loaded get() const&& { return read(); }
   PHYSGEN_FUNCTION operator Loaded() const&& { return read(); }  // NOLINT: implicit as a reference's conversion is
   PHYSGEN_FUNCTION operator Value() const&& { return read(); }   // NOLINT: implicit as a reference's conversion is
-  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& = delete;
+  detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself get() const& PHYSGEN_DELETED(
+      a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself);
   template <class Why = detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself>
-  operator Loaded() const& = delete;
+  operator Loaded() const& PHYSGEN_DELETED(a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself);
   template <class Why = detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself>
-  operator Value() const& = delete;
+  operator Value() const& PHYSGEN_DELETED(a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself);
 
   /// Stores `value`.
   PHYSGEN_FUNCTION const FieldRef& operator=(const Value& value) const& { return write(value); }
@@ -83,12 +85,14 @@ class FieldRef {
   }
 
   /// `= {}` would store an Eigen value that nothing has initialised.
-  void operator=(std::initializer_list<detail::an_empty_value_so_use_setZero>) const& = delete;
+  void operator=(std::initializer_list<detail::an_empty_value_so_use_setZero>) const& PHYSGEN_DELETED(
+      an_empty_value_so_use_setZero);
 
   FieldRef& operator=(const FieldRef&) & = delete;
   detail::a_named_reference_is_read_later_than_it_looks_so_read_the_view_itself operator=(const FieldRef&) const& =
       delete;
-  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator=(const Value&) & = delete;
+  detail::a_named_reference_is_not_assigned_so_write_to_the_view_itself operator=(const Value&) &
+      PHYSGEN_DELETED(a_named_reference_is_not_assigned_so_write_to_the_view_itself);
 
   /// Element k in storage order: T& where memory holds T (const T& in a read-only array), else a stand-in.
   /// @pre 0 <= k < the number of stored elements
@@ -222,16 +226,18 @@ PHYSGEN_FUNCTION void swap(FieldRef<Shape, FormatA, T, CursorA>&& a, FieldRef<Sh
 }
 
 // Fields do not calculate; PHYSGEN_REFUSED_OPERATOR is undefined below.
-#define PHYSGEN_REFUSED_OPERATOR(op)          \
-  template <class A, class B>                 \
-    requires detail::SomeFieldReference<A, B> \
-  detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator op(A&&, B&&) = delete;
+#define PHYSGEN_REFUSED_OPERATOR(op)                                                       \
+  template <class A, class B>                                                              \
+    requires detail::SomeFieldReference<A, B>                                              \
+  detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator op(A&&, B&&) \
+      PHYSGEN_DELETED(a_field_is_no_value_so_calculate_with_what_its_get_returns);
 PHYSGEN_REFUSED_OPERATOR(+)
 PHYSGEN_REFUSED_OPERATOR(-)
 PHYSGEN_REFUSED_OPERATOR(*)
 PHYSGEN_REFUSED_OPERATOR(/)
 #undef PHYSGEN_REFUSED_OPERATOR
 template <detail::SomeFieldReference A>
-detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator-(A&&) = delete;
+detail::a_field_is_no_value_so_calculate_with_what_its_get_returns operator-(A&&)
+    PHYSGEN_DELETED(a_field_is_no_value_so_calculate_with_what_its_get_returns);
 
 }  // namespace physgen

@@ -6,6 +6,7 @@
 #undef I
 
 #include <physgen/config.h>
+#include <physgen/detail/deleted.h>
 
 #include <concepts>
 #include <type_traits>
@@ -76,10 +77,12 @@ struct a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one {};
 // The pack at i + 1 would not begin at a multiple of its width: `view[numbers(i) + 1]` gathers the neighbours.
 template <class I, std::integral Number>
   requires(detail::AnyPack<I> || detail::is_own<I>)
-detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator+(const I&, Number) = delete;
+detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator+(const I&, Number)
+    PHYSGEN_DELETED(a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one);
 template <class I, std::integral Number>
   requires(detail::AnyPack<I> || detail::is_own<I>)
-detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator-(const I&, Number) = delete;
+detail::a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one operator-(const I&, Number)
+    PHYSGEN_DELETED(a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one);
 
 /// Lanes first .. last-1 of a pack.
 struct LaneRange {
