@@ -14,15 +14,15 @@
 
 namespace physgen {
 
-namespace detail {
-struct RowFill;
-}
-
 /// The objects that entries of rows name.
 struct RowTargets {
   std::string field;  ///< of the entries, which holds the numbers: "element", or "pair.node" of a nested object
   index_t count;      ///< objects of the set: numbers are 0 .. count-1
 };
+
+namespace detail {
+struct RowFill;
+}
 
 /// A row of entries for each object of one set; the entries name objects of another set, or of the same one. Every
 /// number has been checked against the size of the set that it indexes. Rows lie one behind the other, in order.
