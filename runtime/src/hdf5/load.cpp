@@ -113,7 +113,7 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
       continue;
     }
     const std::string dataset = group + "/" + std::string(field.name);
-    FieldInfo in_file = h5::read_form(file, dataset);
+    FieldInfo in_file = h5::read_form(file, place_, dataset);
     require_fit(place_, in_file, h5::read_unit(file, dataset), field);
     in_file.name = field.name;
     in_file.in_double = field.in_double;
