@@ -2,8 +2,10 @@
 #include <physgen/arrays/array_losses.h>
 #include <physgen/arrays/saved_arrays.h>
 #include <physgen/error.h>
+#include <sys/mman.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "../host_convert.h"
 #include "checksum.h"
@@ -50,21 +52,35 @@ void require_fit(const std::string& place, const FieldInfo& stored, const std::s
     refuse("the unit " + unit, "the unit " + std::string(field.unit));
 }
 
+using Rows = std::unique_ptr<std::byte, void (*)(void*)>;
+
+/// Memory that nothing is written to before the file is: a Buffer's would be cleared. In huge pages where there are.
+Rows memory_for(index_t bytes, const std::string& what) {
+  constexpr index_t page = index_t{1} << 21;
+  const auto whole =
+      static_cast<std::size_t>(align_up(std::max<index_t>(bytes, 1), bytes < page ? index_t{256} : page));
+  Rows memory(static_cast<std::byte*>(std::aligned_alloc(bytes < page ? 256 : page, whole)), std::free);
+  if (memory == nullptr) throw Error(what + ": there is no memory for its " + std::to_string(bytes) + " bytes");
+  if (bytes >= page) ::madvise(memory.get(), whole, MADV_HUGEPAGE);
+  return memory;
+}
+
 /// All rows of a dataset. @throw Error when they are damaged
-Buffer read_values(const h5::File& file, const std::string& place, const std::string& dataset, const FieldInfo& form,
-                   index_t size) {
+Rows read_values(const h5::File& file, const std::string& place, const std::string& dataset, const FieldInfo& form,
+                 index_t size) {
   const auto refuse = [&](const std::string& why) { throw Error(place + " " + dataset + " " + why); };
   if (file.shape(dataset)[0] != static_cast<hsize_t>(size))
     refuse("has " + std::to_string(file.shape(dataset)[0]) + " rows for " + std::to_string(size) + " objects");
   if (!file.holds_all(dataset)) refuse("is not in the file as a whole");
   const int bytes = form.count * element_bytes(form.type);
-  Buffer memory(SpaceKind::host, size * bytes, place + " " + dataset);
+  Rows memory = memory_for(size * bytes, place + " " + dataset);
+  file.read_ahead(dataset);
   h5::Checksum checksum;
   const h5::Handle type = h5::type_of(form.type);
   const index_t rows = h5::rows_at_once(bytes);
   for (index_t begin = 0; begin < size; begin += rows) {
     const index_t end = std::min(begin + rows, size);
-    std::byte* const to = memory.data() + begin * bytes;
+    std::byte* const to = memory.get() + begin * bytes;
     file.read_raw_rows(dataset, type.id(), static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin), to);
     checksum.add({to, static_cast<std::size_t>((end - begin) * bytes)});
   }
@@ -130,7 +146,7 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
 UntypedArray ArrayOfFile::Field::array(const UntypedArray& form, index_t size) const {
   int bytes = 0;
   for (const FieldInfo& field : fields) bytes += field.count * element_bytes(field.type);
-  return {memory.data(), size, size, 1, bytes, SpaceKind::host, form.object, fields};
+  return {memory.get(), size, size, 1, bytes, SpaceKind::host, form.object, fields};
 }
 
 void ArrayOfFile::give(const UntypedArray& to, bool check) const {

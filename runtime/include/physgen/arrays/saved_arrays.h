@@ -2,11 +2,11 @@
 #pragma once
 
 #include <physgen/arrays/untyped_array.h>
-#include <physgen/memory/buffer.h>
 
 #include <concepts>
 #include <filesystem>
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,8 +62,8 @@ class ArrayOfFile {
 
  private:
   struct Field {
-    std::vector<FieldInfo> fields;  ///< as many as the array has, of which one is stored
-    Buffer memory;
+    std::vector<FieldInfo> fields;                       ///< as many as the array has, of which one is stored
+    std::unique_ptr<std::byte, void (*)(void*)> memory;  ///< a row for each object
     [[nodiscard]] UntypedArray array(const UntypedArray& form, index_t size) const;
   };
   std::string place_;  ///< for messages
