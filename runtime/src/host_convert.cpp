@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 #include "convert.h"
 #include "plain_copy.h"
@@ -66,9 +67,16 @@ void convert_by_codec(const ElementMove& move, bool narrow, StridedElements to, 
   }
 }
 
-void convert_strided(const ElementMove& move, StridedElements to, StridedElements from, index_t count) {
+/// A move and the bytes of its elements, which short runs must not look up again.
+struct SizedMove {
+  ElementMove move;
+  int to_size = element_bytes(move.to.type), from_size = element_bytes(move.from.type);
+};
+
+void convert_strided(const SizedMove& sized, StridedElements to, StridedElements from, index_t count) {
+  const ElementMove& move = sized.move;
   if (move.to == move.from) {
-    const int size = element_bytes(move.to.type);
+    const int size = sized.to_size;
     if (size == 8) return move_strided<std::uint64_t>(to, from, count);
     if (size == 4) return move_strided<std::uint32_t>(to, from, count);
     return move_strided<std::uint16_t>(to, from, count);
@@ -103,6 +111,8 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
                      index_t begin, index_t end) {
   const Addressing to_array(to, to_first), from_array(from, from_first);
   const Conversion conversion(to, from);
+  std::vector<SizedMove> elements;
+  for (const ElementMove& move : conversion.elements) elements.push_back({move});
   const bool whole_records = to_array.records() && from_array.records() && same_records(to, from);
   constexpr index_t block = 1024;
   const index_t blocks = (end - begin + block - 1) / block;
@@ -117,9 +127,9 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
         i += count;
         continue;
       }
-      for (const ElementMove& move : conversion.elements) {
-        convert_strided(move, strided(to_array, i, move.to_offset, element_bytes(move.to.type)),
-                        strided(from_array, i, move.from_offset, element_bytes(move.from.type)), count);
+      for (const SizedMove& sized : elements) {
+        convert_strided(sized, strided(to_array, i, sized.move.to_offset, sized.to_size),
+                        strided(from_array, i, sized.move.from_offset, sized.from_size), count);
       }
       for (const RotationMove& move : conversion.rotations) {
         for (index_t l = i; l < i + count; ++l) move.apply(to_array, from_array, l);

@@ -92,6 +92,8 @@ class File {
   void write_raw_rows(const std::string& name, hid_t type, hsize_t first_row, hsize_t rows, const void* values);
   void read_raw_rows(const std::string& name, hid_t type, hsize_t first_row, hsize_t rows, void* values) const;
   [[nodiscard]] bool has_type(const std::string& name, hid_t type) const;
+  /// Tells the system that the whole dataset is read soon, so that the disk is at work while the program is.
+  void read_ahead(const std::string& name) const;
   /// Whether the file has room for all values of a dataset, whose shape may be damaged.
   [[nodiscard]] bool holds_all(const std::string& name) const;
 

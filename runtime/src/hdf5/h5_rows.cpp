@@ -1,4 +1,7 @@
 // Rows of datasets in one piece, moved as they are stored, whatever their type.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "h5.h"
 
 namespace physgen::h5 {
@@ -36,6 +39,16 @@ void File::read_raw_rows(const std::string& name, hid_t type, hsize_t first_row,
   move_rows(name, first_row, rows, "read " + name, [&](hid_t dataset, hid_t here, hid_t in_file) {
     return H5Dread(dataset, type, here, in_file, H5P_DEFAULT, values);
   });
+}
+
+void File::read_ahead(const std::string& name) const {
+  const Handle dataset = open_dataset(name);
+  const haddr_t begin = H5Dget_offset(dataset.id());
+  const int file = begin == HADDR_UNDEF ? -1 : ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;  // it is a hint
+  [[maybe_unused]] const int ignored = ::posix_fadvise(
+      file, static_cast<off_t>(begin), static_cast<off_t>(H5Dget_storage_size(dataset.id())), POSIX_FADV_WILLNEED);
+  ::close(file);
 }
 
 bool File::has_type(const std::string& name, hid_t type) const {

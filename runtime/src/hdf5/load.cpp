@@ -4,6 +4,7 @@
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "../host_convert.h"
 #include "checksum.h"
@@ -50,38 +51,59 @@ void require_fit(const std::string& place, const FieldInfo& stored, const std::s
     refuse("the unit " + unit, "the unit " + std::string(field.unit));
 }
 
-/// All rows of a dataset. @throw Error when they are damaged
-Buffer read_values(const h5::File& file, const std::string& place, const std::string& dataset, const FieldInfo& form,
-                   index_t size) {
-  const auto refuse = [&](const std::string& why) { throw Error(place + " " + dataset + " " + why); };
-  if (file.shape(dataset)[0] != static_cast<hsize_t>(size))
-    refuse("has " + std::to_string(file.shape(dataset)[0]) + " rows for " + std::to_string(size) + " objects");
-  if (!file.holds_all(dataset)) refuse("is not in the file as a whole");
-  const int bytes = form.count * element_bytes(form.type);
-  Buffer memory(SpaceKind::host, size * bytes, place + " " + dataset);
+/// The dataset of a field.
+struct Dataset {
+  std::string name;
+  std::vector<FieldInfo> fields;  ///< as many as the array has, of which one is stored
+  int bytes_of_row;
+  h5::Handle type;
+};
+
+/// Reads rows, and adds them to the checksum.
+void read_rows(const h5::File& file, const Dataset& dataset, index_t begin, index_t end, std::byte* to,
+               h5::Checksum& checksum) {
+  file.read_raw_rows(dataset.name, dataset.type.id(), static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin),
+                     to);
+  checksum.add({to, static_cast<std::size_t>((end - begin) * dataset.bytes_of_row)});
+}
+
+bool is_noted(const h5::File& file, const Dataset& dataset, const h5::Checksum& checksum) {
+  const std::vector<std::uint64_t> noted = file.read_values_attribute(dataset.name, "checksum");
+  return std::equal(noted.begin(), noted.end(), checksum.value().begin(), checksum.value().end());
+}
+
+/// @throw Error when the rows of a dataset are not all there, or damaged
+void require_rows(const h5::File& file, const std::string& place, const Dataset& dataset, index_t size) {
+  const auto refuse = [&](const std::string& why) { throw Error(place + " " + dataset.name + " " + why); };
+  if (file.shape(dataset.name)[0] != static_cast<hsize_t>(size))
+    refuse("has " + std::to_string(file.shape(dataset.name)[0]) + " rows for " + std::to_string(size) + " objects");
+  if (!file.holds_all(dataset.name)) refuse("is not in the file as a whole");
+  file.read_ahead(dataset.name);
   h5::Checksum checksum;
-  const h5::Handle type = h5::type_of(form.type);
-  const index_t rows = h5::rows_at_once(bytes);
-  for (index_t begin = 0; begin < size; begin += rows) {
-    const index_t end = std::min(begin + rows, size);
-    std::byte* const to = memory.data() + begin * bytes;
-    file.read_raw_rows(dataset, type.id(), static_cast<hsize_t>(begin), static_cast<hsize_t>(end - begin), to);
-    checksum.add({to, static_cast<std::size_t>((end - begin) * bytes)});
-  }
-  const std::vector<std::uint64_t> noted = file.read_values_attribute(dataset, "checksum");
-  if (!std::equal(noted.begin(), noted.end(), checksum.value().begin(), checksum.value().end()))
+  const index_t rows = h5::rows_at_once(dataset.bytes_of_row);
+  const Buffer block(SpaceKind::host, std::min(rows, size) * dataset.bytes_of_row, place);
+  for (index_t begin = 0; begin < size; begin += rows)
+    read_rows(file, dataset, begin, std::min(begin + rows, size), block.data(), checksum);
+  if (!is_noted(file, dataset, checksum))
     refuse("is damaged: its checksum is another one than was noted when it was saved");
-  return memory;
 }
 
 }  // namespace
 
 namespace detail {
 
+struct ArrayOfFile::Datasets {
+  h5::File file;
+  std::vector<Dataset> all;
+};
+
+ArrayOfFile::~ArrayOfFile() = default;
+
 ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& name, const UntypedArray& form,
                          std::span<const std::string> asked)
     : place_(path.string() + ": '" + name + "'") {
-  const h5::File file = open(path);
+  datasets_ = std::make_unique<Datasets>(Datasets{open(path), {}});
+  const h5::File& file = datasets_->file;
   const std::vector<std::string> arrays = file.names_in("/");
   if (std::find(arrays.begin(), arrays.end(), name) == arrays.end())
     throw Error(path.string() + ": has no array '" + name + "'" + h5::nearest_first(name, arrays));
@@ -113,24 +135,20 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
       continue;
     }
     const std::string dataset = group + "/" + std::string(field.name);
-    FieldInfo in_file = h5::read_form(file, dataset);
+    FieldInfo in_file = h5::read_form(file, place_, dataset);
     require_fit(place_, in_file, h5::read_unit(file, dataset), field);
     in_file.name = field.name;
     in_file.in_double = field.in_double;
-    fields_.push_back(
-        {h5::only(form.fields, f, in_file), read_values(file, place_, dataset, in_file, loaded_.objects)});
+    Dataset found{dataset, h5::only(form.fields, f, in_file), in_file.count * element_bytes(in_file.type),
+                  h5::type_of(in_file.type)};
+    require_rows(file, place_, found, loaded_.objects);
+    datasets_->all.push_back(std::move(found));
     loaded_.fields.emplace_back(field.name);
   }
-  if (fields_.empty() && !(stored.empty() && taken.empty())) {
+  if (datasets_->all.empty() && !(stored.empty() && taken.empty())) {
     throw Error(place_ + " has no field in common with the array" + h5::nearest_first("", stored) +
                 "; load it into an array of the schema that it was saved with");
   }
-}
-
-UntypedArray ArrayOfFile::Field::array(const UntypedArray& form, index_t size) const {
-  int bytes = 0;
-  for (const FieldInfo& field : fields) bytes += field.count * element_bytes(field.type);
-  return {memory.data(), size, size, 1, bytes, SpaceKind::host, form.object, fields};
 }
 
 void ArrayOfFile::give(const UntypedArray& to, bool check) const {
@@ -139,14 +157,35 @@ void ArrayOfFile::give(const UntypedArray& to, bool check) const {
                 std::to_string(to.size) + ": resize it");
   }
   if (to.size == 0) return;
-  if (check) {
-    for (const Field& field : fields_) throw_if_falsified(count_on_host(to, field.array(to, to.size), 0, to.size), to);
+  const h5::File& file = datasets_->file;
+  const auto part = [&](const Dataset& dataset, std::byte* rows, index_t size) {
+    return UntypedArray{rows, size, size, 1, dataset.bytes_of_row, SpaceKind::host, to.object, dataset.fields};
+  };
+  int widest = 0;
+  for (const Dataset& dataset : datasets_->all) widest = std::max(widest, dataset.bytes_of_row);
+  const index_t rows = check ? to.size : std::min(h5::rows_at_once(std::max(to.record_bytes, 1)), to.size);
+  const Buffer block(SpaceKind::host, rows * widest, place_);
+  for (const Dataset& dataset : datasets_->all) {
+    if (!check) break;
+    h5::Checksum ignored;
+    read_rows(file, dataset, 0, to.size, block.data(), ignored);
+    throw_if_falsified(count_on_host(to, part(dataset, block.data(), to.size), 0, to.size), to);
   }
   const HostTwin twin(to);
-  const index_t rows = h5::rows_at_once(std::max(to.record_bytes, 1));
+  std::vector<h5::Checksum> checksums(datasets_->all.size());
   for (index_t begin = 0; begin < to.size; begin += rows) {
-    for (const Field& field : fields_)
-      convert_on_host(twin.array(), 0, field.array(to, to.size), 0, begin, std::min(begin + rows, to.size));
+    const index_t end = std::min(begin + rows, to.size);
+    for (std::size_t d = 0; d < checksums.size(); ++d) {
+      const Dataset& dataset = datasets_->all[d];
+      read_rows(file, dataset, begin, end, block.data(), checksums[d]);
+      convert_on_host(twin.array(), 0, part(dataset, block.data(), end - begin), begin, begin, end);
+    }
+  }
+  for (std::size_t d = 0; d < checksums.size(); ++d) {
+    if (!is_noted(file, datasets_->all[d], checksums[d])) {
+      throw Error(place_ + " " + datasets_->all[d].name +
+                  " was changed while it was loaded, and the array holds a part of it: load it again");
+    }
   }
   twin.copy_back(to);
 }

@@ -107,7 +107,7 @@ void write_attributes(File& file, const std::string& dataset, const FieldInfo& f
   if (form.type == ElementType::snorm16) file.write_attribute(dataset, "_FillValue", one(std::int32_t{-32768}));
 }
 
-FieldInfo read_form(const File& file, const std::string& dataset) {
+FieldInfo read_form(const File& file, const std::string& place, const std::string& dataset) {
   FieldInfo form{};
   form.type = ElementType::none;
   const std::string format = file.read_text_attribute(dataset, "format");
@@ -118,10 +118,11 @@ FieldInfo read_form(const File& file, const std::string& dataset) {
   form.quaternion = elements == quaternions;
   form.rotation = form.quaternion || elements == matrices;
   if (!form.is_stored() || (!form.rotation && elements != numbers)) {
-    throw Error(dataset + " holds " + elements + " in the format " + format +
+    throw Error(place + " " + dataset + " holds " + elements + " in the format " + format +
                 ", which this version of physgen does not know");
   }
-  if (!file.has_type(dataset, type_of(form.type).id())) throw Error(dataset + " is not stored as " + format);
+  if (!file.has_type(dataset, type_of(form.type).id()))
+    throw Error(place + " " + dataset + " is not stored as " + format);
   form.scale = file.read_attribute<double>(dataset, "scale");
   form.centre = file.read_attribute<double>(dataset, "centre");
   const std::vector<hsize_t> shape = file.shape(dataset);

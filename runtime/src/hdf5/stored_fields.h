@@ -28,8 +28,9 @@ inline constexpr std::int32_t file_version = 1;
 /// Attributes of the dataset of a field.
 void write_attributes(File& file, const std::string& dataset, const FieldInfo& form);
 /// The form of a dataset by its attributes and type; its name is left empty.
+/// @param place for messages
 /// @throw Error when they are not those of save()
-[[nodiscard]] FieldInfo read_form(const File& file, const std::string& dataset);
+[[nodiscard]] FieldInfo read_form(const File& file, const std::string& place, const std::string& dataset);
 /// The unit of the field of a dataset.
 [[nodiscard]] std::string read_unit(const File& file, const std::string& dataset);
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <physgen/arrays/untyped_array.h>
-#include <physgen/memory/buffer.h>
 
 #include <concepts>
 #include <filesystem>
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,26 +49,26 @@ struct Loaded {
 
 namespace detail {
 
-/// One array of a file in the memory of the host, read and found undamaged, before any array of the program changes.
+/// One array of an open file, which is found undamaged before any array of the program changes, and then read again: a
+/// second reading, from the system's cache, takes less time than memory for all of it.
 class ArrayOfFile {
  public:
   /// @param form the type of the array that is to get the objects; its memory is not touched
   /// @param fields to load; all that both have where there are none
   ArrayOfFile(const std::filesystem::path& file, const std::string& name, const UntypedArray& form,
               std::span<const std::string> fields);
+  ~ArrayOfFile();
+  ArrayOfFile(const ArrayOfFile&) = delete;
+  ArrayOfFile& operator=(const ArrayOfFile&) = delete;
   [[nodiscard]] const Loaded& loaded() const { return loaded_; }
   /// Writes what was loaded to an array of as many objects. @param check refuse values that its formats cannot hold
   void give(const UntypedArray& to, bool check) const;
 
  private:
-  struct Field {
-    std::vector<FieldInfo> fields;  ///< as many as the array has, of which one is stored
-    Buffer memory;
-    [[nodiscard]] UntypedArray array(const UntypedArray& form, index_t size) const;
-  };
+  struct Datasets;
   std::string place_;  ///< for messages
   Loaded loaded_;
-  std::vector<Field> fields_;
+  std::unique_ptr<Datasets> datasets_;
 };
 
 }  // namespace detail
