@@ -107,15 +107,13 @@ inline constexpr LayoutRow layouts[] = {
   return nullptr;
 }
 
-/// The row of a layout type.
+/// The row of a layout type. @throw Error when `layouts` lacks it
 template <class Layout>
 [[nodiscard]] const LayoutRow& row_of() {
-  const std::string name = Layout::name;
-  if constexpr (requires { Layout::tile; }) {
-    return *find_layout(name + "(" + std::to_string(Layout::tile) + ")");
-  } else {
-    return *find_layout(name);
-  }
+  std::string name = Layout::name;
+  if constexpr (requires { Layout::tile; }) name += "(" + std::to_string(Layout::tile) + ")";
+  if (const LayoutRow* row = find_layout(name)) return *row;
+  throw Error("Python modules do not know the layout " + name + "; add its row in physgen/python/object_type.h");
 }
 
 /// The record of an object type in one precision and in the formats of one space.
