@@ -67,7 +67,8 @@ std::vector<std::string> documentation(const model::Object& object) {
 
 void class_of(Printer& out, const model::Object& object) {
   out.line("  physgen::python::add_class<" + object.qualified_name() + "Object, " +
-           cpp::layout_type(object.layout(model::Space::host)) + ">(");
+           cpp::layout_type(object.layout(model::Space::host)) + ", " +
+           cpp::layout_type(object.layout(model::Space::cuda)) + ">(");
   out.line("      module, \"" + object.name + "\",");
   const std::vector<std::string> lines = documentation(object);
   for (std::size_t i = 0; i < lines.size(); ++i)

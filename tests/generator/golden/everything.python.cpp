@@ -5,13 +5,13 @@
 #include "everything.physgen.h"
 
 PYBIND11_MODULE(everything, module) {
-  physgen::python::add_class<tissue::StampObject, physgen::Aosoa<16>>(
+  physgen::python::add_class<tissue::StampObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(
       module, "Stamp",
       "A moment, of a namespace around those of the others.\n"
       "\n"
       "time : Scalar [s]\n"
       "step : Scalar\n");
-  physgen::python::add_class<tissue::model::ShapesObject, physgen::Aosoa<16>>(
+  physgen::python::add_class<tissue::model::ShapesObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(
       module, "Shapes",
       "Every structure, with elements of every type.\n"
       "\n"
@@ -33,7 +33,7 @@ PYBIND11_MODULE(everything, module) {
       "V : Rotation\n"
       "count : Vector<2>\n"
       "M : Matrix<2, 2>\n");
-  physgen::python::add_class<tissue::model::NamesObject, physgen::Aosoa<16>>(
+  physgen::python::add_class<tissue::model::NamesObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(
       module, "Names",
       "Names that generated code uses elsewhere.\n"
       "\n"
@@ -62,7 +62,7 @@ PYBIND11_MODULE(everything, module) {
       "texts : Scalar\n"
       "Inner : Scalar\n"
       "tissue : Vector<2>\n");
-  physgen::python::add_class<tissue::model::EntriesObject, physgen::Aosoa<16>>(
+  physgen::python::add_class<tissue::model::EntriesObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(
       module, "Entries",
       "Fixed arrays.\n"
       "\n"
@@ -75,7 +75,7 @@ PYBIND11_MODULE(everything, module) {
       "    More entries than are worth unrolling\n"
       "edges : Vector<2>[6]\n"
       "entry : Scalar[2]\n");
-  physgen::python::add_class<tissue::model::OptionsObject, physgen::Soa>(
+  physgen::python::add_class<tissue::model::OptionsObject, physgen::Soa, physgen::AosPadded>(
       module, "Options",
       "Units, ranges and initial values. The text of this comment is long enough to need a second line, because it goes on\n"
       "and on without saying anything else.\n"
@@ -92,7 +92,7 @@ PYBIND11_MODULE(everything, module) {
       "group : Vector<2>\n"
       "spin : Skew<3>\n"
       "fixed : Scalar\n");
-  physgen::python::add_class<tissue::model::ElementObject, physgen::Aos>(
+  physgen::python::add_class<tissue::model::ElementObject, physgen::Aos, physgen::Aosoa<64>>(
       module, "Element",
       "Nested objects of every alignment.\n"
       "\n"
@@ -104,19 +104,19 @@ PYBIND11_MODULE(everything, module) {
       "stamp : tissue::Stamp\n"
       "shapes : tissue::model::Shapes\n"
       "volume : Scalar [m^3]\n");
-  physgen::python::add_class<tissue::other::PatchObject, physgen::Aosoa<16>>(
+  physgen::python::add_class<tissue::other::PatchObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(
       module, "Patch",
       "elements : tissue::model::Element[2]\n"
       "weight : Scalar\n"
       "options : tissue::model::Options\n");
-  physgen::python::add_class<tissue::model::FrameObject, physgen::Aosoa<16>>(
+  physgen::python::add_class<tissue::model::FrameObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(
       module, "Frame",
       "A place and a direction, compact on CUDA.\n"
       "\n"
       "turn : Rotation\n"
       "origin : Vector<3> [m]\n"
       "weight : Scalar\n");
-  physgen::python::add_class<tissue::model::StoredObject, physgen::Aosoa<8>>(
+  physgen::python::add_class<tissue::model::StoredObject, physgen::Aosoa<8>, physgen::Aosoa<32>>(
       module, "Stored",
       "Every storage format.\n"
       "\n"

@@ -122,6 +122,7 @@ class Refused(unittest.TestCase):
         self.refuses(ValueError, "Shapes: an array of -1 objects cannot exist; give 0 or more", lambda: everything.Shapes(-1))
         self.refuses(ValueError, "there is no layout 'sao'; there are aos,", lambda: everything.Shapes(1, layout="sao"))
         self.refuses(ValueError, "there is no precision 'half'; there are float and", lambda: everything.Shapes(1, precision="half"))
+        self.refuses(ValueError, "there is no space 'gpu'; there are host and cuda", lambda: everything.Shapes(1, space="gpu"))
         self.refuses(RuntimeError, "Shapes", lambda: everything.Shapes(2**60))
         self.refuses(TypeError, "incompatible", lambda: everything.Shapes(2.5))
         of = everything.Shapes(3)

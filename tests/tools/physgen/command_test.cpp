@@ -33,7 +33,7 @@ TEST_F(Command, writes_sources_of_python_modules_as_well) {
   const auto outcome = run("generate a.h -o out --python --layout soa");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(files("out"), (std::vector<std::string>{"a.physgen.h", "a.python.cpp"}));
-  EXPECT_NE(text_of(folder / "out/a.python.cpp").find(", physgen::Soa>("), std::string::npos);
+  EXPECT_NE(text_of(folder / "out/a.python.cpp").find(", physgen::Soa, physgen::Soa>("), std::string::npos);
   folder.write("a-b.h", sound);
   EXPECT_EQ(run("generate a-b.h -o out").status, 0);
   EXPECT_EQ(run("generate a-b.h -o other --python").status, 1);

@@ -19,18 +19,43 @@ inline void require_stored(const ObjectArray& array, std::size_t number) {
     throw Error(full_name(array, number) + ": nothing is stored of this field, so it can be neither read nor set");
 }
 
-/// The field of all objects without a copy; null where NumPy cannot express it.
-[[nodiscard]] inline py::object direct_view(const ObjectArray& array, std::size_t number) {
+/// Where a field lies.
+struct Placed {
+  Extents extents;
+  const std::byte* first;
+};
+[[nodiscard]] inline const std::byte* first_element(const UntypedArray& memory, const FieldInfo& field) {
+  return memory.size == 0 ? nullptr : memory.address(0, field.offset, element_bytes(field.type));
+}
+/// The field of all objects. @pre the layout has no tiles
+[[nodiscard]] inline Placed place_of(const ObjectArray& array, std::size_t number) {
   const FieldInfo& field = array.fields()[number];
-  const py::object dtype = stored_dtype(field);
   const UntypedArray memory = array.untyped();
-  if (!dtype || array.layout().tiled) return {};
   const int size = element_bytes(field.type);
   Extents extents;
   extents.add(memory.size, memory.pitch == 1 ? memory.record_bytes : size);
   extents.add_elements(array.type().shapes[number], field.count, memory.pitch * size);
-  const std::byte* first = memory.size == 0 ? nullptr : memory.address(0, field.offset, size);
-  return array_over(dtype, std::move(extents), first, array.memory());
+  return {std::move(extents), first_element(memory, field)};
+}
+/// The field in tiles: tiles, lanes, and the shape of the field.
+[[nodiscard]] inline Placed place_of_tiles(const ObjectArray& array, std::size_t number) {
+  const FieldInfo& field = array.fields()[number];
+  const UntypedArray memory = array.untyped();
+  const index_t pitch = std::max(memory.pitch, index_t{1});
+  const int size = element_bytes(field.type);
+  Extents extents;
+  extents.add((memory.size + pitch - 1) / pitch, law::tile_bytes(pitch, memory.record_bytes));
+  extents.add(pitch, size);
+  extents.add_elements(array.type().shapes[number], field.count, pitch * size);
+  return {std::move(extents), first_element(memory, field)};
+}
+
+/// The field of all objects without a copy; null where NumPy cannot express it.
+[[nodiscard]] inline py::object direct_view(const ObjectArray& array, std::size_t number) {
+  const py::object dtype = stored_dtype(array.fields()[number]);
+  if (!dtype || array.storage().layout->tiled || !host_accessible(array.storage().space)) return {};
+  Placed placed = place_of(array, number);
+  return array_over(dtype, std::move(placed.extents), placed.first, array.memory());
 }
 
 /// A packed field as an array of NumPy.
@@ -47,6 +72,7 @@ inline void require_stored(const ObjectArray& array, std::size_t number) {
 }
 
 /// The field of all objects: a view without a copy, or a copy that cannot be written.
+/// @pre the array lies in host memory
 [[nodiscard]] inline py::object read_field(const ObjectArray& array, std::size_t number) {
   require_stored(array, number);
   if (py::object view = direct_view(array, number)) return view;
@@ -77,6 +103,7 @@ inline void write_field(const ObjectArray& array, std::size_t number, const py::
 
 /// The field as it lies in memory, without a copy in every layout: tiles, lanes of a tile, and the shape of the field.
 /// Lanes behind the last object are padding.
+/// @pre the array lies in host memory
 /// @throw a TypeError where NumPy does not know the stored type
 [[nodiscard]] inline py::object read_tiles(const ObjectArray& array, std::size_t number) {
   require_stored(array, number);
@@ -87,15 +114,8 @@ inline void write_field(const ObjectArray& array, std::size_t number, const py::
                          " is stored in a format that NumPy does not know; read the field itself, which gives a "
                          "decoded copy, and assign to it");
   }
-  const UntypedArray memory = array.untyped();
-  const index_t pitch = std::max(memory.pitch, index_t{1});
-  const int size = element_bytes(field.type);
-  Extents extents;
-  extents.add((memory.size + pitch - 1) / pitch, law::tile_bytes(pitch, memory.record_bytes));
-  extents.add(pitch, size);
-  extents.add_elements(array.type().shapes[number], field.count, pitch * size);
-  const std::byte* first = memory.size == 0 ? nullptr : memory.address(0, field.offset, size);
-  return array_over(dtype, std::move(extents), first, array.memory());
+  Placed placed = place_of_tiles(array, number);
+  return array_over(dtype, std::move(placed.extents), placed.first, array.memory());
 }
 
 }  // namespace physgen::python

@@ -1,6 +1,6 @@
 // The classes of a Python module, which `physgen generate --python` writes the source of:
 //   PYBIND11_MODULE(stress, module) {
-//     physgen::python::add_class<model::StressObject, physgen::Aosoa<16>>(module, "Stress", "...");
+//     physgen::python::add_class<model::StressObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(module, "Stress", "...");
 //   }
 // A function of a program's own takes physgen::python::Objects<model::StressObject>& and calls view() of it.
 #pragma once
@@ -42,15 +42,26 @@ namespace detail {
                         " objects cannot exist; give 0 or more");
 }
 
+[[nodiscard]] inline SpaceKind chosen_space(const std::string& name) {
+  if (name == "host" || name == "cuda") return name == "cuda" ? SpaceKind::cuda : SpaceKind::host;
+  throw py::value_error("there is no space '" + name + "'; there are host and cuda");
+}
+
 [[nodiscard]] inline ObjectArray made(const ObjectType& type, index_t count, const std::string& layout,
-                                      const std::string& precision) {
-  return {type, chosen_count(type, count), chosen_layout(layout), chosen_precision(precision)};
+                                      const std::string& precision, const std::string& space) {
+  const SpaceKind in = chosen_space(space);
+  return {type,
+          chosen_count(type, count),
+          {layout.empty() ? type.in(in).layout : &chosen_layout(layout), chosen_precision(precision), in}};
 }
 
 [[nodiscard]] inline ObjectArray converted(const ObjectArray& array, const std::string& layout,
-                                           const std::string& precision) {
-  ObjectArray result(array.type(), array.size(), layout.empty() ? array.layout() : chosen_layout(layout),
-                     precision.empty() ? array.in_double() : chosen_precision(precision));
+                                           const std::string& precision, const std::string& space) {
+  Storage storage = array.storage();
+  if (!space.empty()) storage.space = chosen_space(space);
+  if (!layout.empty()) storage.layout = &chosen_layout(layout);
+  if (!precision.empty()) storage.in_double = chosen_precision(precision);
+  ObjectArray result(array.type(), array.size(), storage);
   copy(result.untyped(), array.untyped());
   return result;
 }
@@ -86,6 +97,12 @@ inline void add_base(py::module_& module) {
     return "<" + self.text() + ">";
   });
 
+  py::class_<DeviceField>(module, "DeviceField", py::module_local(), "A field in CUDA memory, a tensor of DLPack.")
+      .def("__dlpack__", &DeviceField::capsule, py::arg("stream") = py::none())
+      .def("__dlpack_device__", &DeviceField::device)
+      .def_property_readonly("shape", &DeviceField::shape)
+      .def("__repr__", &DeviceField::text);
+
   py::class_<ObjectArray> array(module, "ObjectArray", py::module_local(), "An array of objects.");
   add_access(array, [](const py::object& self) { return Part(self); });
   array.def("__len__", &ObjectArray::size);
@@ -97,14 +114,15 @@ inline void add_base(py::module_& module) {
   array.def(
       "tiles",
       [](const py::object& self, const std::string& name) {
-        return read_tiles(self.cast<const ObjectArray&>(), Part(self).number(name));
+        return seen_tiles(self.cast<const ObjectArray&>(), Part(self).number(name));
       },
       py::arg("field"),
       "The field as it lies in memory, without a copy in any layout: (tiles, lanes of a tile, ...). Lanes behind the "
       "last object are padding.");
-  array.def_property_readonly("layout", [](const ObjectArray& self) { return self.layout().name; });
+  array.def_property_readonly("layout", [](const ObjectArray& self) { return self.storage().layout->name; });
   array.def_property_readonly("precision",
-                              [](const ObjectArray& self) { return self.in_double() ? "double" : "float"; });
+                              [](const ObjectArray& self) { return self.storage().in_double ? "double" : "float"; });
+  array.def_property_readonly("space", [](const ObjectArray& self) { return name(self.storage().space); });
   array.def_property_readonly("nbytes", &ObjectArray::bytes, "Bytes of memory held, padding included.");
   array.def_property_readonly(
       "units",
@@ -127,8 +145,8 @@ inline void add_base(py::module_& module) {
 inline void add_attributes(const py::object& python_class, const ObjectType& type) {
   const py::object property = py::module_::import("builtins").attr("property");
   std::string last;
-  for (std::size_t f = 0; f < type.with_float.fields.size(); ++f) {
-    const FieldInfo& field = type.with_float.fields[f];
+  for (std::size_t f = 0; f < type.host.with_float.fields.size(); ++f) {
+    const FieldInfo& field = type.host.with_float.fields[f];
     const std::string name(field.name.substr(0, field.name.find_first_of(".[")));
     if (name == last) continue;
     last = name;
@@ -142,25 +160,28 @@ inline void add_attributes(const py::object& python_class, const ObjectType& typ
 }  // namespace detail
 
 /// Adds the class of arrays of an object type to a module.
+/// @tparam HostLayout, CudaLayout those of the schema
 /// @param name of the class
 /// @param doc what help() prints
-template <class Object, class Layout>
+template <class Object, class HostLayout, class CudaLayout>
 void add_class(py::module_& module, const char* name, const char* doc) {
   detail::add_base(module);
-  const ObjectType& type = object_type<Object, Layout>();
-  const std::string layout(type.layout->name);
+  const ObjectType& type = object_type<Object, HostLayout, CudaLayout>();
   py::class_<Objects<Object>, ObjectArray> python_class(module, name, py::module_local(), doc);
-  python_class.def(py::init([&type](index_t count, const std::string& layout_name, const std::string& precision) {
-                     return Objects<Object>(detail::made(type, count, layout_name, precision));
-                   }),
-                   py::arg("count"), py::arg("layout") = layout, py::arg("precision") = "float");
+  python_class.def(
+      py::init(
+          [&type](index_t count, const std::string& layout, const std::string& precision, const std::string& space) {
+            return Objects<Object>(detail::made(type, count, layout, precision, space));
+          }),
+      py::arg("count"), py::arg("layout") = "", py::arg("precision") = "float", py::arg("space") = "host",
+      "Objects with their initial values. Without a layout they have that of the schema for the space, host or cuda.");
   python_class.def(
       "copy",
-      [](const ObjectArray& self, const std::string& layout_name, const std::string& precision) {
-        return Objects<Object>(detail::converted(self, layout_name, precision));
+      [](const ObjectArray& self, const std::string& layout, const std::string& precision, const std::string& space) {
+        return Objects<Object>(detail::converted(self, layout, precision, space));
       },
-      py::arg("layout") = "", py::arg("precision") = "",
-      "The same objects in memory of their own, in another layout or precision where one is given.");
+      py::arg("layout") = "", py::arg("precision") = "", py::arg("space") = "",
+      "The same objects in memory of their own, in another layout, precision or space where one is given.");
   detail::add_attributes(python_class, type);
 }
 

@@ -65,7 +65,7 @@ struct Extents {
     const int kind = device[0].cast<int>();
     if (kind != host_device && kind != pinned_device) {
       throw py::buffer_error(name + ": the values lie on DLPack's device " + py::repr(device).cast<std::string>() +
-                             ", and this array on the host, (1, 0); copy them to the host first");
+                             "; they are taken from host memory, (1, 0), so copy them to the host first");
     }
     return py::module_::import("numpy").attr("from_dlpack")(values);
   }

@@ -18,27 +18,35 @@ struct InUse : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// How objects are stored.
+struct Storage {
+  const LayoutRow* layout;
+  bool in_double;
+  SpaceKind space;  ///< host or cuda
+};
+
 class ObjectArray {
  public:
-  /// `size` objects with their initial values, in host memory.
+  /// `size` objects with their initial values.
   /// @pre size is not negative
   /// @throw Error when the memory cannot be had
-  ObjectArray(const ObjectType& type, index_t size, const LayoutRow& layout, bool in_double)
-      : ObjectArray(type, size, layout, in_double, Uninitialised()) {
+  ObjectArray(const ObjectType& type, index_t size, const Storage& storage)
+      : ObjectArray(type, size, storage, Uninitialised()) {
     initialize(untyped(), 0, padded_);
   }
 
   [[nodiscard]] const ObjectType& type() const { return *type_; }
-  [[nodiscard]] const LayoutRow& layout() const { return *layout_; }
-  [[nodiscard]] bool in_double() const { return in_double_; }
+  [[nodiscard]] const Storage& storage() const { return storage_; }
   [[nodiscard]] index_t size() const { return size_; }
   [[nodiscard]] index_t bytes() const { return memory_->bytes(); }
-  [[nodiscard]] std::span<const FieldInfo> fields() const { return type_->record(in_double_).fields; }
+  [[nodiscard]] std::span<const FieldInfo> fields() const {
+    return type_->record(storage_.space, storage_.in_double).fields;
+  }
   [[nodiscard]] UntypedArray untyped() const { return untyped(fields()); }
   /// The same with other words on its fields.
   [[nodiscard]] UntypedArray untyped(std::span<const FieldInfo> fields) const {
-    return {memory_->data(), size_,           padded_,     layout_->pitch(size_),
-            record_bytes_,   SpaceKind::host, type_->name, fields};
+    return {memory_->data(), size_,          padded_,     storage_.layout->pitch(size_),
+            record_bytes_,   storage_.space, type_->name, fields};
   }
   /// The memory, which stays as long as this or what is returned does.
   [[nodiscard]] const std::shared_ptr<Buffer>& memory() const { return memory_; }
@@ -52,7 +60,7 @@ class ObjectArray {
                   " views of this array exist, so it cannot get " + std::to_string(size) + " objects in place of " +
                   std::to_string(size_) + "; delete them first (del), or copy what they show (view.copy())");
     }
-    ObjectArray other(*type_, size, *layout_, in_double_, Uninitialised());
+    ObjectArray other(*type_, size, storage_, Uninitialised());
     const index_t kept = std::min(size, size_);
     copy_range(other.untyped(), untyped(), 0, kept);
     reset(other.untyped(), kept, other.padded_);
@@ -60,48 +68,50 @@ class ObjectArray {
   }
 
   /// The view that kernels are given. Valid until the array is resized or destroyed.
-  /// @tparam Array an array type on the host, such as model::StressArray<float>
-  /// @throw Error where the objects have another precision or layout
+  /// @tparam Array an array type such as model::StressArray<float>
+  /// @throw Error where the objects have another precision or layout, or lie in another space
   template <class Array>
   [[nodiscard]] typename Array::View view() const {
-    using Layout = typename Array::Layout;
-    constexpr bool wants_double = std::is_same_v<typename Array::Precision, double>;
-    if (type_->name != Array::Object::name || &row_of<Layout>() != layout_ || wants_double != in_double_) {
-      throw Error(description() + " is given to a function that is compiled for " + std::string(Array::Object::name) +
-                  " in " + std::string(row_of<Layout>().name) + " with " + (wants_double ? "double" : "float") +
-                  "; give it array.copy(layout=..., precision=...)");
+    const Storage wanted{&row_of<typename Array::Layout>(), std::is_same_v<typename Array::Precision, double>,
+                         Array::Space::kind};
+    if (type_->name != Array::Object::name || wanted.layout != storage_.layout ||
+        wanted.in_double != storage_.in_double || wanted.space != storage_.space) {
+      throw Error(description() + " are given to a function that is compiled for " + std::string(Array::Object::name) +
+                  in_words(wanted) + "; give it array.copy(layout=..., precision=..., space=...)");
     }
-    return {memory_->data(), size_, layout_->pitch(size_)};
+    return {memory_->data(), size_, storage_.layout->pitch(size_)};
   }
 
-  /// "1000 model::Stress in aosoa(16) with float"
+  /// "1000 model::Stress in aosoa(16) with float in host memory"
   [[nodiscard]] std::string description() const {
-    return std::to_string(size_) + " " + std::string(type_->name) + " in " + std::string(layout_->name) + " with " +
-           (in_double_ ? "double" : "float");
+    return std::to_string(size_) + " " + std::string(type_->name) + in_words(storage_);
   }
 
  private:
   struct Uninitialised {};
-  ObjectArray(const ObjectType& type, index_t size, const LayoutRow& layout, bool in_double, Uninitialised /*memory*/)
-      : type_(&type), layout_(&layout), size_(size), padded_(layout.padded(size)), in_double_(in_double) {
-    const RecordInfo& record = type.record(in_double);
-    record_bytes_ = layout.record_bytes(record.bytes, record.alignment);
+  [[nodiscard]] static std::string in_words(const Storage& storage) {
+    return " in " + std::string(storage.layout->name) + " with " + (storage.in_double ? "double" : "float") + " in " +
+           name(storage.space) + " memory";
+  }
+  ObjectArray(const ObjectType& type, index_t size, const Storage& storage, Uninitialised /*memory*/)
+      : type_(&type), storage_(storage), size_(size), padded_(storage.layout->padded(size)) {
+    const RecordInfo& record = type.record(storage.space, storage.in_double);
+    record_bytes_ = storage.layout->record_bytes(record.bytes, record.alignment);
     const index_t limit = std::numeric_limits<index_t>::max() / std::max(record_bytes_, 1) / 4;
     if (size > limit) {
       throw Error(std::string(type.name) + ": an array of " + std::to_string(size) + " objects of " +
                   std::to_string(record_bytes_) + " bytes cannot exist; give a size from 0 to " +
                   std::to_string(limit));
     }
-    memory_ = std::make_shared<Buffer>(SpaceKind::host, padded_ * record_bytes_,
+    memory_ = std::make_shared<Buffer>(storage.space, padded_ * record_bytes_,
                                        std::string(type.name) + "[" + std::to_string(size) + "]");
   }
 
   const ObjectType* type_;
-  const LayoutRow* layout_;
+  Storage storage_;
   index_t size_;
   index_t padded_;
   int record_bytes_ = 0;
-  bool in_double_;
   std::shared_ptr<Buffer> memory_;
 };
 

@@ -107,46 +107,61 @@ inline constexpr LayoutRow layouts[] = {
   return nullptr;
 }
 
-/// The row of a layout type.
+/// The row of a layout type. @throw Error when `layouts` lacks it
 template <class Layout>
 [[nodiscard]] const LayoutRow& row_of() {
-  const std::string name = Layout::name;
-  if constexpr (requires { Layout::tile; }) {
-    return *find_layout(name + "(" + std::to_string(Layout::tile) + ")");
-  } else {
-    return *find_layout(name);
-  }
+  std::string name = Layout::name;
+  if constexpr (requires { Layout::tile; }) name += "(" + std::to_string(Layout::tile) + ")";
+  if (const LayoutRow* row = find_layout(name)) return *row;
+  throw Error("Python modules do not know the layout " + name + "; add its row in physgen/python/object_type.h");
 }
 
-/// The record of an object type in one precision, in the formats of the host.
+/// The record of an object type in one precision and in the formats of one space.
 struct RecordInfo {
   std::span<const FieldInfo> fields;
   int bytes;
   int alignment;
 };
 
-struct ObjectType {
-  std::string_view name;  ///< qualified: "model::Stress"
+/// What an object type is in a space.
+struct SpaceInfo {
   RecordInfo with_float;
   RecordInfo with_double;
-  std::span<const FieldShape> shapes;
-  const LayoutRow* layout;  ///< that of the schema on the host
-
-  [[nodiscard]] const RecordInfo& record(bool in_double) const { return in_double ? with_double : with_float; }
+  const LayoutRow* layout;  ///< that of the schema
 };
 
+struct ObjectType {
+  std::string_view name;  ///< qualified: "model::Stress"
+  std::span<const FieldShape> shapes;
+  SpaceInfo host, cuda;
+
+  [[nodiscard]] const SpaceInfo& in(SpaceKind space) const { return space == SpaceKind::cuda ? cuda : host; }
+  [[nodiscard]] const RecordInfo& record(SpaceKind space, bool in_double) const {
+    return in_double ? in(space).with_double : in(space).with_float;
+  }
+};
+
+namespace detail {
+
+template <class Object, class Space, class Real>
+[[nodiscard]] RecordInfo record_info() {
+  using Record = typename Object::template Record<Real, FormatsOf<Object, Space>>;
+  return {Object::template fields<Real, FormatsOf<Object, Space>>, Record::bytes, Record::alignment};
+}
+template <class Object, class Space, class Layout>
+[[nodiscard]] SpaceInfo space_info() {
+  return {record_info<Object, Space, float>(), record_info<Object, Space, double>(), &row_of<Layout>()};
+}
+
+}  // namespace detail
+
 /// @tparam Object a generated tag such as model::StressObject
-/// @tparam Layout the schema's on the host
-template <class Object, class Layout>
+/// @tparam HostLayout, CudaLayout the schema's
+template <class Object, class HostLayout, class CudaLayout>
 [[nodiscard]] const ObjectType& object_type() {
-  using Formats = FormatsOf<Object, Host>;
-  using InFloat = typename Object::template Record<float, Formats>;
-  using InDouble = typename Object::template Record<double, Formats>;
-  static const ObjectType type = {Object::name,
-                                  {Object::template fields<float, Formats>, InFloat::bytes, InFloat::alignment},
-                                  {Object::template fields<double, Formats>, InDouble::bytes, InDouble::alignment},
-                                  detail::shapes_of<Object>,
-                                  &row_of<Layout>()};
+  static const ObjectType type = {Object::name, detail::shapes_of<Object>,
+                                  detail::space_info<Object, Host, HostLayout>(),
+                                  detail::space_info<Object, Cuda, CudaLayout>()};
   return type;
 }
 

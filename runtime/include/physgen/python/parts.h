@@ -1,7 +1,7 @@
 // Fields by name, and nested objects, which have fields of their own: array.svd.U, array.points[2].x, array["svd.U"].
 #pragma once
 
-#include <physgen/python/field_values.h>
+#include <physgen/python/device_field.h>
 
 #include <set>
 
@@ -16,7 +16,7 @@ class Part {
   [[nodiscard]] py::object find(const std::string& name) const {
     const std::string full = full_name(name);
     for (std::size_t f = 0; f < fields().size(); ++f)
-      if (fields()[f].name == full) return read_field(array(), f);
+      if (fields()[f].name == full) return seen_field(array(), f);
     return is_part(full) ? py::cast(Part(owner_, full)) : py::object();
   }
   /// Sets a field. @return whether there is one of this name

@@ -28,8 +28,8 @@ TEST(PythonModule, has_a_class_of_each_object_and_no_imported_one) {
   const std::string text = module_source(all);
   expect_contains(
       text, "#include <physgen/python/module.h>\n\n#include \"test.physgen.h\"\n\nPYBIND11_MODULE(test, module) {\n");
-  expect_contains(text, "add_class<a::b::AObject, physgen::AosPadded>(\n      module, \"A\",\n");
-  expect_contains(text, "add_class<c::BObject, physgen::Aosoa<16>>(\n      module, \"B\",\n");
+  expect_contains(text, "add_class<a::b::AObject, physgen::AosPadded, physgen::Aosoa<32>>(\n      module, \"A\",\n");
+  expect_contains(text, "add_class<c::BObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(\n      module, \"B\",\n");
   EXPECT_EQ(text.find("PObject"), std::string::npos);
 }
 
