@@ -14,6 +14,7 @@ import time
 from pathlib import Path
 
 from attack_programs import MINE, REVIEWED
+from held_programs import HELD
 from kernel_programs import EFFECTS, HARMLESS, KERNELS, kernel
 from own_programs import OF_LINES, OWN
 from scene_programs import Block, Defect, Harness
@@ -139,7 +140,7 @@ class Fuzzer:
             self.fail(f"no steps of blocks up to {self.number} are joined: the fuzzer says nothing any more")
 
     def known(self):
-        known = REVIEWED + OWN + KERNELS
+        known = REVIEWED + HELD + OWN + KERNELS
         self.round(known)
         print(f"{len(known) + len(OF_LINES)} known programs, {sum(block.joined for block in known)} of them to be joined", flush=True)
         for name in self.harness.joined(OF_LINES):
