@@ -14,10 +14,6 @@
 
 namespace physgen {
 
-namespace detail {
-struct RowFill;
-}
-
 /// The objects that entries of rows name.
 struct RowTargets {
   std::string field;  ///< of the entries, which holds the numbers: "element", or "pair.node" of a nested object
