@@ -202,7 +202,7 @@ void CellSearch<Real, kDimensions>::gather(std::int32_t cell, Candidates& candid
     if (first <= cell && cell <= last) {
       candidates.own = size + begin_of_cell_[static_cast<std::size_t>(cell)] - begin;
     }
-    const auto room = static_cast<std::size_t>(size + count);
+    const auto room = static_cast<std::size_t>(size + count + room_behind);
     if (candidates.numbers.size() < room) {
       candidates.numbers.resize(2 * room);
       for (auto& along : candidates.places) along.resize(2 * room);
@@ -249,7 +249,7 @@ void CellSearch<Real, kDimensions>::search_block(index_t b, bool with_itself, in
       near.numbers = candidates.numbers.data();
       for (std::size_t k = 0; k < kDimensions; ++k) near.places[k] = candidates.places[k].data();
     }
-    const auto room = static_cast<std::size_t>(block.used + candidates.size) + room_behind;
+    const auto room = static_cast<std::size_t>(block.used + candidates.size + room_behind);
     if (block.found.size() < room) block.found.resize(room + room / 2);
     const index_t count =
         append_near(near, candidates.own + (place - begin), with_itself, block.found.data() + block.used);

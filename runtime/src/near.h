@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -17,7 +18,7 @@
 namespace physgen::detail {
 
 /// Entries that append_near() may write behind those that it counts.
-constexpr std::size_t room_behind = 16;
+constexpr index_t room_behind = 16;
 
 template <class Real, int kDimensions>
 struct Near {
@@ -28,71 +29,118 @@ struct Near {
   std::array<Real, kDimensions> length;  ///< of the box, 0 where it is not periodic
 };
 
-/// Squares of distances of the points from `first` on to the point x.
+/// Squares of distances of the points from `first` on to the point x; of up to seven points more.
 template <class Real, int kDimensions>
 [[gnu::always_inline]] inline void squares_of_distances(const Near<Real, kDimensions>& near, index_t first,
                                                         index_t count, const std::array<Real, kDimensions>& x,
                                                         Real* squares) {
-  for (std::size_t k = kDimensions; k-- > 0;) {
-    const Real* other = near.places[k] + first;
-    const Real length = near.length[k], half = length > 0 ? length / 2 : std::numeric_limits<Real>::infinity();
-    const Real here = x[k];
-    const bool last = k + 1 == kDimensions;
-    for (index_t j = 0; j < count; ++j) {
-      Real d = here - other[j];
-      d = d > half ? d - length : d < -half ? d + length : d;
-      squares[j] = last ? d * d : d * d + squares[j];
+  using Lanes [[gnu::vector_size(32)]] = Real;  // compilers find no vectors in a loop with the conditions below
+  constexpr index_t lanes = sizeof(Lanes) / sizeof(Real);
+  std::array<Real, kDimensions> half;
+  for (std::size_t k = 0; k < kDimensions; ++k) {
+    half[k] = near.length[k] > 0 ? near.length[k] / 2 : std::numeric_limits<Real>::infinity();
+  }
+  for (index_t j = 0; j < count; j += lanes) {
+    Lanes sum{};
+    for (std::size_t k = kDimensions; k-- > 0;) {
+      Lanes other;
+      std::memcpy(&other, near.places[k] + first + j, sizeof(Lanes));
+      const Lanes length = Lanes{} + near.length[k];
+      Lanes d = x[k] - other;
+      d = d > half[k] ? d - length : d < -half[k] ? d + length : d;
+      sum = k + 1 == kDimensions ? d * d : d * d + sum;
     }
+    std::memcpy(squares + j, &sum, sizeof(Lanes));
   }
 }
 
-template <class Real, int kDimensions>
-[[gnu::always_inline]] inline index_t append_near_in_any_width(const Near<Real, kDimensions>& near, index_t itself,
-                                                               bool with_itself, std::int32_t* found) {
+/// Writes the numbers whose squares are less than that of the reach. @return behind the last one
+template <class Real>
+[[gnu::always_inline]] inline std::int32_t* append(const Real* squares, Real square, const std::int32_t* numbers,
+                                                   index_t count, std::int32_t* next) {
+  for (index_t j = 0; j < count; ++j) {
+    *next = numbers[j];
+    next += squares[j] < square ? 1 : 0;
+  }
+  return next;
+}
+
+/// See append_near(). @param append as above, in wider registers or not
+template <class Real, int kDimensions, class Append>
+[[gnu::always_inline]] inline index_t append_near_by(const Near<Real, kDimensions>& near, index_t itself,
+                                                     bool with_itself, std::int32_t* found, const Append& append) {
   constexpr index_t most = 256;
-  alignas(64) std::array<Real, most> squares;
+  alignas(64) std::array<Real, most + room_behind> squares;
   std::array<Real, kDimensions> x;
   for (std::size_t k = 0; k < kDimensions; ++k) x[k] = near.places[k][itself];
   std::int32_t* next = found;
   for (index_t first = 0; first < near.count; first += most) {
     const index_t count = std::min(most, near.count - first);
     squares_of_distances<Real, kDimensions>(near, first, count, x, squares.data());
+    std::fill_n(squares.begin() + count, room_behind, std::numeric_limits<Real>::infinity());
     const index_t own = itself - first;
     if (!with_itself && own >= 0 && own < count) {
       squares[static_cast<std::size_t>(own)] = std::numeric_limits<Real>::infinity();
     }
-    for (index_t j = 0; j < count; ++j) {
-      *next = near.numbers[first + j];
-      next += squares[static_cast<std::size_t>(j)] < near.square ? 1 : 0;
-    }
+    next = append(squares.data(), near.square, near.numbers + first, count, next);
   }
   return next - found;
 }
 
 #ifdef PHYSGEN_WIDER_REGISTERS
+/// For each set of eight lanes: its members one behind the other.
+constexpr auto members_of_lanes = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> members{};
+  for (std::size_t set = 0; set < 256; ++set) {
+    std::size_t count = 0;
+    for (std::uint8_t lane = 0; lane < 8; ++lane) {
+      if ((set >> lane & 1) != 0) members[set][count++] = lane;
+    }
+  }
+  return members;
+}();
+
+struct AppendEight {
+  [[gnu::target("avx2,popcnt")]] static unsigned less(const float* squares, float square) {
+    const __m256 lanes = _mm256_cmp_ps(_mm256_loadu_ps(squares), _mm256_set1_ps(square), _CMP_LT_OQ);
+    return static_cast<unsigned>(_mm256_movemask_ps(lanes));
+  }
+  [[gnu::target("avx2,popcnt")]] static unsigned less(const double* squares, double square) {
+    const __m256d lower = _mm256_cmp_pd(_mm256_loadu_pd(squares), _mm256_set1_pd(square), _CMP_LT_OQ);
+    const __m256d upper = _mm256_cmp_pd(_mm256_loadu_pd(squares + 4), _mm256_set1_pd(square), _CMP_LT_OQ);
+    return static_cast<unsigned>(_mm256_movemask_pd(lower) | _mm256_movemask_pd(upper) << 4);
+  }
+  /// Reads and writes up to seven numbers more.
+  template <class Real>
+  [[gnu::target("avx2,popcnt")]] std::int32_t* operator()(const Real* squares, Real square, const std::int32_t* numbers,
+                                                          index_t count, std::int32_t* next) const {
+    for (index_t j = 0; j < count; j += 8) {
+      const unsigned set = less(squares + j, square);
+      const __m256i members =
+          _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&members_of_lanes[set])));
+      const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers + j));
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(next), _mm256_permutevar8x32_epi32(eight, members));
+      next += _mm_popcnt_u32(set);
+    }
+    return next;
+  }
+};
 template <class Real, int kDimensions>
-[[gnu::target("avx2")]] index_t append_near_avx2(const Near<Real, kDimensions>& near, index_t itself, bool with_itself,
-                                                 std::int32_t* found) {
-  return append_near_in_any_width<Real, kDimensions>(near, itself, with_itself, found);
-}
-template <class Real, int kDimensions>
-[[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,prefer-vector-width=512")]] index_t append_near_avx512(
-    const Near<Real, kDimensions>& near, index_t itself, bool with_itself, std::int32_t* found) {
-  return append_near_in_any_width<Real, kDimensions>(near, itself, with_itself, found);
+[[gnu::target("avx2,popcnt")]] index_t append_near_avx2(const Near<Real, kDimensions>& near, index_t itself,
+                                                        bool with_itself, std::int32_t* found) {
+  return append_near_by<Real, kDimensions>(near, itself, with_itself, found, AppendEight());
 }
 #endif
 
-/// Writes the numbers of the points near to the one at `itself`, in their order, and returns how many there are.
+/// Writes the numbers of the points near to the one at `itself`, in their order, and returns how many there are. Reads
+/// and writes up to `room_behind` numbers more.
 template <class Real, int kDimensions>
 index_t append_near(const Near<Real, kDimensions>& near, index_t itself, bool with_itself, std::int32_t* found) {
 #ifdef PHYSGEN_WIDER_REGISTERS
-  static const int width = __builtin_cpu_supports("avx512vl") != 0 ? 512
-                           : __builtin_cpu_supports("avx2") != 0   ? 256
-                                                                   : 128;
-  if (width == 512) return append_near_avx512<Real, kDimensions>(near, itself, with_itself, found);
-  if (width == 256) return append_near_avx2<Real, kDimensions>(near, itself, with_itself, found);
+  static const bool wide = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("popcnt") != 0;
+  if (wide) return append_near_avx2<Real, kDimensions>(near, itself, with_itself, found);
 #endif
-  return append_near_in_any_width<Real, kDimensions>(near, itself, with_itself, found);
+  return append_near_by<Real, kDimensions>(near, itself, with_itself, found, append<Real>);
 }
 
 }  // namespace physgen::detail

@@ -15,6 +15,8 @@ struct RowTargets;  // row_arrays.h
 
 namespace physgen::detail {
 
+struct RowFill;  // row_fill.h
+
 /// A row: the entries begin .. end-1.
 struct RowRange {
   std::int32_t begin, end;

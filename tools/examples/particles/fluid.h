@@ -1,10 +1,7 @@
-// Smoothed particles.
+// Smoothed particles, and a row of neighbours for each.
 #include <physgen/schema.h>
-
 namespace fluid {
 using namespace physgen::schema;
-
-/// A particle of a fluid.
 struct PHYSGEN_OBJECT(layout(host, aos_padded)) Particle {
   PHYSGEN(unit("m")) Vector<3> x;      ///< position
   PHYSGEN(unit("m/s")) Vector<3> v;    ///< velocity
@@ -12,12 +9,10 @@ struct PHYSGEN_OBJECT(layout(host, aos_padded)) Particle {
   PHYSGEN(unit("kg/m^3")) Scalar rho;  ///< density
   PHYSGEN(unit("Pa")) Scalar p;        ///< pressure
 };
-/// The neighbours of one particle.
 struct PHYSGEN_OBJECT() Range {
   Index begin, end;
 };
-/// A particle within reach of another, or itself.
 struct PHYSGEN_OBJECT() Neighbour {
-  Index j;
+  Index j;  ///< a particle within reach, or the particle itself
 };
 }  // namespace fluid
