@@ -11,11 +11,13 @@
 #include <string>
 #include <vector>
 
-namespace physgen::truthcube {
+namespace physgen {
 
 namespace h5 {
 class File;
 }
+
+namespace truthcube {
 
 /// Values of one field at the points, or in the cells, of one step.
 struct Field {
@@ -75,4 +77,5 @@ class VtkHdfWriter {
   int steps_ = 0;
 };
 
-}  // namespace physgen::truthcube
+}  // namespace truthcube
+}  // namespace physgen
