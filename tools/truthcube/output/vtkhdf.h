@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-namespace physgen::truthcube {
-
-namespace h5 {
+namespace physgen::h5 {
 class File;
 }
+
+namespace physgen::truthcube {
 
 /// Values of one field at the points, or in the cells, of one step.
 struct Field {
