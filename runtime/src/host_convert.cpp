@@ -73,6 +73,21 @@ struct SizedMove {
   int to_size = element_bytes(move.to.type), from_size = element_bytes(move.from.type);
 };
 
+/// Bytes of every record that move as they are: elements that follow each other on both sides.
+struct BytesMove {
+  int to_offset, from_offset, bytes;
+};
+
+void add_to_runs(std::vector<BytesMove>& runs, const ElementMove& move) {
+  const int size = element_bytes(move.to.type);
+  if (!runs.empty() && runs.back().to_offset + runs.back().bytes == move.to_offset &&
+      runs.back().from_offset + runs.back().bytes == move.from_offset) {
+    runs.back().bytes += size;
+  } else {
+    runs.push_back({move.to_offset, move.from_offset, size});
+  }
+}
+
 void convert_strided(const SizedMove& sized, StridedElements to, StridedElements from, index_t count) {
   const ElementMove& move = sized.move;
   if (move.to == move.from) {
@@ -112,7 +127,14 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
   const Addressing to_array(to, to_first), from_array(from, from_first);
   const Conversion conversion(to, from);
   std::vector<SizedMove> elements;
-  for (const ElementMove& move : conversion.elements) elements.push_back({move});
+  std::vector<BytesMove> runs;
+  for (const ElementMove& move : conversion.elements) {
+    if (to_array.records() && from_array.records() && move.to == move.from) {
+      add_to_runs(runs, move);
+    } else {
+      elements.push_back({move});
+    }
+  }
   const bool whole_records = to_array.records() && from_array.records() && same_records(to, from);
   constexpr index_t block = 1024;
   const index_t blocks = (end - begin + block - 1) / block;
@@ -126,6 +148,12 @@ void convert_on_host(const UntypedArray& to, index_t to_first, const UntypedArra
                     static_cast<std::size_t>(count * to.record_bytes));
         i += count;
         continue;
+      }
+      for (const BytesMove& run : runs) {
+        for (index_t l = i; l < i + count; ++l) {
+          std::memcpy(to_array.address(l, run.to_offset, 1), from_array.address(l, run.from_offset, 1),
+                      static_cast<std::size_t>(run.bytes));
+        }
       }
       for (const SizedMove& sized : elements) {
         convert_strided(sized, strided(to_array, i, sized.move.to_offset, sized.to_size),

@@ -123,7 +123,8 @@ TEST_F(InterruptedVtkHdf, full_disk_is_said_before_anything_is_written) {
 
 TEST_F(InterruptedVtkHdf, more_bytes_than_any_disk_has_are_refused_by_the_system) {
   const std::filesystem::path path = copy_with_steps(0);
-  testing::expect_error([&] { disk::reserve_space(path, std::uint64_t{1} << 60U); }, path.string(), "1152921504606846976");
+  testing::expect_error([&] { disk::reserve_space(path, std::uint64_t{1} << 60U); }, path.string(),
+                        "1152921504606846976");
   scene.expect_only_steps(copy_with_steps(1), 1);
 }
 

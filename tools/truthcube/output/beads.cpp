@@ -1,7 +1,7 @@
 // beads.csv is written a step at a time, and the file is closed in between.
+#include <hdf5/disk.h>
 #include <physgen/error.h>
 #include <truthcube/output/beads.h>
-#include <hdf5/disk.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,8 +1,8 @@
 // An HDF5 file of its own, with a checksum of all that a run takes from it.
-#include <physgen/error.h>
-#include <truthcube/output/checkpoint.h>
 #include <hdf5/disk.h>
 #include <hdf5/h5.h>
+#include <physgen/error.h>
+#include <truthcube/output/checkpoint.h>
 #include <truthcube/output/hash.h>
 
 #include <bit>

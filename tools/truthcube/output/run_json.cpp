@@ -1,6 +1,6 @@
 // Keys and members are paired once, for writing and reading.
-#include <physgen/error.h>
 #include <hdf5/disk.h>
+#include <physgen/error.h>
 #include <truthcube/output/run_json.h>
 
 #include <algorithm>

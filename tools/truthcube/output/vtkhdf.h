@@ -11,13 +11,11 @@
 #include <string>
 #include <vector>
 
-namespace physgen {
-
-namespace h5 {
+namespace physgen::h5 {
 class File;
 }
 
-namespace truthcube {
+namespace physgen::truthcube {
 
 /// Values of one field at the points, or in the cells, of one step.
 struct Field {
@@ -77,5 +75,4 @@ class VtkHdfWriter {
   int steps_ = 0;
 };
 
-}  // namespace truthcube
-}  // namespace physgen
+}  // namespace physgen::truthcube
