@@ -1,12 +1,15 @@
 // Sets of arrays and arrays of scenes that a compiler must refuse, with words that say what is wrong. refused.py
 // compares them with what it reports.
+#include <dynamics.physgen.h>
 #include <elasticity.physgen.h>
+#include <physgen/cell_list.h>
 #include <physgen/channel.h>
 #include <physgen/gather.h>
 #include <physgen/random.h>
 #include <physgen/row_arrays.h>
 #include <physgen/scene.h>
 #include <physgen/topology.h>
+#include <quasistatic.physgen.h>
 
 #include <array>
 #include <utility>
@@ -20,6 +23,8 @@ using Range = elasticity::IncidenceRange<float>;
 using Ranges = elasticity::IncidenceRangeArray<float>;
 using Entries = elasticity::IncidenceArray<float>;
 using PinnedEntries = elasticity::IncidenceArray<float, PinnedHost>;
+using PinnedNeighbours =
+    RowArrays<elasticity::IncidenceRangeArray<float, PinnedHost>, quasistatic::TetPatchArray<float, PinnedHost>>;
 
 /// An input of a scene that names as many fields as there are numbers.
 template <std::size_t... k>
@@ -87,3 +92,16 @@ void accepted_order(const Ranges& from, Ranges& to, const std::vector<Range*>& p
 }
 const RowArrays<Ranges, Entries> accepted_rows;
 const auto accepted_names = named(std::make_index_sequence<32>());
+
+/// refused a_list_of_floats_of_positions_in_double: positions in double lose digits in a CellList<float>
+void a_list_of_floats_of_positions_in_double(CellList<float>& cells, const std::vector<std::array<double, 3>>& x) {
+  cells.build(Host{}, 8, [&](index_t i) { return x[static_cast<std::size_t>(i)]; });
+}
+/// refused neighbours_of_two_fields: the entries of neighbours have one field, an Index
+void neighbours_of_two_fields(CellList<float>& cells, RowArrays<Ranges, Entries>& rows) { cells.find_neighbours(rows); }
+/// refused neighbours_of_a_float: the field of an entry that names an object is an Index
+void neighbours_of_a_float(CellList<float>& cells, RowArrays<Ranges, dynamics::NodeMassArray<float>>& rows) {
+  cells.find_neighbours(rows);
+}
+/// refused neighbours_in_pinned_memory: rows are made in place in memory of the host
+void neighbours_in_pinned_memory(CellList<float>& cells, PinnedNeighbours& rows) { cells.find_neighbours(rows); }

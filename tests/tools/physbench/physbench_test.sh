@@ -172,13 +172,13 @@ case $rule in
     expect "$err" "there is no group 'storge'; did you mean 'storage'[?]" ;;
   more_bytes_than_the_machine_has_are_said_before_allocating)
     ulimit -v 8000000  # KiB; of a machine, too
-    expect_exit 1 --objects=30000000 --threads=1 --json="$json" --benchmark_filter='^tet_stiffness/aos/double/host'
+    expect_exit 1 --objects=60000000 --threads=1 --json="$json" --benchmark_filter='^tet_stiffness/aos/float/host'
     expect "$json" 'this row needs about [0-9.]+ GB of memory, and this machine has [0-9.]+ GB' ;;
   the_separate_force_chain_is_near_its_reference)
     expect_exit 0 "${small[@]}" --json="$json" --benchmark_filter='^force_chain_separate/.*/host/'
     awk -F'[:,] *' '
       $1 ~ /"name"/ { name = $2 }
       $1 ~ /"err_max"/ { ++rows; if (!($2 <= (name ~ /float/ ? 1e-3 : 1e-12))) { print name, $2; wrong = 1 } }
-      END { exit wrong || rows != 4 }' <(values) >&2 || fail 'errors as above, or not 4 rows' ;;
+      END { exit wrong || (rows != 2 && rows != 4) }' <(values) >&2 || fail 'errors as above, or neither 2 rows nor, in double, too, 4' ;;
   *) fail 'no such rule' ;;
 esac
