@@ -128,8 +128,7 @@ Handle File::space_of(const Handle& dataset, const std::string& name) const {
   return hold(H5Dget_space(dataset.id()), H5Sclose, "read the shape of " + name);
 }
 
-// ---- Attributes
-// ------------------------------------------------------------------------------------------------------
+// ---- Attributes. ------------------------------------------------------------
 
 void File::set_attribute(const std::string& object, const std::string& name, hid_t file, hid_t memory,
                          const void* values, hsize_t count) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <bit>
+#include <string>
 #include <string_view>
 
 namespace physgen::h5 {
@@ -126,6 +127,10 @@ FieldInfo read_form(const File& file, const std::string& place, const std::strin
   form.scale = file.read_attribute<double>(dataset, "scale");
   form.centre = file.read_attribute<double>(dataset, "centre");
   const std::vector<hsize_t> shape = file.shape(dataset);
+  if (shape.empty() || shape.size() > 2) {
+    throw Error(place + " " + dataset + " has " + std::to_string(shape.size()) +
+                " dimensions, where save() writes 1 or 2: another program has changed the file");
+  }
   form.count = static_cast<int>(shape.size() == 2 ? shape[1] : 1);
   return form;
 }

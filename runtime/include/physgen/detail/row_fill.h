@@ -19,17 +19,18 @@ struct RowFill {
     using Precision = typename Entries::Precision;
     constexpr auto& field = Entries::Object::template fields<Precision, typename Entries::Formats>[0];
     static_assert(field.type == ElementType::int32, "the field of an entry that names an object is an Index");
-    // The old entries are gone before there are new ones, so that no memory is needed twice and nothing is copied.
     const index_t count = first.back();
-    if (count > rows.entries_.capacity()) {
-      Entries entries;
-      entries.reserve(count + count / 8);
-      rows.entries_.swap(entries);
-    }
-    if (size > rows.ranges_.capacity()) rows.ranges_ = Ranges(size);
+    const bool more_entries = count > rows.entries_.capacity(), more_ranges = size > rows.ranges_.capacity();
+    Entries entries;
+    Ranges ranges_of_more;
+    if (more_entries) entries.reserve(count + count / 8);
+    if (more_ranges) ranges_of_more.reserve(size + size / 8);
+    rows.targets_.field = field.name;
+    // Behind this line nothing can fail, so that ranges and entries always belong together.
+    if (more_entries) rows.entries_.swap(entries);
+    if (more_ranges) rows.ranges_.swap(ranges_of_more);
     rows.entries_.resize(count);
     rows.ranges_.resize(size);
-    rows.targets_.field = field.name;
     rows.targets_.count = size;
     const auto ranges = rows.ranges_.view();
     for_each_index(0, size, [&](index_t i) {
