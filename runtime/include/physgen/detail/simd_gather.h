@@ -5,6 +5,7 @@
 #include <physgen/detail/simd_cursor.h>
 #include <physgen/error.h>
 
+#include <limits>
 #include <string>
 
 namespace physgen {
@@ -53,14 +54,12 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
     if constexpr (requires { std::integral_constant<index_t, Pitch::value()>(); }) return Pitch::value() >= W;
     return std::is_same_v<Pitch, WholePitch>;
   }();
-  /// Whether lane l names object index[0] + l. With the compiler's own vectors, as in simd_rows.h.
+  /// Whether lane l names object index[0] + l, and none of these numbers overflows.
   [[nodiscard]] bool is_run(const xsimd::batch<U, A>& index) const {
-    using Unsigned = std::make_unsigned_t<U>;
-    const auto given = std::bit_cast<detail::register_t<Unsigned, W>>(index);
-    const auto off = given ^ (detail::counting_register<Unsigned, W>() + given[0]);
-    std::uint64_t any = 0;
-    for (const std::uint64_t word : std::bit_cast<std::array<std::uint64_t, sizeof off / 8>>(off)) any |= word;
-    return any == 0 && further(W - 1) - further(0) == W - 1;  // no number overflowed
+    const auto counted = std::bit_cast<xsimd::batch<U, A>>(detail::counting_register<U, W>());
+    const U first = index_[0];
+    return xsimd::all(index == counted + xsimd::batch<U, A>(first)) &&
+           first <= std::numeric_limits<U>::max() - U{W - 1};
   }
   template <class T>
   [[nodiscard]] batch_t<T, W> read(int offset) const {
@@ -79,12 +78,12 @@ class Cursor<Byte, Layout, kRecord, xsimd::batch<U, A>>
     if constexpr (std::is_same_v<Pitch, WholePitch>) {
       return low;
     } else {
-      const index_t in_first = pitch_.value() - pitch_.lane(further(0));
-      if (in_first >= W) return low;
+      const index_t lane = pitch_.lane(further(0));
+      if (lane <= pitch_.value() - W) return low;
       const auto high = batch_t<T, W>::load_unaligned(address<T>(offset, W - 1) - (W - 1));
       using Bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
       using Lanes = detail::register_t<Bits, W>;
-      const Lanes first = detail::counting_register<Bits, W>() < Lanes{} + static_cast<Bits>(in_first);
+      const Lanes first = detail::counting_register<Bits, W>() < Lanes{} + static_cast<Bits>(pitch_.value() - lane);
       return std::bit_cast<batch_t<T, W>>((std::bit_cast<Lanes>(low) & first) | (std::bit_cast<Lanes>(high) & ~first));
     }
   }
