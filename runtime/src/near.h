@@ -10,6 +10,8 @@
 #include <cstring>
 #include <limits>
 
+#include "cell_grid.h"
+
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <immintrin.h>
 #define PHYSGEN_WIDER_REGISTERS
@@ -25,8 +27,7 @@ struct Near {
   std::array<const Real*, kDimensions> places;
   const std::int32_t* numbers;
   index_t count;
-  Real square;                           ///< of the reach
-  std::array<Real, kDimensions> length;  ///< of the box, 0 where it is not periodic
+  const CellGrid<Real, kDimensions>& grid;
 };
 
 /// Squares of distances of the points from `first` on to the point x; of up to seven points more.
@@ -36,19 +37,14 @@ template <class Real, int kDimensions>
                                                         Real* squares) {
   using Lanes [[gnu::vector_size(32)]] = Real;  // compilers find no vectors in a loop with the conditions below
   constexpr index_t lanes = sizeof(Lanes) / sizeof(Real);
-  std::array<Real, kDimensions> half;
-  for (std::size_t k = 0; k < kDimensions; ++k) {
-    half[k] = near.length[k] > 0 ? near.length[k] / 2 : std::numeric_limits<Real>::infinity();
-  }
+  const std::array<Real, kDimensions> length = near.grid.length, half = near.grid.half;
   for (index_t j = 0; j < count; j += lanes) {
     Lanes sum{};
     for (std::size_t k = kDimensions; k-- > 0;) {
       Lanes other;
       std::memcpy(&other, near.places[k] + first + j, sizeof(Lanes));
-      const Lanes length = Lanes{} + near.length[k];
-      Lanes d = x[k] - other;
-      d = d > half[k] ? d - length : d < -half[k] ? d + length : d;
-      sum = k + 1 == kDimensions ? d * d : d * d + sum;
+      const Lanes difference = x[k] - other;
+      add_square(sum, difference, length[k], half[k], k + 1 == kDimensions);
     }
     std::memcpy(squares + j, &sum, sizeof(Lanes));
   }
@@ -82,7 +78,7 @@ template <class Real, int kDimensions, class Append>
     if (!with_itself && own >= 0 && own < count) {
       squares[static_cast<std::size_t>(own)] = std::numeric_limits<Real>::infinity();
     }
-    next = append(squares.data(), near.square, near.numbers + first, count, next);
+    next = append(squares.data(), near.grid.square, near.numbers + first, count, next);
   }
   return next - found;
 }

@@ -2,6 +2,7 @@
 #include "plain_copy.h"
 
 #include <physgen/detail/changed_objects.h>
+#include <physgen/detail/launch.h>
 
 #include <algorithm>
 #include <cstring>
@@ -23,6 +24,18 @@ struct Strips {
   int count;
 };
 
+// On several threads where one would take long.
+void copy_on_host(std::byte* to, const std::byte* from, index_t bytes) {
+  constexpr index_t part = index_t{1} << 16;
+  if (bytes <= part) {
+    std::memcpy(to, from, static_cast<std::size_t>(bytes));
+    return;
+  }
+  for_each_index<part / 64>(0, (bytes + part - 1) / part, [=](index_t p) {
+    std::memcpy(to + p * part, from + p * part, static_cast<std::size_t>(std::min(part, bytes - p * part)));
+  });
+}
+
 void copy_strips(const Strips& strips, bool on_host, Stream stream) {
   if (!on_host) {
     backend::copy_strips(strips.to, strips.to_pitch, strips.from, strips.from_pitch, strips.bytes, strips.count,
@@ -30,8 +43,7 @@ void copy_strips(const Strips& strips, bool on_host, Stream stream) {
     return;
   }
   for (index_t k = 0; k < strips.count; ++k) {
-    std::memcpy(strips.to + k * strips.to_pitch, strips.from + k * strips.from_pitch,
-                static_cast<std::size_t>(strips.bytes));
+    copy_on_host(strips.to + k * strips.to_pitch, strips.from + k * strips.from_pitch, strips.bytes);
   }
 }
 

@@ -6,11 +6,11 @@
 #include <physgen/topology.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 
 #include "backend/memory.h"
 #include "describe.h"
+#include "first_where.h"
 #include "index_field.h"
 
 namespace physgen {
@@ -51,18 +51,6 @@ void pick_on_host(const UntypedArray& to, index_t begin, const UntypedArray& fro
       }
     }
   });
-}
-
-index_t first_not_renumbered_on_host(const detail::Renumbering& renumbering, index_t size) {
-  std::atomic<index_t> first = size;
-  detail::for_parts(size, [&](index_t begin, index_t end) {
-    index_t i = begin;
-    while (i < end && renumbering.can_renumber(i)) ++i;
-    if (i == end) return;
-    for (index_t smallest = first; i < smallest && !first.compare_exchange_weak(smallest, i);) {
-    }
-  });
-  return first;
 }
 
 // Names the index of object i that has no new number.
@@ -151,8 +139,9 @@ void renumber(const UntypedArray& array, std::string_view field_name, std::span<
   const detail::Numbers uploaded(new_number, std::span(&array, 1));
   const detail::Renumbering renumbering{detail::Indices(array, field),
                                         {uploaded.in(array.space), static_cast<index_t>(new_number.size())}};
-  const index_t first = on_host ? first_not_renumbered_on_host(renumbering, array.size)
-                                : backend::first_not_renumbered(renumbering, array.size);
+  const index_t first = on_host
+                            ? detail::first_where(array.size, [&](index_t i) { return !renumbering.can_renumber(i); })
+                            : backend::first_not_renumbered(renumbering, array.size);
   if (first < array.size) refuse_index(array, field, first, new_number);
   if (on_host) {
     detail::host_loop(array.size, renumbering);

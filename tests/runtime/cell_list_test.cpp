@@ -1,33 +1,14 @@
 // Cell lists against every pair of objects, on 1, 2 and 16 threads, and what they refuse.
-#include <physgen/cell_list.h>
-#include <physgen/random.h>
 #include <physgen/threads.h>
-#include <quasistatic.physgen.h>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "test_objects.h"
+#include "cell_list_checks.h"
+#include "cell_rules.h"
 
 namespace physgen::test {
 namespace {
-
-using Neighbours = RowArrays<elasticity::IncidenceRangeArray<float>, quasistatic::TetPatchArray<float>>;
-using Lists = std::vector<std::vector<std::int32_t>>;
-template <class Real, int kDimensions>
-using Points = std::vector<std::array<Real, kDimensions>>;
-
-Lists lists_of(const Neighbours& rows) {
-  Lists lists;
-  for (index_t i = 0; i < rows.size(); ++i) {
-    const auto range = rows.ranges().view().get(i);
-    std::vector<std::int32_t>& list = lists.emplace_back();
-    for (index_t k = range.begin; k < range.end; ++k) list.push_back(rows.entries().view().get(k).patch);
-  }
-  return lists;
-}
 
 /// The difference of two coordinates as the contract has it.
 template <class Real>
@@ -59,6 +40,34 @@ Lists neighbours_by_pairs(const Points<Real, kDimensions>& points, const CellBox
   return lists;
 }
 
+/// The neighbours as a device finds them, object by object, with its arithmetic.
+template <class Real, int kDimensions>
+Lists neighbours_one_by_one(const Points<Real, kDimensions>& points, const CellBox<Real, kDimensions>& box, Real reach,
+                            bool with_itself) {
+  const auto grid = detail::cells::grid_for(box, reach, std::ssize(points));
+  std::vector<std::int32_t> members(points.size()), cells(points.size());
+  std::iota(members.begin(), members.end(), 0);
+  const auto cell_of = [&](std::int32_t i) { return grid.cell_of(points[static_cast<std::size_t>(i)].data()); };
+  std::ranges::stable_sort(members, {}, cell_of);
+  std::ranges::transform(members, cells.begin(), cell_of);
+  std::vector<std::int32_t> begin_of_cell;
+  for (std::int32_t cell = 0; cell <= grid.cells(); ++cell) {
+    begin_of_cell.push_back(static_cast<std::int32_t>(std::ranges::lower_bound(cells, cell) - cells.begin()));
+  }
+  detail::PlacedObjects<Real, kDimensions> objects{grid, begin_of_cell.data(), members.data(), cells.data(), {}};
+  std::array<std::vector<Real>, kDimensions> places;
+  for (std::size_t k = 0; k < kDimensions; ++k) {
+    for (const std::int32_t i : members) places[k].push_back(points[static_cast<std::size_t>(i)][k]);
+    objects.places[k] = places[k].data();
+  }
+  Lists lists(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    auto& list = lists[static_cast<std::size_t>(members[p])];
+    objects.for_each_near(static_cast<index_t>(p), with_itself, [&](std::int32_t number) { list.push_back(number); });
+  }
+  return lists;
+}
+
 template <class Real, int kDimensions>
 void expect_neighbours(const Points<Real, kDimensions>& points, const CellBox<Real, kDimensions>& box, Real reach) {
   const auto size = static_cast<index_t>(points.size());
@@ -80,6 +89,7 @@ void expect_neighbours(const Points<Real, kDimensions>& points, const CellBox<Re
   Neighbours rows;
   for (const OwnEntry own : {OwnEntry::left_out, OwnEntry::included}) {
     const Lists expected = neighbours_by_pairs<Real, kDimensions>(points, box, reach, own == OwnEntry::included, place);
+    EXPECT_EQ((neighbours_one_by_one<Real, kDimensions>(points, box, reach, own == OwnEntry::included)), expected);
     for (const int threads : {1, 2, 16}) {
       SCOPED_TRACE(threads);
       set_threads(threads);
@@ -95,49 +105,14 @@ void expect_neighbours(const Points<Real, kDimensions>& points, const CellBox<Re
   }
 }
 
-/// Random points of a box: anywhere, in a few clusters, and on faces of cells and of the box, one next to it, too.
-template <class Real, int kDimensions>
-Points<Real, kDimensions> random_points(index_t size, const CellBox<Real, kDimensions>& box, Real reach,
-                                        std::uint32_t use) {
-  Points<Real, kDimensions> points;
-  for (index_t i = 0; i < size; ++i) {
-    RandomNumbers numbers(seed(), i, use);
-    auto& point = points.emplace_back();
-    const auto kind = numbers.bits() % 4;
-    for (std::size_t k = 0; k < kDimensions; ++k) {
-      const Real lower = box.lower[k], upper = box.upper[k], length = upper - lower;
-      Real x = lower + length * numbers.uniform<Real>();
-      if (kind == 1) x = lower + length / 3 + reach / 8 * numbers.uniform<Real>();
-      if (kind == 2) {
-        x = lower + reach * std::floor(length / reach * numbers.uniform<Real>());
-        if (numbers.bits() % 3 == 0) x = std::nextafter(x, numbers.bits() % 2 == 0 ? lower : upper);
-      }
-      if (kind == 3 && numbers.bits() % 2 == 0) x = numbers.bits() % 2 == 0 ? lower : upper;
-      point[k] = std::clamp(x, lower, upper);
-    }
-  }
-  return points;
-}
-
 template <class Real, int kDimensions>
 void expect_neighbours_in_boxes() {
-  const Real lower[]{Real(-1.25), 0, Real(100)}, length[]{Real(4), Real(2.5), Real(3.7)};
   std::uint32_t use = 0;
-  for (int periodic = 0; periodic < 1 << kDimensions; ++periodic) {
-    CellBox<Real, kDimensions> box;
-    for (std::size_t k = 0; k < kDimensions; ++k) {
-      box.lower[k] = lower[k];
-      box.upper[k] = lower[k] + length[k];
-      box.periodic[k] = (periodic >> k & 1) != 0;
+  for_boxes<Real, kDimensions>([&](const auto& box, Real reach) {
+    for (const index_t size : {0, 1, 2, 300}) {
+      expect_neighbours<Real, kDimensions>(random_points<Real, kDimensions>(size, box, reach, use++), box, reach);
     }
-    // Twice 1.25 is the length of the second axis: two cells, or one, where it is periodic.
-    for (const Real reach : {Real(0.25), Real(0.7), Real(1), Real(1.25)}) {
-      for (const index_t size : {0, 1, 2, 300}) {
-        SCOPED_TRACE("periodic " + std::to_string(periodic) + ", reach " + std::to_string(reach));
-        expect_neighbours<Real, kDimensions>(random_points<Real, kDimensions>(size, box, reach, use++), box, reach);
-      }
-    }
-  }
+  });
 }
 
 TEST(CellList, finds_the_neighbours_of_all_pairs_on_any_number_of_threads) {

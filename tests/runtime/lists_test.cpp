@@ -1,5 +1,6 @@
 // Scans, sorts and rows made on several threads, against plain loops, on 1, 2 and 16 threads.
 #include <gtest/gtest.h>
+#include <physgen/device.h>
 #include <physgen/error.h>
 #include <physgen/fill_rows.h>
 #include <physgen/sort.h>
@@ -85,6 +86,14 @@ TEST(Lists, sorted_keys_ascend_and_equal_ones_keep_their_order) {
 TEST(Lists, keys_without_a_value_each_are_refused) {
   std::vector<int> keys(3), values(2);
   EXPECT_THROW(sort_by_key(Host{}, std::span(keys), std::span(values)), Error);
+}
+
+TEST(Lists, in_memory_of_a_device_that_there_is_not_are_refused) {
+  if (cuda_available()) GTEST_SKIP() << "there is a CUDA device";
+  std::vector<int> keys{2, 1}, values{3, 4};
+  EXPECT_THROW(exclusive_scan(Cuda{}, std::span(keys)), Error);
+  EXPECT_THROW(sort_by_key(Cuda{}, std::span(keys), std::span(values)), Error);
+  EXPECT_EQ(keys, (std::vector<int>{2, 1}));
 }
 
 struct Entry {

@@ -103,5 +103,7 @@ void neighbours_of_two_fields(CellList<float>& cells, RowArrays<Ranges, Entries>
 void neighbours_of_a_float(CellList<float>& cells, RowArrays<Ranges, dynamics::NodeMassArray<float>>& rows) {
   cells.find_neighbours(rows);
 }
-/// refused neighbours_in_pinned_memory: rows are made in place in memory of the host
+/// refused a_list_of_a_device_without_its_header: a CellList in Cuda memory is that of <physgen/cuda/cell_list.h>
+void a_list_of_a_device_without_its_header() { (void)CellList<float, 3, Cuda>({.lower = {}, .upper = {1, 1, 1}}, 1); }
+/// refused neighbours_in_pinned_memory: rows are made in place in the memory of the list: Host, or Cuda
 void neighbours_in_pinned_memory(CellList<float>& cells, PinnedNeighbours& rows) { cells.find_neighbours(rows); }

@@ -7,11 +7,11 @@ namespace physgen::test {
 
 /// Rows made in three ways are those of the model.
 template <class Case>
-void check_construction() {
+void check_construction(std::initializer_list<index_t> sizes = {0, 1, 2, 33, 1003}) {
   using Entry = typename Case::Entry;
   using Rows = typename Case::Rows;
   std::mt19937 random(seed());
-  for (const index_t n : {0, 1, 2, 33, 1003}) {
+  for (const index_t n : sizes) {
     const auto model = random_rows<Entry>(n, 8, 100, random);
     std::vector<std::pair<index_t, Entry>> pairs;
     std::vector<Entry> entries;
@@ -40,12 +40,11 @@ void check_construction() {
 
 /// A random sequence of changes of both sets, and the same on vectors.
 template <class Case>
-void check_row_topology() {
+void check_row_topology(index_t size = 90, index_t targets = 60, int steps = 40) {
   using Entry = typename Case::Entry;
   using Rows = typename Case::Rows;
   std::mt19937 random(seed());
-  index_t targets = 60;
-  RowModel<Entry> model = random_rows<Entry>(90, 8, targets, random);
+  RowModel<Entry> model = random_rows<Entry>(size, 8, targets, random);
   Rows rows = Rows::from_lists({"element", targets}, model);
   const auto pick = [&](const std::vector<index_t>& order) {
     RowModel<Entry> picked;
@@ -58,7 +57,7 @@ void check_row_topology() {
       for (Entry& e : row) e.element = static_cast<std::int32_t>(number[static_cast<std::size_t>(e.element)]);
     }
   };
-  for (int step = 0; step < 40; ++step) {
+  for (int step = 0; step < steps; ++step) {
     SCOPED_TRACE("step " + std::to_string(step));
     const auto n = static_cast<index_t>(model.size());
     if (step % 5 == 0) {

@@ -1,5 +1,6 @@
 // Rows on the CPU: packs of all widths and single objects; and what wrong rows are told.
 #include <physgen/parallel_for.h>
+#include <physgen/threads.h>
 
 #include "rows_checks.h"
 
@@ -23,6 +24,8 @@ using Rows = RowArrays<elasticity::IncidenceRangeArray<float>, elasticity::Incid
 using Entry = Rows::Value;
 using Pairs = std::vector<std::pair<index_t, Entry>>;
 using Offsets = std::vector<std::int32_t>;
+
+std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 void expect_said(const std::string& said, const std::string& wanted) {
   EXPECT_NE(said.find(wanted), std::string::npos) << said << "\nwithout: " << wanted;
@@ -61,6 +64,29 @@ TEST(RowArrays, name_the_offset_that_is_wrong) {
   expect_said(made_of({0, 2, 1}), "offset 2 is 1, less than the one before; they must not descend");
   expect_said(made_of({0, 1}), "offset 1 is 1, the last; it must be the number of entries, 2");
   EXPECT_EQ(made_of({0, 2}), "nothing was thrown");
+}
+
+TEST(RowArrays, of_many_objects_are_those_of_vectors_on_any_number_of_threads) {
+  const index_t size = 40000;
+  std::vector<std::vector<Entry>> lists(at(size), {{0, 0}});
+  Pairs pairs(at(size), {0, {0, 0}});
+  Offsets first(at(size), 0);
+  std::vector<Entry> none;
+  for (const index_t i : {12345, 12346, 39998}) {
+    lists[at(i)].push_back({1, 0});
+    pairs[at(i)].first = -1;
+    first[at(i)] = 1;
+  }
+  for (const int threads : {1, 2, 16}) {
+    SCOPED_TRACE(threads);
+    set_threads(threads);
+    check_construction<RowsCase<float, Host, AosPadded, 1>>({size});
+    check_row_topology<RowsCase<float, Host, AosPadded, 1>>(size, 30000, 10);
+    expect_said(message_of([&] { (void)Rows::from_lists({"element", 1}, lists); }), "entry 1 of row 12345 has");
+    expect_said(message_of([&] { (void)Rows::from_pairs({"element", 1}, 1, pairs); }), "pair 12345 is one of row -1");
+    expect_said(message_of([&] { (void)Rows::from_offsets({"element", 1}, first, none); }), "offset 12347 is 0, less");
+  }
+  set_threads(0);
 }
 
 TEST(RowArrays, refuse_more_entries_than_an_index_names) {

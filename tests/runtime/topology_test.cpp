@@ -1,4 +1,6 @@
 // Changes of topology in ordinary host memory, and the lists of object numbers that they take.
+#include <physgen/threads.h>
+
 #include "renumber_checks.h"
 
 namespace physgen::test {
@@ -15,7 +17,14 @@ TYPED_TEST(HostTopology, changes_of_double_objects_are_those_of_a_vector) {
   check_changes_of_all_object_types<double, Host, TypeParam>();
 }
 TYPED_TEST(HostTopology, appends_objects_of_another_precision) { check_append_of_another_precision<Host, TypeParam>(); }
-TYPED_TEST(HostTopology, changes_all_arrays_of_a_set) { check_set<Host, TypeParam>(); }
+TYPED_TEST(HostTopology, changes_all_arrays_of_a_set_on_any_number_of_threads) {
+  for (const int threads : {1, 2, 16}) {
+    SCOPED_TRACE(threads);
+    set_threads(threads);
+    check_set<Host, TypeParam>();
+  }
+  set_threads(0);
+}
 TYPED_TEST(HostTopology, a_failure_leaves_all_arrays_of_a_set_as_they_were) {
   check_failures_of_a_set_change_nothing<Host, TypeParam>();
 }

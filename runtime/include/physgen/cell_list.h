@@ -18,6 +18,18 @@ namespace physgen {
 /// Whether an object is a neighbour of itself.
 enum class OwnEntry { left_out, included };
 
+namespace detail {
+
+/// A coordinate of a position, as a list of Real takes it.
+template <class Real, class Element>
+[[nodiscard]] PHYSGEN_FUNCTION Real coordinate(Element&& x) {
+  static_assert(!std::is_same_v<std::remove_cvref_t<Element>, double> || std::is_same_v<Real, double>,
+                "positions in double lose digits in a CellList<float>: take a CellList<double>");
+  return static_cast<Real>(std::forward<Element>(x));
+}
+
+}  // namespace detail
+
 /// Finds the neighbours of objects, such as particles, on threads(), with the same entries in the same order on any
 /// number of them:
 ///
@@ -33,9 +45,13 @@ enum class OwnEntry { left_out, included };
 /// Lists keep their memory, so that a list that is built and searched again does not ask for more until there are more
 /// objects or neighbours than before.
 /// @tparam Real float or double, of positions
-template <class Real, int kDimensions = 3>
+/// @tparam Space Host; on a CUDA device see <physgen/cuda/cell_list.h>
+template <class Real, int kDimensions = 3, class Space = Host>
 class CellList : detail::CellSearch<Real, kDimensions> {
   using Search = detail::CellSearch<Real, kDimensions>;
+
+  static_assert(std::is_same_v<Space, Host>,
+                "a CellList in Cuda memory is that of <physgen/cuda/cell_list.h>, which .cu files include");
 
  public:
   using Box = CellBox<Real, kDimensions>;
@@ -66,11 +82,8 @@ class CellList : detail::CellSearch<Real, kDimensions> {
     detail::host_loop(size, [&](index_t i) {
       auto&& x = position(i);
       for (int k = 0; k < kDimensions; ++k) {
-        using Element = std::remove_cvref_t<decltype(std::forward<decltype(x)>(x)[k])>;
-        static_assert(!std::is_same_v<Element, double> || std::is_same_v<Real, double>,
-                      "positions in double lose digits in a CellList<float>: take a CellList<double>");
         points[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] =
-            static_cast<Real>(std::forward<decltype(x)>(x)[k]);
+            detail::coordinate<Real>(std::forward<decltype(x)>(x)[k]);
       }
     });
     this->sort();
@@ -83,9 +96,9 @@ class CellList : detail::CellSearch<Real, kDimensions> {
   template <class Ranges, class Entries>
   void find_neighbours(RowArrays<Ranges, Entries>& rows, OwnEntry own = OwnEntry::left_out,
                        index_t most = std::numeric_limits<std::int32_t>::max()) {
-    static_assert(Entries::elements == 1, "the entries of neighbours have one field, an Index");
     this->search(own == OwnEntry::included, most);
-    detail::RowFill::fill(rows, size(), this->first_, [&](auto entries) {
+    detail::RowFill::make_room<Host>(rows, size(), this->first_.back());
+    detail::RowFill::fill(rows, this->first_, [&](auto entries) {
       detail::for_each_index<detail::neighbours_of_a_block>(0, this->blocks(), [&](index_t b) {
         this->for_each_row(b, [&](index_t k, std::int32_t number) { entries.put(k, {number}); });
       });

@@ -2,7 +2,9 @@
 // they connect. Kernels take their view(), a Rows.
 #pragma once
 
+#include <physgen/detail/launch.h>
 #include <physgen/detail/row_ranges.h>
+#include <physgen/memory/host_list.h>
 #include <physgen/rows.h>
 #include <physgen/topology.h>
 
@@ -68,13 +70,15 @@ class RowArrays {
   /// Row i has the entries lists[i].
   /// @throw Error when an entry names no target, or there are more than 2^31 - 1
   [[nodiscard]] static RowArrays from_lists(RowTargets targets, std::span<const std::vector<Value>> lists) {
-    std::vector<index_t> lengths;
-    for (const auto& list : lists) lengths.push_back(static_cast<index_t>(list.size()));
-    return made(std::move(targets), detail::rows_of_lengths(name, lengths), [&](HostEntries& entries) {
-      index_t k = 0;
-      for (const auto& list : lists) {
-        for (const Value& entry : list) entries.view().put(k++, entry);
-      }
+    const auto size = static_cast<index_t>(lists.size());
+    HostList<index_t> lengths(lists.size());
+    detail::for_each_index(0, size, [&](index_t i) { lengths[at(i)] = static_cast<index_t>(lists[at(i)].size()); });
+    const HostList<detail::RowRange> rows = detail::rows_of_lengths(name, lengths);
+    return made(std::move(targets), rows, [&](const auto& entries) {
+      detail::for_each_index(0, size, [&](index_t i) {
+        index_t k = rows[at(i)].begin;
+        for (const Value& entry : lists[at(i)]) entries.put(k++, entry);
+      });
     });
   }
 
@@ -82,15 +86,13 @@ class RowArrays {
   /// @throw Error when a pair names none of the rows 0 .. rows-1, an entry no target, or there are more than 2^31 - 1
   [[nodiscard]] static RowArrays from_pairs(RowTargets targets, index_t rows,
                                             std::span<const std::pair<index_t, Value>> pairs) {
-    std::vector<index_t> row_of_pair;
-    for (const auto& pair : pairs) row_of_pair.push_back(pair.first);
-    const std::vector<detail::RowRange> ranges =
-        detail::rows_of_lengths(name, detail::lengths_of_pairs(name, rows, row_of_pair));
-    return made(std::move(targets), ranges, [&](HostEntries& entries) {
-      std::vector<detail::RowRange> left = ranges;
-      for (const auto& [row, entry] : pairs) {
-        entries.view().put(index_t{left[static_cast<std::size_t>(row)].begin++}, entry);
-      }
+    HostList<index_t> row_of_pair(pairs.size());
+    detail::for_each_index(0, static_cast<index_t>(pairs.size()),
+                           [&](index_t p) { row_of_pair[at(p)] = pairs[at(p)].first; });
+    const detail::ChosenRows chosen = detail::rows_of_pairs(name, rows, row_of_pair);
+    return made(std::move(targets), chosen.rows, [&](const auto& entries) {
+      detail::for_each_index(0, entries.size(),
+                             [&](index_t k) { entries.put(k, pairs[at(chosen.entries[at(k)])].second); });
     });
   }
 
@@ -99,9 +101,8 @@ class RowArrays {
   /// names no target
   [[nodiscard]] static RowArrays from_offsets(RowTargets targets, std::span<const std::int32_t> first,
                                               std::span<const Value> entries) {
-    const std::vector<index_t> lengths = detail::lengths_of_offsets(name, first, entries.size());
-    return made(std::move(targets), detail::rows_of_lengths(name, lengths), [&](HostEntries& host) {
-      for (index_t k = 0; k < host.size(); ++k) host.view().put(k, entries[static_cast<std::size_t>(k)]);
+    return made(std::move(targets), detail::rows_of_offsets(name, first, entries.size()), [&](const auto& host) {
+      detail::for_each_index(0, host.size(), [&](index_t k) { host.put(k, entries[at(k)]); });
     });
   }
 
@@ -133,9 +134,10 @@ class RowArrays {
   void erase(std::span<const index_t> erased) { choose(remaining(size(), erased, title()), {}, targets_.count); }
   /// Adds rows without entries at the end. @throw Error when count is negative
   void append(index_t count) {
-    std::vector<index_t> order(static_cast<std::size_t>(detail::grown_size(std::array{ranges_.untyped()}, count)), -1);
-    for (index_t i = 0; i < size(); ++i) order[static_cast<std::size_t>(i)] = i;
-    choose(order, {}, targets_.count);
+    const index_t old = size();
+    choose(
+        made_of(detail::grown_size(std::array{ranges_.untyped()}, count), [=](index_t i) { return i < old ? i : -1; }),
+        {}, targets_.count);
   }
 
   /// After a change of the set that entries name: target v has become new_number[v], of `count`. Entries of a target
@@ -144,9 +146,7 @@ class RowArrays {
   /// a kernel may have written it
   void renumber(std::span<const index_t> new_number, index_t count) {
     detail::check_new_targets(entries_.untyped(), targets_, new_number, count);
-    std::vector<index_t> same;
-    for (index_t i = 0; i < size(); ++i) same.push_back(i);
-    choose(same, new_number, count);
+    choose(made_of(size(), [](index_t i) { return i; }), new_number, count);
   }
 
  private:
@@ -158,6 +158,14 @@ class RowArrays {
   using HostEntries = HostForm<Entries>;
   static constexpr std::string_view name = Entries::Object::name;
 
+  [[nodiscard]] static std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
+  template <class Number>
+  [[nodiscard]] static HostList<index_t> made_of(index_t count, const Number& number) {
+    HostList<index_t> list(at(count));
+    detail::for_each_index(0, count, [&](index_t i) { list[at(i)] = number(i); });
+    return list;
+  }
+
   [[nodiscard]] static std::string title() { return "rows of " + std::string(name); }
 
   template <class Given>
@@ -168,13 +176,12 @@ class RowArrays {
     if constexpr (device_accessible(Space::kind)) synchronize();
     return host;
   }
-  [[nodiscard]] std::vector<detail::RowRange> rows_on_host() const {
+  [[nodiscard]] HostList<detail::RowRange> rows_on_host() const {
     const HostRanges host = on_host(ranges_);
-    std::vector<detail::RowRange> rows;
-    for (index_t i = 0; i < host.size(); ++i) {
-      const auto range = host.view()[i];
-      rows.push_back({range.begin(), range.end()});
-    }
+    HostList<detail::RowRange> rows(at(host.size()));
+    detail::for_each_index(0, host.size(), [&, view = host.view()](index_t i) {
+      rows[at(i)] = {view[i].begin(), view[i].end()};
+    });
     return rows;
   }
   template <class To>
@@ -186,11 +193,10 @@ class RowArrays {
   }
   void replace(std::span<const detail::RowRange> rows, const HostEntries& host_entries) {
     HostRanges host(static_cast<index_t>(rows.size()));
-    for (index_t i = 0; i < host.size(); ++i) {
-      const detail::RowRange& row = rows[static_cast<std::size_t>(i)];
-      host.view()[i].begin() = row.begin;
-      host.view()[i].end() = row.end;
-    }
+    detail::for_each_index(0, host.size(), [&, view = host.view()](index_t i) {
+      view[i].begin() = rows[at(i)].begin;
+      view[i].end() = rows[at(i)].end;
+    });
     Ranges ranges = uploaded<Ranges>(host);
     Entries entries = uploaded<Entries>(host_entries);
     ranges_.swap(ranges);
@@ -198,9 +204,9 @@ class RowArrays {
   }
 
   template <class Fill>
-  [[nodiscard]] static RowArrays made(RowTargets targets, const std::vector<detail::RowRange>& rows, const Fill& fill) {
+  [[nodiscard]] static RowArrays made(RowTargets targets, const HostList<detail::RowRange>& rows, const Fill& fill) {
     HostEntries entries(rows.empty() ? 0 : rows.back().end);
-    fill(entries);
+    fill(entries.view());
     detail::check_rows(rows, entries.untyped(), targets);
     RowArrays result;
     result.targets_ = std::move(targets);

@@ -1,8 +1,8 @@
 // Sorts keys of a fixed size, and what belongs to them.
 #pragma once
 
+#include <physgen/detail/device_lists.h>
 #include <physgen/detail/sort_by_digit.h>
-#include <physgen/error.h>
 #include <physgen/memory/host_list.h>
 #include <physgen/memory/space.h>
 
@@ -10,7 +10,6 @@
 #include <concepts>
 #include <limits>
 #include <span>
-#include <string>
 #include <type_traits>
 
 namespace physgen {
@@ -22,11 +21,8 @@ namespace physgen {
 template <std::integral Key, class Value>
   requires std::is_trivially_copyable_v<Value>
 void sort_by_key(Host /*space*/, std::span<Key> keys, std::span<Value> values) {
+  detail::check_one_value_for_each(keys.size(), values.size());
   const auto size = static_cast<index_t>(keys.size());
-  if (values.size() != keys.size()) {
-    throw Error("sort_by_key(): there are " + std::to_string(keys.size()) + " keys and " +
-                std::to_string(values.size()) + " values; give one value for each key");
-  }
   if (size < 2) return;
   using Bits = std::make_unsigned_t<Key>;
   std::atomic<Bits> differing = 0;
@@ -53,6 +49,17 @@ void sort_by_key(Host /*space*/, std::span<Key> keys, std::span<Value> values) {
     to[i] = from[i];
     values_to[i] = values_from[i];
   });
+}
+
+/// The same of keys and values in CUDA memory, ordered in `stream`; does not wait. It takes a pass for each byte of a
+/// key, differing or not.
+/// @throw Error also when there are more than 2^32 - 1 keys, when CUDA fails, and in a program that has physgen without
+/// CUDA
+template <std::integral Key, class Value>
+  requires std::is_trivially_copyable_v<Value>
+void sort_by_key(Cuda /*space*/, std::span<Key> keys, std::span<Value> values, Stream stream = nullptr) {
+  detail::check_one_value_for_each(keys.size(), values.size());
+  detail::sort(detail::NumberList(keys), detail::ValueList(values), stream);
 }
 
 }  // namespace physgen

@@ -20,6 +20,9 @@ struct CellBox {
 
 namespace detail {
 
+template <class Real, int kDimensions>
+struct CellGrid;  // cell_grid.h, of the library
+
 constexpr int neighbours_of_a_block = 512 * 32;  ///< or so, for the guess at what one takes
 
 /// See CellList. What a step makes is valid until it is made again.
@@ -59,8 +62,7 @@ class CellSearch {
   HostList<std::int32_t> first_;  ///< of each object's neighbours, and the number of all
 
  private:
-  /// The cells along each axis, 1 along those that a box does not have.
-  using Counts = std::array<std::int32_t, 3>;
+  using Grid = CellGrid<Real, kDimensions>;
   /// The neighbours of objects in consecutive cells.
   struct Block {
     std::int32_t begin, end;  ///< places in members_
@@ -69,13 +71,13 @@ class CellSearch {
   };
   struct Candidates;
 
-  [[nodiscard]] Counts counts_for(index_t size) const;
-  void gather(std::int32_t cell, Candidates& candidates) const;
-  void search_block(index_t b, bool with_itself, index_t most, Candidates& candidates);
+  void gather(const Grid& grid, std::int32_t cell, Candidates& candidates) const;
+  void search_block(const Grid& grid, index_t b, bool with_itself, index_t most, Candidates& candidates);
 
   CellBox<Real, kDimensions> box_;
   Real reach_;
-  Counts counts_{1, 1, 1};
+  /// Cells along each axis, 1 along those that a box does not have.
+  std::array<std::int32_t, 3> counts_{1, 1, 1};
   HostList<Point> points_;                          ///< of each object
   HostList<std::int32_t> cell_;                     ///< of each object
   HostList<std::int32_t> begin_of_cell_{0, 0};      ///< in members_

@@ -3,16 +3,24 @@
 
 #include <physgen/detail/launch.h>
 #include <physgen/detail/scan.h>
+#include <physgen/error.h>
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <limits>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 namespace physgen::detail {
+
+inline void check_one_value_for_each(std::size_t keys, std::size_t values) {
+  if (values == keys) return;
+  throw Error("sort_by_key(): there are " + std::to_string(keys) + " keys and " + std::to_string(values) +
+              " values; give one value for each key");
+}
 
 /// The key as bits that ascend as it does.
 template <std::integral Key>

@@ -36,7 +36,7 @@ cudaMemPool_t pool() {
 StreamMemory::StreamMemory(index_t bytes, cudaStream_t stream) : stream_(stream) {
   detail::refuse_capture(stream, "an operation that needs memory of its own");
   check(cudaMallocFromPoolAsync(&data_, static_cast<std::size_t>(bytes), pool(), stream),
-        "allocating device memory for a conversion");
+        "allocating device memory for the time of an operation");
 }
 
 }  // namespace physgen::cuda
