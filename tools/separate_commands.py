@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """separate_commands.py FOLDER: writes FOLDER/tidy/compile_commands.json, that of FOLDER with a command for each source that CMake
-joins with others in one file (physgen_join), and prints the name of its folder."""
+or physgen_join_cuda joins with others in one file (physgen_join), and prints the name of its folder."""
 import json
 import re
 import sys
@@ -10,7 +10,7 @@ folder = Path(sys.argv[1])
 commands = []
 for command in json.loads((folder / "compile_commands.json").read_text()):
     file = command["file"]
-    if "/Unity/unity_" in file:
+    if "/Unity/unity_" in file or "/joined/" in file:
         for source in re.findall('#include "(.*)"', Path(file).read_text()):
             commands.append({**command, "file": source, "command": command["command"].replace(file, source)})
     else:

@@ -9,7 +9,7 @@ namespace {
 
 class CudaRandomNumbers : public GpuTest {};
 
-struct OnDevice {
+struct DrawOnDevice {
   template <class Kernel>
   void operator()(index_t begin, index_t end, const Kernel& kernel) const {
     parallel_for(Cuda{}, begin, end, kernel);
@@ -17,8 +17,8 @@ struct OnDevice {
 };
 
 TEST_F(CudaRandomNumbers, are_those_of_the_host) {
-  check_random_numbers<float, Cuda>(OnDevice{});
-  check_random_numbers<double, Cuda>(OnDevice{});
+  check_random_numbers<float, Cuda>(DrawOnDevice{});
+  check_random_numbers<double, Cuda>(DrawOnDevice{});
 }
 
 }  // namespace

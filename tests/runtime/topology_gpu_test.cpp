@@ -9,14 +9,11 @@ template <class L>
 class CudaTopology : public GpuTest {};
 TYPED_TEST_SUITE(CudaTopology, AllLayouts, LayoutName);
 
-TYPED_TEST(CudaTopology, changes_of_float_objects_are_those_of_a_vector) {
-  check_changes_of_all_object_types<float, Cuda, TypeParam>();
-}
-TYPED_TEST(CudaTopology, changes_of_double_objects_are_those_of_a_vector) {
-  check_changes_of_all_object_types<double, Cuda, TypeParam>();
+TYPED_TEST(CudaTopology, changes_of_objects_are_those_of_a_vector) {
+  check_changes_of_all_object_types<Cuda, TypeParam>();
 }
 TYPED_TEST(CudaTopology, changes_in_pinned_memory_are_those_of_a_vector) {
-  check_changes_of_all_object_types<float, PinnedHost, TypeParam>();
+  check_changes_of_all_object_types<PinnedHost, TypeParam>();
 }
 TYPED_TEST(CudaTopology, appends_objects_of_another_precision) {
   check_append_of_another_precision<Cuda, TypeParam>();

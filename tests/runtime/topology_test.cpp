@@ -10,11 +10,8 @@ template <class L>
 class HostTopology : public ::testing::Test {};
 TYPED_TEST_SUITE(HostTopology, AllLayouts, LayoutName);
 
-TYPED_TEST(HostTopology, changes_of_float_objects_are_those_of_a_vector) {
-  check_changes_of_all_object_types<float, Host, TypeParam>();
-}
-TYPED_TEST(HostTopology, changes_of_double_objects_are_those_of_a_vector) {
-  check_changes_of_all_object_types<double, Host, TypeParam>();
+TYPED_TEST(HostTopology, changes_of_objects_are_those_of_a_vector) {
+  check_changes_of_all_object_types<Host, TypeParam>();
 }
 TYPED_TEST(HostTopology, appends_objects_of_another_precision) { check_append_of_another_precision<Host, TypeParam>(); }
 TYPED_TEST(HostTopology, changes_all_arrays_of_a_set_on_any_number_of_threads) {

@@ -96,7 +96,39 @@ endfunction()
 function(physgen_join target files)
   if(NOT DEFINED CMAKE_UNITY_BUILD OR CMAKE_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "[.]cu$")  # newer CMake would join these as well, so many at once
+    set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
+endfunction()
+
+# physgen_join_cuda(target <source>...)
+# Compiles these CUDA sources of `target` as one file, which is written here, since CMake joins none: nvcc reads the headers of
+# each file three times. They are named, so that joined files take about the same time. As with physgen_join, names in unnamed
+# namespaces must differ, a source with options of its own stays alone, and CMAKE_UNITY_BUILD=OFF compiles each source alone.
+function(physgen_join_cuda target)
+  if(DEFINED CMAKE_UNITY_BUILD AND NOT CMAKE_UNITY_BUILD)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  set(text "// Written by physgen_join_cuda: sources of ${target} that are compiled as one.\n")
+  foreach(source IN LISTS ARGN)
+    get_source_file_property(options ${source} COMPILE_OPTIONS)
+    if(options)
+      message(FATAL_ERROR "physgen_join_cuda: ${source} has options of its own (${options}), which others must not get; leave it out of ${target}'s list")
+    endif()
+    if(NOT source IN_LIST sources)
+      message(FATAL_ERROR "physgen_join_cuda: ${source} is no source of ${target}, or is joined twice; add it to the target or leave it out")
+    endif()
+    list(REMOVE_ITEM sources ${source})
+    get_filename_component(path ${source} ABSOLUTE)
+    string(APPEND text "#include \"${path}\"\n")
+  endforeach()
+  list(GET ARGN 0 first)
+  get_filename_component(first ${first} NAME_WE)
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/joined/${target}/${first}_and_others.cu)
+  file(CONFIGURE OUTPUT ${file} CONTENT "${text}" @ONLY)  # written only where its text changes
+  set_target_properties(${target} PROPERTIES SOURCES "${sources};${file}")
 endfunction()
 
 # Keeps the sources of `target`, which include Clang (1.9 GB of memory each), from filling the memory: at most one at a

@@ -8,8 +8,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 class DynamicsOnCuda : public ::testing::Test {
  protected:
   void SetUp() override {

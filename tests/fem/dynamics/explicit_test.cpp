@@ -9,8 +9,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 /// The precisions tets are computed in, and what is left of a result.
 constexpr std::array precisions{std::pair{TangentPrecision::float64, 1e-11},
                                 std::pair{TangentPrecision::float32, 1e-4}};

@@ -10,8 +10,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 /// A step of a body of irregular cells, that is held nowhere, is solved for on its mesh alone.
 DynamicSettings implicit_settings(const std::string& material, double youngs_modulus, double poissons_ratio) {
   DynamicSettings settings = moving_settings(material, youngs_modulus, poissons_ratio);

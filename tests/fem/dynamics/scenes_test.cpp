@@ -25,7 +25,7 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08, young = 1e4;
+constexpr double young = 1e4;
 
 TEST(Scenes, explicit_dynamics_over_its_generated_arrays_gives_the_bits_of_the_solver) {
   const Body body = make_truth_cube_body(4, false);

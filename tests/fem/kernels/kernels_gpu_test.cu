@@ -8,9 +8,8 @@ namespace {
 
 template <class Real, class Layout, template <class> class Model>
 using Case = KernelCase<Real, Cuda, Layout, Model>;
-using Cases = testing::Types<Case<float, Aos, NeoHookean>, Case<float, AosPadded, FixedCorotated>,
-                             Case<float, Soa, NeoHookean>, Case<float, Aosoa<32>, FixedCorotated>,
-                             Case<double, Aosoa<32>, NeoHookean>, Case<double, Soa, FixedCorotated>>;
+using Cases = testing::Types<Case<float, AosPadded, FixedCorotated>, Case<float, Aosoa<32>, NeoHookean>,
+                             Case<double, Soa, FixedCorotated>, Case<double, Aosoa<32>, NeoHookean>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Cuda, Kernels, Cases);
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The kernel checks on the CPU with floats, in all layouts (with doubles: kernels_in_double_test.cpp); and that a SIMD
-// pack computes what a single number does.
+// The kernel checks on the CPU with floats (with doubles, in the other layouts: kernels_in_double_test.cpp); and that a
+// SIMD pack computes what a single number does.
 #include <physgen/parallel_for.h>
 
 #include "kernel_checks.h"
@@ -9,9 +9,8 @@ namespace {
 
 template <class Real, class Layout, template <class> class Model>
 using Case = KernelCase<Real, Host, Layout, Model>;
-using Cases = testing::Types<Case<float, Aos, NeoHookean>, Case<float, AosPadded, FixedCorotated>,
-                             Case<float, Soa, NeoHookean>, Case<float, Aosoa<4>, FixedCorotated>,
-                             Case<float, Aosoa<16>, NeoHookean>, Case<float, Aosoa<32>, FixedCorotated>>;
+using Cases = testing::Types<Case<float, AosPadded, FixedCorotated>, Case<float, Soa, NeoHookean>,
+                             Case<float, Aosoa<4>, FixedCorotated>, Case<float, Aosoa<16>, NeoHookean>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(HostInFloat, Kernels, Cases);
 
 TEST(KernelsOverPacks, compute_what_they_compute_over_single_objects) {

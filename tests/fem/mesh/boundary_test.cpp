@@ -1,4 +1,5 @@
 // Surfaces and loads: closed, outward, and with the resultants that mechanics demands.
+#include <fem/mesh/at.h>
 #include <fem/mesh/boundary.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
@@ -14,8 +15,6 @@ namespace physgen::fem {
 namespace {
 
 using reference::MeshCase;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 Point twice_area(const Face& face, const std::vector<Point>& x) {
   return cross(difference(x[at(face[1])], x[at(face[0])]), difference(x[at(face[2])], x[at(face[0])]));

@@ -1,4 +1,5 @@
 // Checks of meshes: every defect is put in on purpose, at random places, and found there and nowhere else.
+#include <fem/mesh/at.h>
 #include <fem/mesh/check.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
@@ -17,8 +18,6 @@ namespace {
 
 using reference::MeshCase;
 using Tets = std::vector<std::array<Index, 4>>;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // `count` different numbers below `limit`, ascending.
 std::vector<std::size_t> drawn(std::size_t count, std::size_t limit, std::uint64_t stream) {

@@ -1,5 +1,6 @@
 // The lists of meshes, made in parallel, against sets and maps that are filled one entry after the other; on 1, 2 and
 // 16 threads.
+#include <fem/mesh/at.h>
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/patches.h>
 #include <fem/mesh/refine.h>
@@ -19,8 +20,6 @@ namespace {
 
 using Tet = std::array<Index, 4>;
 using Edge = std::array<Index, 2>;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The entries of each object, ascending.
 IncidenceList listed(const std::vector<std::set<IncidenceEntry>>& sets) {

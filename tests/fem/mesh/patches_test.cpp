@@ -1,4 +1,5 @@
 // Volume patches: a partition into small groups that hang together through faces.
+#include <fem/mesh/at.h>
 #include <fem/mesh/patches.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
@@ -13,8 +14,6 @@
 
 namespace physgen::fem {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 std::vector<Index> tets_of(const VolumePatches& patches, std::size_t p) {
   std::vector<Index> tets;

@@ -1,4 +1,5 @@
 // Refinement: parents that are edges, volumes of an eighth, conforming, and Kuhn meshes from Kuhn meshes.
+#include <fem/mesh/at.h>
 #include <fem/mesh/refine.h>
 #include <gtest/gtest.h>
 #include <physgen/error.h>
@@ -12,8 +13,6 @@
 
 namespace physgen::fem {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 Point middle(const Point& a, const Point& b) { return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}; }
 

@@ -72,21 +72,21 @@ inline Body cut_along_one_diagonal(Body body, Index cells) {
   return body;
 }
 
+inline constexpr double side = 0.08;  ///< of the Truth Cube [m]
+
 /// The Truth Cube: base bonded, top moved down by its height at a load of 1.
 inline Body make_truth_cube_body(Index cells, bool patches, bool frictionless = false) {
-  constexpr double side = 0.08;
   return make_cube(
       cells, side, patches, 0,
       [=](const Point& x) -> std::uint8_t {
         if (x[2] == 0) return 7;
         return x[2] == side ? (frictionless ? 4 : 7) : 0;
       },
-      [=](const Point& x) { return x[2] == side ? Point{0, 0, -side} : Point{}; });
+      [](const Point& x) { return x[2] == side ? Point{0, 0, -side} : Point{}; });
 }
 
 /// The same between its plates as rigid planes, which its free sides may touch.
 inline Body with_contact(Body body) {
-  constexpr double side = 0.08;
   body.loading.planes = {{{0, 0, 1}, 0, 0}, {{0, 0, -1}, -side, side}};
   return body;
 }

@@ -9,8 +9,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 SolverSettings silicone() {
   SolverSettings settings;
   settings.poissons_ratio = 0.49;

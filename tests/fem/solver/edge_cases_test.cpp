@@ -12,8 +12,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 TEST(BeforeDevice, is_called_once_while_a_solver_is_made_and_ends_it_by_what_it_throws) {
   const Body body = make_truth_cube_body(4, false);
   SolverSettings settings;

@@ -6,8 +6,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 Point affine(const Point& x) {
   return {0.9 * x[0] + 0.07 * x[1] - 0.02 * x[2], 0.05 * x[0] + 1.08 * x[1] + 0.06 * x[2],
           -0.04 * x[0] + 0.03 * x[1] + 0.94 * x[2]};

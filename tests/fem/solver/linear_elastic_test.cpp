@@ -8,7 +8,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
 constexpr std::array products{Product::assembled, Product::matrix_free};
 
 SolverSettings linear_settings(double poissons_ratio, double tolerance = 1e-13) {

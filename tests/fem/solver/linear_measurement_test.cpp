@@ -16,7 +16,7 @@ std::vector<Point> scattered_vectors(std::size_t nodes, int seed) {
   return vectors;
 }
 
-double largest(const std::vector<Point>& vectors) {
+double largest_norm(const std::vector<Point>& vectors) {
   double most = 0;
   for (const Point& v : vectors) most = std::max(most, std::hypot(v[0], v[1], v[2]));
   return most;
@@ -54,7 +54,7 @@ TEST(AssembledStiffness, times_a_displacement_is_the_change_of_the_forces) {
     for (std::size_t n = 0; n < at.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) change[n][k] = (up[n][k] - down[n][k]) / (2 * length);
     }
-    EXPECT_LE(largest_distance(stiffness.product(direction), change), 1e-6 * largest(change)) << patches;
+    EXPECT_LE(largest_distance(stiffness.product(direction), change), 1e-6 * largest_norm(change)) << patches;
   }
 }
 
@@ -71,7 +71,7 @@ TEST(AssembledStiffness, of_float_and_half_is_that_of_double_to_the_precision_of
     EXPECT_EQ(stiffness.edges, expected.edges);
     const double error = largest_distance(stiffness.product(direction), product);
     EXPECT_GT(error, 0);
-    EXPECT_LE(error, 1e-5 * largest(product));
+    EXPECT_LE(error, 1e-5 * largest_norm(product));
   }
 }
 

@@ -12,8 +12,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 SolverSettings own_settings(const std::string& material, double poissons_ratio) {
   SolverSettings settings = exact_settings(material, poissons_ratio);
   settings.newton.preconditioner.kind = Preconditioner::block_jacobi;

@@ -11,8 +11,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 const Eigen::Matrix3d rotation =
     Eigen::AngleAxisd(40 * std::numbers::pi / 180, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
 const Eigen::Vector3d translation = side * Eigen::Vector3d(0.5, -0.25, 1);

@@ -11,8 +11,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 /// A cube without a quarter: two arms that meet in an edge, the foot of one held, the end of the other moved.
 Tets angle_piece() {
   const Tets whole = irregular_box({4, 4, 2}, {2 * side, 2 * side, side}, 0.15, 43);
@@ -63,7 +61,7 @@ SolverSettings settings_of(double poissons_ratio, Preconditioner kind) {
   return settings;
 }
 
-int iterations(const std::vector<MeshLevel>& levels, double poissons_ratio, Preconditioner kind) {
+int iterations_over(const std::vector<MeshLevel>& levels, double poissons_ratio, Preconditioner kind) {
   Loading loading;
   loading.motion.assign(levels[0].rest.size(), Point{});
   const auto solver = make_solver(levels, loading, settings_of(poissons_ratio, kind));
@@ -83,8 +81,8 @@ TEST(Unstructured, multigrid_takes_few_iterations_on_refined_meshes_and_no_more_
       std::vector<int> multigrid, jacobi;
       for (const int refinements : {1, 2}) {
         const auto levels = with(volume, make_levels(body.tets, refinements, volume == Volume::patches, body.fixed));
-        multigrid.push_back(iterations(levels, poissons_ratio, Preconditioner::multigrid));
-        jacobi.push_back(iterations(levels, poissons_ratio, Preconditioner::block_jacobi));
+        multigrid.push_back(iterations_over(levels, poissons_ratio, Preconditioner::multigrid));
+        jacobi.push_back(iterations_over(levels, poissons_ratio, Preconditioner::block_jacobi));
         std::printf("%s, %s, nu %g, %zu tets, coarsest %d nodes: %d iterations by multigrid, %d by block Jacobi\n",
                     body.name, name_of(volume), poissons_ratio, levels[0].mesh.tets.size(),
                     int(levels.back().mesh.nodes), multigrid.back(), jacobi.back());

@@ -9,8 +9,6 @@
 namespace physgen::test {
 namespace {
 
-constexpr index_t n = stream_objects;
-
 class InACapturedStream : public GpuTest {
  protected:
   template <class Action>
@@ -21,12 +19,12 @@ class InACapturedStream : public GpuTest {
 };
 
 TEST_F(InACapturedStream, what_must_wait_or_allocate_is_refused_and_the_rest_is_captured) {
-  Positions<Cuda> device(n), second(n);
-  Positions<Cuda, Aosoa<32>> tiles(n);
-  Positions<PinnedHost> pinned(n), from_second(n);
-  Positions<Host> host(n);
-  Halves<Cuda> halves(n);
-  Mirror<Positions<PinnedHost>, Positions<Cuda>> mirror(n);
+  Positions<Cuda> device(stream_objects), second(stream_objects);
+  Positions<Cuda, Aosoa<32>> tiles(stream_objects);
+  Positions<PinnedHost> pinned(stream_objects), from_second(stream_objects);
+  Positions<Host> host(stream_objects);
+  Halves<Cuda> halves(stream_objects);
+  Mirror<Positions<PinnedHost>, Positions<Cuda>> mirror(stream_objects);
   (void)mirror.write_device();
   number(device, 1);
   Stream stream = nullptr;
@@ -42,8 +40,8 @@ TEST_F(InACapturedStream, what_must_wait_or_allocate_is_refused_and_the_rest_is_
   refused([&] { (void)losses_of_copy(halves.untyped(), device.untyped(), stream); }, "losses");
   refused([&] { (void)mirror.read_host(stream); }, "a mirror");
   const auto object = [](index_t) noexcept { return elasticity::NodePosition<float>{}; };
-  refused([&] { gather_by(pinned, n, object, stream); }, "gathering to pinned memory");
-  refused([&] { gather_by(device, n, object, stream); }, "gathering to the device");
+  refused([&] { gather_by(pinned, stream_objects, object, stream); }, "gathering to pinned memory");
+  refused([&] { gather_by(device, stream_objects, object, stream); }, "gathering to the device");
   refused([&] { scatter_by(pinned, [](index_t, const auto&) {}, stream); }, "scattering from pinned memory");
   refused([&] { scatter_by(device, [](index_t, const auto&) {}, stream); }, "scattering from the device");
   EXPECT_NO_THROW(copy(second, device, stream));
@@ -67,21 +65,21 @@ TEST_F(InACapturedStream, what_must_wait_or_allocate_is_refused_and_the_rest_is_
 }
 
 TEST_F(InACapturedStream, what_works_in_the_default_stream_is_refused_while_one_that_waits_for_it_is_captured) {
-  Positions<Cuda> device(n);
-  Positions<PinnedHost> pinned(n);
+  Positions<Cuda> device(stream_objects);
+  Positions<PinnedHost> pinned(stream_objects);
   number(device, 1);
   Stream stream = nullptr;
   ASSERT_EQ(cudaStreamCreate(&stream), cudaSuccess);
   ASSERT_EQ(cudaStreamBeginCapture(stream, cudaStreamCaptureModeThreadLocal), cudaSuccess);
-  refused([&] { device.resize(n + 1); }, "resize");
-  refused([&] { pinned.resize(n + 1); }, "resize in pinned memory");
+  refused([&] { device.resize(stream_objects + 1); }, "resize");
+  refused([&] { pinned.resize(stream_objects + 1); }, "resize in pinned memory");
   refused([&] { append(device, 1); }, "append");
   refused([&] { (void)device.getdata(0, 0); }, "getdata");
   refused([&] { pinned.putdata(0, 0, 1); }, "putdata");
   EXPECT_NO_THROW(copy(pinned, device, stream));
   cudaGraph_t graph = nullptr;
   ASSERT_EQ(cudaStreamEndCapture(stream, &graph), cudaSuccess);
-  EXPECT_EQ(device.size(), n);
+  EXPECT_EQ(device.size(), stream_objects);
   EXPECT_EQ(wrong_later(device, 1, nullptr), 0);
   cudaGraphDestroy(graph);
   cudaStreamDestroy(stream);

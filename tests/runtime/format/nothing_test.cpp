@@ -6,6 +6,7 @@
 #include "in_packs.h"
 #include "nothing_checks.h"
 #include "nothing_kernels.h"
+#include "precision_by_layout.h"
 
 namespace physgen::test {
 namespace {
@@ -74,17 +75,21 @@ void check_stores(index_t n) {
   });
 }
 
+/// What checks add is the same in all layouts; so two do for them, with one precision each.
+using Layouts = std::conditional_t<checked_build, ::testing::Types<Soa, Aosoa<8>>, AllLayouts>;
 template <class Layout>
 class NothingStored : public ::testing::Test {};
-TYPED_TEST_SUITE(NothingStored, AllLayouts, LayoutName);
+TYPED_TEST_SUITE(NothingStored, Layouts, LayoutName);
 
 TYPED_TEST(NothingStored, is_what_stores_of_pruned_fields_write) {
-  check_stores<DeformationSvdObject, float, TypeParam, StretchesOnly>(41);
-  check_stores<DeformationSvdObject, double, TypeParam, StretchesOnly>(41);
-  check_stores<DeformationSvdObject, float, TypeParam, NoSvd>(41);
-  check_stores<EntriesObject, float, TypeParam, PartOfEntries>(41);
-  check_stores<elasticity::TetObject, float, TypeParam, NoNodes>(41);
-  check_stores<PatchObject, float, TypeParam, PartOfPatch>(41);
+  check_stores<DeformationSvdObject, EvenReal<TypeParam>, TypeParam, StretchesOnly>(41);
+  if constexpr (is_even<TypeParam>) {
+    check_stores<PatchObject, float, TypeParam, PartOfPatch>(41);
+  } else {
+    check_stores<DeformationSvdObject, float, TypeParam, NoSvd>(41);
+    check_stores<EntriesObject, float, TypeParam, PartOfEntries>(41);
+    check_stores<elasticity::TetObject, float, TypeParam, NoNodes>(41);
+  }
 }
 
 TYPED_TEST(NothingStored, is_what_single_elements_and_masked_stores_of_pruned_fields_write) {
@@ -110,12 +115,13 @@ TYPED_TEST(NothingStored, is_what_single_elements_and_masked_stores_of_pruned_fi
 // ---- Results --------------------------------------------------------------------------------------------------------
 
 TYPED_TEST(NothingStored, of_rotations_leaves_every_bit_of_stress_derivatives) {
-  const auto one_by_one = [](index_t n, const auto& kernel) { parallel_for(Host{}, n, lanes<1>(kernel)); };
-  const auto packed = [](index_t n, const auto& kernel) { parallel_for(Host{}, n, in_packs(kernel)); };
-  check_results_with_pruned_rotations<float, Host, TypeParam>(one_by_one);
-  check_results_with_pruned_rotations<float, Host, TypeParam>(packed);
-  check_results_with_pruned_rotations<double, Host, TypeParam>(one_by_one);
-  check_results_with_pruned_rotations<double, Host, TypeParam>(packed);
+  check_results_with_pruned_rotations<EvenReal<TypeParam>, Host, TypeParam>([](index_t n, const auto& kernel) {
+    if constexpr (std::derived_from<TypeParam, Aos>) {
+      parallel_for(Host{}, n, lanes<1>(kernel));
+    } else {
+      parallel_for(Host{}, n, in_packs(kernel));
+    }
+  });
 }
 
 // ---- Copies ---------------------------------------------------------------------------------------------------------
@@ -130,10 +136,13 @@ void check_copies_of(std::mt19937& random) {
 
 TYPED_TEST(NothingStored, of_some_fields_copies_and_changes_of_topology_keep_the_others) {
   std::mt19937 random(seed());
-  check_copies_of<DeformationSvdObject, TypeParam, StretchesOnly, elasticity::DeformationSvdFormats<Host>>(random);
-  check_copies_of<elasticity::StressDerivativeObject, TypeParam, PartOfDerivative, FullDerivative>(random);
-  check_copies_of<PatchObject, TypeParam, PartOfPatch, tissue::other::PatchFormats<Host>>(random);
-  check_copies_of<EntriesObject, TypeParam, PartOfEntries, tissue::model::EntriesFormats<Host>>(random);
+  if constexpr (is_even<TypeParam>) {
+    check_copies_of<DeformationSvdObject, TypeParam, StretchesOnly, elasticity::DeformationSvdFormats<Host>>(random);
+    check_copies_of<PatchObject, TypeParam, PartOfPatch, tissue::other::PatchFormats<Host>>(random);
+  } else {
+    check_copies_of<elasticity::StressDerivativeObject, TypeParam, PartOfDerivative, FullDerivative>(random);
+    check_copies_of<EntriesObject, TypeParam, PartOfEntries, tissue::model::EntriesFormats<Host>>(random);
+  }
 }
 
 TYPED_TEST(NothingStored, is_what_copies_write_for_pruned_fields) {

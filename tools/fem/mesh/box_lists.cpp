@@ -1,5 +1,6 @@
 // What lies around a node depends on which of its eight cells there are and how they are mirrored: one pattern for each
 // of the few kinds of nodes, in numbers relative to the node's, is all that is ever found; the rest is copied.
+#include <fem/mesh/at.h>
 #include <fem/mesh/box_lists.h>
 #include <fem/mesh/stages.h>
 #include <physgen/scan.h>
@@ -14,8 +15,6 @@ namespace physgen::fem::detail {
 namespace {
 
 using physgen::detail::for_each_index;
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 // Higher neighbours of a node: steps (dx, dy, dz) from -1 to 1, ascending by their nodes' numbers, are the numbers
 // 14 to 26 of (dx + 1) + 3 (dy + 1) + 9 (dz + 1); 26 - s is the way back of s.

@@ -1,4 +1,5 @@
 // Tets of a box, cell by cell; all lists by formula.
+#include <fem/mesh/at.h>
 #include <fem/mesh/box_lists.h>
 #include <fem/mesh/mesh.h>
 #include <fem/mesh/stages.h>
@@ -12,8 +13,6 @@
 namespace physgen::fem {
 
 namespace {
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 void write_box_tets(std::vector<std::array<Index, 4>>& tets, Index nx, Index ny, Index nz,
                     const MirroredFrom& mirrored) {

@@ -1,4 +1,5 @@
 // Each kind of defect is found by a pass of its own, on all threads.
+#include <fem/mesh/at.h>
 #include <fem/mesh/check.h>
 #include <fem/mesh/faces.h>
 #include <fem/mesh/geometry.h>
@@ -17,8 +18,6 @@ namespace physgen::fem {
 namespace {
 
 using Tet = std::array<Index, 4>;
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 void note(Finding& finding, std::size_t place) {
   if (++finding.count <= Finding::shown) finding.first.push_back(place);

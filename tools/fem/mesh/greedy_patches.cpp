@@ -1,5 +1,6 @@
 // Patches grow one after the other, each by tets across faces of its own: a free tet there has three nodes in the
 // patch, so its fourth decides whether it fits. What the growth asks of a tet lies side by side in memory.
+#include <fem/mesh/at.h>
 #include <fem/mesh/faces.h>
 #include <fem/mesh/patches.h>
 #include <fem/mesh/stages.h>
@@ -15,8 +16,6 @@ namespace physgen::fem {
 namespace {
 
 constexpr Index none = -1;
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 // Of one tet: the tet across each face, opposite each corner, and that one's fourth node; none at the boundary.
 struct alignas(32) Beside {

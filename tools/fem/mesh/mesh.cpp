@@ -1,5 +1,6 @@
 // Lists node by node: the edges of a node to higher ones, and their tets, are found among its tets. Every list is
 // ascending, so results depend neither on the order of construction nor on threads.
+#include <fem/mesh/at.h>
 #include <fem/mesh/mesh.h>
 #include <fem/mesh/stages.h>
 #include <physgen/detail/first_index.h>
@@ -16,8 +17,6 @@ namespace physgen::fem {
 namespace {
 
 using Tets = std::vector<std::array<Index, 4>>;
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 void check_entries(std::size_t objects, std::size_t each, const char* what) {
   if (objects > static_cast<std::size_t>(std::numeric_limits<Index>::max()) / each) {

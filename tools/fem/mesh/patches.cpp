@@ -1,4 +1,5 @@
 // Patches of the cells of a box, by formula.
+#include <fem/mesh/at.h>
 #include <fem/mesh/patches.h>
 #include <fem/mesh/stages.h>
 #include <physgen/detail/host_loop.h>
@@ -11,10 +12,8 @@ namespace physgen::fem {
 
 namespace {
 
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
-
 // The nodes of a patch, ascending.
-class NodeSet {
+class SortedNodes {
  public:
   [[nodiscard]] std::span<const Index> nodes() const { return std::span(nodes_).first(count_); }
   [[nodiscard]] bool has(Index node) const { return std::ranges::find(nodes(), node) != nodes().end(); }
@@ -49,12 +48,12 @@ class NodeSet {
 }
 
 // A box as make_box_mesh() numbers it.
-struct Box {
+struct CellBox {
   index_t row, layer, cells_x, cells_y, cells;  // row, layer: distances of neighbours in y and z
 
   // The box whose first cell has these tets. @throw Error when there is none
-  static Box of(const TetMesh& mesh) {
-    NodeSet cell;
+  static CellBox of(const TetMesh& mesh) {
+    SortedNodes cell;
     for (std::size_t t = 0; t < tets_per_cell; ++t) {
       if (!cell.fits(mesh.tets[t])) refuse_other_than_cells();
       cell.add(mesh.tets[t]);
@@ -62,7 +61,7 @@ struct Box {
     if (cell.nodes().size() < 8) refuse_other_than_cells();
     const index_t row = cell.nodes()[2], layer = cell.nodes()[4];
     if (row < 2 || layer < 2 * row || layer % row != 0 || mesh.nodes % layer != 0) refuse_other_than_cells();
-    const Box box{row, layer, row - 1, layer / row - 1, static_cast<index_t>(mesh.tets.size() / tets_per_cell)};
+    const CellBox box{row, layer, row - 1, layer / row - 1, static_cast<index_t>(mesh.tets.size() / tets_per_cell)};
     const index_t cells_z = mesh.nodes / layer - 1;
     if (cells_z < 1 || box.cells != box.cells_x * box.cells_y * cells_z) refuse_other_than_cells();
     return box;
@@ -83,9 +82,9 @@ struct Box {
 }  // namespace
 
 VolumePatches cell_patches(const TetMesh& box) {
-  constexpr std::size_t each = Box::tets_per_cell;
+  constexpr std::size_t each = CellBox::tets_per_cell;
   if (box.tets.empty() || box.tets.size() % each != 0) refuse_other_than_cells();
-  const Box cells = Box::of(box);
+  const CellBox cells = CellBox::of(box);
   InStage stage("patches");
   VolumePatches patches;
   patches.nodes.resize(at(cells.cells));

@@ -1,5 +1,6 @@
 // Red refinement of a tet along a path through its corners. Paths follow one direction in space, in fine tets as in
 // coarse ones, so that refining again goes on alike.
+#include <fem/mesh/at.h>
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/refine.h>
 #include <physgen/detail/launch.h>
@@ -13,8 +14,6 @@
 namespace physgen::fem {
 
 namespace {
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 // A node of the fine tets within one coarse tet: the middle of two corners of its path, which may be the same.
 using Middle = std::array<std::size_t, 2>;

@@ -1,3 +1,4 @@
+#include <fem/mesh/at.h>
 #include <fem/mesh/rings.h>
 #include <fem/mesh/stages.h>
 #include <physgen/error.h>
@@ -11,8 +12,6 @@
 namespace physgen::fem {
 
 namespace {
-
-std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 std::span<const Index> ring_of(const NodeRings& rings, Index node) {
   const Index begin = rings.first[at(node)], end = rings.first[at(node) + 1];

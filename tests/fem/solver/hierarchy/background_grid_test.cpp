@@ -13,8 +13,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 using Fixed = std::function<std::uint8_t(const Point&)>;
 
 struct Shape {

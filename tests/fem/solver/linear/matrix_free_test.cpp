@@ -15,8 +15,6 @@ namespace physgen::fem {
 
 namespace {
 
-constexpr double side = tangent_scene_side;
-
 using Scene = TangentScene<double>;
 using Arrays = Scene::Arrays;
 
@@ -105,7 +103,7 @@ TEST(MatrixFree, product_is_the_change_of_the_forces_of_tets_patches_and_nodes) 
       for (std::size_t n = 0; n < forces.size(); ++n) all.segment<3>(3 * index_t(n)) = forces[n];
       return all;
     };
-    const Eigen::VectorXd differences = change(forces_at, 2e-5 * side);
+    const Eigen::VectorXd differences = change(forces_at, 2e-5 * tangent_scene_side);
     Vectors expected;
     for (index_t n = 0; n < index_t(scene.at.size()); ++n) expected.emplace_back(differences.segment<3>(3 * n));
     (void)scene.evaluate(evaluator, scene.at);
@@ -117,8 +115,8 @@ TEST(MatrixFree, product_is_the_change_of_the_forces_of_tets_patches_and_nodes) 
 
 TEST(MatrixFree, forces_are_the_fall_of_the_energy_of_tets_patches_and_nodes) {
   for_each_scene([](Scene& scene, auto& evaluator, const std::string& name) {
-    const double slope =
-        change([&](double length) { return scene.evaluate(evaluator, moved(scene, length)); }, 5e-5 * side);
+    const double slope = change([&](double length) { return scene.evaluate(evaluator, moved(scene, length)); },
+                                5e-5 * tangent_scene_side);
     (void)scene.evaluate(evaluator, scene.at);
     const Vectors forces = scene.forces();
     double work = 0;

@@ -7,8 +7,6 @@ namespace physgen::fem {
 
 namespace {
 
-constexpr double side = tangent_scene_side;
-
 /// @param rounding of the sums, as a part of the largest
 template <class Real>
 void expect_that_tangents_give_the_assembled_product(const std::string& name, bool patches, double rounding) {
@@ -56,10 +54,11 @@ TEST(MatrixFree, product_from_tangents_is_that_of_the_assembled_blocks) {
 Body pushed_block(bool patches) {
   Body body;
   body.levels = make_levels(TangentScene<>::tets(), 0, patches, [](const Point& x) -> std::uint8_t {
-    return x[2] == 0 ? 7 : (x[2] == side ? 5 : 0);  // aside along x; along y it may slide
+    return x[2] == 0 ? 7 : (x[2] == tangent_scene_side ? 5 : 0);  // aside along x; along y it may slide
   });
-  body.loading.motion = at_nodes(body.levels[0].rest,
-                                 [](const Point& x) { return x[2] == side ? Point{0.3 * side, 0, -side} : Point{}; });
+  body.loading.motion = at_nodes(body.levels[0].rest, [](const Point& x) {
+    return x[2] == tangent_scene_side ? Point{0.3 * tangent_scene_side, 0, -tangent_scene_side} : Point{};
+  });
   return body;
 }
 
@@ -84,7 +83,7 @@ TEST(MatrixFree, newtons_method_finds_the_equilibrium_of_the_assembled_product) 
           EXPECT_NEAR(b.iterations, a.iterations, 0.05 * a.iterations + 3);
           EXPECT_NEAR(b.energy / a.energy, 1, 1e-10);
         }
-        EXPECT_LE(largest_distance(free->positions(), assembled->positions()), 1e-7 * side);
+        EXPECT_LE(largest_distance(free->positions(), assembled->positions()), 1e-7 * tangent_scene_side);
         EXPECT_LT(free->bytes(), assembled->bytes());
       }
     }
@@ -104,7 +103,7 @@ TEST(MatrixFree, coarser_meshes_are_solved_on_first_without_blocks_too) {
   ASSERT_EQ(b.status, NewtonStatus::converged);
   EXPECT_GT(b.coarse_steps, 0);
   EXPECT_EQ(b.coarse_steps, a.coarse_steps);
-  EXPECT_LE(largest_distance(free->positions(), assembled->positions()), 1e-7 * side);
+  EXPECT_LE(largest_distance(free->positions(), assembled->positions()), 1e-7 * tangent_scene_side);
 }
 
 TEST(MatrixFree, product_is_refused_where_volumes_are_averaged_at_nodes) {

@@ -13,8 +13,6 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 0.08;
-
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 Point unit(const Point& v) {

@@ -13,7 +13,7 @@
 namespace physgen::fem {
 namespace {
 
-constexpr double side = 2;
+constexpr double extent = 2;
 
 /// Positions on the finer of two meshes of a cube, where `motion` was found on the coarser one, beside a rest that is
 /// already moved by `start`.
@@ -61,7 +61,7 @@ std::vector<Point> interpolated(const Body& body, const std::function<Point(cons
 /// Cells of 1/4, and of 1/2, some of whose components are prescribed.
 Body cube_with(std::uint8_t fixed_below) {
   return make_cube(
-      8, side, false, 0, [&](const Point& x) { return x[2] == 0 ? fixed_below : std::uint8_t{0}; },
+      8, extent, false, 0, [&](const Point& x) { return x[2] == 0 ? fixed_below : std::uint8_t{0}; },
       [](const Point& /*x*/) { return Point{}; });
 }
 
@@ -69,7 +69,7 @@ Body cube_with(std::uint8_t fixed_below) {
 Body graded(Body body, double grading) {
   Index cells = 8;
   for (MeshLevel& level : body.levels) {
-    grade_cube(level.rest, cells, side, grading);
+    grade_cube(level.rest, cells, extent, grading);
     cells /= 2;
   }
   return body;
@@ -93,7 +93,7 @@ TEST(InterpolateMotion, is_exact_for_affine_motions_everywhere) {
 TEST(InterpolateMotion, takes_the_cubic_where_a_node_lies_off_the_middle_of_an_edge) {
   const Body body = graded(cube_with(0), 1.5);
   const auto positions = interpolated(body, [](const Point& x) { return Point{x[0] * x[0], 0, 0}; }, 0);
-  const std::vector<double> at = graded_positions(4, side, 1.5);
+  const std::vector<double> at = graded_positions(4, extent, 1.5);
   const auto gradient = [&](std::size_t k) {
     const double before = (k <= 2 ? 6 : 2) * (at[k] - at[k - 1]), behind = (k >= 2 ? 6 : 2) * (at[k + 1] - at[k]);
     return (before * (at[k] + at[k - 1]) + behind * (at[k] + at[k + 1])) / (before + behind);
@@ -116,12 +116,12 @@ TEST(InterpolateMotion, is_exact_for_quadratic_motions_between_nodes_inside) {
     return Point{x[0] * x[0] - 0.5 * x[1] * x[2], 0.7 * x[1] * x[1] + x[0] * x[2], x[2] * (x[0] - x[1] - 0.3 * x[2])};
   };
   const auto positions = interpolated(body, motion, 0);
-  const double spacing = side / 4;
+  const double spacing = extent / 4;
   int inside = 0;
   for (std::size_t n = 0; n < positions.size(); ++n) {
     const Point& x = body.levels[0].rest[n];
-    const bool near_surface =
-        std::ranges::any_of(x, [&](double number) { return number < spacing * 0.9 || number > side - spacing * 0.9; });
+    const bool near_surface = std::ranges::any_of(
+        x, [&](double number) { return number < spacing * 0.9 || number > extent - spacing * 0.9; });
     if (near_surface) continue;
     ++inside;
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(positions[n][k], x[k] + motion(x)[k], 1e-13) << n;
@@ -162,8 +162,8 @@ TEST(InterpolateMotion, leaves_prescribed_components_where_they_are) {
 TEST(NestedIteration, begins_on_straight_lines_where_cubics_would_invert_tets) {
   constexpr double load = 0.8;
   Body body = make_cube(
-      8, side, false, 0, [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == side ? 7 : 0; },
-      [](const Point& x) { return x[2] == side ? Point{0, 0, -side} : Point{}; });
+      8, extent, false, 0, [](const Point& x) -> std::uint8_t { return x[2] == 0 || x[2] == extent ? 7 : 0; },
+      [](const Point& x) { return x[2] == extent ? Point{0, 0, -extent} : Point{}; });
   body.levels.resize(2);
   body.levels[1].parents.clear();
   const MeshLevel &fine = body.levels[0], &coarse = body.levels[1];
@@ -185,7 +185,7 @@ TEST(NestedIteration, begins_on_straight_lines_where_cubics_would_invert_tets) {
   ASSERT_TRUE(coarser.has_value());
 
   const auto motion = [&](const Point& x) {
-    const auto at = [&](std::size_t axis) { return std::lround(x[axis] / side * 4); };
+    const auto at = [&](std::size_t axis) { return std::lround(x[axis] / extent * 4); };
     const auto n = static_cast<std::size_t>(at(0) + 5 * (at(1) + 5 * at(2)));
     const Point &from = coarse.rest[n], &to = coarser->positions[n];
     return Point{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
@@ -193,7 +193,7 @@ TEST(NestedIteration, begins_on_straight_lines_where_cubics_would_invert_tets) {
   const auto start = [&](bool bends) {
     std::vector<Point> positions = interpolated(body, motion, 0, bends);
     for (std::size_t n = 0; n < positions.size(); ++n) {
-      if (fine.rest[n][2] == side) positions[n][2] = side * (1 - load);
+      if (fine.rest[n][2] == extent) positions[n][2] = extent * (1 - load);
     }
     return positions;
   };
