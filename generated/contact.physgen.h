@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_C8798438CE145134
-#define PHYSGEN_CONTACT_H_C8798438CE145134
+#ifndef PHYSGEN_CONTACT_H_2977BEC442124740
+#define PHYSGEN_CONTACT_H_2977BEC442124740
 
 #include <physgen/runtime.h>
 
@@ -74,6 +74,9 @@ struct NodeAreaObject : physgen::ObjectTag<
     NodeAreaObject, NodeArea, NodeAreaFormats, NodeAreaRecord, NodeAreaRef, NodeAreaProbe> {
   static constexpr std::string_view name = "contact::NodeArea";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"area", "m^2"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "at rest; 0 inside the body",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -152,6 +155,10 @@ struct RigidPlaneObject : physgen::ObjectTag<
     RigidPlaneObject, RigidPlane, RigidPlaneFormats, RigidPlaneRecord, RigidPlaneRef, RigidPlaneProbe> {
   static constexpr std::string_view name = "contact::RigidPlane";
   static constexpr std::array<physgen::FieldText, 3> texts = {{{"normal", "1"}, {"offset", "m"}, {"travel", "m"}}};
+  static constexpr std::array<std::string_view, 3> docs = {
+    "of length 1, towards the body", "normal . x of its points at a load of 0",
+    "along the normal, at a load of 1",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -221,6 +228,9 @@ struct PlaneContactObject : physgen::ObjectTag<
     PlaneContactObject, PlaneContact, PlaneContactFormats, PlaneContactRecord, PlaneContactRef, PlaneContactProbe> {
   static constexpr std::string_view name = "contact::PlaneContact";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"force", "N"}, {"depth", "m"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "on the body along the normal", "of the node that is farthest behind it among those that it touches",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -233,4 +243,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_C8798438CE145134
+#endif  // PHYSGEN_CONTACT_H_2977BEC442124740

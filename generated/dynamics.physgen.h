@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_DYNAMICS_H_1030F2774E4C89A5
-#define PHYSGEN_DYNAMICS_H_1030F2774E4C89A5
+#ifndef PHYSGEN_DYNAMICS_H_DCE1BCF21FB30CFE
+#define PHYSGEN_DYNAMICS_H_DCE1BCF21FB30CFE
 
 #include <physgen/runtime.h>
 
@@ -74,6 +74,9 @@ struct NodeMassObject : physgen::ObjectTag<
     NodeMassObject, NodeMass, NodeMassFormats, NodeMassRecord, NodeMassRef, NodeMassProbe> {
   static constexpr std::string_view name = "dynamics::NodeMass";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"mass", "kg"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "0 of a node that is in no tet",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -129,6 +132,9 @@ struct NodeVelocityObject : physgen::ObjectTag<
     NodeVelocityObject, NodeVelocity, NodeVelocityFormats, NodeVelocityRecord, NodeVelocityRef, NodeVelocityProbe> {
   static constexpr std::string_view name = "dynamics::NodeVelocity";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"v", "m/s"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "velocity",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -218,6 +224,9 @@ struct MotionObject : physgen::ObjectTag<MotionObject, Motion, MotionFormats, Mo
   static constexpr std::string_view name = "dynamics::Motion";
   static constexpr std::array<physgen::FieldText, 4> texts = {{
       {"kinetic", "J"}, {"momentum", "kg m/s"}, {"elastic", "J"}, {"farthest", "m"}}};
+  static constexpr std::array<std::string_view, 4> docs = {
+    "kinetic energy", "linear momentum", "elastic energy of the tets", "the largest coordinate of a position",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -231,4 +240,4 @@ static_assert(physgen::are_sound_records<MotionObject, physgen::Host>(
 
 }  // namespace dynamics
 
-#endif  // PHYSGEN_DYNAMICS_H_1030F2774E4C89A5
+#endif  // PHYSGEN_DYNAMICS_H_DCE1BCF21FB30CFE

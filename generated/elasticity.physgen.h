@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_ELASTICITY_H_BD1AD8171BA72906
-#define PHYSGEN_ELASTICITY_H_BD1AD8171BA72906
+#ifndef PHYSGEN_ELASTICITY_H_3A348FE4FB677C38
+#define PHYSGEN_ELASTICITY_H_3A348FE4FB677C38
 
 #include <physgen/runtime.h>
 
@@ -76,6 +76,9 @@ struct DeformationGradientObject : physgen::ObjectTag<
     DeformationGradientRef, DeformationGradientProbe> {
   static constexpr std::string_view name = "elasticity::DeformationGradient";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"F", "1"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "current over rest shape; the identity at rest",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -134,6 +137,9 @@ struct DeformationGradientDifferentialObject : physgen::ObjectTag<
     DeformationGradientDifferentialRecord, DeformationGradientDifferentialRef, DeformationGradientDifferentialProbe> {
   static constexpr std::string_view name = "elasticity::DeformationGradientDifferential";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"dF", "1"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "change of F along a displacement differential",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -212,6 +218,11 @@ struct DeformationSvdObject : physgen::ObjectTag<
     DeformationSvdProbe> {
   static constexpr std::string_view name = "elasticity::DeformationSvd";
   static constexpr std::array<physgen::FieldText, 3> texts = {{{"U"}, {"V"}, {"s", "1"}}};
+  static constexpr std::array<std::string_view, 3> docs = {
+    "principal directions: U in the current, V in the rest shape",
+    "principal directions: U in the current, V in the rest shape",
+    "principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -288,6 +299,10 @@ struct QuaternionSvdObject : physgen::ObjectTag<
     QuaternionSvdProbe> {
   static constexpr std::string_view name = "elasticity::QuaternionSvd";
   static constexpr std::array<physgen::FieldText, 3> texts = {{{"u"}, {"v"}, {"s", "1"}}};
+  static constexpr std::array<std::string_view, 3> docs = {
+    "unit quaternions w, x, y, z of U and V, w >= 0", "unit quaternions w, x, y, z of U and V, w >= 0",
+    "principal stretches, s1 >= s2 >= |s3|; s3 < 0 where inverted",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -356,6 +371,9 @@ struct PrincipalDirectionsObject : physgen::ObjectTag<
     PrincipalDirectionsRef, PrincipalDirectionsProbe> {
   static constexpr std::string_view name = "elasticity::PrincipalDirections";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"U"}, {"V"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "U in the current, V in the rest shape", "U in the current, V in the rest shape",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -414,6 +432,9 @@ struct PrincipalStretchesObject : physgen::ObjectTag<
     PrincipalStretchesRef, PrincipalStretchesProbe> {
   static constexpr std::string_view name = "elasticity::PrincipalStretches";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"s", "1"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "s1 >= s2 >= |s3|; s3 < 0 where inverted",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -471,6 +492,9 @@ struct ElementRotationObject : physgen::ObjectTag<
     ElementRotationProbe> {
   static constexpr std::string_view name = "elasticity::ElementRotation";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"R"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "det R = 1",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -648,6 +672,12 @@ struct StressDerivativeObject : physgen::ObjectTag<
   static constexpr std::array<physgen::FieldText, 12> texts = {{
       {"x1111", "Pa"}, {"x2211", "Pa"}, {"x3311", "Pa"}, {"x2222", "Pa"}, {"x3322", "Pa"}, {"x3333", "Pa"},
       {"x2121", "Pa"}, {"x2112", "Pa"}, {"x3131", "Pa"}, {"x3113", "Pa"}, {"x3232", "Pa"}, {"x3223", "Pa"}}};
+  static constexpr std::array<std::string_view, 12> docs = {
+    "stretch: the symmetric 3x3 block", "stretch: the symmetric 3x3 block", "stretch: the symmetric 3x3 block",
+    "stretch: the symmetric 3x3 block", "stretch: the symmetric 3x3 block", "stretch: the symmetric 3x3 block",
+    "shear: one 2x2 block per pair", "shear: one 2x2 block per pair", "shear: one 2x2 block per pair",
+    "shear: one 2x2 block per pair", "shear: one 2x2 block per pair", "shear: one 2x2 block per pair",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -703,6 +733,9 @@ struct StressRef : physgen::OnCursor<Cursor> {
 struct StressObject : physgen::ObjectTag<StressObject, Stress, StressFormats, StressRecord, StressRef, StressProbe> {
   static constexpr std::string_view name = "elasticity::Stress";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"P", "Pa"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "dpsi/dF: force in the current shape per area of the rest shape",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -761,6 +794,9 @@ struct StressDifferentialObject : physgen::ObjectTag<
     StressDifferentialRef, StressDifferentialProbe> {
   static constexpr std::string_view name = "elasticity::StressDifferential";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"dP", "Pa"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "change of P along dF",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -831,6 +867,9 @@ struct RestShapeObject : physgen::ObjectTag<
     RestShapeObject, RestShape, RestShapeFormats, RestShapeRecord, RestShapeRef, RestShapeProbe> {
   static constexpr std::string_view name = "elasticity::RestShape";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"dm_inverse", "1/m"}, {"volume", "m^3"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "Dm^-1, with Dm = [Xj-Xi, Xk-Xi, Xl-Xi] by columns", "det(Dm) / 6, positive",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -887,6 +926,9 @@ struct CornerForcesObject : physgen::ObjectTag<
     CornerForcesObject, CornerForces, CornerForcesFormats, CornerForcesRecord, CornerForcesRef, CornerForcesProbe> {
   static constexpr std::string_view name = "elasticity::CornerForces";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"G", "N"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "G = -volume P Dm^-T",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1099,6 +1141,13 @@ struct ElementRecordObject : physgen::ObjectTag<
       {"U"}, {"V"}, {"x1111", "Pa"}, {"x2211", "Pa"}, {"x3311", "Pa"}, {"x2222", "Pa"}, {"x3322", "Pa"},
       {"x3333", "Pa"}, {"x2121", "Pa"}, {"x2112", "Pa"}, {"x3131", "Pa"}, {"x3113", "Pa"}, {"x3232", "Pa"},
       {"x3223", "Pa"}, {"dF", "1"}, {"dP", "Pa"}}};
+  static constexpr std::array<std::string_view, 16> docs = {
+    "principal directions", "principal directions", "as in StressDerivative", "as in StressDerivative",
+    "as in StressDerivative", "as in StressDerivative", "as in StressDerivative", "as in StressDerivative",
+    "as in StressDerivative", "as in StressDerivative", "as in StressDerivative", "as in StressDerivative",
+    "as in StressDerivative", "as in StressDerivative", "change of F along a displacement differential",
+    "change of P along dF",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1156,6 +1205,9 @@ struct NodePositionObject : physgen::ObjectTag<
     NodePositionObject, NodePosition, NodePositionFormats, NodePositionRecord, NodePositionRef, NodePositionProbe> {
   static constexpr std::string_view name = "elasticity::NodePosition";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"x", "m"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "position",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1211,6 +1263,9 @@ struct NodeForceObject : physgen::ObjectTag<
     NodeForceObject, NodeForce, NodeForceFormats, NodeForceRecord, NodeForceRef, NodeForceProbe> {
   static constexpr std::string_view name = "elasticity::NodeForce";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"f", "N"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "sum of the elements' forces on the node",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1267,6 +1322,9 @@ struct PlacedForceObject : physgen::ObjectTag<
     PlacedForceObject, PlacedForce, PlacedForceFormats, PlacedForceRecord, PlacedForceRef, PlacedForceProbe> {
   static constexpr std::string_view name = "elasticity::PlacedForce";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"f", "N"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "of the tet on the node",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1324,6 +1382,9 @@ struct NodeDisplacementObject : physgen::ObjectTag<
     NodeDisplacementProbe> {
   static constexpr std::string_view name = "elasticity::NodeDisplacement";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"dx", "m"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "direction in which forces are differentiated",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1382,6 +1443,9 @@ struct NodeForceDifferentialObject : physgen::ObjectTag<
     NodeForceDifferentialRef, NodeForceDifferentialProbe> {
   static constexpr std::string_view name = "elasticity::NodeForceDifferential";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"df", "N"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "change of the node's force along the displacement differential",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1439,6 +1503,9 @@ struct NodeStiffnessObject : physgen::ObjectTag<
     NodeStiffnessProbe> {
   static constexpr std::string_view name = "elasticity::NodeStiffness";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"K", "N/m"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "df(v)/dx(v)",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1496,6 +1563,9 @@ struct EdgeStiffnessObject : physgen::ObjectTag<
     EdgeStiffnessProbe> {
   static constexpr std::string_view name = "elasticity::EdgeStiffness";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"E", "N/m"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "df(m)/dx(n)",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1581,6 +1651,9 @@ struct TetStiffnessObject : physgen::ObjectTag<
     TetStiffnessObject, TetStiffness, TetStiffnessFormats, TetStiffnessRecord, TetStiffnessRef, TetStiffnessProbe> {
   static constexpr std::string_view name = "elasticity::TetStiffness";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"k", "N/m"}, {"e", "N/m"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "corners i, j, k, l", "edges ij, ik, il, jk, jl, kl: df(first)/dx(second)",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1637,6 +1710,9 @@ struct TetRef : physgen::OnCursor<Cursor> {
 struct TetObject : physgen::ObjectTag<TetObject, Tet, TetFormats, TetRecord, TetRef, TetProbe> {
   static constexpr std::string_view name = "elasticity::Tet";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "corners i, j, k, l; det(Dm) > 0",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<TetObject, Space>>
@@ -1694,6 +1770,9 @@ struct TetPlacesObject : physgen::ObjectTag<
     TetPlacesObject, TetPlaces, TetPlacesFormats, TetPlacesRecord, TetPlacesRef, TetPlacesProbe> {
   static constexpr std::string_view name = "elasticity::TetPlaces";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"places"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "of corners i, j, k, l: numbers of entries",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1750,6 +1829,9 @@ struct EdgeRef : physgen::OnCursor<Cursor> {
 struct EdgeObject : physgen::ObjectTag<EdgeObject, Edge, EdgeFormats, EdgeRecord, EdgeRef, EdgeProbe> {
   static constexpr std::string_view name = "elasticity::Edge";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "m and n: the block of the edge is df(m)/dx(n)",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<EdgeObject, Space>>
@@ -1820,6 +1902,9 @@ struct IncidenceRangeObject : physgen::ObjectTag<
     IncidenceRangeProbe> {
   static constexpr std::string_view name = "elasticity::IncidenceRange";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"begin"}, {"end"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "half-open range", "half-open range",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1889,6 +1974,9 @@ struct IncidenceObject : physgen::ObjectTag<
     IncidenceObject, Incidence, IncidenceFormats, IncidenceRecord, IncidenceRef, IncidenceProbe> {
   static constexpr std::string_view name = "elasticity::Incidence";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"element"}, {"local"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "which tet, or which edge", "which of its corners, or of its edges, it is",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1901,4 +1989,4 @@ static_assert(physgen::are_sound_records<IncidenceObject, physgen::Host>({8, 4, 
 
 }  // namespace elasticity
 
-#endif  // PHYSGEN_ELASTICITY_H_BD1AD8171BA72906
+#endif  // PHYSGEN_ELASTICITY_H_3A348FE4FB677C38

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_QUASISTATIC_H_E0B241E530D5313D
-#define PHYSGEN_QUASISTATIC_H_E0B241E530D5313D
+#ifndef PHYSGEN_QUASISTATIC_H_5F8FC0B54580FAFD
+#define PHYSGEN_QUASISTATIC_H_5F8FC0B54580FAFD
 
 #include <physgen/runtime.h>
 
@@ -79,6 +79,9 @@ struct NodeConstraintObject : physgen::ObjectTag<
     NodeConstraintProbe> {
   static constexpr std::string_view name = "quasistatic::NodeConstraint";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"fixed"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "0: free; 7: held in all directions",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -137,6 +140,9 @@ struct NodeParentsObject : physgen::ObjectTag<
     NodeParentsObject, NodeParents, NodeParentsFormats, NodeParentsRecord, NodeParentsRef, NodeParentsProbe> {
   static constexpr std::string_view name = "quasistatic::NodeParents";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "numbers on the coarser level",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -208,6 +214,9 @@ struct GridParentsObject : physgen::ObjectTag<
     GridParentsObject, GridParents, GridParentsFormats, GridParentsRecord, GridParentsRef, GridParentsProbe> {
   static constexpr std::string_view name = "quasistatic::GridParents";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"nodes"}, {"weights", "1"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "numbers on the coarser level; a corner without weight repeats the first", "they add up to 1",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -276,6 +285,9 @@ struct NodeScaleObject : physgen::ObjectTag<
     NodeScaleObject, NodeScale, NodeScaleFormats, NodeScaleRecord, NodeScaleRef, NodeScaleProbe> {
   static constexpr std::string_view name = "quasistatic::NodeScale";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"scale"}, {"inverse"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "the largest entry on the diagonal of scale^2 K is in [1/2, 2)", "1 / scale",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -331,6 +343,9 @@ struct NodeInverseObject : physgen::ObjectTag<
     NodeInverseObject, NodeInverse, NodeInverseFormats, NodeInverseRecord, NodeInverseRef, NodeInverseProbe> {
   static constexpr std::string_view name = "quasistatic::NodeInverse";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"D"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "-K^-1 over the free components, 0 in prescribed ones",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -389,6 +404,9 @@ struct TranslationStiffnessObject : physgen::ObjectTag<
     TranslationStiffnessRef, TranslationStiffnessProbe> {
   static constexpr std::string_view name = "quasistatic::TranslationStiffness";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"T", "N/m"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "sum of df(v)/dx(w) over all nodes w; 0 far from what is prescribed",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -581,6 +599,15 @@ struct TetTangentObject : physgen::ObjectTag<
       {"U"}, {"g", "1/m"}, {"x1111", "N m"}, {"x2211", "N m"}, {"x3311", "N m"}, {"x2222", "N m"}, {"x3322", "N m"},
       {"x3333", "N m"}, {"x2121", "N m"}, {"x2112", "N m"}, {"x3131", "N m"}, {"x3113", "N m"}, {"x3232", "N m"},
       {"x3223", "N m"}}};
+  static constexpr std::array<std::string_view, 14> docs = {
+    "principal directions in the current shape", "by columns: V^T grad of corners j, k, l",
+    "volume times those of StressDerivative", "volume times those of StressDerivative",
+    "volume times those of StressDerivative", "volume times those of StressDerivative",
+    "volume times those of StressDerivative", "volume times those of StressDerivative",
+    "volume times those of StressDerivative", "volume times those of StressDerivative",
+    "volume times those of StressDerivative", "volume times those of StressDerivative",
+    "volume times those of StressDerivative", "volume times those of StressDerivative",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -640,6 +667,9 @@ struct TetPatchObject : physgen::ObjectTag<
     TetPatchObject, TetPatch, TetPatchFormats, TetPatchRecord, TetPatchRef, TetPatchProbe> {
   static constexpr std::string_view name = "quasistatic::TetPatch";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"patch"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "its number",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -699,6 +729,9 @@ struct PatchParentObject : physgen::ObjectTag<
     PatchParentObject, PatchParent, PatchParentFormats, PatchParentRecord, PatchParentRef, PatchParentProbe> {
   static constexpr std::string_view name = "quasistatic::PatchParent";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"patch"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "its number on the coarser level",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -757,6 +790,9 @@ struct PatchNodesObject : physgen::ObjectTag<
     PatchNodesObject, PatchNodes, PatchNodesFormats, PatchNodesRecord, PatchNodesRef, PatchNodesProbe> {
   static constexpr std::string_view name = "quasistatic::PatchNodes";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"nodes"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "unused ones repeat the first",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -824,6 +860,9 @@ struct PatchTetObject : physgen::ObjectTag<
     PatchTetObject, PatchTet, PatchTetFormats, PatchTetRecord, PatchTetRef, PatchTetProbe> {
   static constexpr std::string_view name = "quasistatic::PatchTet";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"tet"}, {"slots"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "its number", "which of the patch's nodes its corners are: 3 bits each, corner i lowest",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -946,6 +985,11 @@ struct MeanVolumeObject : physgen::ObjectTag<
   static constexpr std::array<physgen::FieldText, 7> texts = {{
       {"volume", "m^3"}, {"ratio", "1"}, {"pressure", "Pa"}, {"linearised", "Pa"}, {"tangent_pressure", "Pa"},
       {"before", "Pa"}, {"full", "Pa"}}};
+  static constexpr std::array<std::string_view, 7> docs = {
+    "at rest", "T: current over rest volume", "U'(T): of the forces",
+    "pi, which converges to U'(T) T or, of a quadratic law, to U'(T)", "of the tangent",
+    "pi before a Newton step, and after all of it", "pi before a Newton step, and after all of it",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1012,6 +1056,9 @@ struct RingNodeObject : physgen::ObjectTag<
     RingNodeObject, RingNode, RingNodeFormats, RingNodeRecord, RingNodeRef, RingNodeProbe> {
   static constexpr std::string_view name = "quasistatic::RingNode";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"node"}, {"g", "m^2"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "its number", "change of its mean volume with the node whose ring it is in",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1068,6 +1115,9 @@ struct NodeVolumeTangentObject : physgen::ObjectTag<
     NodeVolumeTangentProbe> {
   static constexpr std::string_view name = "quasistatic::NodeVolumeTangent";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"k", "N/m^5"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "U''(T) / volume, or its linearised form",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1125,6 +1175,9 @@ struct CoarseInverseObject : physgen::ObjectTag<
     CoarseInverseProbe> {
   static constexpr std::string_view name = "quasistatic::CoarseInverse";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"G"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "of nodes i and j of n, in object i n + j",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1190,6 +1243,9 @@ struct PatchTangentObject : physgen::ObjectTag<
     PatchTangentObject, PatchTangent, PatchTangentFormats, PatchTangentRecord, PatchTangentRef, PatchTangentProbe> {
   static constexpr std::string_view name = "quasistatic::PatchTangent";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"g", "m^2"}, {"k", "N/m^5"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "by columns: change of the patch's volume with its nodes", "U''(T) / volume, or its linearised form",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1248,6 +1304,9 @@ struct PatchChangeObject : physgen::ObjectTag<
     PatchChangeObject, PatchChange, PatchChangeFormats, PatchChangeRecord, PatchChangeRef, PatchChangeProbe> {
   static constexpr std::string_view name = "quasistatic::PatchChange";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"change", "N/m^2"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "k g . dx",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1304,6 +1363,9 @@ struct SchwarzNodeObject : physgen::ObjectTag<
     SchwarzNodeObject, SchwarzNode, SchwarzNodeFormats, SchwarzNodeRecord, SchwarzNodeRef, SchwarzNodeProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzNode";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"slot"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "number of its SchwarzSlot; -1: all its components are prescribed",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1375,6 +1437,10 @@ struct SchwarzSlotObject : physgen::ObjectTag<
     SchwarzSlotObject, SchwarzSlot, SchwarzSlotFormats, SchwarzSlotRecord, SchwarzSlotRef, SchwarzSlotProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzSlot";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"source"}, {"parent"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "which node stands here, or behind the first level which supernode; -1: none",
+    "the supernode of the next level that it belongs to; -1 on the last level",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1467,6 +1533,12 @@ struct SchwarzBlockObject : physgen::ObjectTag<
     SchwarzBlockObject, SchwarzBlock, SchwarzBlockFormats, SchwarzBlockRecord, SchwarzBlockRef, SchwarzBlockProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzBlock";
   static constexpr std::array<physgen::FieldText, 4> texts = {{{"scale"}, {"parent"}, {"children"}, {"arrived"}}};
+  static constexpr std::array<std::string_view, 4> docs = {
+    "a power of two, by which the stored factor is smaller than the real one",
+    "the block of the next level that its supernodes belong to; -1 on the last level",
+    "how many blocks of the level before have this one as their parent",
+    "how many of them have handed their forces over; 0 between two applications",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1535,6 +1607,10 @@ struct SupernodeObject : physgen::ObjectTag<
     SupernodeObject, Supernode, SupernodeFormats, SupernodeRecord, SupernodeRef, SupernodeProbe> {
   static constexpr std::string_view name = "quasistatic::Supernode";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"K", "N/m"}, {"magnitude", "N/m"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "sum of the stiffness of its nodes and of the edges among them",
+    "sum of its nodes' |K_kk|: what rounding is measured against",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1603,6 +1679,10 @@ struct SchwarzTermObject : physgen::ObjectTag<
     SchwarzTermObject, SchwarzTerm, SchwarzTermFormats, SchwarzTermRecord, SchwarzTermRef, SchwarzTermProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzTerm";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"source"}, {"kind"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "a node or an edge of the level before",
+    "of a supernode: 0 a node, 1 an edge inside; of a pair: 0 an edge, 1 an edge the other way " "round",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1671,6 +1751,9 @@ struct SchwarzPairObject : physgen::ObjectTag<
     SchwarzPairObject, SchwarzPair, SchwarzPairFormats, SchwarzPairRecord, SchwarzPairRef, SchwarzPairProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzPair";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"edge"}, {"places"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "its number", "that of m + 32 that of n",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1728,6 +1811,9 @@ struct SchwarzFactorObject : physgen::ObjectTag<
     SchwarzFactorProbe> {
   static constexpr std::string_view name = "quasistatic::SchwarzFactor";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"W"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "of block b in objects 544 b + 32 d + i, d = 0 .. 16",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1851,6 +1937,11 @@ struct LinearSolveObject : physgen::ObjectTag<
   static constexpr std::array<physgen::FieldText, 7> texts = {{
       {"rz", "N m"}, {"rz_first", "N m"}, {"tolerance", "1"}, {"alpha", "1"}, {"beta", "1"}, {"iterations"},
       {"status"}}};
+  static constexpr std::array<std::string_view, 7> docs = {
+    "r . z of this iteration", "of the first", "of sqrt(rz / rz_first)",
+    "the length of this step, and what the next keeps of its direction",
+    "the length of this step, and what the next keeps of its direction", "done", "fem::LinearStatus",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1909,6 +2000,9 @@ struct PackedIncidenceObject : physgen::ObjectTag<
     PackedIncidenceProbe> {
   static constexpr std::string_view name = "quasistatic::PackedIncidence";
   static constexpr std::array<physgen::FieldText, 1> texts = {{{"code"}}};
+  static constexpr std::array<std::string_view, 1> docs = {
+    "element 2^bits + local: each list has bits of its own (fem::PackedEntry)",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1977,6 +2071,9 @@ struct SmootherObject : physgen::ObjectTag<
     SmootherObject, Smoother, SmootherFormats, SmootherRecord, SmootherRef, SmootherProbe> {
   static constexpr std::string_view name = "quasistatic::Smoother";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"largest", "1"}, {"length", "1"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "an estimate of the largest eigenvalue of -D K", "of the vector that power iterations began with",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2102,6 +2199,12 @@ struct EquilibriumObject : physgen::ObjectTag<
   static constexpr std::array<physgen::FieldText, 7> texts = {{
       {"elastic", "J"}, {"volumetric", "J"}, {"loads", "J"}, {"free_square", "N^2"}, {"fixed_square", "N^2"},
       {"work", "J"}, {"smallest_ratio", "1"}}};
+  static constexpr std::array<std::string_view, 7> docs = {
+    "energy of the tets", "energy of the mean volumes", "potential of the external forces and of rigid planes",
+    "squared length of the forces in free components",
+    "squared length of reactions: of prescribed components and of planes", "of the forces along a step",
+    "the smallest J",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -2115,4 +2218,4 @@ static_assert(physgen::are_sound_records<EquilibriumObject, physgen::Host>(
 
 }  // namespace quasistatic
 
-#endif  // PHYSGEN_QUASISTATIC_H_E0B241E530D5313D
+#endif  // PHYSGEN_QUASISTATIC_H_5F8FC0B54580FAFD

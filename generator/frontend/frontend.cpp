@@ -103,7 +103,7 @@ std::string notes(llvm::StringRef diagnostics) {
         "to look in\n";
   const bool library = diagnostics.contains("undeclared identifier 'std'") ||
                        diagnostics.contains("undeclared identifier 'Eigen'") ||
-                       diagnostics.contains("no member named 'vector' in namespace 'std'");
+                       diagnostics.contains("in namespace 'std'");
   if (library || diagnostics.contains("unknown type name"))
     text +=
         "note: types of fields are " + model::joined(model::field_types()) +

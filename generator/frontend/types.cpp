@@ -30,6 +30,9 @@ std::string spelled(clang::QualType type, const clang::ASTContext& context) {
 /// The element type that the catalogue has under the name of `type`; none: another type.
 std::optional<model::Element> element_of(clang::QualType type, const clang::ASTContext& context) {
   const auto* builtin = type->getAs<clang::BuiltinType>();
+  // std::int64_t is another name of long or of long long.
+  if (builtin != nullptr && builtin->isInteger() && !builtin->isCharType() && context.getTypeSize(builtin) == 64)
+    return builtin->isSignedInteger() ? model::Element::int64 : model::Element::uint64;
   const llvm::StringRef name =
       builtin != nullptr ? builtin->getName(context.getPrintingPolicy()) : vocabulary_name(type->getAsCXXRecordDecl());
   for (const model::ElementFacts& row : model::elements())
@@ -103,9 +106,8 @@ class TypeReader {
     const std::string what =
         "has the type " + in_quotes(spelled(declaration_.getType(), context_)) + ", which a schema does not have; ";
     if (type->isEnumeralType()) return fail(what + "write Index and keep the enumeration for the values");
-    if (type->isBooleanType()) return fail(what + "write Index and store 0 or 1");
     if (builtin != nullptr && builtin->isInteger())
-      return fail(what + "write " + model::joined(model::element_types(true), " or ") + ", both of 32 bits");
+      return fail(what + "write " + model::joined(model::element_types(true), " or "));
     if (builtin != nullptr && builtin->isFloatingPoint())
       return fail(what + "write " + model::joined(model::element_types(false), " or "));
     return fail(what + allowed());

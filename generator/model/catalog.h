@@ -40,7 +40,7 @@ constexpr int aligned_record(int bytes, int alignment, int /*tile*/) { return al
 constexpr int padded_record(int bytes, int alignment, int /*tile*/) {
   return align_up(bytes, alignment < 16 ? 16 : alignment);
 }
-constexpr int tiled_record(int bytes, int /*alignment*/, int tile) { return tile == 2 ? align_up(bytes, 4) : bytes; }
+constexpr int tiled_record(int bytes, int /*alignment*/, int tile) { return align_up(bytes, tile < 8 ? 8 / tile : 1); }
 
 }  // namespace detail
 
@@ -182,7 +182,6 @@ struct Entry {
 };
 
 namespace detail {
-
 constexpr int all_entries(int rows, int cols) { return rows * cols; }
 constexpr int one_column(int rows, int /*cols*/) { return rows; }
 constexpr int lower_triangle(int rows, int /*cols*/) { return rows * (rows + 1) / 2; }
@@ -209,7 +208,7 @@ struct ShapeFacts {
   int (*count)(int rows, int cols) = nullptr;  ///< of stored elements
   Entry (*entry)(int k, int rows) = nullptr;   ///< where element k stands
   bool column = false;                         ///< the value is a column, else a matrix of rows x cols
-  bool integers = true;                        ///< its elements may be integers
+  bool integers = true;                        ///< its elements may be integers or bool
   bool uniform = true;                         ///< equal elements make a value of equal entries
 };
 
@@ -272,7 +271,7 @@ inline constexpr ShapeFacts shape_rows[] = {
 // ---- Element types ----
 
 /// The type of one stored element. `real` is the precision that the scene chooses (float or double).
-enum class Element { real, index, float32, float64, int32 };
+enum class Element { real, index, float32, float64, int32, int64, uint64, boolean };
 
 struct ElementFacts {
   Element key;
@@ -282,15 +281,20 @@ struct ElementFacts {
   std::string_view name;    ///< in drawings; empty: the precision of the scene
   int bytes_with_float;     ///< where Real is float
   int bytes_with_double;
-  bool integer;
+  bool integer;                ///< or bool: stored as it is, in no other format
+  std::string_view kind = {};  ///< of integers, in messages: "a 32-bit integer"
+  int unsigned_bits = 0;       ///< of integers without negatives
 };
 
 inline constexpr ElementFacts element_rows[] = {
     {Element::real, "real", "Scalar", "Real", "", 4, 8, false},
-    {Element::index, "index", "Index", "std::int32_t", "int", 4, 4, true},
+    {Element::index, "index", "Index", "std::int32_t", "int", 4, 4, true, "a 32-bit integer"},
     {Element::float32, "float32", "float", "float", "float", 4, 4, false},
     {Element::float64, "float64", "double", "double", "double", 8, 8, false},
-    {Element::int32, "int32", "int", "std::int32_t", "int", 4, 4, true},
+    {Element::int32, "int32", "int", "std::int32_t", "int", 4, 4, true, "a 32-bit integer"},
+    {Element::int64, "int64", "std::int64_t", "std::int64_t", "int64", 8, 8, true, "a 64-bit integer"},
+    {Element::uint64, "uint64", "std::uint64_t", "std::uint64_t", "uint64", 8, 8, true, "a std::uint64_t", 64},
+    {Element::boolean, "boolean", "bool", "bool", "bool", 1, 1, true, "0 or 1", 1},
 };
 
 }  // namespace physgen::model

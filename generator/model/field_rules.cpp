@@ -23,7 +23,11 @@ bool check_sizes(const Field& field, const FieldReport& report) {
   if (rows > max_side || cols > max_side) return wrong(limits + "; keep larger matrices in objects of blocks");
   const ShapeFacts& shape = facts(field.shape);
   const std::string side = std::to_string(shape.side);
-  if (!shape.integers && facts(field.element).integer) return wrong("whose elements must be real");
+  const ElementFacts& element = facts(field.element);
+  if (!shape.integers && element.integer) return wrong("whose elements must be real");
+  if (field.shape == Shape::skew && element.unsigned_bits > 0)
+    return wrong("half of whose entries are the negatives of stored ones, which " + std::string(element.schema) +
+                 " does not have; write a Matrix");
   switch (shape.sides) {
     case Sides::fixed:
       return (rows == shape.side && cols == shape.side) || wrong("but rows and cols are not " + side);
@@ -58,10 +62,10 @@ void check_range(const Range& range, const FieldReport& report) {
 
 void check_initial(const Field& field, const FieldReport& report) {
   const double value = *field.initial;
-  const bool whole = facts(field.element).integer;
-  const int bits = 8 * facts(field.element).bytes_with_double;
-  const double end = std::ldexp(1, bits - 1);                                  // of integers
-  const bool is_float = !whole && facts(field.element).bytes_with_float == 4;  // or can be
+  const ElementFacts& element = facts(field.element);
+  const int bits = element.unsigned_bits > 0 ? element.unsigned_bits : 8 * element.bytes_with_double - 1;
+  const double end = std::ldexp(1, bits), low = element.unsigned_bits > 0 ? 0 : -end;  // of integers
+  const bool is_float = !element.integer && element.bytes_with_float == 4;             // or can be
   const auto wrong = [&](const std::string& why) {
     report(Aspect::initial, "initial(" + number(value) + ") is " + why);
   };
@@ -70,8 +74,8 @@ void check_initial(const Field& field, const FieldReport& report) {
     report(Aspect::initial, "an initial value must be finite; leave initial() out for 0");
   else if (field.shape == Shape::rotation)
     report(Aspect::initial, "a matrix of equal elements is not a rotation; leave initial() out");
-  else if (whole && (value != std::floor(value) || value < -end || value >= end))
-    wrong("not a " + std::to_string(bits) + "-bit integer" + elements + "; write one");
+  else if (element.integer && (value != std::floor(value) || value < low || value >= end))
+    wrong("not " + std::string(element.kind) + elements + "; write one");
   else if (is_float && std::abs(value) > FLT_MAX)
     wrong("not a float" + elements + " or can be; write a value from -" + number(FLT_MAX) + " to " + number(FLT_MAX) +
           ", or declare it double");

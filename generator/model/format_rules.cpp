@@ -37,8 +37,9 @@ void check_format(Aspect aspect, const Field& field, const Format& format, const
   const std::string word(encoding.word);
   const bool in_steps = encoding.scaling == Scaling::interval && field.shape != Shape::rotation;
   if (facts(field.element).integer)
-    report(aspect,
-           "the elements of " + in_quotes(field.name) + " are integers, which have no other format; leave it out");
+    report(aspect, "the elements of " + in_quotes(field.name) + " are " +
+                       (field.element == Element::boolean ? "bool, which has" : "integers, which have") +
+                       " no other format; leave it out");
   else if (format.quaternion && field.shape != Shape::rotation)
     report(aspect,
            "only a Rotation can be stored as a quaternion; " + in_quotes(field.name) + " is a " + schema_type(field));

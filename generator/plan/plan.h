@@ -47,7 +47,7 @@ struct Slot {
 };
 
 /// The record of one object: its bytes in memory. It is packed: an array of structs rounds it up to `alignment`, tiles
-/// of two objects to 4 bytes, and larger tiles do not.
+/// of two objects to 4 bytes, of four to 2, and larger tiles do not.
 struct Record {
   const model::Object* object = nullptr;
   model::Space space = model::Space::host;

@@ -129,7 +129,7 @@ PHYSGEN_FUNCTION inline void count_element_in(Losses& losses, const ElementMove&
              static_cast<double>(decode<S>(stored, move.to)), i, move.to_offset);
 }
 PHYSGEN_FUNCTION inline void count_element(Losses& losses, const ElementMove& move, const Addressing& from, index_t i) {
-  if (move.to.type == ElementType::int32) return;
+  if (is_whole(move.to.type)) return;
   if (move.to.own != nullptr && move.to == move.from) return;  // it moves as it is
   if (converts_in_double(move.to, move.from)) return count_element_in<double>(losses, move, from, i);
   count_element_in<float>(losses, move, from, i);

@@ -92,6 +92,9 @@ PHYSGEN_FUNCTION inline void with_codec(const FieldFormat& stored, const Visit& 
     case ElementType::float32:
     case ElementType::float64:
     case ElementType::int32:
+    case ElementType::int64:
+    case ElementType::uint64:
+    case ElementType::boolean:
     case ElementType::none:
       break;
   }
@@ -107,6 +110,12 @@ template <class S>
   switch (stored.type) {
     case ElementType::int32:
       return static_cast<S>(*reinterpret_cast<const std::int32_t*>(from));
+    case ElementType::int64:
+      return static_cast<S>(*reinterpret_cast<const std::int64_t*>(from));
+    case ElementType::uint64:
+      return static_cast<S>(*reinterpret_cast<const std::uint64_t*>(from));
+    case ElementType::boolean:
+      return static_cast<S>(*from != std::byte{0} ? 1 : 0);
     case ElementType::snorm16: {
       const auto steps = *reinterpret_cast<const std::int16_t*>(from);
       if (format::detail::snorm16_is_ordinary<S>(stored.scale, stored.centre))
@@ -142,6 +151,18 @@ PHYSGEN_FUNCTION inline void encode(std::byte* to, const FieldFormat& stored, S 
     *reinterpret_cast<std::int32_t*>(to) = static_cast<std::int32_t>(value);
     return;
   }
+  if (stored.type == ElementType::int64) {
+    *reinterpret_cast<std::int64_t*>(to) = static_cast<std::int64_t>(value);
+    return;
+  }
+  if (stored.type == ElementType::uint64) {
+    *reinterpret_cast<std::uint64_t*>(to) = static_cast<std::uint64_t>(value);
+    return;
+  }
+  if (stored.type == ElementType::boolean) {
+    *to = value != S(0) ? std::byte{1} : std::byte{0};
+    return;
+  }
   if (stored.type == ElementType::snorm16) {
     *reinterpret_cast<std::int16_t*>(to) =
         format::detail::snorm16_is_ordinary<S>(stored.scale, stored.centre)
@@ -169,11 +190,12 @@ template <int kBytes>
 PHYSGEN_FUNCTION inline void move_word(std::byte* to, const std::byte* from) {
   std::memcpy(__builtin_assume_aligned(to, kBytes), __builtin_assume_aligned(from, kBytes), kBytes);
 }
-/// Copies an element of 2, 4 or 8 bytes.
+/// Copies an element of 1, 2, 4 or 8 bytes.
 PHYSGEN_FUNCTION inline void move_bits(std::byte* to, const std::byte* from, int bytes) {
   if (bytes == 8) return move_word<8>(to, from);
   if (bytes == 4) return move_word<4>(to, from);
-  move_word<2>(to, from);
+  if (bytes == 2) return move_word<2>(to, from);
+  move_word<1>(to, from);
 }
 
 /// Whether a conversion computes in double: where kernels do so with one of the two.

@@ -94,7 +94,8 @@ void convert_strided(const SizedMove& sized, StridedElements to, StridedElements
     const int size = sized.to_size;
     if (size == 8) return move_strided<std::uint64_t>(to, from, count);
     if (size == 4) return move_strided<std::uint32_t>(to, from, count);
-    return move_strided<std::uint16_t>(to, from, count);
+    if (size == 2) return move_strided<std::uint16_t>(to, from, count);
+    return move_strided<std::uint8_t>(to, from, count);
   }
   if (move.to.is_plain(ElementType::float32) && move.from.is_plain(ElementType::float64)) {
     return convert_strided<float, double>(to, from, count, [](double value) { return static_cast<float>(value); });

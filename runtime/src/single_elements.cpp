@@ -6,8 +6,10 @@
 #include <physgen/error.h>
 #include <physgen/memory/buffer.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -42,10 +44,37 @@ Found find_element(const UntypedArray& array, index_t i, int k) {
               std::to_string(count - 1));
 }
 
-// The nearest number that an int32 may be converted from; 0 for NaN.
-double limited(double value) {
-  constexpr double low = -2147483648.0, high = 2147483647.0;
-  return value != value ? 0 : std::clamp(value, low, high);
+// Whether an integer of type T has this value.
+template <class T>
+bool holds(double value) {
+  using Limits = std::numeric_limits<T>;
+  const double low = static_cast<double>(Limits::min()), end = std::ldexp(1.0, Limits::digits);
+  return value >= low && value < end && value == std::floor(value);
+}
+template <class T>
+std::string numbers_of() {
+  return "holds whole numbers from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
+         std::to_string(std::numeric_limits<T>::max());
+}
+
+// What elements of a type hold where a value is none of them; else empty.
+std::string refused_numbers(ElementType type, double value) {
+  if (type == ElementType::int32 && !holds<std::int32_t>(value)) return numbers_of<std::int32_t>();
+  if (type == ElementType::int64 && !holds<std::int64_t>(value)) return numbers_of<std::int64_t>();
+  if (type == ElementType::uint64 && !holds<std::uint64_t>(value)) return numbers_of<std::uint64_t>();
+  if (type == ElementType::boolean && value != 0 && value != 1) return "holds 0 or 1";
+  return {};
+}
+
+// An integer of 64 bits as a double. @throw Error where that would change it
+template <class T>
+double exactly(const UntypedArray& array, const FieldInfo& field, const std::byte* stored) {
+  T number;
+  std::memcpy(&number, stored, sizeof number);
+  const auto value = static_cast<double>(number);
+  if (holds<T>(value) && static_cast<T>(value) == number) return value;
+  throw Error(describe(array) + ": " + std::string(field.name) + " holds " + std::to_string(number) +
+              ", which no double is; read it through a view");
 }
 
 }  // namespace
@@ -62,6 +91,8 @@ double getdata(const UntypedArray& array, index_t i, int k) {
     copy_memory(bytes.data() + e * size, SpaceKind::host, array.address(i, field.offset + (first + e) * size, size),
                 array.space, size);
   }
+  if (field.type == ElementType::int64) return exactly<std::int64_t>(array, field, bytes.data());
+  if (field.type == ElementType::uint64) return exactly<std::uint64_t>(array, field, bytes.data());
   const detail::FieldFormat format(field);
   if (!field.quaternion) return detail::decode<double>(bytes.data(), format);
   const auto R =
@@ -76,10 +107,11 @@ void putdata(const UntypedArray& array, index_t i, int k, double value) {
     throw Error(describe(array) + ": " + std::string(field.name) +
                 " is stored as a quaternion, which has no single matrix elements; assign the rotation through a view");
   }
-  if (field.type == ElementType::int32 && static_cast<double>(static_cast<std::int32_t>(limited(value))) != value) {
+  if (const std::string held = refused_numbers(field.type, value); !held.empty()) {
     std::ostringstream message;
-    message << describe(array) << ": " << value << " is not an index; " << field.name
-            << " holds whole numbers from -2147483648 to 2147483647";
+    message << describe(array) << ": " << value
+            << (field.type == ElementType::int32 ? " is not an index; " : " does not fit; ") << field.name << ' '
+            << held;
     throw Error(message.str());
   }
   const int size = element_bytes(field.type);

@@ -201,5 +201,24 @@ TEST(ObjectReferences, assignment_copies_and_swap_exchanges_objects) {
   EXPECT_EQ(view[1].s()[0], 2.0F);
 }
 
+TEST(ObjectReferences, values_of_them_are_taken_apart_by_structured_bindings) {
+  elasticity::DeformationSvdArray<float, Host, Soa> array(3);
+  array[1].s() = Eigen::Vector3f(1, 2, 3);
+  auto [U, V, s] = array[1].get();
+  const auto& [of_view, ignored, kept] = array.view().get(1);
+  array[1].s() = Eigen::Vector3f::Zero();
+  s *= 2;
+  EXPECT_EQ(s, Eigen::Vector3f(2, 4, 6));
+  EXPECT_EQ(kept, Eigen::Vector3f(1, 2, 3));
+  EXPECT_EQ(U, V);
+  EXPECT_EQ(of_view, ignored);
+  float sum = 0;
+  for (auto object : array) {
+    const auto [turn, other, stretch] = object.get();
+    sum += turn.trace() + other.trace() + stretch.sum();
+  }
+  EXPECT_EQ(sum, 18);
+}
+
 }  // namespace
 }  // namespace physgen::test

@@ -146,6 +146,8 @@ void packs_of_a_kernel_of_single_objects() {
 void a_sum_over_packs_of_a_kernel_of_single_objects() {
   (void)sum(Host{}, 5, lanes<4>([](index_t) { return 1.0; }));
 }
+/// refused packs_of_bool: packs hold no field of bool: run the kernel that reads it on single objects, lanes<1>(kernel)
+void packs_of_bool(const Given& /*given*/) { const lanes_t<bool, Pack<kWidth>> flags; }
 /// refused packs_wider_than_registers: this CPU has no SIMD register of W lanes of T
 using packs_wider_than_registers = lanes_t<float, Pack<1024>>;
 const packs_wider_than_registers* const wide = nullptr;

@@ -239,3 +239,14 @@ void accepted(const Given& g) {
   add(g.i, g.view[g.j].x1111(), g.m);
   g.nodes[0].f().setZero();
 }
+
+// ---- Structured bindings ----
+/// refused binding_names_to_the_fields_of_a_reference: write auto [x, v] = view[i].get(), whose names are values
+void binding_names_to_the_fields_of_a_reference(Svds& array) {
+  auto [U, V, s] = array[3];
+  (void)s;
+}
+/// refused binding_names_in_a_loop: write auto [x, v] = view[i].get(), whose names are values
+void binding_names_in_a_loop(const Svds& array) {
+  for (const auto& [U, V, s] : array) (void)s;
+}

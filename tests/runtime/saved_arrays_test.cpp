@@ -87,6 +87,8 @@ TEST(SavedArrays, come_back_in_every_format) {
 TEST(SavedArrays, come_back_with_nested_objects_indices_and_every_shape) {
   using Shapes = tissue::model::ShapesObject;
   using Patch = tissue::other::PatchObject;
+  using Marks = tissue::model::MarksObject;
+  expect_copies_by_file<Array<Marks, float, Host, Soa>, Array<Marks, float, Host, Aosoa<4>>>();
   expect_copies_by_file<Array<Shapes, float, Host, Aos>, Array<Shapes, double, Host, Soa>>();
   expect_copies_by_file<Array<Patch, float, Host, Aosoa<32>>, Array<Patch, float, Host, AosPadded>>();
   expect_copies_by_file<Array<TetObject, float, Host, Soa>, Array<TetObject, float, Host, Aosoa<4>>>();
@@ -174,6 +176,11 @@ TEST(SavedArrays, that_do_not_fit_are_refused_with_names_and_sizes) {
   EXPECT_NE(message_of([&] {
               detail::ArrayOfFile(file, "stress", form, {});
             }).find("x2211 has real numbers in the file and integers in the array"),
+            std::string::npos);
+  fields[1].type = ElementType::boolean;
+  EXPECT_NE(message_of([&] {
+              detail::ArrayOfFile(file, "stress", form, {});
+            }).find("x2211 has real numbers in the file and bool in the array"),
             std::string::npos);
 }
 

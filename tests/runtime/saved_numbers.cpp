@@ -1,4 +1,5 @@
 // Saves numbers that a test in Python knows, in six formats, to the file that it is given.
+#include <everything.physgen.h>
 #include <physgen/save.h>
 
 #include <iostream>
@@ -20,5 +21,11 @@ int main(int argc, char** argv) {
   for (index_t i = 0; i < 3; ++i) {
     for (int k = 0; k < 4; ++k) tets.putdata(i, k, static_cast<double>(10 * i + k));
   }
-  save(argv[1], {{"numbers", numbers}, {"tets", tets}});
+  tissue::model::MarksArray<float> marks(70);
+  for (index_t i = 0; i < marks.size(); ++i) {
+    marks[i].key() = (std::uint64_t{1} << 63) + static_cast<std::uint64_t>(i);
+    marks[i].alive() = i % 3 == 0;
+    marks[i].counts()(1, 0) = -i;
+  }
+  save(argv[1], {{"numbers", numbers}, {"tets", tets}, {"marks", marks}});
 }

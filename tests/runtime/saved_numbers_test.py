@@ -43,3 +43,9 @@ with tempfile.TemporaryDirectory() as folder:
         assert group["x3333"].attrs["scale"] == 8
         (tet,) = file["tets"].values()
         assert tet.dtype == "i4" and (tet[...] == [[0, 1, 2, 3], [10, 11, 12, 13], [20, 21, 22, 23]]).all()
+        marks = file["marks"]
+        assert marks["key"].dtype == "u8" and (marks["key"][...] == 2**63 + numpy.arange(70, dtype="u8")).all()
+        assert marks["alive"].dtype == bool and (marks["alive"][...] == (numpy.arange(70) % 3 == 0)).all()
+        assert marks["counts"].dtype == "i8" and (marks["counts"][:, 1] == -numpy.arange(70)).all()
+        assert marks["flags"].shape == (70, 5) and not marks["flags"][...].any()
+        assert marks["alive"].attrs["doc"] == b"whether it takes part" and "doc" not in marks["key"].attrs

@@ -66,9 +66,11 @@ inline void put_random_numbers(const UntypedArray& untyped, std::mt19937& random
       for (int e = 0; e < field.visible_count(); ++e, ++k) {
         if (field.rotation && e % 9 == 0) R = random_rotation(random);
         if (field.quaternion) continue;
-        const double drawn = field.type == ElementType::int32 ? static_cast<double>(random() % 1000)
-                             : field.rotation                 ? R(e % 9 % 3, e % 9 / 3)
-                                                              : value(random);
+        const double drawn = field.type == ElementType::int32     ? static_cast<double>(random() % 1000)
+                             : field.type == ElementType::boolean ? static_cast<double>(random() % 2)
+                             : is_whole(field.type)               ? std::ldexp(static_cast<double>(random()), 31)
+                             : field.rotation                     ? R(e % 9 % 3, e % 9 / 3)
+                                                                  : value(random);
         putdata(untyped, i, k, drawn);
       }
     }

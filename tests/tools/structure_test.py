@@ -30,7 +30,7 @@ ROOMS = (
 )
 # The headers that users include; all others stand in folders that say what for.
 DOORS = """cell_list channel config device error executor fill_rows format fuse gather kernel layout mirror parallel_for
-    parallel_reduce print probe random row_arrays rows runtime save scan scene schema sort threads topology version""".split()
+    parallel_reduce print probe random row_arrays rows runtime save save_npy scan scene schema sort threads topology version""".split()
 LONGEST = 300  # of a file that people write, in lines
 WRITTEN = (".h", ".cpp", ".cu", ".py", ".sh", ".cmake", ".in", "CMakeLists.txt", "tools/dev")  # how their paths end
 

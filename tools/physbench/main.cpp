@@ -64,8 +64,38 @@ void list(std::ostream& out) {
   }
 }
 
+// Names of rows that the filter matches and this program was built without: in double, and of a GPU, kernels have the
+// rows that they have in float on the CPU.
+std::vector<std::string> left_out(const Options& options, const std::vector<Row>& rows) {
+  std::vector<Row> others;
+  for (Row row : rows) {
+    if (options.group != "kernels" || row.storage != "float" || row.space != "host" || !row.set.empty()) continue;
+    row.storage = "double";
+    others.push_back(row);
+    if (!registry().device || (row.layout != "aos" && row.layout != "soa")) continue;
+    row.space = "cuda";
+    row.objects = options.sizes.cuda;
+    others.push_back(row);
+    row.storage = "float";
+    others.push_back(row);
+  }
+  std::vector<std::string> names;
+  for (const Row& row : filtered(std::move(others), options.filter)) {
+    const auto is_it = [&row](const Row& other) { return other.name() == row.name(); };
+    if (std::ranges::none_of(rows, is_it)) names.push_back(row.name());
+  }
+  return names;
+}
+
 // That no row matched, with the name that the filter may have meant.
 void say_none_matched(const Options& options, const std::vector<Row>& rows) {
+  if (const std::vector<std::string> others = left_out(options, rows); !others.empty()) {
+    std::cerr << "physbench: '" << options.filter << "' matches " << others.front();
+    if (others.size() > 1) std::cerr << " and " << others.size() - 1 << " more";
+    std::cerr << ", which this program was built without: configure with -DPHYSGEN_BENCHMARK_ALL_ROWS=ON, or write "
+                 "tools/dev run --benchmark_filter=..., which builds the CPU's rows that its arguments name\n";
+    return;
+  }
   std::vector<std::string> names;
   std::ranges::transform(rows, std::back_inserter(names), [](const Row& row) { return row.name(); });
   std::string word = options.filter;

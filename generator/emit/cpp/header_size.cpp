@@ -21,14 +21,16 @@ ObjectSize HeaderSizes::of(const model::Object& object) {
   const double name = length(object.name), qualified = length(object.qualified_name());
   Runs all;
   ObjectSize size;
+  bool has_docs = false;
   size.bytes = (runs_.empty() ? 1740 : 0) + 1530 + 29 * name + qualified + length(object.scope) + length(object.doc);
   double largest = 0, nested_bytes = 0;
   for (int f = 0; const model::Field& field : object.fields) {
     const double own = length(field.name);
     const bool is_array = field.array_extent != 0;
     const double entries = is_array ? field.array_extent : 1;
-    // Its lines in the value, formats, probe, record and reference, with its comment twice.
-    size.bytes += 370 + 15 * own + name + 2 * (length(field.doc) + length(field.unit)) + 4 * length(field.object);
+    // Its lines in the value, formats, probe, record and reference, with its comment twice, and among the docs.
+    size.bytes += 370 + 15 * own + name + 3 * length(field.doc) + 2 * length(field.unit) + 4 * length(field.object);
+    has_docs = has_docs || !field.doc.empty();
     if (is_array) size.bytes += 290 + 5 * own + qualified;
     if (is_array && entries <= longest_unrolled) {  // each is read, and each matrix has an initializer
       const bool matrix = field.shape != model::Shape::scalar && field.shape != model::Shape::object;
@@ -54,6 +56,7 @@ ObjectSize HeaderSizes::of(const model::Object& object) {
     all.names += runs.names;
     ++f;
   }
+  if (has_docs) size.bytes += 75 + 8 * static_cast<double>(object.fields.size());
   size.fields = all.count;
   if (nested_bytes < size.bytes / 2) size.largest_nested = -1;
   runs_[object.qualified_name()] = all;

@@ -1,5 +1,6 @@
 // The object tag with the fields as data, the aliases for views and arrays, and the proofs that compilers check.
 #include <algorithm>
+#include <utility>
 
 #include "emit/cpp/pieces.h"
 #include "emit/cpp/text.h"
@@ -9,11 +10,15 @@ namespace {
 
 std::string space_type(model::Space space) { return "physgen::" + std::string(model::facts(space).type); }
 
-// "??/" in a string is a backslash to compilers that know trigraphs, and a warning to others.
-std::string without_trigraphs(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) escaped += c == '?' ? std::string("\\?") : std::string(1, c);
-  return escaped;
+// A literal of C++. "??/" in it is a backslash to compilers that know trigraphs, and a warning to others.
+std::string quoted(const std::string& text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    if (c == '\r') continue;
+    if (c == '?' || c == '"' || c == '\\') literal += '\\';
+    literal += c == '\n' ? std::string("\\n") : std::string(1, c);
+  }
+  return literal + "\"";
 }
 
 using Runs = std::vector<plan::Run>;
@@ -22,13 +27,49 @@ void texts(Printer& out, const Runs& runs) {
   std::vector<std::string> items;
   for (const plan::Run& run : runs) {
     const model::Field& field = run.field();
-    std::string text = "{\"" + run.name() + "\"";
-    if (!field.unit.empty() || field.initial) text += ", \"" + without_trigraphs(field.unit) + "\"";
+    std::string text = "{" + quoted(run.name());
+    if (!field.unit.empty() || field.initial) text += ", " + quoted(field.unit);
     if (field.initial) text += ", " + real(*field.initial);
     items.push_back(text + "}");
   }
   out.filled("static constexpr std::array<physgen::FieldText, " + std::to_string(runs.size()) + "> texts = {{", items,
              "}};");
+}
+
+constexpr std::size_t longest_line = 110;  // within the braces of a member
+
+// The pieces of a text, as literals of one line each.
+std::vector<std::string> pieces(std::string text) {
+  constexpr std::size_t longest = longest_line - 20;  // without what is escaped
+  while (text.ends_with(' ')) text.pop_back();
+  std::vector<std::string> literals;
+  while (text.size() > longest) {
+    const std::size_t blank = text.rfind(' ', longest);
+    if (blank == std::string::npos) break;
+    literals.push_back(quoted(text.substr(0, blank + 1)));
+    text.erase(0, blank + 1);
+  }
+  literals.push_back(quoted(text));
+  return literals;
+}
+
+// What the schema says of the fields of the object itself; nested ones have theirs.
+void docs(Printer& out, const model::Object& object) {
+  const auto has_doc = [](const model::Field& field) { return !field.doc.empty(); };
+  if (std::none_of(object.fields.begin(), object.fields.end(), has_doc)) return;
+  const std::string count = std::to_string(object.fields.size());
+  out.open("static constexpr std::array<std::string_view, " + count + "> docs = {");
+  std::string line;  // of as many literals as fit
+  for (const model::Field& field : object.fields) {
+    const std::vector<std::string> literals = pieces(field.doc);
+    for (const std::string& literal : literals) {
+      const std::string item = literal + (&literal == &literals.back() ? "," : "");
+      if (!line.empty() && line.size() + 1 + item.size() > longest_line) out.line(std::exchange(line, {}));
+      line += (line.empty() ? "" : " ") + item;
+    }
+  }
+  out.line(line);
+  out.close("};");
 }
 
 void aliases(Printer& out, const model::Object& object) {
@@ -81,6 +122,7 @@ void object_tag(Printer& out, const plan::Record& host, const plan::Record& cuda
   out.open();
   out.line("static constexpr std::string_view name = \"" + object.qualified_name() + "\";");
   texts(out, host_runs);
+  docs(out, object);
   out.close("};");
   out.line();
   aliases(out, object);

@@ -17,6 +17,9 @@ std::string member_type(const model::Field& field, const model::Object& user) {
 
 std::string literal(model::Element element, double value) {
   const model::ElementFacts& row = model::facts(element);
+  if (element == model::Element::boolean) return value != 0 ? "true" : "false";
+  if (element == model::Element::uint64) return std::to_string(static_cast<unsigned long long>(value)) + "U";
+  if (row.integer && value == -0x1p63) return "-9223372036854775807 - 1";  // the number without its sign is too large
   if (row.integer) return std::to_string(static_cast<long long>(value));
   if (element == model::Element::real) return "physgen::all_lanes<Real>(" + real(value) + ")";
   return real(value) + (row.bytes_with_double == 4 ? "f" : "");

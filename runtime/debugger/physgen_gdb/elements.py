@@ -3,8 +3,9 @@ import fractions
 import math
 import struct
 
-BYTES = {"float32": 4, "float64": 8, "int32": 4, "half": 2, "bfloat16": 2, "snorm16": 2, "none": 0}
-CODES = {"float32": "f", "float64": "d", "int32": "i", "half": "e", "snorm16": "h"}
+WHOLE = {"int32": "int", "int64": "long", "uint64": "unsigned long", "boolean": "bool"}  # the type that gdb shows them as
+BYTES = {"float32": 4, "float64": 8, "int32": 4, "int64": 8, "uint64": 8, "boolean": 1, "half": 2, "bfloat16": 2, "snorm16": 2, "none": 0}
+CODES = {"float32": "f", "float64": "d", "int32": "i", "int64": "q", "uint64": "Q", "boolean": "B", "half": "e", "snorm16": "h"}
 SNORM16_STEPS = 32767
 
 
@@ -42,7 +43,7 @@ def decode(type_name, memory, scale, centre, in_double):
         stored = struct.unpack("f", b"\0\0" + memory)[0]
     else:
         stored = struct.unpack(CODES[type_name], memory)[0]
-    if type_name == "int32":
+    if type_name in WHOLE:
         return stored
     rounded = float if in_double or type_name == "float64" else as_float
     if type_name == "snorm16":

@@ -32,9 +32,9 @@ class Layout:
         return whole + PADDING_OBJECTS if self.kind == "Soa" and whole > 0 and whole % 512 == 0 else whole
 
     def record_bytes(self, content, alignment):
-        if self.kind == "Soa" or self.tile > 2:
+        if self.kind == "Soa" or self.tile >= 8:
             return content
-        return align_up(content, {"AosPadded": max(alignment, 16), "Aosoa": 4}.get(self.kind, alignment))
+        return align_up(content, 8 // self.tile if self.tile else max(alignment, 16) if self.kind == "AosPadded" else alignment)
 
     def record_of(self, i):
         """The record that object i has."""

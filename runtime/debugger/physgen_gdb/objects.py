@@ -64,7 +64,7 @@ class Object:
             stored = [self.place.read(self.i, at + (e * count + k) * size, size).hex() for e in entries for k in range(count)]
             raise Unreadable(f"bytes {' '.join(stored)} in a format of the program's own")
         values = [self._entry(field, at + e * count * size, count, size) for e in entries]
-        of = "int" if field.type == "int32" else "double" if field.in_double else "float"
+        of = elements.WHOLE.get(field.type) or ("double" if field.in_double else "float")
         return gdb_array(gdb.lookup_type(of), values if field.entries > 1 and entry is None else values[0])
 
     def _entry(self, field, at, count, size):
@@ -82,11 +82,11 @@ class Object:
         return rows[0] if field.shape == (1, 1) else rows
 
 
-CODES = {("float", 4): "f", ("double", 8): "d", ("int", 4): "i"}
+CODES = {("float", 4): "f", ("double", 8): "d", ("int", 4): "i", ("long", 8): "q", ("unsigned long", 8): "Q", ("bool", 1): "B"}
 
 
 def gdb_array(of, numbers):
-    """Numbers, nested in lists, as a gdb value: a number, or an array of them. `of` is float, double or int."""
+    """Numbers, nested in lists, as a gdb value: a number, or an array of them. `of` is a type of CODES."""
     flat, sizes, inner = [numbers], [], numbers
     while isinstance(inner, list):
         sizes.append(len(inner))

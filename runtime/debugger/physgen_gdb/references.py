@@ -6,7 +6,7 @@ from physgen_gdb import elements, layout
 from physgen_gdb.fields import FieldInfo, Unreadable, arguments, elements_of, fields_of, plain_name
 from physgen_gdb.objects import Object, Objects, Place, of_array, of_view, pitch_in
 
-TYPES = {"float": "float32", "double": "float64", "int": "int32"}
+TYPES = {"float": "float32", "double": "float64", "int": "int32", "long": "int64", "unsigned long": "uint64", "bool": "boolean"}
 
 
 class Cursor:

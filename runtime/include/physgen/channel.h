@@ -35,11 +35,18 @@ template <class Array>
   return number;
 }
 
+/// The type of C++ that elements of a type are stored as; void: none.
 template <ElementType kType>
-using StoredNumber =
-    std::conditional_t<kType == ElementType::float32, float,
-                       std::conditional_t<kType == ElementType::float64, double,
-                                          std::conditional_t<kType == ElementType::int32, std::int32_t, void>>>;
+[[nodiscard]] constexpr auto stored_number() {
+  if constexpr (kType == ElementType::float32) return std::type_identity<float>();
+  if constexpr (kType == ElementType::float64) return std::type_identity<double>();
+  if constexpr (kType == ElementType::int32) return std::type_identity<std::int32_t>();
+  if constexpr (kType == ElementType::int64) return std::type_identity<std::int64_t>();
+  if constexpr (kType == ElementType::uint64) return std::type_identity<std::uint64_t>();
+  if constexpr (kType == ElementType::boolean) return std::type_identity<bool>();
+}
+template <ElementType kType>
+using StoredNumber = decltype(stored_number<kType>());
 
 template <std::size_t kNumber, class Array>
 [[nodiscard]] auto channel_of(const UntypedArray& array, int k) {
@@ -50,14 +57,14 @@ template <std::size_t kNumber, class Array>
                 "channel(): an array in Cuda memory is not reached on the host: copy it to an array in Host");
   static_assert(kNumber < fields_in<Array>.size(), "channel(): the objects have no field of this name");
   constexpr FieldInfo field = fields_in<Array>[std::min(kNumber, fields_in<Array>.size() - 1)];
-  using T = StoredNumber<field.type>;
-  static_assert(
-      !std::is_void_v<T> && field.scale == 1 && field.centre == 0 && field.own == nullptr,
-      "channel(): this field is not stored as plain float, double or int32; copy() to an array in which it is");
+  using Stored = StoredNumber<field.type>;
+  static_assert(!std::is_void_v<Stored> && field.scale == 1 && field.centre == 0 && field.own == nullptr,
+                "channel(): this field is not stored as plain numbers; copy() to an array in which it is");
   if (k < 0 || k >= field.count) {
     throw Error("channel(): " + std::string(array.object) + "::" + std::string(field.name) + " has elements 0 to " +
                 std::to_string(field.count - 1) + ", not " + std::to_string(k));
   }
+  using T = typename Stored::type;
   const int size = element_bytes(field.type);
   auto* const first = array.size == 0 ? nullptr : array.address(0, field.offset + k * size, size);
   return std::span<T>(reinterpret_cast<T*>(first), static_cast<std::size_t>(array.size));

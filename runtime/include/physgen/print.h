@@ -49,13 +49,21 @@ class ObjectPrinter {
     if constexpr (format::StoresNothing<format::ElementFormat<Format>>) {
       out_ << "not stored";
     } else if constexpr (Shape::is_scalar) {
-      const T number = at.template field<Shape, Format, T>(offset);
-      out_ << number;
+      const T value = at.template field<Shape, Format, T>(offset);
+      number(value);
     } else {
       const auto matrix = at.template field<Shape, Format, T>(offset).get();
       const int columns = static_cast<int>(matrix.cols());
       list(static_cast<int>(matrix.rows()), true,
-           [&](int row) { list(columns, columns > 1, [&](int column) { out_ << matrix(row, column); }); });
+           [&](int row) { list(columns, columns > 1, [&](int column) { number(matrix(row, column)); }); });
+    }
+  }
+  template <class T>
+  void number(const T& value) {
+    if constexpr (std::is_same_v<T, bool>) {
+      out_ << (value ? "true" : "false");
+    } else {
+      out_ << value;
     }
   }
   template <class Write>

@@ -15,9 +15,9 @@
 //   };
 //   }
 //
-// A field has one of the types below, float, double, int, another object, or a fixed array of one of these:
-// `Symmetric<3> k[4]`. It has no pointers, references or functions: one object is a record of numbers. Use
-// `Index` to refer to an object of another array.
+// A field has one of the types below, float, double, int, std::int64_t, std::uint64_t, bool, another object, or a fixed
+// array of one of these: `Symmetric<3> k[4]`. It has no pointers, references or functions: one object is a record of
+// numbers. Use `Index` to refer to an object of another array.
 #ifndef PHYSGEN_SCHEMA_H
 #define PHYSGEN_SCHEMA_H
 
@@ -37,9 +37,18 @@
 #define PHYSGEN(...)
 #endif
 
+#if __has_include(<cstdint>)
+#include <cstdint>
+#else  // physgen reads schemas without headers of the system
+namespace std {
+using int64_t = __INT64_TYPE__;
+using uint64_t = __UINT64_TYPE__;
+}  // namespace std
+#endif
+
 namespace physgen::schema {
 
-// ---- Types of fields. `Element` is Scalar, Index, float, double or int. ----
+// ---- Types of fields. `Element` is Scalar, Index, float, double, int, std::int64_t, std::uint64_t or bool. ----
 
 /// A real number of the precision that the scene chooses, float or double. Write float or double where the precision is
 /// not the scene's choice.

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "disk.h"
+#include "../files/disk.h"
 #include "h5_types.h"
 
 namespace physgen::h5 {
@@ -152,6 +152,8 @@ void File::write_attribute(const std::string& object, const std::string& name, c
   const Handle type = hold(H5Tcopy(H5T_C_S1), H5Tclose, "describe a text");
   require(H5Tset_size(type.id(), std::max<std::size_t>(text.size(), 1)) >= 0, "describe a text");
   require(H5Tset_strpad(type.id(), H5T_STR_NULLPAD) >= 0, "describe a text");
+  const bool ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x80; });
+  if (!ascii) require(H5Tset_cset(type.id(), H5T_CSET_UTF8) >= 0, "describe a text");
   set_attribute(object, name, type.id(), type.id(), text.c_str(), 1);
 }
 

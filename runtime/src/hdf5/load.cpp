@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "../files/host_twin.h"
+#include "../files/names.h"
+#include "../files/one_field.h"
 #include "../host_convert.h"
 #include "checksum.h"
-#include "host_twin.h"
-#include "names.h"
 #include "stored_fields.h"
 
 namespace physgen {
@@ -43,10 +44,7 @@ void require_fit(const std::string& place, const FieldInfo& stored, const std::s
         "load()");
   };
   if (stored.visible_count() != field.visible_count()) refuse(elements(stored), elements(field));
-  if ((stored.type == ElementType::int32) != (field.type == ElementType::int32)) {
-    const auto kind = [](const FieldInfo& f) { return f.type == ElementType::int32 ? "integers" : "real numbers"; };
-    refuse(kind(stored), kind(field));
-  }
+  if (!files::loads_into(stored.type, field.type)) refuse(files::kind_of(stored.type), files::kind_of(field.type));
   if (!unit.empty() && !field.unit.empty() && unit != field.unit)
     refuse("the unit " + unit, "the unit " + std::string(field.unit));
 }
@@ -80,7 +78,7 @@ void require_rows(const h5::File& file, const std::string& place, const Dataset&
   if (!file.holds_all(dataset.name)) refuse("is not in the file as a whole");
   file.read_ahead(dataset.name);
   h5::Checksum checksum;
-  const index_t rows = h5::rows_at_once(dataset.bytes_of_row);
+  const index_t rows = files::rows_at_once(dataset.bytes_of_row);
   const Buffer block(SpaceKind::host, std::min(rows, size) * dataset.bytes_of_row, place);
   for (index_t begin = 0; begin < size; begin += rows)
     read_rows(file, dataset, begin, std::min(begin + rows, size), block.data(), checksum);
@@ -106,7 +104,7 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
   const h5::File& file = datasets_->file;
   const std::vector<std::string> arrays = file.names_in("/");
   if (std::find(arrays.begin(), arrays.end(), name) == arrays.end())
-    throw Error(path.string() + ": has no array '" + name + "'" + h5::nearest_first(name, arrays));
+    throw Error(path.string() + ": has no array '" + name + "'" + files::nearest_first(name, arrays));
   const std::string group = "/" + name;
   if (const std::string object = file.read_text_attribute(group, "object"); object != form.object) {
     throw Error(place_ + " holds objects of the type " + object + ", and the array those of " +
@@ -121,9 +119,10 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
   for (const FieldInfo& field : form.fields)
     if (field.is_stored()) taken.emplace_back(field.name);
   for (const std::string& field : asked) {
-    if (!has(stored, field)) throw Error(place_ + " has no field '" + field + "'" + h5::nearest_first(field, stored));
+    if (!has(stored, field))
+      throw Error(place_ + " has no field '" + field + "'" + files::nearest_first(field, stored));
     if (!has(taken, field))
-      throw Error(place_ + ": the array stores no field '" + field + "'" + h5::nearest_first(field, taken));
+      throw Error(place_ + ": the array stores no field '" + field + "'" + files::nearest_first(field, taken));
   }
   for (const std::string& field : stored)
     if (asked.empty() && !has(taken, field)) loaded_.left_out.push_back(field);
@@ -139,14 +138,14 @@ ArrayOfFile::ArrayOfFile(const std::filesystem::path& path, const std::string& n
     require_fit(place_, in_file, h5::read_unit(file, dataset), field);
     in_file.name = field.name;
     in_file.in_double = field.in_double;
-    Dataset found{dataset, h5::only(form.fields, f, in_file), in_file.count * element_bytes(in_file.type),
+    Dataset found{dataset, files::only(form.fields, f, in_file), in_file.count * element_bytes(in_file.type),
                   h5::type_of(in_file.type)};
     require_rows(file, place_, found, loaded_.objects);
     datasets_->all.push_back(std::move(found));
     loaded_.fields.emplace_back(field.name);
   }
   if (datasets_->all.empty() && !(stored.empty() && taken.empty())) {
-    throw Error(place_ + " has no field in common with the array" + h5::nearest_first("", stored) +
+    throw Error(place_ + " has no field in common with the array" + files::nearest_first("", stored) +
                 "; load it into an array of the schema that it was saved with");
   }
 }
@@ -163,7 +162,7 @@ void ArrayOfFile::give(const UntypedArray& to, bool check) const {
   };
   int widest = 0;
   for (const Dataset& dataset : datasets_->all) widest = std::max(widest, dataset.bytes_of_row);
-  const index_t rows = check ? to.size : std::min(h5::rows_at_once(std::max(to.record_bytes, 1)), to.size);
+  const index_t rows = check ? to.size : std::min(files::rows_at_once(std::max(to.record_bytes, 1)), to.size);
   const Buffer block(SpaceKind::host, rows * widest, place_);
   for (const Dataset& dataset : datasets_->all) {
     if (!check) break;
@@ -191,12 +190,5 @@ void ArrayOfFile::give(const UntypedArray& to, bool check) const {
 }
 
 }  // namespace detail
-
-std::string Loaded::text() const {
-  std::string text = std::to_string(objects) + " objects were loaded with " + h5::list(fields);
-  if (!left_out.empty()) text += "; left out, since the array does not store it: " + h5::list(left_out);
-  if (!kept.empty()) text += "; not in the file, so that it keeps its values: " + h5::list(kept);
-  return text;
-}
 
 }  // namespace physgen

@@ -9,10 +9,11 @@
 #include <set>
 
 #include "../describe.h"
+#include "../files/disk.h"
+#include "../files/host_twin.h"
+#include "../files/one_field.h"
 #include "../host_convert.h"
 #include "checksum.h"
-#include "disk.h"
-#include "host_twin.h"
 #include "stored_fields.h"
 
 namespace physgen {
@@ -64,7 +65,7 @@ std::vector<Written> begin_fields(h5::File& file, const std::string& group, cons
     if (!array.fields[f].is_stored()) continue;
     const FieldInfo form = h5::form_in_file(array.fields[f]);
     written.push_back(
-        {group + "/" + std::string(form.name), form, h5::only(array.fields, f, form), h5::type_of(form.type)});
+        {group + "/" + std::string(form.name), form, files::only(array.fields, f, form), h5::type_of(form.type)});
     std::vector<hsize_t> shape{static_cast<hsize_t>(array.size)};
     if (form.count > 1) shape.push_back(static_cast<hsize_t>(form.count));
     file.make_fixed(written.back().dataset, written.back().type.id(), shape);
@@ -79,7 +80,7 @@ void write_array(h5::File& file, const std::string& name, const UntypedArray& ar
   file.write_attribute(group, "object", std::string(array.object));
   file.write_attribute(group, "count", h5::one(static_cast<std::uint64_t>(array.size)));
   std::vector<Written> written = begin_fields(file, group, array);
-  const index_t rows = h5::rows_at_once(std::max(array.record_bytes, 1));
+  const index_t rows = files::rows_at_once(std::max(array.record_bytes, 1));
   int widest = 0;
   for (const Written& field : written) widest = std::max(widest, field.bytes_of_row());
   const Buffer block(SpaceKind::host, std::min(rows, array.size) * widest, "a block of " + name);

@@ -16,6 +16,7 @@ static_assert(std::endian::native == std::endian::little, "files hold the bytes 
 namespace {
 
 constexpr std::array element_types{ElementType::float32, ElementType::float64,  ElementType::int32,
+                                   ElementType::int64,   ElementType::uint64,   ElementType::boolean,
                                    ElementType::half,    ElementType::bfloat16, ElementType::snorm16};
 
 constexpr const char* matrices = "rotation matrices, by columns";
@@ -31,6 +32,15 @@ Handle float16(std::size_t mantissa, std::size_t exponent, std::size_t bias) {
   return type;
 }
 
+/// Bytes of 0 and 1 with these names, as h5py writes and reads numpy's bool.
+Handle boolean() {
+  Handle type(H5Tenum_create(H5T_STD_I8LE), H5Tclose);
+  const signed char no = 0, yes = 1;
+  const bool done = H5Tenum_insert(type.id(), "FALSE", &no) >= 0 && H5Tenum_insert(type.id(), "TRUE", &yes) >= 0;
+  if (!done) throw Error("HDF5 refuses an enumeration of FALSE and TRUE");
+  return type;
+}
+
 double stored_one(const FieldInfo& form) { return form.type == ElementType::snorm16 ? form.scale / 32767 : form.scale; }
 
 }  // namespace
@@ -43,6 +53,12 @@ Handle type_of(ElementType type) {
       return {H5Tcopy(H5T_IEEE_F64LE), H5Tclose};
     case ElementType::int32:
       return {H5Tcopy(H5T_STD_I32LE), H5Tclose};
+    case ElementType::int64:
+      return {H5Tcopy(H5T_STD_I64LE), H5Tclose};
+    case ElementType::uint64:
+      return {H5Tcopy(H5T_STD_U64LE), H5Tclose};
+    case ElementType::boolean:
+      return boolean();
     case ElementType::half:
       return float16(10, 5, 15);
     case ElementType::bfloat16:
@@ -63,6 +79,12 @@ const char* name_of(ElementType type) {
       return "float64";
     case ElementType::int32:
       return "int32";
+    case ElementType::int64:
+      return "int64";
+    case ElementType::uint64:
+      return "uint64";
+    case ElementType::boolean:
+      return "bool";
     case ElementType::half:
       return "half";
     case ElementType::bfloat16:
@@ -86,15 +108,9 @@ FieldInfo form_in_file(const FieldInfo& field) {
   return form;
 }
 
-std::vector<FieldInfo> only(std::span<const FieldInfo> fields, std::size_t number, const FieldInfo& form) {
-  std::vector<FieldInfo> result(fields.begin(), fields.end());
-  for (FieldInfo& field : result) field.type = ElementType::none;
-  result[number] = form;
-  return result;
-}
-
 void write_attributes(File& file, const std::string& dataset, const FieldInfo& form) {
   file.write_attribute(dataset, "unit", std::string(form.unit));
+  if (!form.doc.empty()) file.write_attribute(dataset, "doc", std::string(form.doc));
   file.write_attribute(dataset, "format", std::string(name_of(form.type)));
   file.write_attribute(dataset, "elements",
                        std::string(!form.rotation    ? numbers

@@ -63,7 +63,13 @@ template <class T, class View, class Access>
 void keeps_element(const char* name, const View& view, const Access& access) {
   using Element = typename std::remove_cv_t<decltype(access(view, physgen::index_t{0}).get())>::Scalar;
   static_assert(std::is_same_v<Element, T>, "values have the element type that the catalogue names");
-  const auto number = [](physgen::index_t i, int k) { return static_cast<T>(1000 * some(2 * i + k)); };
+  const auto number = [](physgen::index_t i, int k) {
+    const double of = 1000 * some(2 * i + k);
+    if constexpr (std::is_same_v<T, bool>) return of > 0;
+    if constexpr (std::is_integral_v<T> && sizeof(T) == 8)
+      return static_cast<T>(static_cast<std::int64_t>(of * 0x1p50) | 1);
+    return static_cast<T>(of);
+  };
   for (physgen::index_t i = 0; i < objects; ++i)
     for (int k = 0; k < 2; ++k) access(view, i)[k] = number(i, k);
   for (physgen::index_t i = 0; i < objects; ++i)

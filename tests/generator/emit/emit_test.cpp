@@ -193,10 +193,26 @@ TEST(Emitter, prints_initial_values_as_literals_of_their_type) {
   EXPECT_EQ(line_of(Element::float64, 1e-12), "1e-12");
   EXPECT_EQ(line_of(Element::index, 1e9), "1000000000");
   EXPECT_EQ(line_of(Element::int32, -2147483648.0), "-2147483648");
+  EXPECT_EQ(line_of(Element::int64, -0x1p63), "-9223372036854775807 - 1");
+  EXPECT_EQ(line_of(Element::int64, 0x1p62), "4611686018427387904");
+  EXPECT_EQ(line_of(Element::uint64, 18446744073709549568.0), "18446744073709549568U");
+  EXPECT_EQ(line_of(Element::boolean, 1), "true");
   auto with_value = scalar("x");
   with_value.initial = 0x1p64;
   expect_contains(accessor_header(schema({object("A", {with_value})})),
                   "texts = {{{\"x\", \"\", 18446744073709551616.0}}};\n");
+}
+
+TEST(Emitter, writes_what_the_schema_says_of_fields_as_literals) {
+  auto said = scalar("x"), long_said = scalar("y");
+  said.doc = "a \"quoted\" \\ word?\?/\r\nand a line";
+  long_said.doc = std::string(80, 'a') + " " + std::string(60, 'b');
+  const std::string text = accessor_header(schema({object("A", {said, scalar("none"), long_said})}));
+  expect_contains(text,
+                  "  static constexpr std::array<std::string_view, 3> docs = {\n"
+                  "    \"a \\\"quoted\\\" \\\\ word\\?\\?/\\nand a line\", \"\",\n    \"" +
+                      std::string(80, 'a') + " \"\n");
+  EXPECT_EQ(accessor_header(schema({object("B", {scalar("z")})})).find("docs"), std::string::npos);
 }
 
 TEST(Emitter, guards_a_header_by_the_name_of_its_schema_and_its_text) {

@@ -129,8 +129,9 @@ inline const std::vector<DiagnosticCase> options_cases = {
      object("PHYSGEN(format(host, half)) PHYSGEN(format(host, half)) Scalar x;"),
      {"4:39: error: format(host, ...) is given twice; remove one of them", "4:11: note: the first one is here"}},
     {"a_format_of_an_index",
-     object("PHYSGEN(unit(\"1\"), format(cuda, half)) Vector<4, Index> x;"),
-     {"4:22: error: the elements of 'x' are integers, which have no other format; leave it out"}},
+     object("PHYSGEN(unit(\"1\"), format(cuda, half)) Vector<4, Index> x; PHYSGEN(format(cuda, half)) bool y;"),
+     {"4:22: error: the elements of 'x' are integers, which have no other format; leave it out",
+      "4:70: error: the elements of 'y' are bool, which has no other format; leave it out"}},
     {"a_quaternion_that_is_no_rotation",
      object("PHYSGEN(format(host, half), format(cuda, quaternion(half))) Matrix<3, 3> F;"),
      {"4:31: error: only a Rotation can be stored as a quaternion; 'F' is a Matrix<3, 3>"}},
@@ -221,6 +222,11 @@ inline const std::vector<DiagnosticCase> options_cases = {
     {"an_initial_index_that_is_no_integer",
      object("PHYSGEN(initial(0.5)) Index x;"),
      {"4:11: error: initial(0.5) is not a 32-bit integer, as the elements of 'x' are; write one"}},
+    {"initial_values_that_are_no_bool_and_no_integer_of_64_bits",
+     object("PHYSGEN(initial(2)) bool x; PHYSGEN(initial(0x1p63)) long y; PHYSGEN(initial(-1)) unsigned long z;"),
+     {"4:11: error: initial(2) is not 0 or 1, as the elements of 'x' are; write one",
+      "4:39: error: initial(9223372036854775808) is not a 64-bit integer, as the elements of 'y' are; write one",
+      "4:72: error: initial(-1) is not a std::uint64_t, as the elements of 'z' are; write one"}},
     {"an_initial_scalar_beyond_float",
      object("PHYSGEN(initial(1e300)) Scalar x;"),
      {"4:11: error: initial(1e+300) is not a float, as the elements of 'x' are or can be; write a value from "
@@ -286,8 +292,9 @@ inline const std::vector<DiagnosticCase> options_cases = {
       "6:10: error: field name 'get' is a name that generated code needs for itself; choose another name",
       "8:25: error: objects 'AView' and 'A' would both generate a type 'AView'; rename one of them",
       "3:33: note: the other one is here",
-      "9:3: error: field 'u' has the type 'unsigned int', which a schema does not have; write Index or int, both of 32 "
-      "bits"}},
+      "9:3: error: field 'u' has the type 'unsigned int', which a schema does not have; write Index, int, "
+      "std::int64_t, "
+      "std::uint64_t or bool"}},
 };
 
 }  // namespace physgen::test

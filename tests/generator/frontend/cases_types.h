@@ -106,20 +106,32 @@ inline const std::vector<DiagnosticCase> types_cases = {
       "x;'"}},
     {"an_unsigned_field",
      object("unsigned x;"),
-     {"4:3: error: field 'x' has the type 'unsigned int', which a schema does not have; write Index or int, both of 32 "
-      "bits"}},
+     {"4:3: error: field 'x' has the type 'unsigned int', which a schema does not have; write Index, int, "
+      "std::int64_t, "
+      "std::uint64_t or bool"}},
     {"a_long_double_field",
      object("long double x;"),
      {"4:3: error: field 'x' has the type 'long double', which a schema does not have; write Scalar, float or double"}},
     {"a_char_field",
      object("char x;"),
-     {"4:3: error: field 'x' has the type 'char', which a schema does not have; write Index or int, both of 32 bits"}},
-    {"a_bool_field",
-     object("bool x;"),
-     {"4:3: error: field 'x' has the type 'bool', which a schema does not have; write Index and store 0 or 1"}},
-    {"a_long_field",
-     object("long x;"),
-     {"4:3: error: field 'x' has the type 'long', which a schema does not have; write Index or int, both of 32 bits"}},
+     {"4:3: error: field 'x' has the type 'char', which a schema does not have; write Index, int, std::int64_t, "
+      "std::uint64_t or bool"}},
+    {"a_short_field",
+     object("short x;"),
+     {"4:3: error: field 'x' has the type 'short', which a schema does not have; write Index, int, std::int64_t, "
+      "std::uint64_t or bool"}},
+    {"an_integer_of_128_bits",
+     object("__int128 x;"),
+     {"4:3: error: field 'x' has the type '__int128', which a schema does not have; write Index, int, std::int64_t, "
+      "std::uint64_t or bool"}},
+    {"a_skew_matrix_of_bool",
+     object("Skew<3, bool> x;"),
+     {"4:3: error: field 'x' has the type Skew<3>, half of whose entries are the negatives of stored ones, which "
+      "bool does not have; write a Matrix"}},
+    {"a_skew_matrix_of_unsigned_integers",
+     object("Skew<3, unsigned long> x;"),
+     {"4:3: error: field 'x' has the type Skew<3>, half of whose entries are the negatives of stored ones, "
+      "which std::uint64_t does not have; write a Matrix"}},
     {"an_enumeration_as_field_type",
      "enum class Kind { soft, hard };\n" + object("Kind kind;"),
      {"5:3: error: field 'kind' has the type 'Kind', which a schema does not have; write Index and keep the "
@@ -127,17 +139,21 @@ inline const std::vector<DiagnosticCase> types_cases = {
     {"a_complex_field",
      object("_Complex float z;"),
      {"4:12: error: field 'z' has the type '_Complex float', which a schema does not have; write Scalar, Vector<N>, "
-      "Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int or an object"}},
+      "Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int, std::int64_t, "
+      "std::uint64_t, bool or an object"}},
     {"elements_of_an_unsupported_type",
      object("Vector<3, unsigned> v;"),
-     {"4:3: error: field 'v' has elements of type 'unsigned int'; write one of Scalar, Index, float, double and int"}},
+     {"4:3: error: field 'v' has elements of type 'unsigned int'; write one of Scalar, Index, float, double, int, "
+      "std::int64_t, std::uint64_t and bool"}},
     {"elements_that_are_const",
      object("Matrix<3, 3, const float> m;"),
-     {"4:3: error: field 'm' has elements of type 'const float'; write one of Scalar, Index, float, double and int"}},
+     {"4:3: error: field 'm' has elements of type 'const float'; write one of Scalar, Index, float, double, int, "
+      "std::int64_t, std::uint64_t and bool"}},
     {"an_option_type_as_field_type",
      object("detail::Range r;"),
      {"4:3: error: field 'r' has the type 'Range', which is an option and not a field type; write Scalar, Vector<N>, "
-      "Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int or an object"}},
+      "Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int, std::int64_t, "
+      "std::uint64_t, bool or an object"}},
     {"a_struct_that_is_not_an_object_as_field_type",
      "struct B {\n  Scalar x;\n};\n" + object("B b;"),
      {"7:3: error: field 'b' has the type 'B', which is not an object; write 'struct PHYSGEN_OBJECT() B'",

@@ -70,7 +70,7 @@ TEST(Frontend, reports_enumerators_and_types_that_only_another_version_has) {
           "5:11: error: this physgen does not know the memory space 'disk'" + version + "host and cuda",
           "6:3: error: field 'h' has the type 'Hankel' of a <physgen/schema.h> for another version, which this "
           "physgen does not know; write Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, "
-          "Rotation, Index, float, double, int or an object"}))
+          "Rotation, Index, float, double, int, std::int64_t, std::uint64_t, bool or an object"}))
       << result.diagnostics;
   EXPECT_NE(result.diagnostics.find("PHYSGEN_OBJECT(layout(host, curve)) A {\n"), std::string::npos) << "with a caret";
   EXPECT_NE(result.diagnostics.find("                      ^~~~~~~~~~~~~~~~~~~\n"), std::string::npos)

@@ -166,4 +166,20 @@ struct PHYSGEN_OBJECT(layout(host, aosoa(8))) Stored {
   Frame frames[2];
 };
 
+/// Integers of 64 bits and bools, in every shape that has them.
+struct PHYSGEN_OBJECT() Marks {
+  PHYSGEN(initial(-9223372036854775808.0)) std::int64_t lowest;
+  PHYSGEN(initial(18446744073709549568.0)) std::uint64_t key;
+  /// whether it takes part
+  PHYSGEN(initial(true)) bool alive;
+  Vector<3, bool> fixed;
+  Matrix<2, 2, std::int64_t> counts;
+  Symmetric<3, bool> touches;
+  Diagonal<2, std::uint64_t> hashes;
+  Skew<3, std::int64_t> turns;
+  bool flags[5];
+  std::int64_t history[2];
+  PHYSGEN(unit("kg"), format(host, half)) Scalar weight;
+};
+
 }  // namespace tissue::model

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_EVERYTHING_H_AE80139044D4303D
-#define PHYSGEN_EVERYTHING_H_AE80139044D4303D
+#ifndef PHYSGEN_EVERYTHING_H_895ABB68E92A69F6
+#define PHYSGEN_EVERYTHING_H_895ABB68E92A69F6
 
 #include <physgen/runtime.h>
 
@@ -247,6 +247,10 @@ struct ShapesObject : physgen::ObjectTag<ShapesObject, Shapes, ShapesFormats, Sh
   static constexpr std::array<physgen::FieldText, 14> texts = {{
       {"a"}, {"v"}, {"nodes"}, {"F", "1"}, {"B"}, {"row"}, {"K", "N/m"}, {"C2"}, {"s"}, {"W", "1/s"}, {"U"}, {"V"},
       {"count"}, {"M"}}};
+  static constexpr std::array<std::string_view, 14> docs = {
+    "Scalar.", "", "corners i, j, k, l", "deformation gradient", "", "", "", "", "", "", "principal directions",
+    "", "", "",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -642,6 +646,9 @@ struct EntriesObject : physgen::ObjectTag<
   static constexpr std::string_view name = "tissue::model::Entries";
   static constexpr std::array<physgen::FieldText, 6> texts = {{
       {"weights", "1"}, {"k", "N/m"}, {"flags"}, {"history"}, {"edges"}, {"entry"}}};
+  static constexpr std::array<std::string_view, 6> docs = {
+    "Weights of the five points.\nThey sum to one.", "", "", "More entries than are worth unrolling", "", "",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -778,6 +785,9 @@ struct OptionsObject : physgen::ObjectTag<
   static constexpr std::array<physgen::FieldText, 8> texts = {{
       {"density", "kg/m^3", 1060.0}, {"nu", "", 0.45}, {"direction", "1", 0.5}, {"metric", "", 1.0},
       {"label", "", -1.0}, {"group", "", 7.0}, {"spin", "", 0.25}, {"fixed", "", 1e-12}}};
+  static constexpr std::array<std::string_view, 8> docs = {
+    "Mass per volume of the rest shape.", "", "", "", "", "", "", "",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -888,6 +898,9 @@ struct ElementObject : physgen::ObjectTag<
       {"shapes.v"}, {"shapes.nodes"}, {"shapes.F", "1"}, {"shapes.B"}, {"shapes.row"}, {"shapes.K", "N/m"},
       {"shapes.C2"}, {"shapes.s"}, {"shapes.W", "1/s"}, {"shapes.U"}, {"shapes.V"}, {"shapes.count"}, {"shapes.M"},
       {"volume", "m^3"}}};
+  static constexpr std::array<std::string_view, 6> docs = {
+    "Before the nested objects by name, behind them in the record.", "Constants of the tissue.", "", "", "", "",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1418,6 +1431,10 @@ struct StoredObject : physgen::ObjectTagPerSpace<
       {"Rbfloat"}, {"R16"}, {"entries"}, {"halves"}, {"turns"}, {"many"}, {"count", "", 7.0}, {"frame.turn"},
       {"frame.origin", "m"}, {"frame.weight", "", 0.25}, {"frames[0].turn"}, {"frames[0].origin", "m"},
       {"frames[0].weight", "", 0.25}, {"frames[1].turn"}, {"frames[1].origin", "m"}, {"frames[1].weight", "", 0.25}}};
+  static constexpr std::array<std::string_view, 25> docs = {
+    "", "", "", "", "External force.", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "", "",
+    "",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host,
@@ -1438,6 +1455,177 @@ static_assert(physgen::are_sound_records<StoredObject, physgen::Cuda>(
     {540, 8, {72, 0, 76, 100, 102, 104, 106, 108, 110, 122, 140, 146, 8, 80, 40, 152, 160, 168, 176, 194, 204, 228, 96,
         492, 500, 506, 508, 516, 522, 524, 532, 538}}));
 
+// ---- Marks ----------------------------------------------------------------------------------------------------------
+
+/// Integers of 64 bits and bools, in every shape that has them.
+template <class Real>
+struct Marks {
+  /// Initially -9223372036854775808.
+  physgen::same_lanes_t<Real, std::int64_t> lowest = -9223372036854775807 - 1;
+  /// Initially 18446744073709549568.
+  physgen::same_lanes_t<Real, std::uint64_t> key = 18446744073709549568U;
+  /// whether it takes part. Initially 1.
+  physgen::same_lanes_t<Real, bool> alive = true;
+  physgen::MatrixValue<physgen::same_lanes_t<Real, bool>, 3, 1> fixed = decltype(fixed)::Zero();
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int64_t>, 2, 2> counts = decltype(counts)::Zero();
+  /// Symmetric, 6 stored.
+  physgen::MatrixValue<physgen::same_lanes_t<Real, bool>, 3, 3> touches = decltype(touches)::Zero();
+  /// Diagonal, 2 stored.
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::uint64_t>, 2, 1> hashes = decltype(hashes)::Zero();
+  /// Skew-symmetric, 3 stored.
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int64_t>, 3, 3> turns = decltype(turns)::Zero();
+  physgen::same_lanes_t<Real, bool> flags[5] = {};
+  physgen::same_lanes_t<Real, std::int64_t> history[2] = {};
+  /// [kg]. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
+  Real weight = {};
+};
+
+template <class Space>
+struct MarksFormats {
+  using lowest = physgen::format::Native;
+  using key = physgen::format::Native;
+  using alive = physgen::format::Native;
+  using fixed = physgen::format::Native;
+  using counts = physgen::format::Native;
+  using touches = physgen::format::Native;
+  using hashes = physgen::format::Native;
+  using turns = physgen::format::Native;
+  using flags = physgen::format::Native;
+  using history = physgen::format::Native;
+  using weight = physgen::PerSpace<Space, physgen::format::Half<>, physgen::format::Native>;
+};
+
+struct MarksObject;
+template <class ArrayTag, class Base = MarksFormats<physgen::Host>, class Object = MarksObject, int first = 0>
+struct MarksProbe {
+  using array_ = ArrayTag;
+  using lowest = physgen::Probe<ArrayTag, Object, first + 0, typename Base::lowest>;
+  using key = physgen::Probe<ArrayTag, Object, first + 1, typename Base::key>;
+  using alive = physgen::Probe<ArrayTag, Object, first + 2, typename Base::alive>;
+  using fixed = physgen::Probe<ArrayTag, Object, first + 3, typename Base::fixed>;
+  using counts = physgen::Probe<ArrayTag, Object, first + 4, typename Base::counts>;
+  using touches = physgen::Probe<ArrayTag, Object, first + 5, typename Base::touches>;
+  using hashes = physgen::Probe<ArrayTag, Object, first + 6, typename Base::hashes>;
+  using turns = physgen::Probe<ArrayTag, Object, first + 7, typename Base::turns>;
+  using flags = physgen::Probe<ArrayTag, Object, first + 8, typename Base::flags>;
+  using history = physgen::Probe<ArrayTag, Object, first + 9, typename Base::history>;
+  using weight = physgen::Probe<ArrayTag, Object, first + 10, typename Base::weight>;
+};
+
+template <class Real, class Formats>
+struct MarksRecord {
+  using lowest = physgen::StoredField<MarksRecord, 0, physgen::shape::Scalar, typename Formats::lowest, std::int64_t>;
+  using key = physgen::StoredField<MarksRecord, 1, physgen::shape::Scalar, typename Formats::key, std::uint64_t>;
+  using alive = physgen::StoredField<MarksRecord, 2, physgen::shape::Scalar, typename Formats::alive, bool>;
+  using fixed = physgen::StoredField<MarksRecord, 3, physgen::shape::Vector<3>, typename Formats::fixed, bool>;
+  using counts = physgen::StoredField<
+      MarksRecord, 4, physgen::shape::Matrix<2, 2>, typename Formats::counts, std::int64_t>;
+  using touches = physgen::StoredField<MarksRecord, 5, physgen::shape::Symmetric<3>, typename Formats::touches, bool>;
+  using hashes = physgen::StoredField<
+      MarksRecord, 6, physgen::shape::Diagonal<2>, typename Formats::hashes, std::uint64_t>;
+  using turns = physgen::StoredField<MarksRecord, 7, physgen::shape::Skew<3>, typename Formats::turns, std::int64_t>;
+  using flags = physgen::StoredField<MarksRecord, 8, physgen::shape::Scalar, typename Formats::flags, bool, 5>;
+  using history = physgen::StoredField<
+      MarksRecord, 9, physgen::shape::Scalar, typename Formats::history, std::int64_t, 2>;
+  using weight = physgen::StoredField<MarksRecord, 10, physgen::shape::Scalar, typename Formats::weight, Real>;
+  using fields_ = physgen::RecordFields<
+      lowest, key, alive, fixed, counts, touches, hashes, turns, flags, history, weight>;
+};
+
+template <class Real, class Formats, class Cursor>
+struct MarksRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
+  using Record = MarksRecord<Real, Formats>;
+  using Value = Marks<typename Cursor::template Lanes<Real>>;
+
+  /// Initially -9223372036854775808.
+  PHYSGEN_FUNCTION decltype(auto) lowest() const {
+    return this->field_(typename Record::lowest(), Record::lowest::offset);
+  }
+  /// Initially 18446744073709549568.
+  PHYSGEN_FUNCTION decltype(auto) key() const { return this->field_(typename Record::key(), Record::key::offset); }
+  /// whether it takes part. Initially 1.
+  PHYSGEN_FUNCTION decltype(auto) alive() const {
+    return this->field_(typename Record::alive(), Record::alive::offset);
+  }
+  PHYSGEN_FUNCTION decltype(auto) fixed() const {
+    return this->field_(typename Record::fixed(), Record::fixed::offset);
+  }
+  PHYSGEN_FUNCTION decltype(auto) counts() const {
+    return this->field_(typename Record::counts(), Record::counts::offset);
+  }
+  /// Symmetric, 6 stored.
+  PHYSGEN_FUNCTION decltype(auto) touches() const {
+    return this->field_(typename Record::touches(), Record::touches::offset);
+  }
+  /// Diagonal, 2 stored.
+  PHYSGEN_FUNCTION decltype(auto) hashes() const {
+    return this->field_(typename Record::hashes(), Record::hashes::offset);
+  }
+  /// Skew-symmetric, 3 stored.
+  PHYSGEN_FUNCTION decltype(auto) turns() const {
+    return this->field_(typename Record::turns(), Record::turns::offset);
+  }
+  /// @pre 0 <= entry < 5
+  PHYSGEN_FUNCTION decltype(auto) flags(int entry) const {
+    physgen::check_inner(entry, 5, "an entry of tissue::model::Marks::flags");
+    return this->field_(typename Record::flags(), Record::flags::offset + entry * Record::flags::stride);
+  }
+  /// @pre 0 <= entry < 2
+  PHYSGEN_FUNCTION decltype(auto) history(int entry) const {
+    physgen::check_inner(entry, 2, "an entry of tissue::model::Marks::history");
+    return this->field_(typename Record::history(), Record::history::offset + entry * Record::history::stride);
+  }
+  /// [kg]. Stored on the host as half, relative error up to 4.9e-4 for sizes from 6.1e-05 to 6.6e+04.
+  PHYSGEN_FUNCTION decltype(auto) weight() const {
+    return this->field_(typename Record::weight(), Record::weight::offset);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const {
+    return {
+        lowest(), key(), alive(), fixed().get(), counts().get(), touches().get(), hashes().get(), turns().get(),
+        {flags(0), flags(1), flags(2), flags(3), flags(4)}, {history(0), history(1)}, weight()};
+  }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    lowest() = value.lowest;
+    key() = value.key;
+    alive() = value.alive;
+    fixed() = value.fixed;
+    counts() = value.counts;
+    touches() = value.touches;
+    hashes() = value.hashes;
+    turns() = value.turns;
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 5; ++entry) flags(entry) = value.flags[entry];
+    PHYSGEN_UNROLL
+    for (int entry = 0; entry < 2; ++entry) history(entry) = value.history[entry];
+    weight() = value.weight;
+  }
+};
+
+struct MarksObject : physgen::ObjectTagPerSpace<MarksObject, Marks, MarksFormats, MarksRecord, MarksRef, MarksProbe> {
+  static constexpr std::string_view name = "tissue::model::Marks";
+  static constexpr std::array<physgen::FieldText, 11> texts = {{
+      {"lowest", "", -9223372036854775808.0}, {"key", "", 18446744073709549568.0}, {"alive", "", 1.0}, {"fixed"},
+      {"counts"}, {"touches"}, {"hashes"}, {"turns"}, {"flags"}, {"history"}, {"weight", "kg"}}};
+  static constexpr std::array<std::string_view, 11> docs = {
+    "", "", "whether it takes part", "", "", "", "", "", "", "", "",
+  };
+};
+
+template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<MarksObject, Space>>
+using MarksView = physgen::View<MarksObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host,
+          class Layout = physgen::PerSpace<Space, physgen::Aosoa<16>, physgen::Aosoa<32>>,
+          class Formats = physgen::FormatsOf<MarksObject, Space>>
+using MarksArray = physgen::Array<MarksObject, Real, Space, Layout, Formats>;
+static_assert(physgen::are_sound_records<MarksObject, physgen::Host>(
+    {121, 8, {0, 8, 106, 107, 16, 110, 48, 64, 116, 88, 104}},
+    {121, 8, {0, 8, 106, 107, 16, 110, 48, 64, 116, 88, 104}}));
+static_assert(physgen::are_sound_records<MarksObject, physgen::Cuda>(
+    {123, 8, {0, 8, 108, 109, 16, 112, 48, 64, 118, 88, 104}},
+    {127, 8, {0, 8, 112, 113, 16, 116, 48, 64, 122, 88, 104}}));
+
 }  // namespace tissue::model
 
-#endif  // PHYSGEN_EVERYTHING_H_AE80139044D4303D
+#endif  // PHYSGEN_EVERYTHING_H_895ABB68E92A69F6

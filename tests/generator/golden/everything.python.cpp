@@ -146,6 +146,22 @@ PYBIND11_MODULE(everything, module) {
       "count : Scalar\n"
       "frame : tissue::model::Frame\n"
       "frames : tissue::model::Frame[2]\n");
+  physgen::python::add_class<tissue::model::MarksObject, physgen::Aosoa<16>, physgen::Aosoa<32>>(
+      module, "Marks",
+      "Integers of 64 bits and bools, in every shape that has them.\n"
+      "\n"
+      "lowest : Scalar\n"
+      "key : Scalar\n"
+      "alive : Scalar\n"
+      "    whether it takes part\n"
+      "fixed : Vector<3>\n"
+      "counts : Matrix<2, 2>\n"
+      "touches : Symmetric<3>\n"
+      "hashes : Diagonal<2>\n"
+      "turns : Skew<3>\n"
+      "flags : Scalar[5]\n"
+      "history : Scalar[2]\n"
+      "weight : Scalar [kg]\n");
 #ifdef PHYSGEN_PYTHON_SOURCES
   physgen::python::add_functions(module);
 #endif

@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_MATERIALS_H_069EEC93E9DB68DA
-#define PHYSGEN_MATERIALS_H_069EEC93E9DB68DA
+#ifndef PHYSGEN_MATERIALS_H_C23AF320C80E4485
+#define PHYSGEN_MATERIALS_H_C23AF320C80E4485
 
 #include <physgen/runtime.h>
 
@@ -85,6 +85,9 @@ struct LameRef : physgen::OnCursor<Cursor> {
 struct LameObject : physgen::ObjectTag<LameObject, Lame, LameFormats, LameRecord, LameRef, LameProbe> {
   static constexpr std::string_view name = "material::Lame";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"mu", "Pa"}, {"lambda", "Pa"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "Shear modulus.", "",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<LameObject, Space>>
@@ -152,6 +155,9 @@ struct FibreRef : physgen::OnCursor<Cursor> {
 struct FibreObject : physgen::ObjectTag<FibreObject, Fibre, FibreFormats, FibreRecord, FibreRef, FibreProbe> {
   static constexpr std::string_view name = "material::Fibre";
   static constexpr std::array<physgen::FieldText, 2> texts = {{{"direction"}, {"strength", "Pa"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "Unit vector along the fibre.", "",
+  };
 };
 
 template <class Real, class Layout, class Space = physgen::Host, class Formats = physgen::FormatsOf<FibreObject, Space>>
@@ -164,4 +170,4 @@ static_assert(physgen::are_sound_records<FibreObject, physgen::Host>({20, 8, {8,
 
 }  // namespace material
 
-#endif  // PHYSGEN_MATERIALS_H_069EEC93E9DB68DA
+#endif  // PHYSGEN_MATERIALS_H_C23AF320C80E4485

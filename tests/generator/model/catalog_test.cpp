@@ -43,8 +43,9 @@ TEST(Catalog, lists_what_schemas_can_say) {
   EXPECT_EQ(joined(layout_words("W"), " or "), "aos, aos_padded, soa or aosoa(W)");
   EXPECT_EQ(joined(encoding_words()), "float32, float64, half, bfloat16, snorm16");
   EXPECT_EQ(joined(field_types()),
-            "Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int");
-  EXPECT_EQ(joined(element_types(true), " or "), "Index or int");
+            "Scalar, Vector<N>, Matrix<R, C>, Symmetric<N>, Diagonal<N>, Skew<N>, Rotation, Index, float, double, int, "
+            "std::int64_t, std::uint64_t, bool");
+  EXPECT_EQ(joined(element_types(true), " or "), "Index, int, std::int64_t, std::uint64_t or bool");
   EXPECT_EQ(joined({"one"}, " or "), "one");
 }
 

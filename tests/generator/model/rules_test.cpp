@@ -51,10 +51,12 @@ TEST(Rules, count_the_elements_of_nested_objects) {
 
 TEST(Rules, refuse_formats_of_integers) {
   Field index = stored_on_host(scalar("i"), Encoding::half);
-  for (const Element element : {Element::index, Element::int32}) {
+  for (const Element element : {Element::index, Element::int32, Element::int64, Element::uint64}) {
     index.element = element;
     EXPECT_EQ(issues(with({index})), "the elements of 'i' are integers, which have no other format; leave it out");
   }
+  index.element = Element::boolean;
+  EXPECT_EQ(issues(with({index})), "the elements of 'i' are bool, which has no other format; leave it out");
 }
 
 TEST(Rules, refuse_quaternions_of_what_is_no_rotation) {

@@ -153,6 +153,20 @@ int look() {
   nested.view()[4].elements(1).fibres(1).direction() = Eigen::Vector3f(1, 2, 3);
   test::expect("nested[4].elements(1).shapes().F()", nested.view().get(4).elements[1].shapes.F);
   test::expect("nested[4].elements(1).fibres(1).direction()", Eigen::Vector3f(1, 2, 3));
+  model::MarksArray<float, Host, Aosoa<4>> marks(9);  // integers of 64 bits and bools
+  marks[6].key() = 0xfedcba9876543211;
+  marks[6].counts()(0, 1) = -0x123456789abcdef1;
+  marks[6].turns()(2, 0) = 0x123456789abcdef1;
+  marks[6].fixed() = Eigen::Matrix<bool, 3, 1>(true, false, true);
+  marks[6].touches()(1, 0) = true;
+  marks[6].flags(4) = true;
+  marks[6].hashes()[1] = 7;
+  test::expect("marks", marks, 6);
+  test::expect("marks[6].key()", marks[6].key());
+  test::expect("marks[6].alive()", marks[6].alive());
+  test::expect("marks[6].touches()", marks[6].touches().get());
+  const auto touches = marks.view()[6].touches();
+  test::expect("touches", marks[6].touches().get());
   model::FrameArray<float> turned(9);
   turned.view()[5].turn() = Eigen::AngleAxisf(0.7F, Eigen::Vector3f(1, 2, 2) / 3).toRotationMatrix();
   test::expect("turned[5].turn()", turned.view()[5].turn().get());
@@ -196,7 +210,8 @@ int look() {
                               &rows_view,     &empty,      &moved,
                               &stolen,        &thief,      &garbage,
                               &null_view,     &stray,      &plain,
-                              &dynamic,       &partial,    &same};
+                              &dynamic,       &partial,    &same,
+                              &marks,         &touches};
   std::fflush(stdout);
   stop(static_cast<const void* const*>(kept));
   const Inside<decltype(tiles_of_2)::ConstView> inside{tiles_of_2.const_view()};
@@ -209,8 +224,8 @@ int look() {
 template <class Layout>
 void tell_law(const char* name) {
   for (const index_t objects : {0, 1, 31, 32, 33, 479, 480, 511, 512, 1000, 1024, 4096, 5000}) {
-    for (const int content : {2, 4, 30, 36, 612}) {
-      for (const int alignment : {2, 4, 8, 32}) {
+    for (const int content : {2, 4, 15, 30, 36, 612}) {
+      for (const int alignment : {1, 2, 4, 8, 32}) {
         const int record = Layout::record_bytes(content, alignment);
         const typename Layout::Pitch pitch(Layout::pitch(objects));
         std::printf("%s %lld %d %d : %lld %lld %d", name, static_cast<long long>(objects), content, alignment,
@@ -235,6 +250,7 @@ int main(int argc, char** /*argv*/) {
   tell_law<Soa>("physgen::Soa");
   tell_law<Uniform>("physgen::Uniform");
   tell_law<Aosoa<2>>("physgen::Aosoa<2>");
+  tell_law<Aosoa<4>>("physgen::Aosoa<4>");
   tell_law<Aosoa<32>>("physgen::Aosoa<32>");
   tell_law<Aosoa<1024>>("physgen::Aosoa<1024>");
   return 0;

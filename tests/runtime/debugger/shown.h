@@ -20,6 +20,9 @@ inline std::string shown(double number) {
   return static_cast<const char*>(text);
 }
 inline std::string shown(std::int32_t number) { return std::to_string(number); }
+inline std::string shown(std::int64_t number) { return std::to_string(number); }
+inline std::string shown(std::uint64_t number) { return std::to_string(number); }
+inline std::string shown(bool flag) { return flag ? "true" : "false"; }
 
 /// {first, second, ...} of `count` parts, which part(k) gives.
 template <class Part>
@@ -108,6 +111,23 @@ std::string shown(const tissue::model::Stored<Real>& x) {
       .add("frames[1].turn", x.frames[1].turn)
       .add("frames[1].origin [m]", x.frames[1].origin)
       .add("frames[1].weight", x.frames[1].weight)
+      .text();
+}
+
+template <class Real>
+std::string shown(const tissue::model::Marks<Real>& x) {
+  return Members()
+      .add("lowest", x.lowest)
+      .add("key", x.key)
+      .add("alive", x.alive)
+      .add("fixed", x.fixed)
+      .add("counts", x.counts)
+      .add("touches", x.touches)
+      .add("hashes", x.hashes)
+      .add("turns", x.turns)
+      .add("flags", x.flags)
+      .add("history", x.history)
+      .add("weight [kg]", x.weight)
       .text();
 }
 

@@ -53,6 +53,27 @@ class Formats(unittest.TestCase):
                 of[name] = given
                 np.testing.assert_allclose(of[name], given, rtol=0, atol=error, err_msg=name)
 
+    def test_integers_of_64_bits_and_bool_are_seen_without_a_copy_and_keep_every_bit(self):
+        of, tiles = everything.Marks(40, layout="soa"), everything.Marks(40, layout="aosoa(4)")
+        for name, dtype in (("lowest", "i8"), ("key", "u8"), ("alive", "?"), ("counts", "i8"), ("flags", "?")):
+            self.assertEqual((of[name].dtype, tiles[name].dtype), (np.dtype(dtype), np.dtype(dtype)), name)
+            self.assertTrue(of[name].flags.writeable, name)
+        keys = np.arange(40, dtype="u8") + 2**63 + 1
+        of.key[...] = keys
+        tiles.key = keys
+        tiles.alive = of.alive = keys % 3 == 0
+        of.flags[:, 2] = True
+        np.testing.assert_array_equal(tiles.key, keys)
+        np.testing.assert_array_equal(tiles.alive, keys % 3 == 0)
+        self.assertEqual(of.flags.sum(), 40)
+        of.key = 5
+        self.assertEqual(of.key[39], 5)
+        np.testing.assert_array_equal(np.from_dlpack(of.lowest), np.full(40, -(2**63)))
+        with self.assertRaisesRegex(ValueError, "key holds whole numbers from 0 to 18446744073709551615, and the values go from -1"):
+            of.key = -1
+        with self.assertRaisesRegex(TypeError, "alive holds numbers of type bool, to which int64 does not convert"):
+            of.alive = 1
+
     def test_a_copy_cannot_be_written_and_says_so(self):
         for array in (self.of.single, self.of.wide, self.whole.wide, self.whole.R16, everything.Shapes(100).F):
             with self.assertRaisesRegex(ValueError, "read-only"):

@@ -167,6 +167,17 @@ case $rule in
     expect "$err" 'the nearest name is dp_from_df/aosoa16/float/host/1048576;'
     expect_exit 1 --objects=1000 --benchmark_filter='^dp_from_df/aosoa16/float/host/1048576$'  # another size
     expect "$err" 'the nearest name is dp_from_df/aosoa16/float/host/1000;' ;;
+  a_filter_of_rows_that_the_build_left_out_says_how_to_build_them)
+    if [[ $all_rows == ON ]]; then
+      expect_exit 0 "${small[@]}" --benchmark_filter='^elastic_force/aosoa16/double/host/1000$'
+    else
+      expect_exit 1 --objects=1000 --benchmark_filter='^elastic_force/.*/double/host/'
+      expect "$err" 'matches elastic_force/.*/double/host/1000 and [0-9]+ more, which this program was built without'
+      expect "$err" '-DPHYSGEN_BENCHMARK_ALL_ROWS=ON'
+      expect_no "$err" 'no row of the group'
+    fi
+    expect_exit 1 --objects=1000 --benchmark_filter='^elastic_farce/.*/double/host/'
+    expect "$err" "no row of the group 'kernels' matches" ;;
   an_unknown_group_names_the_nearest)
     expect_exit 2 storge
     expect "$err" "there is no group 'storge'; did you mean 'storage'[?]" ;;

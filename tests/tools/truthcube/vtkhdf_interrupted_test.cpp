@@ -1,5 +1,5 @@
 // A kill or a full disk at any moment of writing: earlier steps stay readable, and the run can go on.
-#include <hdf5/disk.h>
+#include <files/disk.h>
 #include <truthcube/output/vtkhdf.h>
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // beads.csv is written a step at a time, and the file is closed in between.
-#include <hdf5/disk.h>
+#include <files/disk.h>
 #include <physgen/error.h>
 #include <truthcube/output/beads.h>
 

@@ -1,5 +1,5 @@
 // An HDF5 file of its own, with a checksum of all that a run takes from it.
-#include <hdf5/disk.h>
+#include <files/disk.h>
 #include <hdf5/h5.h>
 #include <physgen/error.h>
 #include <truthcube/output/checkpoint.h>

@@ -1,5 +1,5 @@
 // Keys and members are paired once, for writing and reading.
-#include <hdf5/disk.h>
+#include <files/disk.h>
 #include <physgen/error.h>
 #include <truthcube/output/run_json.h>
 

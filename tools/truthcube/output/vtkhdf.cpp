@@ -1,7 +1,7 @@
 // A step counts once Steps/NSteps and Steps/Values have it. Datasets may be longer than that: the next step overwrites
 // the rest. Nothing is ever taken out of a file, since HDF5 cuts a file off before it notes the new end. Viewers read
 // all of Steps/Values into memory for NSteps times, so Values grows last: it is never longer than that.
-#include <hdf5/disk.h>
+#include <files/disk.h>
 #include <hdf5/h5.h>
 #include <physgen/error.h>
 #include <truthcube/output/hash.h>

@@ -1,6 +1,7 @@
 // Arrays in files, without their types: what save.h stands on. Compiled in the component hdf5.
 #pragma once
 
+#include <physgen/arrays/loaded.h>
 #include <physgen/arrays/untyped_array.h>
 
 #include <concepts>
@@ -34,18 +35,6 @@ void save(const std::filesystem::path& file, std::span<const NamedArray> arrays)
 inline void save(const std::filesystem::path& file, std::initializer_list<NamedArray> arrays) {
   save(file, std::span<const NamedArray>(arrays.begin(), arrays.size()));
 }
-
-/// What came of load().
-struct Loaded {
-  index_t objects = 0;
-  std::vector<std::string> fields;    ///< that were loaded
-  std::vector<std::string> left_out;  ///< fields of the file that the array does not store
-  std::vector<std::string> kept;      ///< fields of the array that the file lacks; they keep their values
-  /// Whether file and array have the same fields, or those that were asked for were loaded.
-  [[nodiscard]] bool complete() const { return left_out.empty() && kept.empty(); }
-  /// All of this as a sentence.
-  [[nodiscard]] std::string text() const;
-};
 
 namespace detail {
 

@@ -17,7 +17,12 @@ namespace physgen::detail {
 template <class T>
 PHYSGEN_FUNCTION inline void add_atomically(T& to, T value) {
 #ifdef __CUDA_ARCH__
-  atomicAdd(&to, value);
+  if constexpr (std::is_integral_v<T> &&
+                sizeof(T) == 8) {  // of 64 bits CUDA has the sum of unsigned ones, which wraps alike
+    atomicAdd(reinterpret_cast<unsigned long long*>(&to), static_cast<unsigned long long>(value));
+  } else {
+    atomicAdd(&to, value);
+  }
 #else
 #if __has_include(<sys/single_threaded.h>)
   if (__libc_single_threaded != 0) {

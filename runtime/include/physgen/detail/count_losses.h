@@ -72,7 +72,7 @@ PHYSGEN_FUNCTION inline void remember(unsigned long long& counter, Losses::First
 /// @param scale of the format, which divides its numbers' sizes out
 PHYSGEN_FUNCTION inline void count_loss(Losses& losses, ElementType type, double scale, double value, double back,
                                         index_t object, int offset) {
-  if (type == ElementType::float64 || type == ElementType::int32) return;
+  if (type == ElementType::float64 || is_whole(type)) return;
   if (!(std::abs(value) <= 1.7976931348623157e308)) {
     if (element_bytes(type) == 2) remember(losses.not_a_number, losses.first, object, offset, value);
     return;

@@ -22,7 +22,7 @@ struct OwnFunctions {
   using Stored = typename Format::template Stored<T>;
   static_assert(std::is_trivially_copyable_v<Stored> &&
                     int{sizeof(Stored)} == element_bytes(Format::template type<T>) &&
-                    Format::template type<T> != ElementType::int32,
+                    !is_whole(Format::template type<T>),
                 "sizeof(Stored) must equal the bytes of the format's ElementType, and that type must be numeric");
 
   static double decode(const std::byte* from) {

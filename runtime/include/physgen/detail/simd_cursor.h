@@ -20,9 +20,12 @@ namespace detail {
 
 template <class T, int W>
 struct SizedBatch {
-  using type = typename xsimd::make_sized_batch<T, static_cast<std::size_t>(W)>::type;
+  static_assert(!std::is_same_v<T, bool>,
+                "packs hold no field of bool: run the kernel that reads it on single objects, lanes<1>(kernel)");
+  using Number = std::conditional_t<std::is_same_v<T, bool>, std::int8_t, T>;
+  using type = typename xsimd::make_sized_batch<Number, static_cast<std::size_t>(W)>::type;
   static_assert(
-      !std::is_void_v<type>,
+      !std::is_void_v<type> || std::is_same_v<T, bool>,
       "this CPU has no SIMD register of W lanes of T. Packs are as wide as the kernel's `using Scalar` makes them: let "
       "that be the widest number that the kernel reads, `using Scalar = typename View::Precision;`, or run the kernel "
       "on single objects, lanes<1>(kernel)");

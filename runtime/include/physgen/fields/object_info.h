@@ -26,6 +26,7 @@ struct FieldInfo {
   const OwnCodec* own = nullptr;  ///< where the format is not the library's
   bool pruned = false;            ///< of type none, and copies to the array leave it out
   bool in_double = false;         ///< kernels compute with it in double, however it is stored
+  std::string_view doc = {};      ///< what the schema says of it; empty: nothing
 
   /// Elements that code sees: 9 for a rotation, however it is stored.
   [[nodiscard]] PHYSGEN_FUNCTION constexpr int visible_count() const { return quaternion ? count / 4 * 9 : count; }

@@ -11,6 +11,7 @@
 #include <concepts>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace physgen {
 
@@ -156,6 +157,19 @@ struct RefOf<Object, Real, Formats, Cursor<Byte, Layout, kRecord, I>> {
 
 }  // namespace detail
 
+namespace detail {
+
+/// For `auto [x, v] = view[i]`, whose names would be references with a name.
+template <class Ref>
+[[nodiscard]] consteval std::size_t refuse_bindings() {
+  static_assert(sizeof(Ref) == 0,
+                "the names of a structured binding would be references to fields, which are read later than they look: "
+                "write auto [x, v] = view[i].get(), whose names are values");
+  return 0;
+}
+
+}  // namespace detail
+
 /// Exchanges the objects that two references refer to: `swap(view[i], view[j])`.
 template <class Ref>
   requires ReadsAs<Ref, typename Ref::Value>
@@ -181,5 +195,11 @@ PHYSGEN_FUNCTION void swap(T& a, T& b) {
 }
 
 }  // namespace physgen
+
+template <class Object, class Real, class Index, class Layout, class... Stored>
+struct std::tuple_size<physgen::ObjectRef<Object, Real, Index, Layout, Stored...>> {
+  static constexpr std::size_t value =
+      physgen::detail::refuse_bindings<physgen::ObjectRef<Object, Real, Index, Layout, Stored...>>();
+};
 
 #pragma pop_macro("I")

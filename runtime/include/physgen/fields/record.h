@@ -114,25 +114,40 @@ struct FieldText {
 
 namespace detail {
 
+/// What the schema says of each field of an object; null: of none.
+template <class Object>
+[[nodiscard]] constexpr const std::string_view* docs_of() {
+  if constexpr (requires { Object::docs; }) {
+    return Object::docs.data();
+  } else {
+    return nullptr;
+  }
+}
+
 /// Appends the FieldInfo of fields, with the next texts, to `out`.
 struct FieldInfos {
   const FieldText* text;
   FieldInfo* out;
 
   template <class Shape, class Format, class T>
-  constexpr void add(StoredAs<Shape, Format, T> /*as*/, const Slot& slot, int offset) {
-    *out++ = field_info<Shape, Format, T>(text->name, text->unit, offset, slot.entries, text->initial);
+  constexpr void add(StoredAs<Shape, Format, T> /*as*/, const Slot& slot, int offset, std::string_view doc) {
+    *out = field_info<Shape, Format, T>(text->name, text->unit, offset, slot.entries, text->initial);
+    out->doc = doc;
+    ++out;
     ++text;
   }
   template <class Object, class Formats, class Real>
-  constexpr void add(NestedAs<Object, Formats, Real> /*as*/, const Slot& slot, int offset) {
-    for (int entry = 0; entry < slot.entries; ++entry)
-      add_all(typename Object::template Record<Real, Formats>::fields_(), offset + entry * slot.bytes);
+  constexpr void add(NestedAs<Object, Formats, Real> /*as*/, const Slot& slot, int offset, std::string_view /*doc*/) {
+    for (int entry = 0; entry < slot.entries; ++entry) {
+      add_all(typename Object::template Record<Real, Formats>::fields_(), offset + entry * slot.bytes,
+              docs_of<Object>());
+    }
   }
   template <class... Field>
-  constexpr void add_all(RecordFields<Field...> /*fields*/, int offset) {
+  constexpr void add_all(RecordFields<Field...> /*fields*/, int offset, const std::string_view* docs) {
     // One after the other; a fold over more than 256 fields nests too deep for clang.
-    const int added[] = {(add(Field(), Field::slot, offset + Field::offset), 0)...};
+    const auto next = [&docs] { return docs == nullptr ? std::string_view() : *docs++; };
+    const int added[] = {(add(Field(), Field::slot, offset + Field::offset, next()), 0)...};
     (void)added;
   }
 };
@@ -141,10 +156,12 @@ struct FieldInfos {
 
 /// The fields of a record as data, those of nested objects one by one.
 /// @param texts of each of them, in order of declaration
+/// @param docs of the fields of the record itself; null: none
 template <class Record, std::size_t N>
-[[nodiscard]] constexpr std::array<FieldInfo, N> field_infos(const std::array<FieldText, N>& texts) {
+[[nodiscard]] constexpr std::array<FieldInfo, N> field_infos(const std::array<FieldText, N>& texts,
+                                                             const std::string_view* docs) {
   std::array<FieldInfo, N> infos{};
-  detail::FieldInfos{texts.data(), infos.data()}.add_all(typename Record::fields_(), 0);
+  detail::FieldInfos{texts.data(), infos.data()}.add_all(typename Record::fields_(), 0, docs);
   return infos;
 }
 
@@ -169,7 +186,7 @@ struct ObjectTag {
   using Probe = Probe_<ArrayTag, Base, Object, 0>;
   /// The fields as data.
   template <class Real, class Formats>
-  static constexpr auto fields = field_infos<Record<Real, Formats>>(Object::texts);
+  static constexpr auto fields = field_infos<Record<Real, Formats>>(Object::texts, detail::docs_of<Object>());
 };
 /// The same where the spaces store some field differently.
 template <class Object, template <class> class Value_, template <class> class Formats_,

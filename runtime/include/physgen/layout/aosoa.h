@@ -17,7 +17,7 @@ struct Aosoa {
     return align_up(objects, W > padding_objects ? index_t{W} : padding_objects);
   }
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr int record_bytes(int bytes, int /*alignment*/) {
-    return W == 2 ? align_up(bytes, 4) : bytes;  // elements are 2 to 8 bytes: every tile begins at a multiple of 8
+    return W < 8 ? align_up(bytes, 8 / W) : bytes;  // elements are 1 to 8 bytes: every tile begins at a multiple of 8
   }
   [[nodiscard]] PHYSGEN_FUNCTION static constexpr bool contiguous(int width) { return W % width == 0; }
 };

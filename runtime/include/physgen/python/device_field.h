@@ -78,6 +78,12 @@ class DeviceField {
         return dlpack::Type{dlpack::floating, 64, 1};
       case ElementType::int32:
         return dlpack::Type{dlpack::integer, 32, 1};
+      case ElementType::int64:
+        return dlpack::Type{dlpack::integer, 64, 1};
+      case ElementType::uint64:
+        return dlpack::Type{dlpack::unsigned_integer, 64, 1};
+      case ElementType::boolean:
+        return dlpack::Type{dlpack::boolean, 8, 1};
       case ElementType::half:
         return dlpack::Type{dlpack::floating, 16, 1};
       case ElementType::bfloat16:

@@ -10,7 +10,7 @@ namespace physgen::python::dlpack {
 inline constexpr const char* unused = "dltensor";
 
 enum DeviceKind : std::int32_t { host = 1, cuda = 2, cuda_host = 3 };
-enum TypeCode : std::uint8_t { integer = 0, floating = 2, bfloat = 4 };
+enum TypeCode : std::uint8_t { integer = 0, unsigned_integer = 1, floating = 2, bfloat = 4, boolean = 6 };
 
 struct Device {
   DeviceKind kind;

@@ -62,9 +62,7 @@ struct Placed {
 [[nodiscard]] inline py::array values_of(const PackedField& packed, const ObjectArray& array, std::size_t number) {
   const FieldInfo& field = array.fields()[number];
   const int size = element_bytes(packed.type());
-  const py::object dtype = packed.type() == ElementType::int32     ? py::dtype::of<std::int32_t>()
-                           : packed.type() == ElementType::float64 ? py::dtype::of<double>()
-                                                                   : py::dtype::of<float>();
+  const py::object dtype = plain_dtype(packed.type());
   Extents extents;
   extents.add(array.size(), field.visible_count() * py::ssize_t{size});
   extents.add_elements(array.type().shapes[number], field.visible_count(), size);

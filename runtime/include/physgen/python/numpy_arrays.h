@@ -12,16 +12,21 @@ namespace physgen::python {
 
 namespace py = pybind11;
 
-/// The type by which NumPy can show the stored numbers of a field; null: it knows none.
-[[nodiscard]] inline py::object stored_dtype(const FieldInfo& field) {
-  if (field.scale != 1 || field.centre != 0 || field.own != nullptr || field.quaternion) return {};
-  switch (field.type) {
+/// The type of NumPy for the numbers that memory holds; null: it has none.
+[[nodiscard]] inline py::object plain_dtype(ElementType type) {
+  switch (type) {
     case ElementType::float32:
       return py::dtype::of<float>();
     case ElementType::float64:
       return py::dtype::of<double>();
     case ElementType::int32:
       return py::dtype::of<std::int32_t>();
+    case ElementType::int64:
+      return py::dtype::of<std::int64_t>();
+    case ElementType::uint64:
+      return py::dtype::of<std::uint64_t>();
+    case ElementType::boolean:
+      return py::dtype::of<bool>();
     case ElementType::half:
       return py::dtype(23);  // NPY_HALF
     case ElementType::bfloat16:
@@ -30,6 +35,12 @@ namespace py = pybind11;
       break;
   }
   return {};
+}
+
+/// The type by which NumPy can show the stored numbers of a field; null: it knows none.
+[[nodiscard]] inline py::object stored_dtype(const FieldInfo& field) {
+  const bool plain = field.scale == 1 && field.centre == 0 && field.own == nullptr && !field.quaternion;
+  return plain ? plain_dtype(field.type) : py::object();
 }
 
 /// Shape and strides of an array of NumPy.
@@ -80,7 +91,9 @@ struct Extents {
 inline void assign(const py::array& target, const py::array& values, const std::string& name) {
   const py::module_ numpy = py::module_::import("numpy");
   const auto text = [](const py::object& of) { return py::str(of).cast<std::string>(); };
-  if (!numpy.attr("can_cast")(values.dtype(), target.dtype(), "same_kind").cast<bool>()) {
+  const auto is_integer = [](const py::array& of) { return of.dtype().kind() == 'i' || of.dtype().kind() == 'u'; };
+  const bool integers = is_integer(target) && is_integer(values);  // of which those that fit are taken
+  if (!integers && !numpy.attr("can_cast")(values.dtype(), target.dtype(), "same_kind").cast<bool>()) {
     throw py::type_error(name + " holds numbers of type " + text(target.dtype()) + ", to which " +
                          text(values.dtype()) + " does not convert; convert the values by .astype() if that is meant");
   }
@@ -91,14 +104,16 @@ inline void assign(const py::array& target, const py::array& values, const std::
     throw py::value_error(name + " has the shape " + shape_text(target) + "; values of the shape " +
                           shape_text(values) + " do not fit");
   }
-  if (target.dtype().kind() == 'i' && values.dtype().itemsize() > target.dtype().itemsize() && values.size() > 0) {
-    const double low = values.attr("min")().cast<double>(), high = values.attr("max")().cast<double>();
-    if (low < std::numeric_limits<std::int32_t>::min() || high > std::numeric_limits<std::int32_t>::max()) {
-      throw py::value_error(name + " holds whole numbers from -2147483648 to 2147483647, and the values go from " +
-                            text(values.attr("min")()) + " to " + text(values.attr("max")()));
+  if (integers && values.size() > 0) {
+    const py::object limits = numpy.attr("iinfo")(target.dtype());
+    const py::object low = values.attr("min")(), high = values.attr("max")();
+    const auto number = [](const py::object& of) { return py::int_(of); };  // of Python's, which compare exactly
+    if (number(low) < number(limits.attr("min")) || number(high) > number(limits.attr("max"))) {
+      throw py::value_error(name + " holds whole numbers from " + text(limits.attr("min")) + " to " +
+                            text(limits.attr("max")) + ", and the values go from " + text(low) + " to " + text(high));
     }
   }
-  numpy.attr("copyto")(target, fitting, "same_kind");
+  numpy.attr("copyto")(target, fitting, integers ? "unsafe" : "same_kind");
 }
 
 }  // namespace physgen::python

@@ -124,8 +124,7 @@ class PackedField {
     const std::span<const FieldInfo> fields = array.fields();
     FieldInfo& packed = alone(packed_, fields, number);
     alone(stored_, fields, number);
-    const bool whole = packed.type == ElementType::int32;
-    packed.type = whole ? ElementType::int32 : packed.in_double ? ElementType::float64 : ElementType::float32;
+    if (!is_whole(packed.type)) packed.type = packed.in_double ? ElementType::float64 : ElementType::float32;
     packed.offset = 0;
     packed.count = packed.visible_count();
     packed.quaternion = false;

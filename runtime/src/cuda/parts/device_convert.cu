@@ -92,7 +92,8 @@ __device__ void convert_elements(const Moves& moves, const ObjectElements<kFromS
     const std::byte* source = from.at(move.from_offset, size);
     if (size == 8) return read<kFromStaged, unsigned long long>(source);
     if (size == 4) return read<kFromStaged, unsigned>(source);
-    return read<kFromStaged, unsigned short>(source);
+    if (size == 2) return read<kFromStaged, unsigned short>(source);
+    return read<kFromStaged, unsigned char>(source);
   };
   in_batches<unsigned long long, 4>(moves.elements, bits_of, [&](int e, const unsigned long long& bits) {
     const ElementMove& move = moves.element[e];
@@ -103,7 +104,8 @@ __device__ void convert_elements(const Moves& moves, const ObjectElements<kFromS
     std::byte* target = to.at(move.to_offset, size);
     if (size == 8) return write<kToStaged>(target, out);
     if (size == 4) return write<kToStaged>(target, static_cast<unsigned>(out));
-    write<kToStaged>(target, static_cast<unsigned short>(out));
+    if (size == 2) return write<kToStaged>(target, static_cast<unsigned short>(out));
+    write<kToStaged>(target, static_cast<unsigned char>(out));
   });
 }
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace physgen::h5 {
+namespace physgen::files {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::string nearest_first(const std::string& word, std::vector<std::string> name
   return "; it has " + list(names) + (more ? " and others" : "");
 }
 
-}  // namespace physgen::h5
+}  // namespace physgen::files
