@@ -26,9 +26,8 @@ std::string allowed(index_t count, const std::string& what) {
 
 HostList<RowRange> ranges_of(std::span<const std::int32_t> first) {
   HostList<RowRange> rows(first.size() - 1);
-  for_each_index(0, static_cast<index_t>(rows.size()), [&](index_t i) {
-    rows[at(i)] = {first[at(i)], first[at(i + 1)]};
-  });
+  for_each_index(0, static_cast<index_t>(rows.size()),
+                 [&](index_t i) { rows[at(i)] = {first[at(i)], first[at(i + 1)]}; });
   return rows;
 }
 

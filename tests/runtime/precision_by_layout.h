@@ -1,5 +1,5 @@
-// Precisions by turns: tests that would compile the same code for every layout in every precision take one precision in half
-// of the layouts and the other in the rest, and the other way round for the next type of objects.
+// Precisions by turns: tests that would compile the same code for every layout in every precision take one precision in
+// half of the layouts and the other in the rest, and the other way round for the next type of objects.
 #pragma once
 
 #include "test_objects.h"

@@ -179,9 +179,8 @@ class RowArrays {
   [[nodiscard]] HostList<detail::RowRange> rows_on_host() const {
     const HostRanges host = on_host(ranges_);
     HostList<detail::RowRange> rows(at(host.size()));
-    detail::for_each_index(0, host.size(), [&, view = host.view()](index_t i) {
-      rows[at(i)] = {view[i].begin(), view[i].end()};
-    });
+    detail::for_each_index(0, host.size(),
+                           [&, view = host.view()](index_t i) { rows[at(i)] = {view[i].begin(), view[i].end()}; });
     return rows;
   }
   template <class To>
