@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <span>
 #include <string_view>
 
 namespace physgen {
@@ -114,13 +115,13 @@ struct FieldText {
 
 namespace detail {
 
-/// What the schema says of each field of an object; null: of none.
+/// What the schema says of each field of an object, or nothing where it says nothing of any.
 template <class Object>
-[[nodiscard]] constexpr const std::string_view* docs_of() {
+[[nodiscard]] constexpr std::span<const std::string_view> docs_of() {
   if constexpr (requires { Object::docs; }) {
-    return Object::docs.data();
+    return Object::docs;
   } else {
-    return nullptr;
+    return {};
   }
 }
 
@@ -144,9 +145,11 @@ struct FieldInfos {
     }
   }
   template <class... Field>
-  constexpr void add_all(RecordFields<Field...> /*fields*/, int offset, const std::string_view* docs) {
+  constexpr void add_all(RecordFields<Field...> /*fields*/, int offset, std::span<const std::string_view> docs) {
     // One after the other; a fold over more than 256 fields nests too deep for clang.
-    const auto next = [&docs] { return docs == nullptr ? std::string_view() : *docs++; };
+    const auto next = [of_all = docs, k = std::size_t{0}]() mutable {
+      return k < of_all.size() ? of_all[k++] : std::string_view();
+    };
     const int added[] = {(add(Field(), Field::slot, offset + Field::offset, next()), 0)...};
     (void)added;
   }
@@ -156,10 +159,10 @@ struct FieldInfos {
 
 /// The fields of a record as data, those of nested objects one by one.
 /// @param texts of each of them, in order of declaration
-/// @param docs of the fields of the record itself; null: none
+/// @param docs of the fields of the record itself, or none
 template <class Record, std::size_t N>
 [[nodiscard]] constexpr std::array<FieldInfo, N> field_infos(const std::array<FieldText, N>& texts,
-                                                             const std::string_view* docs) {
+                                                             std::span<const std::string_view> docs) {
   std::array<FieldInfo, N> infos{};
   detail::FieldInfos{texts.data(), infos.data()}.add_all(typename Record::fields_(), 0, docs);
   return infos;
