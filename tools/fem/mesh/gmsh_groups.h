@@ -1,7 +1,6 @@
-// Physical groups of a file in Gmsh's format: their names, what belongs to them, and the groups of a mesh made of that.
+// Physical groups of a file in Gmsh's format, and the groups of a mesh made of them.
 #pragma once
 
-#include <fem/mesh/gmsh_input.h>
 #include <fem/mesh/gmsh_sections.h>
 #include <fem/mesh/groups.h>
 
@@ -10,18 +9,9 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace physgen::fem {
-
-/// Reads the rows of $PhysicalNames, which are text in binary files, too. @return how many rows there should be
-/// @throw Error with the place, for rows that are no names, or other numbers of them than are counted
-std::uint64_t read_gmsh_names(GmshInput& input, std::string_view end, GmshSections& file);
-
-/// Reads the rows of $Entities of version 4.1. @return how many rows there should be
-/// @throw Error with the place, for rows that are no entities, or other numbers of them than are counted
-std::uint64_t read_gmsh_entities(GmshInput& input, std::string_view end, GmshSections& file);
 
 /// A group under the file's numbers (tags).
 struct GmshGroup {

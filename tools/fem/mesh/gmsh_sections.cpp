@@ -1,7 +1,6 @@
 // Rows are read one after the other, in text as in binary files.
 #include <fem/mesh/check.h>
 #include <fem/mesh/gmsh_format.h>
-#include <fem/mesh/gmsh_groups.h>
 #include <fem/mesh/gmsh_kinds.h>
 #include <fem/mesh/gmsh_rows.h>
 #include <fem/mesh/gmsh_sections.h>
@@ -32,9 +31,9 @@ class Reader : private GmshRows {
         require_version();
         is_of_blocks() ? read_blocks_of_nodes() : read_nodes();
       } else if (name_ == "$PhysicalNames") {
-        said_ = read_gmsh_names(input_, end_, file_);
+        said_ = read_gmsh_names(input_, end_, file_.names);
       } else if (name_ == "$Entities" && is_of_blocks() && !file_.names.empty()) {
-        said_ = read_gmsh_entities(input_, end_, file_);
+        said_ = read_gmsh_entities(input_, end_, file_.entities);
       } else if (name_ == "$ELM" || name_ == "$Elements") {
         require_version();
         is_of_blocks() ? read_blocks_of_elements() : read_elements();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fem/mesh/gmsh_input.h>
+#include <fem/mesh/gmsh_names.h>
 #include <fem/mesh/mesh.h>
 
 #include <array>
@@ -30,18 +31,8 @@ struct GmshSections {
     std::size_t first, count;
   };
   std::vector<Run> runs;
-  struct Name {
-    int dimension;
-    std::int64_t number;
-    std::string name;
-  };
-  std::vector<Name> names;  ///< of physical groups
-  struct Entity {
-    int dimension;
-    std::int64_t tag;
-    std::vector<std::int64_t> groups;  ///< the numbers of those that it belongs to
-  };
-  std::vector<Entity> entities;  ///< of version 4.1, that belong to groups
+  std::vector<GmshName> names;
+  std::vector<GmshEntity> entities;  ///< of version 4.1, that belong to groups
   double version = 1;
 
   /// @param at the number of its first entry among tets, or among the others' nodes

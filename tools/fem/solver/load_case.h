@@ -43,10 +43,10 @@ struct GroupPressure {
 };
 
 struct LoadCase {
-  std::vector<Support> supports;
-  std::vector<GroupForce> forces;
-  std::vector<GroupTraction> tractions;
-  std::vector<GroupPressure> pressures;
+  std::vector<Support> supports{};
+  std::vector<GroupForce> forces{};
+  std::vector<GroupTraction> tractions{};
+  std::vector<GroupPressure> pressures{};
   Point gravity{};        ///< [m/s^2]
   double density = 1000;  ///< [kg/m^3]; counts where there is gravity
 };
