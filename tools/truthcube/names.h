@@ -7,10 +7,6 @@
 
 namespace physgen::truthcube {
 
-/// The word of the list that takes the fewest changes of letters to become `word`; "" when each takes more than half of
-/// its letters.
-[[nodiscard]] std::string nearest(const std::string& word, const std::vector<std::string>& words);
-
 /// "there is no flag --cels; did you mean --cells?", or with a full stop where no word is near. @param kind "flag",
 /// "material", ...
 [[nodiscard]] std::string unknown(const std::string& kind, const std::string& word,

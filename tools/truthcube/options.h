@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "case_file.h"
 #include "plates.h"
 
 namespace physgen::truthcube {
@@ -43,6 +44,8 @@ struct Options {
   double grading = 1;                                ///< of the cube's cells: see fem::grade_cube()
   std::filesystem::path mesh;                        ///< in place of the cube
   int refinements = 0;                               ///< of that mesh
+  std::filesystem::path case_file;                   ///< in place of plates and compressions
+  Case given_case;                                   ///< what that file says
   double plate_tolerance = default_plate_tolerance;  ///< in mean edge lengths of that mesh
   VolumeTreatment volume = VolumeTreatment::patches;
   TopPlate top = TopPlate::bonded;
@@ -59,6 +62,7 @@ struct Options {
   std::string help;                ///< what to print where help was asked for
 
   [[nodiscard]] bool is_cube() const { return mesh.empty(); }
+  [[nodiscard]] bool is_case() const { return !case_file.empty(); }
   [[nodiscard]] bool moves() const {
     return scene == SceneKind::implicit_dynamics || scene == SceneKind::explicit_dynamics;
   }

@@ -3,9 +3,8 @@
 #include <physgen/error.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "arrays.h"
+#include "case_choice.h"
 #include "choices.h"
 #include "command_line.h"
 #include "grading.h"
@@ -109,41 +108,6 @@ void check(const Options& options) {
 
 std::string built_layout() { return PHYSGEN_TRUTHCUBE_LAYOUT; }
 
-std::string settings_json(const Options& options) {
-  nlohmann::json json;
-  json["scene"] = name_of(scene_kinds, options.scene);
-  json["arrays"] = arrays_of(options);
-  if (options.moves()) {
-    json["time_step"] = options.motion.time_step;
-    json["duration"] = options.motion.duration;
-    json["density"] = options.motion.density;
-    json["damping"] = options.motion.damping;
-    json["frames"] = options.motion.frames;
-    if (options.scene == SceneKind::explicit_dynamics) json["fixed_order"] = options.motion.fixed_order;
-  }
-  if (options.is_cube()) {
-    json["cells"] = options.cells;
-    json["grading"] = options.grading;
-  } else {
-    json["refine"] = options.refinements;
-    json["plate_tolerance"] = options.plate_tolerance;
-  }
-  json["material"] = options.solver.material;
-  json["young"] = options.solver.youngs_modulus;
-  json["poisson"] = options.solver.poissons_ratio;
-  json["volume"] = name_of(volumes, options.volume);
-  json["top"] = name_of(tops, options.top);
-  json["plates"] = name_of(plate_kinds, options.plates);
-  if (options.plates == Plates::contact) json["plate_stiffness"] = options.solver.plane_stiffness;
-  json["precision"] = name_of(precisions, options.solver.precision);
-  json["preconditioner"] = name_of(preconditioners, options.solver.newton.preconditioner.kind);
-  json["product"] = name_of(products, options.solver.newton.product);
-  json["tolerance"] = options.solver.newton.tolerance;
-  json["stepping"] = options.solver.nested ? "nested" : "loads";
-  json["historical"] = options.historical;
-  return json.dump();
-}
-
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
   options.solver.youngs_modulus = 15e3;
@@ -166,6 +130,10 @@ Options parse(const std::vector<std::string>& arguments) {
                  "a mesh of tets in Gmsh's format (.msh of version 2.2 or 4.1), in metres, in place of the cube; its "
                  "plates hold its lowest and highest nodes along z")
       ->excludes(cells)
+      ->type_name("FILE");
+  app.add_option("--case", options.case_file,
+                 "a case in JSON: a mesh with groups, its material, and on groups supports, displacements, forces, "
+                 "tractions, pressures and gravity, step by step, in place of the plates")
       ->type_name("FILE");
   app.add_option("--refine", options.refinements,
                  "cut each tet of the mesh into 8, so many times; --stepping nested needs 1 at least")
@@ -271,7 +239,9 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
   options.help = parse_words(app, arguments);
   if (!options.help.empty()) return options;
-  apply_scene(options, [&app](const std::string& flag) { return app.get_option(flag)->count() > 0; });
+  const auto given = [&app](const std::string& flag) { return app.get_option(flag)->count() > 0; };
+  if (options.is_case()) apply_case(options, given);
+  apply_scene(options, given);
   if (volume->count() == 0 && options.volume != VolumeTreatment::tets &&
       !fem::can_average_volume(options.solver.material)) {
     options.volume = VolumeTreatment::tets;

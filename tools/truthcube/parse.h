@@ -1,4 +1,4 @@
-// The command line of truthcube, and the settings of a run as text.
+// The command line of truthcube.
 #pragma once
 
 #include <string>
@@ -10,9 +10,6 @@ namespace physgen::truthcube {
 
 /// The layout that the build has for all arrays: "schema", or one for all, such as "aos".
 [[nodiscard]] std::string built_layout();
-
-/// The settings that a run that is continued must not change, as a JSON object.
-[[nodiscard]] std::string settings_json(const Options& options);
 
 /// @throw Error for a flag or value that does not exist, with the nearest name, or is out of range
 [[nodiscard]] Options parse(const std::vector<std::string>& arguments);

@@ -12,9 +12,11 @@
 #include <utility>
 
 #include "arrays.h"
+#include "case_run.h"
 #include "device_start.h"
 #include "memory.h"
 #include "motion.h"
+#include "needed_memory.h"
 #include "output/folder_lock.h"
 #include "output/hash.h"
 #include "parse.h"
@@ -22,6 +24,7 @@
 #include "run_bytes.h"
 #include "run_files.h"
 #include "scene.h"
+#include "settings_json.h"
 #include "steps.h"
 #include "terminal.h"
 #include "timings.h"
@@ -31,64 +34,6 @@ namespace physgen::truthcube {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, const Options& options,
-                 const Terminal& terminal) {
-  terminal.text("  level        nodes         tets        edges            bytes");
-  const bool assembled =
-      options.solver.newton.product == fem::Product::assembled && options.scene != SceneKind::explicit_dynamics;
-  for (std::size_t l = 0; l < bytes.levels.size(); ++l) {
-    const LevelCounts& c = levels[l];
-    terminal.line("  %5zu %12lld %12lld %12lld %16lld", l, static_cast<long long>(c.nodes),
-                  static_cast<long long>(c.tets), static_cast<long long>(assembled ? c.edges : 0),
-                  static_cast<long long>(bytes.levels[l]));
-  }
-  const auto total = static_cast<double>(bytes.solver);
-  terminal.line("solver: %lld bytes, %.0f per node and %.0f per tet of the finest level",
-                static_cast<long long>(bytes.solver), total / static_cast<double>(levels.front().nodes),
-                total / static_cast<double>(levels.front().tets));
-  terminal.line("set-up: %s more on the host; this machine has %s", gigabytes(bytes.lists).c_str(),
-                gigabytes(host_memory()).c_str());
-  if (options.solver.device == fem::Device::cuda) {
-    try {
-      terminal.line("GPU: %s free", gigabytes(cuda_memory()).c_str());
-    } catch (const Error& error) {
-      terminal.text(error.what());
-    }
-  }
-}
-
-/// The memory that a run takes, and its words where there is less.
-class NeededMemory {
- public:
-  NeededMemory(const Options& options, const RunBytes& bytes)
-      : who_(options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh"),
-        remedy_((options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
-                "--volume tets, --precision half or --product matrix-free need less"),
-        bytes_(bytes) {}
-
-  /// @throw Error when the run would not fit, before it is allocated
-  void require(const Options& options, const DeviceStart& device) const {
-    if (options.solver.device != fem::Device::cuda) {
-      require_memory(who_, bytes_.solver + bytes_.lists, "this machine", host_memory(), remedy_);
-      return;
-    }
-    require_memory("setting up " + who_, bytes_.lists, "this machine", host_memory(), remedy_);
-    if (on_gpu() > most_without_a_look) require_on_gpu(device);
-  }
-  /// @throw Error when it does not fit into the GPU, or there is none
-  void require_on_gpu(const DeviceStart& device) const {
-    require_memory(who_, on_gpu(), "the GPU", device.free_bytes(), remedy_);
-  }
-
- private:
-  /// Of runs this small the lists are made before the GPU is there to be asked; larger ones are refused sooner.
-  static constexpr std::int64_t most_without_a_look = 4'000'000'000;
-
-  [[nodiscard]] std::int64_t on_gpu() const { return bytes_.solver + bytes_.stresses; }
-
-  std::string who_, remedy_;
-  RunBytes bytes_;
-};
 
 /// How such a run speaks of its solves. The remedies where there is no equilibrium are those that it has not taken yet.
 SolveWords solve_words(const Options& options) {
@@ -235,7 +180,8 @@ Outcome run(Options options, const std::string& command) {
   };
   try {
     const fem::Stages::Recording recording(stages);
-    return run_recorded(std::move(options), command, stages);
+    return options.is_case() ? run_case(std::move(options), command, stages)
+                             : run_recorded(std::move(options), command, stages);
   } catch (const MemoryError& error) {
     throw Error("the memory ended" + in_stage() + ": " + text_of(error));
   } catch (const std::bad_alloc&) {

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "parse.h"
+#include "settings_json.h"
 
 namespace physgen::truthcube {
 
@@ -39,6 +39,13 @@ void require_writable(const std::filesystem::path& folder) {
   }
 }
 
+void write_state(VtkHdfWriter& vtk, double time, const Fields& fields) {
+  const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
+  const std::vector<Field> of_cells{
+      {"stress", 6, fields.stress}, {"von_mises", 1, fields.von_mises}, {"J", 1, fields.volume_ratio}};
+  vtk.write_step(time, of_points, of_cells);
+}
+
 RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done)
     : folder_(options.out),
       settings_(settings_json(options)),
@@ -65,10 +72,7 @@ void RunFiles::write_step(const RunRecord& record, double time, const std::vecto
                           const std::vector<std::array<double, 9>>& stresses) {
   if (!vtk_) return;
   const Fields fields = make_fields(mesh_, rest_, positions, stresses, strain_);
-  const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
-  const std::vector<Field> of_cells{
-      {"stress", 6, fields.stress}, {"von_mises", 1, fields.von_mises}, {"J", 1, fields.volume_ratio}};
-  vtk_->write_step(time, of_points, of_cells);
+  write_state(*vtk_, time, fields);
   if (beads_) {
     beads_->write_step(record.steps.back().compression, interpolate_displacements(locations_, mesh_, rest_, positions));
   }

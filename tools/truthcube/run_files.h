@@ -23,6 +23,9 @@ namespace physgen::truthcube {
 /// Makes the folder where it is missing. @throw Error when it cannot be made, or nothing can be written into it
 void require_writable(const std::filesystem::path& folder);
 
+/// Appends a state to a file for viewers.
+void write_state(VtkHdfWriter& vtk, double time, const Fields& fields);
+
 class RunFiles {
  public:
   /// Begins the files anew, or continues those of a run after its first `steps_done` steps.

@@ -56,6 +56,9 @@ void require_refined_fits(const fem::TetMesh& mesh, int refinements) {
 
 GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
   fem::ReadMesh read = fem::read_gmsh(options.mesh);
+  if (const double scale = options.given_case.scale; scale != 1) {
+    for (fem::Point& x : read.rest) x = {scale * x[0], scale * x[1], scale * x[2]};
+  }
   if (!read.left_out_nodes.empty()) {
     notes.push_back(std::to_string(read.left_out_nodes.size()) + " nodes of " + options.mesh.string() +
                     " belong to no tet and are left out");
@@ -72,7 +75,9 @@ GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
   levels[0].mesh = fem::make_tet_mesh(static_cast<Index>(read.rest.size()), std::move(read.tets));
   levels[0].rest = std::move(read.rest);
   require_refined_fits(levels.front().mesh, options.refinements);
+  std::vector<std::vector<fem::MeshGroup>> groups{std::move(read.groups)};
   for (int k = 0; k < options.refinements; ++k) {
+    if (options.is_case()) groups.insert(groups.begin(), fem::refine_groups(levels.front().mesh, groups.front()));
     fem::Refined refinement = fem::refine(levels.front().mesh, levels.front().rest);
     MeshLevel finer;
     finer.mesh = std::move(refinement.mesh);
@@ -90,7 +95,7 @@ GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
       }
     }
   }
-  return {std::move(levels), std::move(read.tet_tags)};
+  return {std::move(levels), std::move(read.tet_tags), std::move(groups)};
 }
 
 std::vector<MeshLevel> make_cube(const Options& options) {
@@ -124,6 +129,20 @@ Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
   scene.loading.motion.assign(finest.rest.size(), fem::Point{});
   for (const Index n : upper.nodes.front()) scene.loading.motion[static_cast<std::size_t>(n)][2] = -height;
   if (!options.is_cube() && options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
+    scene.grid = fem::add_background_grid(scene.levels);
+  }
+  return scene;
+}
+
+Scene make_case_scene(const Options& options, GivenMesh given) {
+  Scene scene;
+  for (MeshLevel& level : given.levels) level.averages_at_nodes = options.volume == VolumeTreatment::nodes;
+  scene.levels = std::move(given.levels);
+  scene.tet_tags = std::move(given.tet_tags);
+  scene.refinements = options.refinements;
+  scene.loading = fem::apply_load_case(options.given_case.load_case, scene.levels, given.groups);
+  scene.groups = std::move(given.groups.front());
+  if (options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
     scene.grid = fem::add_background_grid(scene.levels);
   }
   return scene;

@@ -1,6 +1,8 @@
 // The body between its plates: the cube, or a mesh of the user's, in levels.
 #pragma once
 
+#include <fem/mesh/groups.h>
+#include <fem/solver/load_case.h>
 #include <fem/solver/quasistatic.h>
 
 #include <array>
@@ -15,8 +17,9 @@ namespace physgen::truthcube {
 
 /// A mesh that the user has given.
 struct GivenMesh {
-  std::vector<fem::MeshLevel> levels;  ///< refined, finest first
-  std::vector<std::size_t> tet_tags;   ///< per tet of the coarsest level: its element's number in the file
+  std::vector<fem::MeshLevel> levels;               ///< refined, finest first
+  std::vector<std::size_t> tet_tags;                ///< per tet of the coarsest level: its element's number in the file
+  std::vector<std::vector<fem::MeshGroup>> groups;  ///< of each level
 };
 
 /// The mesh in options.mesh, checked and refined.
@@ -31,6 +34,7 @@ struct Scene {
   std::array<fem::Index, 3> grid{};    ///< cells along x, y, z of the background grid; zeros where there is none
   double grading = 1;                  ///< of the cube
   std::vector<std::size_t> tet_tags;   ///< of a mesh of the user's, as GivenMesh has them
+  std::vector<fem::MeshGroup> groups;  ///< of the finest level of a case's mesh
   int refinements = 0;                 ///< of that mesh: each tet of it is 8^refinements of the finest level
 };
 
@@ -41,6 +45,10 @@ struct Scene {
 /// background grid for multigrid.
 /// @throw Error when fewer than three nodes lie on a plate, or the plates hold every node
 [[nodiscard]] Scene make_scene(const Options& options, std::vector<fem::MeshLevel> levels);
+
+/// Levels that a case holds and loads.
+/// @throw Error as apply_load_case()
+[[nodiscard]] Scene make_case_scene(const Options& options, GivenMesh given);
 
 /// Where the levels do not allow the preconditioner or the way of stepping that is asked for, chooses another.
 /// @return what a user should know of it

@@ -29,22 +29,6 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 /// Thrown out of a solve by Ctrl-C.
 struct Interrupt {};
 
-const char* reason(fem::NewtonStatus status) {
-  switch (status) {
-    case fem::NewtonStatus::too_many_steps:
-      return "Newton's method took too many steps";
-    case fem::NewtonStatus::no_descent:
-      return "no step along Newton's direction lowers the energy";
-    case fem::NewtonStatus::not_finite:
-      return "the energy or a force is not finite";
-    case fem::NewtonStatus::linear_solver:
-      return "conjugate gradients found no direction: the tangent is not definite, or not finite";
-    case fem::NewtonStatus::converged:
-      break;
-  }
-  return "";
-}
-
 /// "0.05, 0.125" of a table that names compressions, ascending; of many the first five.
 std::string compressions_of(const BeadTable& table) {
   std::set<double> found;
@@ -60,6 +44,22 @@ std::string compressions_of(const BeadTable& table) {
 }
 
 }  // namespace
+
+const char* reason(fem::NewtonStatus status) {
+  switch (status) {
+    case fem::NewtonStatus::too_many_steps:
+      return "Newton's method took too many steps";
+    case fem::NewtonStatus::no_descent:
+      return "no step along Newton's direction lowers the energy";
+    case fem::NewtonStatus::not_finite:
+      return "the energy or a force is not finite";
+    case fem::NewtonStatus::linear_solver:
+      return "conjugate gradients found no direction: the tangent is not definite, or not finite";
+    case fem::NewtonStatus::converged:
+      break;
+  }
+  return "";
+}
 
 /// Watches the Newton steps of one solve, whose load may be bisected: what the last increment of the load came to
 /// that found its equilibrium.

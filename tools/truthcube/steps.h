@@ -29,6 +29,9 @@ struct MeasuredBeads {
   MeasuredBeads(const std::filesystem::path& file, const fem::MeshLevel& level);
 };
 
+/// Why a solve found no equilibrium; "" where it did.
+[[nodiscard]] const char* reason(fem::NewtonStatus status);
+
 class LastEquilibrium;
 
 /// How a run speaks of its solves.

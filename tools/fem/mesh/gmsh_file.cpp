@@ -1,6 +1,7 @@
 // The tags of a file become numbers from 0, ascending: by a table where tags are dense, else by search.
 #include <fem/mesh/check.h>
 #include <fem/mesh/gmsh_file.h>
+#include <fem/mesh/gmsh_groups.h>
 #include <fem/mesh/gmsh_input.h>
 #include <fem/mesh/gmsh_sections.h>
 #include <fem/mesh/mapped_file.h>
@@ -145,6 +146,7 @@ ReadMesh read_gmsh(const std::filesystem::path& path) {
     input.refuse(std::string("has no tets") + (file.others.empty() ? "" : ", only points, lines or surfaces") +
                  "; mesh the volume (gmsh -3), and save it with the elements of the volume");
   }
+  const std::vector<GmshGroup> groups = gmsh_groups_of(file);
   sort_by_tag(input, "node", file.node_tags, file.nodes, file.node_places);
   sort_by_tag(input, "element", file.tet_tags, file.tets, file.tet_places);
   const Numbers numbers(file.node_tags);
@@ -159,6 +161,7 @@ ReadMesh read_gmsh(const std::filesystem::path& path) {
   mesh.node_tags = std::move(file.node_tags);
   mesh.tet_tags = std::move(file.tet_tags);
   leave_out(is_used, is_of_others, file.version < 4, mesh);
+  mesh.groups = number_groups(groups, mesh.node_tags, mesh.tet_tags, mesh.tets);
   stage.moves(bytes.bytes(), mesh.rest, mesh.tets, mesh.node_tags, mesh.tet_tags);
   return mesh;
 }

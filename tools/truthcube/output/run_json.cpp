@@ -25,13 +25,18 @@ void visit_newton(Record& step, const Visit& visit) {
 }
 
 template <class Record, class Visit>
-void visit_step(Record& step, const Visit& visit) {
-  visit("compression", step.compression);
+void visit_solve(Record& step, const Visit& visit) {
   visit("newton_iterations", step.newton_iterations);
   visit("pcg_iterations", step.pcg_iterations);
   visit("residual", step.residual);
   visit("energy", step.energy);
   visit("smallest_J", step.smallest_J);
+}
+
+template <class Record, class Visit>
+void visit_step(Record& step, const Visit& visit) {
+  visit("compression", step.compression);
+  visit_solve(step, visit);
   visit("reaction", step.reaction);
   visit("reaction_estimate", step.reaction_estimate);
   visit("error_estimate", step.error_estimate);
@@ -66,6 +71,23 @@ void visit_stage(Record& stage, const Visit& visit) {
   visit("bytes_moved", stage.bytes);
 }
 
+OrderedJson json_of(const GroupState& state) {
+  return {{"reaction", state.reaction}, {"load", state.load}, {"largest_displacement", state.largest_displacement}};
+}
+
+void add(OrderedJson& entry, const CaseState& state) {
+  entry["all"] = json_of(state.all);
+  entry["groups"] = OrderedJson::object();
+  for (const GroupState& group : state.groups) entry["groups"][group.group] = json_of(group);
+  for (const auto& [of, low, high] : state.displacement) {
+    entry["displacement"][of] = {{"low", low.value}, {"low_at", low.at}, {"high", high.value}, {"high_at", high.at}};
+  }
+  entry["probes"] = OrderedJson::object();
+  for (const ProbeState& probe : state.probes) {
+    entry["probes"][probe.probe] = {{"at", probe.at}, {"displacement", probe.displacement}};
+  }
+}
+
 template <class T>
 void take(const OrderedJson& object, const char* key, T& value) {
   const OrderedJson& found = object.at(key);
@@ -81,8 +103,8 @@ void take(const OrderedJson& object, const char* key, T& value) {
 void write_run_json(const std::filesystem::path& file, const RunRecord& record) {
   OrderedJson run;
   visit_run(record, [&run](const char* key, const auto& value) { run[key] = value; });
-  visit_plates(record, [&run](const char* key, const PlateRecord& plate) {
-    run["held"][key] = {{"nodes", plate.nodes}, {"area", plate.area}};
+  visit_plates(record, [&](const char* key, const PlateRecord& plate) {
+    if (record.has_plates) run["held"][key] = {{"nodes", plate.nodes}, {"area", plate.area}};
   });
   run["setup_stages"] = OrderedJson::array();
   for (const StageRecord& stage : record.stages) {
@@ -95,7 +117,15 @@ void write_run_json(const std::filesystem::path& file, const RunRecord& record) 
   run["steps"] = OrderedJson::array();
   for (const StepRecord& step : record.steps) {
     OrderedJson entry;
-    visit_step(step, [&entry](const char* key, const auto& value) { entry[key] = value; });
+    const auto put = [&entry](const char* key, const auto& value) { entry[key] = value; };
+    if (step.at) {
+      put("load", step.at->load);
+      visit_solve(step, put);
+      put("seconds", step.seconds);
+      add(entry, *step.at);
+    } else {
+      visit_step(step, put);
+    }
     entry["newton"] = OrderedJson::array();
     for (const NewtonRecord& newton : step.newton) {
       OrderedJson& line = entry["newton"].emplace_back();

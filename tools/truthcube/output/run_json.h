@@ -1,8 +1,11 @@
 // run.json: what was solved, on what, and how each step went, for scripts.
 #pragma once
 
+#include <truthcube/output/case_state.h>
+
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +38,7 @@ struct StepRecord {
   double kinetic_energy = 0;     ///< of a motion [J]
   /// Every Newton step in the order in which it was done, on coarser meshes too; none of a motion.
   std::vector<NewtonRecord> newton{};
+  std::optional<CaseState> at{};  ///< of a case, for which there are no plates: what is theirs above is not written
   bool operator==(const StepRecord&) const = default;
 };
 
@@ -62,6 +66,7 @@ struct RunRecord {
   std::string settings = "{}";  ///< a JSON object: material, young, poisson, volume, cells, preconditioner, ...
   double setup_seconds = 0;
   std::vector<StageRecord> stages;       ///< of the set-up; in files of older versions there are none
+  bool has_plates = true;                ///< not of a case; they are not written then
   PlateRecord lower_plate, upper_plate;  ///< in files of older versions they are missing, and read as zeros
   std::vector<StepRecord> steps;
   bool operator==(const RunRecord&) const = default;
@@ -72,7 +77,7 @@ struct RunRecord {
 /// @throws Error when the settings are not a JSON object or writing fails
 void write_run_json(const std::filesystem::path& file, const RunRecord& record);
 
-/// Reads what write_run_json() wrote, for a run that is continued; null gives NaN.
+/// Reads what write_run_json() wrote, for a run between plates that is continued; null gives NaN.
 /// @throws Error naming the file when it cannot be read, or lacks a key, which is named
 [[nodiscard]] RunRecord read_run_json(const std::filesystem::path& file);
 

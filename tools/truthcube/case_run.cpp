@@ -1,0 +1,221 @@
+#include "case_run.h"
+
+#include <physgen/error.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "arrays.h"
+#include "case_state_of.h"
+#include "fields.h"
+#include "interrupts.h"
+#include "memory.h"
+#include "needed_memory.h"
+#include "output/case_tables.h"
+#include "output/folder_lock.h"
+#include "output/run_json.h"
+#include "output/vtkhdf.h"
+#include "parse.h"
+#include "run_files.h"
+#include "scene.h"
+#include "settings_json.h"
+#include "steps.h"
+#include "suspect.h"
+#include "terminal.h"
+#include "timings.h"
+
+namespace physgen::truthcube {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using fem::Point;
+
+struct Interrupt {};
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+class CaseSteps {
+ public:
+  CaseSteps(const Options& options, const Scene& scene, fem::EquilibriumSolver& solver, RunRecord& record,
+            std::vector<fem::Location> locations, const Terminal& terminal)
+      : options_(options),
+        scene_(scene),
+        solver_(solver),
+        record_(record),
+        locations_(std::move(locations)),
+        terminal_(terminal) {
+    if (options.out.empty()) return;
+    const fem::MeshLevel& level = scene.levels.front();
+    vtk_.emplace(options.out / "cube.vtkhdf", level.rest, level.mesh.tets);
+    write_tables();
+  }
+
+  [[nodiscard]] Outcome run() {
+    const Interrupts interrupts;
+    for (const double load : options_.given_case.steps) {
+      if (interrupted != 0) return stop();
+      terminal_.line("load %g", load);
+      terminal_.newton_header();
+      const auto begin = Clock::now();
+      std::vector<NewtonRecord> newton;
+      fem::NewtonResult result;
+      try {
+        result = solver_.solve_to(load, [&](std::size_t level, const fem::NewtonStep& step) {
+          newton.push_back(
+              {static_cast<int>(level), step.iterations, step.residual, step.energy, step.smallest_J, step.seconds});
+          terminal_.newton_step(level, step);
+          if (interrupted != 0) throw Interrupt{};
+        });
+      } catch (const Interrupt&) {
+        return stop();
+      }
+      if (result.status != fem::NewtonStatus::converged) return fail(load, result);
+      finish(load, result, seconds_since(begin), std::move(newton));
+    }
+    return Outcome::done;
+  }
+
+ private:
+  void finish(double load, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton) {
+    const std::vector<Point> positions = solver_.positions();
+    CaseState state = case_state_of(scene_, options_.given_case.probes, locations_, load, positions, solver_.forces());
+    terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations", seconds, result.steps,
+                   result.iterations);
+    for (const std::string& line : describe(state)) terminal_.text("  " + line);
+    warn(load, result, state, positions);
+    StepRecord step;
+    step.newton_iterations = result.steps;
+    step.pcg_iterations = result.iterations;
+    step.residual = result.residual;
+    step.energy = result.energy;
+    step.smallest_J = result.smallest_J;
+    step.seconds = seconds;
+    step.newton = std::move(newton);
+    states_.push_back(state);
+    step.at = std::move(state);
+    record_.steps.push_back(std::move(step));
+    if (!vtk_) return;
+    const fem::MeshLevel& level = scene_.levels.front();
+    const Strain strain = options_.scene == SceneKind::linear_elastic ? Strain::small : Strain::finite;
+    write_state(*vtk_, static_cast<double>(states_.size()),
+                make_fields(level.mesh, level.rest, positions, solver_.stresses(), strain));
+    write_tables();
+  }
+
+  void write_tables() const {
+    write_case_tables(options_.out, states_);
+    write_run_json(options_.out / "run.json", record_);
+  }
+
+  void warn(double load, const fem::NewtonResult& result, const CaseState& state,
+            const std::vector<Point>& positions) const {
+    // Loads that balance each other leave no reaction for the residual to be small against.
+    double applied = 0;
+    for (const Point& force : scene_.loading.forces) {
+      for (const double component : force) applied += component * component;
+    }
+    const double allowed =
+        options_.solver.newton.tolerance * std::max(result.reaction, std::abs(load) * std::sqrt(applied));
+    if (state.load != 0 && result.residual * result.reaction > allowed) {
+      terminal_.warning(
+          "at a load of %g, rounding ended the solve with %.2e N left, above the %.2e N of the tolerance: "
+          "the result is less accurate than was asked for. Try a larger --tolerance.",
+          load, result.residual * result.reaction, allowed);
+    }
+    if (result.smallest_J > 0) return;
+    const fem::MeshLevel& level = scene_.levels.front();
+    terminal_.warning(
+        "at a load of %g, %s. A real body has no such equilibrium. Try more and smaller steps, or a finer mesh.", load,
+        truthcube::describe(find_suspect(level.mesh, level.rest, positions, solver_.stresses()), scene_).c_str());
+  }
+
+  [[nodiscard]] Outcome stop() const {
+    terminal_.line("interrupted; %zu steps are %s", states_.size(), vtk_ ? "written" : "done");
+    return Outcome::interrupted;
+  }
+
+  [[nodiscard]] Outcome fail(double load, const fem::NewtonResult& result) const {
+    const fem::MeshLevel& level = scene_.levels.front();
+    std::fprintf(
+        stderr,
+        "truthcube: no equilibrium at a load of %g: %s, after %d Newton steps, with a residual of %.2e; the last "
+        "equilibrium is at %g.\nThere, %s.\nTry more and smaller steps in the case, %sor a finer mesh.\n",
+        load, reason(result.status), result.steps, result.residual, solver_.load(),
+        truthcube::describe(find_suspect(level.mesh, level.rest, solver_.positions(), solver_.stresses()), scene_)
+            .c_str(),
+        options_.solver.precision == fem::TangentPrecision::float64 ? "" : "--precision double, ");
+    return Outcome::not_converged;
+  }
+
+  const Options& options_;
+  const Scene& scene_;
+  fem::EquilibriumSolver& solver_;
+  RunRecord& record_;
+  std::vector<fem::Location> locations_;
+  const Terminal& terminal_;
+  std::optional<VtkHdfWriter> vtk_;
+  std::vector<CaseState> states_;
+};
+
+}  // namespace
+
+Outcome run_case(Options options, const std::string& command, const fem::Stages& stages) {
+  const Terminal terminal(options.quiet);
+  const auto start = Clock::now();
+  const DeviceStart device(options.solver.device == fem::Device::cuda && !options.dry_run);
+  constexpr int parts = 3;
+  terminal.set_up(1, parts, "the mesh");
+  std::vector<std::string> notes;
+  const Scene scene = make_case_scene(options, read_mesh(options, notes));
+  const std::vector<LevelCounts> counts = count_levels(scene.levels);
+  notes.insert(notes.end(), options.notes.begin(), options.notes.end());
+  for (std::string& note : adapt_solver(options, scene, counts)) notes.push_back(std::move(note));
+  for (const std::string& note : notes) terminal.text("note: " + note);
+  const RunBytes bytes = bytes_of_run(counts, options.solver, {options.scene, arrays_of(options), 0, false});
+  if (options.dry_run) {
+    print_sizes(counts, bytes, options, terminal);
+    return Outcome::done;
+  }
+  const NeededMemory needed(options, bytes);
+  needed.require(options, device);
+  terminal.set_up(2, parts, "files");
+  std::optional<FolderLock> lock;
+  if (!options.out.empty()) {
+    require_writable(options.out);
+    lock.emplace(options.out);
+  }
+  const fem::MeshLevel& finest = scene.levels.front();
+  std::vector<fem::Location> locations = locate_probes(options.given_case.probes, finest);
+  terminal.set_up(3, parts, "the solver's graphs and arrays, " + gigabytes(bytes.solver));
+  if (options.solver.device == fem::Device::cuda) {
+    options.solver.before_device = [&] { needed.require_on_gpu(device); };
+  }
+  std::unique_ptr<fem::EquilibriumSolver> solver;
+  if (options.scene == SceneKind::linear_elastic) {
+    solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
+  } else {
+    solver = fem::make_solver(scene.levels, scene.loading, options.solver);
+  }
+  RunRecord record;
+  record.has_plates = false;
+  record.nodes = finest.mesh.nodes;
+  record.tets = static_cast<std::int64_t>(finest.mesh.tets.size());
+  record.bytes = solver->bytes();
+  record.device = fem::device_name(options.solver.device);
+  record.layout = built_layout();
+  record.command = command;
+  record.settings = settings_json(options);
+  record.setup_seconds = seconds_since(start);
+  record.stages = records_of(stages, record.setup_seconds);
+  terminal.line("%lld tets, %lld nodes, %zu levels; %s; set up in %.2f s", static_cast<long long>(record.tets),
+                static_cast<long long>(record.nodes), scene.levels.size(), record.device.c_str(), record.setup_seconds);
+  if (options.timings) print_timings(record.stages, terminal);
+  return CaseSteps(options, scene, *solver, record, std::move(locations), terminal).run();
+}
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,100 @@
+#include "case_state_of.h"
+
+#include <physgen/error.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "output/beads.h"
+
+namespace physgen::truthcube {
+
+namespace {
+
+using fem::Point;
+
+double length(const Point& x) { return std::hypot(x[0], x[1], x[2]); }
+
+GroupState state_of(const std::string& name, std::span<const fem::Index> nodes, const Scene& scene, double load,
+                    const std::vector<Point>& moved, const std::vector<Point>& forces) {
+  GroupState state{name, fem::reaction_of(nodes, scene.levels.front(), forces), {}, 0};
+  const Point at_one = fem::sum_of(nodes, scene.loading.forces);
+  for (std::size_t k = 0; k < 3; ++k) state.load[k] = load * at_one[k];
+  for (const fem::Index n : nodes) {
+    state.largest_displacement = std::max(state.largest_displacement, length(moved[static_cast<std::size_t>(n)]));
+  }
+  return state;
+}
+
+std::string text_of(const Point& x, double factor) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", factor * x[0], factor * x[1], factor * x[2]);
+  return text.data();
+}
+
+}  // namespace
+
+std::vector<fem::Location> locate_probes(const std::vector<Probe>& probes, const fem::MeshLevel& level) {
+  std::vector<Point> points;
+  for (const Probe& probe : probes) points.push_back(probe.at);
+  try {
+    return fem::locate(level.rest, level.mesh, points);
+  } catch (const fem::OutsideMesh& error) {
+    const Probe& probe = probes[error.point()];
+    throw Error("the probe '" + probe.name + "' at " + text_of(probe.at, 1) +
+                " m lies outside of the body at rest; move it inside");
+  }
+}
+
+CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
+                        const std::vector<fem::Location>& locations, double load, const std::vector<Point>& positions,
+                        const std::vector<Point>& forces) {
+  const fem::MeshLevel& level = scene.levels.front();
+  std::vector<Point> moved(positions.size());
+  for (std::size_t n = 0; n < moved.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) moved[n][k] = positions[n][k] - level.rest[n][k];
+  }
+  std::vector<fem::Index> nodes(positions.size());
+  std::iota(nodes.begin(), nodes.end(), fem::Index{0});
+  CaseState state;
+  state.load = load;
+  state.all = state_of("", nodes, scene, load, moved, forces);
+  for (const fem::MeshGroup& group : scene.groups) {
+    state.groups.push_back(state_of(group.name, group.nodes, scene, load, moved, forces));
+  }
+  const auto add = [&](const char* of, const auto& measure) {
+    const auto [low, high] = std::ranges::minmax_element(moved, {}, measure);
+    const auto extreme = [&](auto at) {
+      return Extreme{measure(*at), level.rest[static_cast<std::size_t>(at - moved.begin())]};
+    };
+    state.displacement.push_back({of, extreme(low), extreme(high)});
+  };
+  add("x", [](const Point& u) { return u[0]; });
+  add("y", [](const Point& u) { return u[1]; });
+  add("z", [](const Point& u) { return u[2]; });
+  add("length", length);
+  const auto at_probes = interpolate_displacements(locations, level.mesh, level.rest, positions);
+  for (std::size_t p = 0; p < probes.size(); ++p) state.probes.push_back({probes[p].name, probes[p].at, at_probes[p]});
+  return state;
+}
+
+std::vector<std::string> describe(const CaseState& state) {
+  const auto& [of, low, high] = state.displacement.back();
+  std::array<char, 64> most{};
+  std::snprintf(most.data(), most.size(), "%.6g", 1e3 * high.value);
+  std::vector<std::string> lines{"largest displacement " + std::string(most.data()) + " mm, of the node at rest at " +
+                                 text_of(high.at, 1e3) + " mm"};
+  for (const GroupState& group : state.groups) {
+    if (group.reaction != Point{})
+      lines.push_back("reaction of " + group.group + ": " + text_of(group.reaction, 1) + " N");
+  }
+  for (const ProbeState& probe : state.probes) {
+    lines.push_back("displacement of " + probe.probe + ": " + text_of(probe.displacement, 1e3) + " mm");
+  }
+  return lines;
+}
+
+}  // namespace physgen::truthcube

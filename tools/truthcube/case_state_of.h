@@ -1,0 +1,27 @@
+// What a state of a case comes to, of its solver's positions and forces.
+#pragma once
+
+#include <fem/mesh/locate.h>
+#include <fem/solver/quasistatic.h>
+
+#include <string>
+#include <vector>
+
+#include "case_file.h"
+#include "output/case_state.h"
+#include "scene.h"
+
+namespace physgen::truthcube {
+
+/// @throw Error naming the probe that lies outside of the body
+[[nodiscard]] std::vector<fem::Location> locate_probes(const std::vector<Probe>& probes, const fem::MeshLevel& level);
+
+/// @param forces of the solver
+[[nodiscard]] CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
+                                      const std::vector<fem::Location>& locations, double load,
+                                      const std::vector<fem::Point>& positions, const std::vector<fem::Point>& forces);
+
+/// Lines for the terminal: the largest displacement, the reactions of groups that have one, and the probes.
+[[nodiscard]] std::vector<std::string> describe(const CaseState& state);
+
+}  // namespace physgen::truthcube

@@ -1,0 +1,54 @@
+#include "needed_memory.h"
+
+#include <physgen/error.h>
+
+#include "memory.h"
+
+namespace physgen::truthcube {
+
+void print_sizes(const std::vector<LevelCounts>& levels, const RunBytes& bytes, const Options& options,
+                 const Terminal& terminal) {
+  terminal.text("  level        nodes         tets        edges            bytes");
+  const bool assembled =
+      options.solver.newton.product == fem::Product::assembled && options.scene != SceneKind::explicit_dynamics;
+  for (std::size_t l = 0; l < bytes.levels.size(); ++l) {
+    const LevelCounts& c = levels[l];
+    terminal.line("  %5zu %12lld %12lld %12lld %16lld", l, static_cast<long long>(c.nodes),
+                  static_cast<long long>(c.tets), static_cast<long long>(assembled ? c.edges : 0),
+                  static_cast<long long>(bytes.levels[l]));
+  }
+  const auto total = static_cast<double>(bytes.solver);
+  terminal.line("solver: %lld bytes, %.0f per node and %.0f per tet of the finest level",
+                static_cast<long long>(bytes.solver), total / static_cast<double>(levels.front().nodes),
+                total / static_cast<double>(levels.front().tets));
+  terminal.line("set-up: %s more on the host; this machine has %s", gigabytes(bytes.lists).c_str(),
+                gigabytes(host_memory()).c_str());
+  if (options.solver.device == fem::Device::cuda) {
+    try {
+      terminal.line("GPU: %s free", gigabytes(cuda_memory()).c_str());
+    } catch (const Error& error) {
+      terminal.text(error.what());
+    }
+  }
+}
+
+NeededMemory::NeededMemory(const Options& options, const RunBytes& bytes)
+    : who_(options.is_cube() ? "a cube of " + std::to_string(options.cells) + "^3 cells" : "this mesh"),
+      remedy_((options.is_cube() ? std::string("fewer --cells, ") : "a coarser mesh, ") +
+              "--volume tets, --precision half or --product matrix-free need less"),
+      bytes_(bytes) {}
+
+void NeededMemory::require(const Options& options, const DeviceStart& device) const {
+  if (options.solver.device != fem::Device::cuda) {
+    require_memory(who_, bytes_.solver + bytes_.lists, "this machine", host_memory(), remedy_);
+    return;
+  }
+  require_memory("setting up " + who_, bytes_.lists, "this machine", host_memory(), remedy_);
+  if (on_gpu() > most_without_a_look) require_on_gpu(device);
+}
+
+void NeededMemory::require_on_gpu(const DeviceStart& device) const {
+  require_memory(who_, on_gpu(), "the GPU", device.free_bytes(), remedy_);
+}
+
+}  // namespace physgen::truthcube
