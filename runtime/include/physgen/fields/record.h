@@ -147,7 +147,7 @@ struct FieldInfos {
   template <class... Field>
   constexpr void add_all(RecordFields<Field...> /*fields*/, int offset, std::span<const std::string_view> docs) {
     // One after the other; a fold over more than 256 fields nests too deep for clang.
-    const auto next = [of_all = docs, k = std::size_t{0}]() mutable {
+    auto next = [of_all = docs, k = std::size_t{0}]() mutable {
       return k < of_all.size() ? of_all[k++] : std::string_view();
     };
     const int added[] = {(add(Field(), Field::slot, offset + Field::offset, next()), 0)...};
