@@ -48,7 +48,6 @@ using Points = NodePositionArray<float>::View;
 using ConstPoints = NodePositionArray<float>::ConstView;
 using Forces = NodeForceArray<float>::View;
 using SoaPoints = NodePositionArray<float, Host, Soa>::ConstView;
-using AosTets = TetArray<float, Host, Aos>::View;
 using Ranges = IncidenceRangeArray<float>::ConstView;
 using Neighbours = Rows<Ranges, quasistatic::NodeConstraintArray<float>::ConstView>;  // entries of one number
 using Incidences = Rows<Ranges, IncidenceArray<float>::ConstView>;                    // of a number and another one
@@ -58,9 +57,6 @@ static_assert(chosen<Tiles> == packs && chosen<SoaPoints> == packs);
 // Views of arrays of structs alone are single objects.
 static_assert(chosen<Points> == 1 && chosen<ConstPoints, Forces, float> == 1);
 static_assert(chosen<TetArray<float>::ConstView, ConstPoints, Tiles> == packs);
-// But where all that they can write are objects that name others, they are packs: terms of sums, results of gathers.
-static_assert(chosen<ConstPoints> == packs && chosen<ConstPoints, NodeForceArray<float>::ConstView, float> == packs);
-static_assert(chosen<AosTets, ConstPoints> == packs && chosen<AosTets, Points> == 1);
 // Neighbours in one set are packs, whatever is const.
 static_assert(chosen<Neighbours, Points> == packs && chosen<Neighbours, ConstPoints, Points, float> == packs);
 // Rows that lead to other sets, or whose entries hold more, are single objects; so are rows that are given as views.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 
 namespace physgen::fem {
 
@@ -27,20 +28,21 @@ std::array<std::optional<double>, 3> components_of(const Support& support) {
   return {support.displacement.x, support.displacement.y, support.displacement.z};
 }
 
-const MeshGroup& nodes_of(std::span<const MeshGroup> groups, const std::string& name, const std::string& use) {
+const MeshGroup& nodes_of(std::span<const MeshGroup> groups, const std::string& name, std::string_view use) {
   const MeshGroup& group = group_named(groups, name);
   if (group.nodes.empty()) {
-    throw Error("group '" + name + "' has no node of a tet, so that there is nothing for " + use +
+    throw Error("group '" + name + "' has no node of a tet, so that there is nothing for " + std::string(use) +
                 " to act on; take another group, or mesh it together with the volume (a partitioned mesh: save it "
                 "without partitions)");
   }
   return group;
 }
 
-const MeshGroup& faces_of(std::span<const MeshGroup> groups, const std::string& name, const std::string& use) {
+const MeshGroup& faces_of(std::span<const MeshGroup> groups, const std::string& name, std::string_view use) {
   const MeshGroup& group = nodes_of(groups, name, use);
   if (group.faces.empty()) {
-    throw Error("group '" + name + "' has no faces, and " + use + " needs them; take a group of a surface");
+    throw Error("group '" + name + "' has no faces, and " + std::string(use) +
+                " needs them; take a group of a surface");
   }
   return group;
 }

@@ -1,5 +1,5 @@
 // Numbers have 17 significant digits, which give the same numbers when read.
-#include <hdf5/disk.h>
+#include <files/disk.h>
 #include <truthcube/output/case_tables.h>
 
 #include <sstream>

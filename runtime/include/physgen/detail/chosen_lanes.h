@@ -7,9 +7,7 @@
 //
 // - over rows: one lane. But packs where an entry is one number and all views are of one type of object: there lanes
 //   that lie together name neighbours that do.
-// - over views of AoS alone: one lane, since packs collect and scatter every field of every object. But packs where the
-//   kernel can write no objects but such as name others: a term of a reduction, or a result of gathered objects, whose
-//   records packs read by words.
+// - over views of AoS alone: one lane, since packs collect every field of every object.
 // - over all else, and where no views are known: packs.
 //
 // runtime/README.md has the measurement that the rule comes from.
@@ -73,25 +71,18 @@ struct PartsOf<Kernel<Argument...>> {
 template <class View>
 inline constexpr auto fields_of = View::Object::template fields<typename View::Precision, typename View::Formats>;
 
-/// Whether a kernel can write the objects of a view.
-template <class View>
-inline constexpr bool may_be_written = true;
-template <class Object, class Real, class Layout, class Formats, class Space>
-inline constexpr bool may_be_written<View<Object, const Real, Layout, Formats, Space>> = false;
-
 /// What the rule asks of a part: of a view, or of rows. A view of ranges, `Index begin, end`, tells of rows, too.
 template <class Part>
 struct PartFacts {
   using Object = typename Part::Object;
-  /// Whether there is an index field of this name, or of any.
-  static constexpr bool has_index(std::string_view name = {}) {
+  static constexpr bool has(std::string_view name) {
     for (const FieldInfo& field : fields_of<Part>) {
-      if ((name.empty() || field.name == name) && field.type == ElementType::int32) return true;
+      if (field.name == name && field.type == ElementType::int32) return true;
     }
     return false;
   }
   static constexpr bool in_one_piece = std::is_same_v<typename Part::Layout::Pitch, StaticPitch<1>>;
-  static constexpr bool rows = has_index("begin") && has_index("end");
+  static constexpr bool rows = has("begin") && has("end");
   static constexpr bool of_numbers_alone = false;
 };
 template <class Ranges, class Entries>
@@ -122,7 +113,7 @@ constexpr bool suits_one_lane(Parts<Part...> parts) {
   if constexpr ((PartFacts<Part>::rows || ...)) {
     return !((!PartFacts<Part>::rows || PartFacts<Part>::of_numbers_alone) && ...) || !of_one_object(parts);
   } else {
-    return (PartFacts<Part>::in_one_piece && ...) && ((may_be_written<Part> && !PartFacts<Part>::has_index()) || ...);
+    return sizeof...(Part) > 0 && (PartFacts<Part>::in_one_piece && ...);
   }
 }
 
