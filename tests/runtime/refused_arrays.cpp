@@ -75,7 +75,7 @@ void a_channel_of_tiles(Nodes<Aosoa<16>>& nodes) { (void)channel<"x">(nodes); }
 void a_channel_of_the_device(Nodes<Soa, Cuda>& nodes) { (void)channel<"x">(nodes); }
 /// refused a_channel_of_no_field: channel(): the objects have no field of this name
 void a_channel_of_no_field(Nodes<Soa>& nodes) { (void)channel<"y">(nodes); }
-/// refused a_channel_of_halves: channel(): this field is not stored as plain float, double or int32
+/// refused a_channel_of_halves: channel(): this field is not stored as plain numbers
 void a_channel_of_halves(Nodes<Soa, Host, HalfNodes>& nodes) { (void)channel<"x">(nodes); }
 
 /// refused a_random_long_double: random numbers are float or double
