@@ -50,7 +50,7 @@ void complete(MeshGroup& group, std::span<const std::array<Index, 4>> tets) {
   sort_once(group.nodes);
 }
 
-const MeshGroup& group_named(std::span<const MeshGroup> groups, const std::string& name) {
+const MeshGroup& group_named(std::span<const MeshGroup> groups, std::string_view name) {
   const auto found = std::ranges::find(groups, name, &MeshGroup::name);
   if (found != groups.end()) return *found;
   std::vector<std::string> names;
@@ -59,8 +59,9 @@ const MeshGroup& group_named(std::span<const MeshGroup> groups, const std::strin
     names.push_back(group.name);
     list += (list.empty() ? "" : ", ") + group.name;
   }
-  const std::string near = nearest_name(name, names);
-  throw Error("the mesh has no group '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
+  const std::string near = nearest_name(std::string(name), names);
+  throw Error("the mesh has no group '" + std::string(name) + "'" +
+              (near.empty() ? "" : "; did you mean '" + near + "'?") +
               (list.empty() ? "; it has none at all: name physical groups in Gmsh, and save the mesh again"
                             : (near.empty() ? "; it has " : " It has ") + list));
 }

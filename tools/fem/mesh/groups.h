@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace physgen::fem {
@@ -25,7 +26,7 @@ struct MeshGroup {
 void complete(MeshGroup& group, std::span<const std::array<Index, 4>> tets);
 
 /// @throw Error when there is no group of this name, with the nearest name and all that there are
-[[nodiscard]] const MeshGroup& group_named(std::span<const MeshGroup> groups, const std::string& name);
+[[nodiscard]] const MeshGroup& group_named(std::span<const MeshGroup> groups, std::string_view name);
 
 /// The same parts of the mesh that refine() makes of this one: halves of lines, quarters of faces, eighths of tets.
 /// @param mesh the coarse one
