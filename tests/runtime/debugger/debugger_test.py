@@ -211,7 +211,7 @@ class LawTest(unittest.TestCase):
 
     def test_pitch_padding_records_and_addresses_are_those_of_the_library(self):
         lines = subprocess.run([PROGRAMS[0], "law"], capture_output=True, text=True, check=True).stdout.splitlines()
-        self.assertEqual(len(lines), 7 * 13 * 5 * 4)
+        self.assertEqual(len(lines), 8 * 13 * 6 * 5)
         for line in lines:
             given, told = line.split(" : ")
             name, objects, content, alignment = given.rsplit(" ", 3)
