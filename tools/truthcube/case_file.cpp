@@ -174,8 +174,7 @@ Json parsed(const std::string& name, std::istream& stream) {
   } catch (const Json::exception& error) {
     std::string said = error.what();
     said = said.substr(said.find("] ") == said.npos ? 0 : said.find("] ") + 2);
-    std::ranges::replace_if(
-        said, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
+    std::ranges::replace_if(said, [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
     throw Error("case " + name + ": this is not JSON: " + said);
   }
   if (!repeated.empty())
