@@ -206,7 +206,10 @@ class Harness:
                 self.flags.append(flag)
 
     def call(self, *command):
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
+        try:
+            done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False, timeout=900)
+        except subprocess.TimeoutExpired as error:
+            raise Defect(f"{' '.join(command)} did not end in 15 minutes: a program that loops forever, or physgen hangs") from error
         if done.returncode != 0:
             raise Defect(f"{' '.join(command)} gave {done.returncode}\n{done.stdout[-4000:]}{done.stderr[-8000:]}")
         return done.stdout
