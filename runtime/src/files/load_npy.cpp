@@ -86,24 +86,17 @@ NpyFolder::~NpyFolder() = default;
 NpyFolder::NpyFolder(const fs::path& folder, const UntypedArray& form, std::span<const std::string> asked)
     : files_(std::make_unique<Files>()) {
   const std::vector<std::string> stored = files_in(folder);
-  const auto has = [](const auto& names, std::string_view word) {
-    return std::find(names.begin(), names.end(), word) != names.end();
-  };
-  std::vector<std::string> taken;
-  for (const FieldInfo& field : form.fields)
-    if (field.is_stored()) taken.emplace_back(field.name);
   for (const std::string& field : asked) {
-    if (!has(stored, field))
+    if (!files::has(stored, field))
       throw Error(folder.string() + ": has no file '" + field + ".npy'" + files::nearest_first(field, stored));
-    if (!has(taken, field))
-      throw Error(folder.string() + ": the array stores no field '" + field + "'" + files::nearest_first(field, taken));
   }
+  const std::vector<std::string> taken = files::stored_fields(form, asked, folder.string());
   for (const std::string& field : stored)
-    if (asked.empty() && !has(taken, field)) loaded_.left_out.push_back(field);
+    if (asked.empty() && !files::has(taken, field)) loaded_.left_out.push_back(field);
   for (std::size_t f = 0; f < form.fields.size(); ++f) {
     const FieldInfo& field = form.fields[f];
-    if (!field.is_stored() || (!asked.empty() && !has(asked, field.name))) continue;
-    if (!has(stored, field.name)) {
+    if (!field.is_stored() || (!asked.empty() && !files::has(asked, field.name))) continue;
+    if (!files::has(stored, field.name)) {
       loaded_.kept.emplace_back(field.name);
       continue;
     }

@@ -1,6 +1,8 @@
 // See names.h.
 #include "names.h"
 
+#include <physgen/error.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -40,6 +42,21 @@ std::string nearest_first(const std::string& word, std::vector<std::string> name
   const bool more = names.size() > most;
   names.resize(std::min(names.size(), most));
   return "; it has " + list(names) + (more ? " and others" : "");
+}
+
+bool has(std::span<const std::string> names, std::string_view word) {
+  return std::find(names.begin(), names.end(), word) != names.end();
+}
+
+std::vector<std::string> stored_fields(const UntypedArray& array, std::span<const std::string> asked,
+                                       const std::string& place) {
+  std::vector<std::string> stored;
+  for (const FieldInfo& field : array.fields)
+    if (field.is_stored()) stored.emplace_back(field.name);
+  for (const std::string& field : asked)
+    if (!has(stored, field))
+      throw Error(place + ": the array stores no field '" + field + "'" + nearest_first(field, stored));
+  return stored;
 }
 
 }  // namespace physgen::files
