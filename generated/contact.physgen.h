@@ -15,8 +15,8 @@
 // double: bytes and alignment of a record, and the offsets of its fields. physgen has proved of them, for every layout
 // and every number of objects, that no two channels share a byte, and that each is aligned to its elements and lies
 // inside its tile.
-#ifndef PHYSGEN_CONTACT_H_2977BEC442124740
-#define PHYSGEN_CONTACT_H_2977BEC442124740
+#ifndef PHYSGEN_CONTACT_H_C445AFD967FC3CEA
+#define PHYSGEN_CONTACT_H_C445AFD967FC3CEA
 
 #include <physgen/runtime.h>
 
@@ -169,6 +169,79 @@ template <class Real, class Space = physgen::Host, class Layout = physgen::PerSp
 using RigidPlaneArray = physgen::Array<RigidPlaneObject, Real, Space, Layout, Formats>;
 static_assert(physgen::are_sound_records<RigidPlaneObject, physgen::Host>({20, 4, {0, 12, 16}}, {40, 8, {0, 24, 32}}));
 
+// ---- PressedFace ----------------------------------------------------------------------------------------------------
+
+/// A face of the surface that is pushed by a pressure, which follows it.
+template <class Real>
+struct PressedFace {
+  /// counter-clockwise, seen from outside
+  physgen::MatrixValue<physgen::same_lanes_t<Real, std::int32_t>, 3, 1> nodes = decltype(nodes)::Zero();
+  /// at a load of 1 [Pa]
+  Real pressure = {};
+};
+
+template <class Space>
+struct PressedFaceFormats {
+  using nodes = physgen::format::Native;
+  using pressure = physgen::format::Native;
+};
+
+struct PressedFaceObject;
+template <class ArrayTag, class Base = PressedFaceFormats<physgen::Host>, class Object = PressedFaceObject,
+          int first = 0>
+struct PressedFaceProbe {
+  using array_ = ArrayTag;
+  using nodes = physgen::Probe<ArrayTag, Object, first + 0, typename Base::nodes>;
+  using pressure = physgen::Probe<ArrayTag, Object, first + 1, typename Base::pressure>;
+};
+
+template <class Real, class Formats>
+struct PressedFaceRecord {
+  using nodes = physgen::StoredField<
+      PressedFaceRecord, 0, physgen::shape::Vector<3>, typename Formats::nodes, std::int32_t>;
+  using pressure = physgen::StoredField<PressedFaceRecord, 1, physgen::shape::Scalar, typename Formats::pressure, Real>;
+  using fields_ = physgen::RecordFields<nodes, pressure>;
+};
+
+template <class Real, class Formats, class Cursor>
+struct PressedFaceRef : physgen::OnCursor<Cursor> {
+  using physgen::OnCursor<Cursor>::OnCursor;
+  using Record = PressedFaceRecord<Real, Formats>;
+  using Value = PressedFace<typename Cursor::template Lanes<Real>>;
+
+  /// counter-clockwise, seen from outside
+  PHYSGEN_FUNCTION decltype(auto) nodes() const {
+    return this->field_(typename Record::nodes(), Record::nodes::offset);
+  }
+  /// at a load of 1 [Pa]
+  PHYSGEN_FUNCTION decltype(auto) pressure() const {
+    return this->field_(typename Record::pressure(), Record::pressure::offset);
+  }
+
+  PHYSGEN_FUNCTION const Value get() const { return {nodes().get(), pressure()}; }
+  PHYSGEN_FUNCTION void put(const Value& value) const {
+    nodes() = value.nodes;
+    pressure() = value.pressure;
+  }
+};
+
+struct PressedFaceObject : physgen::ObjectTag<
+    PressedFaceObject, PressedFace, PressedFaceFormats, PressedFaceRecord, PressedFaceRef, PressedFaceProbe> {
+  static constexpr std::string_view name = "contact::PressedFace";
+  static constexpr std::array<physgen::FieldText, 2> texts = {{{"nodes"}, {"pressure", "Pa"}}};
+  static constexpr std::array<std::string_view, 2> docs = {
+    "counter-clockwise, seen from outside", "at a load of 1",
+  };
+};
+
+template <class Real, class Layout, class Space = physgen::Host,
+          class Formats = physgen::FormatsOf<PressedFaceObject, Space>>
+using PressedFaceView = physgen::View<PressedFaceObject, Real, Layout, Formats, Space>;
+template <class Real, class Space = physgen::Host, class Layout = physgen::PerSpace<Space, physgen::Aos, physgen::Aos>,
+          class Formats = physgen::FormatsOf<PressedFaceObject, Space>>
+using PressedFaceArray = physgen::Array<PressedFaceObject, Real, Space, Layout, Formats>;
+static_assert(physgen::are_sound_records<PressedFaceObject, physgen::Host>({16, 4, {0, 12}}, {20, 8, {8, 0}}));
+
 // ---- PlaneContact ---------------------------------------------------------------------------------------------------
 
 /// How a plane and the body touch; one object, which kernels leave for the host.
@@ -243,4 +316,4 @@ static_assert(physgen::are_sound_records<PlaneContactObject, physgen::Host>({8, 
 
 }  // namespace contact
 
-#endif  // PHYSGEN_CONTACT_H_2977BEC442124740
+#endif  // PHYSGEN_CONTACT_H_C445AFD967FC3CEA

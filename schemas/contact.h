@@ -1,4 +1,5 @@
-// Object types of contact: the planes that a body may touch, and what its nodes carry of its surface.
+// Object types of contact: the planes that a body may touch, what its nodes carry of its surface, and its pressed
+// faces.
 #pragma once
 
 #include <physgen/schema.h>
@@ -16,6 +17,12 @@ struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) RigidPlane {
   PHYSGEN(unit("1")) Vector<3> normal;  ///< of length 1, towards the body
   PHYSGEN(unit("m")) Scalar offset;     ///< normal . x of its points at a load of 0
   PHYSGEN(unit("m")) Scalar travel;     ///< along the normal, at a load of 1
+};
+
+/// A face of the surface that is pushed by a pressure, which follows it.
+struct PHYSGEN_OBJECT(layout(host, aos), layout(cuda, aos)) PressedFace {
+  Vector<3, Index> nodes;               ///< counter-clockwise, seen from outside
+  PHYSGEN(unit("Pa")) Scalar pressure;  ///< at a load of 1
 };
 
 /// How a plane and the body touch; one object, which kernels leave for the host.

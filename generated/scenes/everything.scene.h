@@ -15,7 +15,7 @@ struct everything;
 
 /// Equilibrium and motion of a body with every choice that there is: volumes of tets, patches or nodes; products
 /// assembled or by tets; each preconditioner, on meshes and background grids, stored as computed or in half; rigid
-/// planes; and inertia.
+/// planes; pressures that follow the surface; and inertia.
 namespace scenes::everything_scene {
 
 namespace tags::body {
@@ -716,6 +716,71 @@ struct Planes {
            physgen::bytes_of_array<decltype(areas)>(counts.surface_node) +
            physgen::bytes_of_array<decltype(stiffness)>(counts.node) +
            physgen::bytes_of_array<decltype(contact)>(counts.contact);
+  }
+};
+
+namespace tags::surface {
+struct faces { static constexpr const char* name = "surface.faces"; };
+struct node_face_ranges { static constexpr const char* name = "surface.node_face_ranges"; };
+struct node_face_entries { static constexpr const char* name = "surface.node_face_entries"; };
+struct edge_face_ranges { static constexpr const char* name = "surface.edge_face_ranges"; };
+struct edge_face_entries { static constexpr const char* name = "surface.edge_face_entries"; };
+}  // namespace tags::surface
+
+template <class Space_ = physgen::Host, class Real_ = float, class Stored_ = physgen::StoredAsDeclared>
+struct Surface {
+  using Space = Space_;
+  using Real = Real_;
+  using Stored = Stored_;
+
+  /// How many objects there are of each kind.
+  struct Counts {
+    physgen::index_t face = 0;
+    physgen::index_t node = 0;
+    physgen::index_t face_corner = 0;
+    physgen::index_t edge = 0;
+  };
+
+  /// contact::PressedFace, per face: nodes, pressure
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::surface::faces, ::contact::PressedFaceArray<double,
+      Space>>> faces;
+  /// The faces of each node, and those of each edge: rows of NodeTetEntry.
+  /// elasticity::IncidenceRange, per node: begin, end
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::surface::node_face_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> node_face_ranges;
+  /// quasistatic::PackedIncidence, per face_corner: code
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::surface::node_face_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> node_face_entries;
+  /// elasticity::IncidenceRange, per edge: begin, end
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::surface::edge_face_ranges,
+      ::elasticity::IncidenceRangeArray<float, Space>>> edge_face_ranges;
+  /// quasistatic::PackedIncidence, per face_corner: code
+  physgen::ReadOnlyArray<physgen::StoredArray<Stored, tags::surface::edge_face_entries,
+      ::quasistatic::PackedIncidenceArray<float, Space>>> edge_face_entries;
+
+  /// Makes all arrays anew, of objects with initial values. Where the runtime is checked, fields that the program
+  /// writes before it reads them begin as signalling NaN instead.
+  /// @throw physgen::Error when a count is negative or the memory cannot be had
+  void allocate(const Counts& counts) {
+    physgen::allocate(faces, counts.face);
+    physgen::allocate(node_face_ranges, counts.node);
+    physgen::allocate(node_face_entries, counts.face_corner);
+    physgen::allocate(edge_face_ranges, counts.edge);
+    physgen::allocate(edge_face_entries, counts.face_corner);
+  }
+
+  /// Bytes of memory held by all arrays, padding included.
+  [[nodiscard]] physgen::index_t bytes() const {
+    return faces.bytes() + node_face_ranges.bytes() + node_face_entries.bytes() + edge_face_ranges.bytes() +
+           edge_face_entries.bytes();
+  }
+  /// The same of arrays of so many objects, without making them. @pre no count is negative
+  [[nodiscard]] static constexpr physgen::index_t bytes(const Counts& counts) {
+    return physgen::bytes_of_array<decltype(faces)>(counts.face) +
+           physgen::bytes_of_array<decltype(node_face_ranges)>(counts.node) +
+           physgen::bytes_of_array<decltype(node_face_entries)>(counts.face_corner) +
+           physgen::bytes_of_array<decltype(edge_face_ranges)>(counts.edge) +
+           physgen::bytes_of_array<decltype(edge_face_entries)>(counts.face_corner);
   }
 };
 

@@ -61,6 +61,11 @@ set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)' >"$work/later.cmake"
     if configure build cuda_without_cuda_code; then fail 'the project is configured'; fi
     expect_said 'this physgen was built without CUDA: configure it with -DPHYSGEN_CUDA=ON'
     ;;
+  the_component_solver_of_a_package_without_it_is_refused)
+    package=$(dirname "$(find "$folder/package without physgen" -name physgenConfig.cmake)")
+    if configure build solver; then fail 'the project is configured'; fi
+    expect_said 'this physgen was installed without its solver'
+    ;;
   fem_is_a_component_and_can_be_checked)
     # The program prints its mesh, and reads behind the end of an array, which only checks notice.
     if [[ ! $mode ]]; then

@@ -9,12 +9,19 @@ from=$(find "$folder/package" -type d -path "*/examples/$name")
 work="$folder/example $name"
 rm -rf "$work"
 cp -r "$from" "$work"
-cmake -S "$work" -B "$work/build" -G "$generator" -DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON \
+without_cuda=(-DCMAKE_DISABLE_FIND_PACKAGE_CUDAToolkit=ON)
+[[ $name == softbody ]] && without_cuda=()  # its solver may have been built with CUDA
+cmake -S "$work" -B "$work/build" -G "$generator" "${without_cuda[@]}" \
   -DPython_EXECUTABLE=/usr/bin/python3 -Dphysgen_DIR="$(dirname "$(find "$folder/package" -name physgenConfig.cmake)")"
 cmake --build "$work/build"
 program=("$work/build/$name")
 if [[ -e $work/main.py ]]; then
   program=(env "PYTHONPATH=$work/build" /usr/bin/python3 "$work/main.py")
+fi
+if [[ -e $work/lobe.py ]]; then
+  cd "$work"
+  /usr/bin/python3 lobe.py 12 lobe.msh
+  program+=(lobe.msh)
 fi
 "${program[@]}" | tee "$work/printed"
 while read -r words; do
@@ -23,4 +30,5 @@ done < <(sed 's/  .*//' "$work/printed")
 for picture in $(grep -oP '!\[[^]]*\]\(\K[^)]+' "$work/README.md"); do
   [[ -s $work/$picture ]] || { echo "FAILED: the example $name has no picture $picture" >&2; exit 1; }
 done
+cd "$folder"
 rm -rf "$work"

@@ -11,9 +11,10 @@ rm -rf package 'package without physgen' first second
 install runtime first
 cp -a first second
 install generator second
+install solver second
 
 # By components, so that the manifest of somebody's own installation from this build folder stays.
-for component in runtime generator; do
+for component in runtime generator solver; do
   install "$component" "$folder/third"
   cmake -D MANIFEST="$build/install_manifest_$component.txt" -P "$build/package/uninstall.cmake" >/dev/null
 done

@@ -37,6 +37,10 @@ void apply_case(Options& options, const Given& given) {
   options.mesh = read.mesh;
   options.solver.youngs_modulus = read.young;
   options.solver.poissons_ratio = read.poisson;
+  if (!read.of_groups.empty()) {
+    options.solver.materials = {{read.young, read.poisson}};
+    options.solver.materials.insert(options.solver.materials.end(), read.of_groups.begin(), read.of_groups.end());
+  }
   if (read.law.empty()) return;
   if (options.scene == SceneKind::linear_elastic) {
     throw Error("case " + options.case_file.string() + ": material.law: --scene linear-elastic has a law of its own; " +

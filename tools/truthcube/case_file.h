@@ -20,6 +20,8 @@ struct Case {
   double scale = 1;            ///< [m] of the mesh's unit of length
   std::string law;             ///< of elasticity; empty: as the command line says
   double young = 0, poisson = 0;
+  std::vector<std::string> material_groups;      ///< whose tets have a material of their own
+  std::vector<fem::ElasticConstants> of_groups;  ///< the constants of each
   fem::LoadCase load_case;
   std::vector<double> steps{1};  ///< factors of all loads and displacements, one after the other
   std::vector<Probe> probes;

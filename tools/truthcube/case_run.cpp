@@ -1,5 +1,6 @@
 #include "case_run.h"
 
+#include <fem/solver/loads/pressed_faces.h>
 #include <physgen/error.h>
 
 #include <chrono>
@@ -86,7 +87,7 @@ class CaseSteps {
     CaseState state = case_state_of(scene_, options_.given_case.probes, locations_, load, positions, solver_.forces());
     terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations", seconds, result.steps,
                    result.iterations);
-    for (const std::string& line : describe(state)) terminal_.text("  " + line);
+    for (const std::string& line : describe(state, options_.given_case.load_case)) terminal_.text("  " + line);
     warn(load, result, state, positions);
     StepRecord step;
     step.newton_iterations = result.steps;
@@ -116,12 +117,11 @@ class CaseSteps {
             const std::vector<Point>& positions) const {
     // Loads that balance each other leave no reaction for the residual to be small against.
     double applied = 0;
-    for (const Point& force : scene_.loading.forces) {
+    for (const Point& force : external_forces(scene_.history.at(load), positions)) {
       for (const double component : force) applied += component * component;
     }
-    const double allowed =
-        options_.solver.newton.tolerance * std::max(result.reaction, std::abs(load) * std::sqrt(applied));
-    if (state.load != 0 && result.residual * result.reaction > allowed) {
+    const double allowed = options_.solver.newton.tolerance * std::max(result.reaction, std::sqrt(applied));
+    if ((state.load != 0 || applied > 0) && result.residual * result.reaction > allowed) {
       terminal_.warning(
           "at a load of %g, rounding ended the solve with %.2e N left, above the %.2e N of the tolerance: "
           "the result is less accurate than was asked for. Try a larger --tolerance.",
@@ -176,7 +176,9 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   notes.insert(notes.end(), options.notes.begin(), options.notes.end());
   for (std::string& note : adapt_solver(options, scene, counts)) notes.push_back(std::move(note));
   for (const std::string& note : notes) terminal.text("note: " + note);
-  const RunBytes bytes = bytes_of_run(counts, options.solver, {options.scene, arrays_of(options), 0, false});
+  const auto faces = static_cast<std::int64_t>(pressed_faces(scene.history.at(1).pressures).size());
+  const RunBytes bytes =
+      bytes_of_run(counts, options.solver, {.scene = options.scene, .names = arrays_of(options), .faces = faces});
   if (options.dry_run) {
     print_sizes(counts, bytes, options, terminal);
     return Outcome::done;
@@ -197,9 +199,12 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   }
   std::unique_ptr<fem::EquilibriumSolver> solver;
   if (options.scene == SceneKind::linear_elastic) {
-    solver = fem::make_linear_solver(scene.levels, scene.loading, options.solver);
+    solver = fem::make_linear_solver(scene.levels, scene.history.at(1), options.solver);
   } else {
-    solver = fem::make_solver(scene.levels, scene.loading, options.solver);
+    solver = fem::make_solver(scene.levels, scene.history.at(1), options.solver);
+  }
+  if (!scene.history.parts.empty()) {
+    solver = fem::follow(std::move(solver), scene.history, options.solver.most_bisections);
   }
   RunRecord record;
   record.has_plates = false;

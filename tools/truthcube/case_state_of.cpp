@@ -18,11 +18,10 @@ using fem::Point;
 
 double length(const Point& x) { return std::hypot(x[0], x[1], x[2]); }
 
-GroupState state_of(const std::string& name, std::span<const fem::Index> nodes, const Scene& scene, double load,
-                    const std::vector<Point>& moved, const std::vector<Point>& forces) {
-  GroupState state{name, fem::reaction_of(nodes, scene.levels.front(), forces), {}, 0};
-  const Point at_one = fem::sum_of(nodes, scene.loading.forces);
-  for (std::size_t k = 0; k < 3; ++k) state.load[k] = load * at_one[k];
+GroupState state_of(const std::string& name, std::span<const fem::Index> nodes, const Scene& scene,
+                    const std::vector<Point>& external, const std::vector<Point>& moved,
+                    const std::vector<Point>& forces) {
+  GroupState state{name, fem::reaction_of(nodes, scene.levels.front(), forces), fem::sum_of(nodes, external), 0};
   for (const fem::Index n : nodes) {
     state.largest_displacement = std::max(state.largest_displacement, length(moved[static_cast<std::size_t>(n)]));
   }
@@ -49,6 +48,17 @@ std::vector<fem::Location> locate_probes(const std::vector<Probe>& probes, const
   }
 }
 
+std::vector<Point> external_forces(const fem::Loading& loading, const std::vector<Point>& positions) {
+  std::vector<Point> forces = loading.forces;
+  for (const fem::FollowingPressure& pressure : loading.pressures) {
+    const auto more = fem::pressure_loads(positions, pressure.faces, pressure.pressure);
+    for (std::size_t n = 0; n < forces.size(); ++n) {
+      for (std::size_t k = 0; k < 3; ++k) forces[n][k] += more[n][k];
+    }
+  }
+  return forces;
+}
+
 CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
                         const std::vector<fem::Location>& locations, double load, const std::vector<Point>& positions,
                         const std::vector<Point>& forces) {
@@ -61,9 +71,10 @@ CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
   std::iota(nodes.begin(), nodes.end(), fem::Index{0});
   CaseState state;
   state.load = load;
-  state.all = state_of("", nodes, scene, load, moved, forces);
+  const std::vector<Point> external = external_forces(scene.history.at(load), positions);
+  state.all = state_of("", nodes, scene, external, moved, forces);
   for (const fem::MeshGroup& group : scene.groups) {
-    state.groups.push_back(state_of(group.name, group.nodes, scene, load, moved, forces));
+    state.groups.push_back(state_of(group.name, group.nodes, scene, external, moved, forces));
   }
   const auto add = [&](const char* of, const auto& measure) {
     const auto [low, high] = std::ranges::minmax_element(moved, {}, measure);
@@ -81,14 +92,14 @@ CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
   return state;
 }
 
-std::vector<std::string> describe(const CaseState& state) {
+std::vector<std::string> describe(const CaseState& state, const fem::LoadCase& load_case) {
   const auto& [of, low, high] = state.displacement.back();
   std::array<char, 64> most{};
   std::snprintf(most.data(), most.size(), "%.6g", 1e3 * high.value);
   std::vector<std::string> lines{"largest displacement " + std::string(most.data()) + " mm, of the node at rest at " +
                                  text_of(high.at, 1e3) + " mm"};
   for (const GroupState& group : state.groups) {
-    if (group.reaction != Point{})
+    if (std::ranges::find(load_case.supports, group.group, &fem::Support::group) != load_case.supports.end())
       lines.push_back("reaction of " + group.group + ": " + text_of(group.reaction, 1) + " N");
   }
   for (const ProbeState& probe : state.probes) {

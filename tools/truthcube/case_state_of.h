@@ -16,12 +16,16 @@ namespace physgen::truthcube {
 /// @throw Error naming the probe that lies outside of the body
 [[nodiscard]] std::vector<fem::Location> locate_probes(const std::vector<Probe>& probes, const fem::MeshLevel& level);
 
+/// Of a loading at its factor of 1: forces, and those of pressures that follow the surface, there [N].
+[[nodiscard]] std::vector<fem::Point> external_forces(const fem::Loading& loading,
+                                                      const std::vector<fem::Point>& positions);
+
 /// @param forces of the solver
 [[nodiscard]] CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
                                       const std::vector<fem::Location>& locations, double load,
                                       const std::vector<fem::Point>& positions, const std::vector<fem::Point>& forces);
 
-/// Lines for the terminal: the largest displacement, the reactions of groups that have one, and the probes.
-[[nodiscard]] std::vector<std::string> describe(const CaseState& state);
+/// Lines for the terminal: the largest displacement, the reactions of supports, and the probes.
+[[nodiscard]] std::vector<std::string> describe(const CaseState& state, const fem::LoadCase& load_case);
 
 }  // namespace physgen::truthcube

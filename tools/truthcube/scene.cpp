@@ -4,6 +4,7 @@
 #include <fem/mesh/check.h>
 #include <fem/mesh/gmsh_file.h>
 #include <fem/mesh/graded_cube.h>
+#include <fem/mesh/material_order.h>
 #include <fem/mesh/refine.h>
 #include <fem/solver/hierarchy/background_grid.h>
 #include <physgen/error.h>
@@ -63,6 +64,10 @@ GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
     notes.push_back(std::to_string(read.left_out_nodes.size()) + " nodes of " + options.mesh.string() +
                     " belong to no tet and are left out");
   }
+  std::vector<Index> material_ends;
+  if (const auto& named = options.given_case.material_groups; !named.empty()) {
+    material_ends = fem::sort_by_material(read, named);
+  }
   const fem::MeshReport report = fem::check_mesh(read.rest, read.tets);
   const auto errors = report.errors(read.node_tags, read.tet_tags);
   if (!errors.empty()) {
@@ -74,6 +79,7 @@ GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
   std::vector<MeshLevel> levels(1);
   levels[0].mesh = fem::make_tet_mesh(static_cast<Index>(read.rest.size()), std::move(read.tets));
   levels[0].rest = std::move(read.rest);
+  levels[0].material_ends = std::move(material_ends);
   require_refined_fits(levels.front().mesh, options.refinements);
   std::vector<std::vector<fem::MeshGroup>> groups{std::move(read.groups)};
   for (int k = 0; k < options.refinements; ++k) {
@@ -83,10 +89,11 @@ GivenMesh read_mesh(const Options& options, std::vector<std::string>& notes) {
     finer.mesh = std::move(refinement.mesh);
     finer.rest = std::move(refinement.rest);
     finer.parents = std::move(refinement.parents);
+    for (const Index end : levels.front().material_ends) finer.material_ends.push_back(8 * end);
     levels.insert(levels.begin(), std::move(finer));
   }
   if (options.volume == VolumeTreatment::patches) {
-    for (MeshLevel& level : levels) level.patches = fem::greedy_patches(level.mesh);
+    for (MeshLevel& level : levels) level.patches = fem::greedy_patches(level.mesh, level.material_ends);
     for (std::size_t l = 0; l + 1 < levels.size(); ++l) {  // refined tets 8 t .. 8 t + 7 are parts of tet t
       const fem::IncidenceList& tets = levels[l].patches.patch_tets;
       for (std::size_t p = 0; p + 1 < tets.first.size(); ++p) {
@@ -140,7 +147,7 @@ Scene make_case_scene(const Options& options, GivenMesh given) {
   scene.levels = std::move(given.levels);
   scene.tet_tags = std::move(given.tet_tags);
   scene.refinements = options.refinements;
-  scene.loading = fem::apply_load_case(options.given_case.load_case, scene.levels, given.groups);
+  scene.history = fem::make_load_history(options.given_case.load_case, scene.levels, given.groups);
   scene.groups = std::move(given.groups.front());
   if (options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
     scene.grid = fem::add_background_grid(scene.levels);

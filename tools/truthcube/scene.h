@@ -30,6 +30,7 @@ struct GivenMesh {
 struct Scene {
   std::vector<fem::MeshLevel> levels;  ///< finest first
   fem::Loading loading;                ///< at a compression of 1; its planes, if any, are the lower and the upper plate
+  fem::LoadHistory history;            ///< of a case, in place of it
   PlatesOfBody plates;                 ///< what holds the body
   std::array<fem::Index, 3> grid{};    ///< cells along x, y, z of the background grid; zeros where there is none
   double grading = 1;                  ///< of the cube

@@ -42,6 +42,18 @@ std::int64_t plane_bytes(const LevelCounts& c, std::int64_t planes, bool solved)
       [&]<class Planes> { return Planes::bytes(Planes::counts(c.nodes, planes, solved)); });
 }
 
+/// @param faces of this level
+template <class Types>
+std::int64_t surface_bytes(const LevelCounts& c, std::int64_t faces) {
+  if (faces == 0) return 0;
+  if constexpr (requires { Types::Arrays::surface; }) {
+    return bytes_if_any<decltype(Types::Arrays::surface)>(
+        [&]<class Surface> { return Surface::bytes(Surface::counts(c.nodes, c.edges, faces)); });
+  } else {
+    return 0;
+  }
+}
+
 template <class Types>
 std::int64_t inertia_bytes(const LevelCounts& c, bool solved) {
   if (c.is_grid) return 0;
@@ -88,6 +100,7 @@ RunBytes bytes_with(const std::vector<LevelCounts>& levels, const fem::SolverSet
     bytes.levels.push_back(
         linear + (l < solved ? body() + vectors : 0) + (l < solved ? extra_bytes<Types>(levels[l], kind) : 0) +
         plane_bytes<Types>(levels[l], arrays.planes, l < solved) +
+        (l < solved ? surface_bytes<Types>(levels[l], arrays.faces >> (2 * l)) : 0) +
         (arrays.scene == SceneKind::implicit_dynamics ? inertia_bytes<Types>(levels[l], l < solved) : 0));
   }
   if constexpr (!linear_elastic) bytes.levels.front() += Types::Arrays::bytes_for_chunks(levels.front().tets, lists);

@@ -23,6 +23,7 @@ struct RunArrays {
   std::string names = "everything";  ///< arrays_of()
   std::int64_t planes = 0;           ///< fem::Loading::planes, their number
   bool fixed_order = false;          ///< fem::DynamicSettings::fixed_order
+  std::int64_t faces = 0;            ///< of the finest mesh that fem::Loading::pressures push, their number
 };
 
 /// All of RunBytes but what lies in lists.

@@ -1,7 +1,6 @@
 // Bodies that are held and loaded on groups of their mesh: against exact solutions, in equilibrium with their
 // reactions, turned, and back at rest; and load cases that no body can be in.
 #include <fem/mesh/boundary.h>
-#include <fem/mesh/refine.h>
 #include <fem/solver/load_case.h>
 #include <fem/solver/rigid_motions.h>
 #include <gtest/gtest.h>
@@ -11,63 +10,12 @@
 #include <algorithm>
 #include <numbers>
 
-#include "bodies.h"
-#include "irregular.h"
+#include "grouped_bar.h"
 
 namespace physgen::fem {
 namespace {
 
 using Strings = std::vector<std::string>;
-constexpr Point size{0.2, 0.3, 0.5};  // [m]
-
-/// A bar with groups of its faces: x0, x1 (its end), ..., all of it, and an edge.
-struct GroupedBar {
-  explicit GroupedBar(bool patches = false, int refinements = 0) {
-    const Tets tets = irregular_box({2, 3, 4}, size, 0.2, 31);
-    levels = make_levels(tets, refinements, patches, [](const Point&) -> std::uint8_t { return 0; });
-    MeshLevel& coarsest = levels.back();
-    const TetMesh& mesh = coarsest.mesh;
-    std::vector<MeshGroup> named;
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (const double at : {0.0, size[k]}) {
-        MeshGroup& group = named.emplace_back();
-        group.name = std::string(1, "xyz"[k]) + (at > 0 ? "1" : "0");
-        for (const Face& face : boundary_faces(mesh)) {
-          const auto on = [&](Index n) { return coarsest.rest[static_cast<std::size_t>(n)][k] == at; };
-          if (std::ranges::all_of(face, on)) group.faces.push_back({face[0], face[2], face[1]});  // inward
-        }
-      }
-    }
-    MeshGroup& all = named.emplace_back();
-    all.name = "all";
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) all.tets.push_back(static_cast<Index>(t));
-    MeshGroup& tip = named.emplace_back();
-    tip.name = "tip";
-    tip.nodes.push_back(mesh.nodes - 1);
-    named.emplace_back().name = "empty";
-    for (MeshGroup& group : named) complete(group, mesh.tets);
-    groups.push_back(named);
-    for (std::size_t l = levels.size() - 1; l-- > 0;) {
-      groups.insert(groups.begin(), refine_groups(levels[l + 1].mesh, groups.front()));
-    }
-  }
-  [[nodiscard]] const MeshGroup& group(const std::string& name) const { return group_named(groups.front(), name); }
-
-  std::vector<MeshLevel> levels;
-  std::vector<std::vector<MeshGroup>> groups;
-};
-
-SolverSettings settings_of(double nu = 0.3) {
-  SolverSettings settings = exact_settings("neo-hookean", nu);
-  settings.youngs_modulus = 1e4;
-  settings.newton.preconditioner.kind = Preconditioner::block_jacobi;
-  settings.nested = false;
-  return settings;
-}
-
-/// Planes of symmetry at three faces, so that stress along z is all that a pull along z makes.
-std::vector<Support> symmetric() { return {{"x0", {.x = 0.0}}, {"y0", {.y = 0.0}}, {"z0", {.z = 0.0}}}; }
-
 double area_mean(const GroupedBar& bar, const std::string& group, const std::vector<Point>& positions, std::size_t k) {
   const auto areas = surface_areas(bar.levels[0].rest, bar.group(group).faces);
   double sum = 0, area = 0;

@@ -22,7 +22,8 @@ struct ProbeEquilibrium
     : EquilibriumOver<Real, scenes::everything_scene::Body<Space, Real, Probed<StoredAsDeclared>>,
                       PatchesOver<scenes::everything_scene::Patches<Space, Real, Probed<StoredAsDeclared>>>,
                       RingsOver<scenes::everything_scene::Rings<Space, Real, Probed<StoredAsDeclared>>>,
-                      scenes::everything_scene::Chunk<Space, Real, Probed<StoredAsDeclared>>> {
+                      scenes::everything_scene::Chunk<Space, Real, Probed<StoredAsDeclared>>,
+                      SurfaceOver<scenes::everything_scene::Surface<Space, Real, Probed<StoredAsDeclared>>>> {
   using Body = scenes::everything_scene::Body<Space, Real, Probed<StoredAsDeclared>>;
   ProbeEquilibrium() : ProbeEquilibrium::EquilibriumOver(Body()) {
     this->chunks = {{0, 1, 0, 1, 0, 1}};

@@ -35,7 +35,9 @@ TEST_F(ProbesOfTheSolver, read_without_writing_what_the_solver_is_given_and_noth
                                     "planes.planes.travel",
                                     "schwarz.nodes.slot",
                                     "schwarz.slots.source",
-                                    "schwarz.slots.parent"};
+                                    "schwarz.slots.parent",
+                                    "surface.faces.nodes",
+                                    "surface.faces.pressure"};
   EXPECT_EQ(fields_read_only(), given);
 }
 

@@ -29,7 +29,7 @@ struct SceneGroups {
     LevelsInUse used = levels_in_use(given.levels, settings);
     const MeshLevel& finest = used.levels.front();
     Mesh mesh(finest, used.graphs.front(), false, TangentLists::of_edges, nullptr);
-    store_loading(mesh, finest, given.loading.motion, given.loading.forces);
+    store_loading(mesh, finest.fixed, given.loading.motion, given.loading.forces);
     facts.chunks = mesh.chunks;
     facts.rounding_force = rounding_force(settings, finest, given.loading.motion, false, mesh.spacing);
     facts.moves = true;

@@ -105,7 +105,83 @@ for k in ("x", "y", "z"):
     near(steps[0]["displacement"][k]["high"] + 1, steps[2]["displacement"][k]["high"] + 1, 1e-10)
 '
     done
-    expect out 'reaction of z0: [(]' ;;
+    expect out 'reaction of z0: [(]'
+    expect_no out 'reaction of body' ;;
+  loads_follow_curves_of_their_own)
+    write_mesh 3 >m.msh
+    write_case <<<"{#, \"material\": {\"young\": 1e4, \"poisson\": 0.3, \"density\": 1000},
+      \"supports\": [{\"group\": \"z0\"}, {\"group\": \"z1\", \"displacement\": {\"x\": 0.001}, \"curve\": \"late\"}],
+      \"loads\": [{\"gravity\": [0, 0, -2], \"curve\": \"always\"}, {\"group\": \"z1\", \"force\": [0, 0.01, 0], \"curve\": \"breath\"},
+        {\"group\": \"y1\", \"pressure\": 20}],
+      \"curves\": {\"always\": [[0, 1]], \"breath\": [[0, 0], [1, 1], [2, 0]], \"late\": [[1, 0], [2, 1]]},
+      \"steps\": [0, 0.5, 1, 2, 0]}"
+    for flags in "" "--scene linear-elastic" "--refine 1"; do
+      # shellcheck disable=SC2086
+      expect_exit 0 "${exactly[@]}" $flags --out o
+      check '
+mass = 1000 * 0.04 * 0.06 * 0.1
+assert [step["load"] for step in steps] == [0, 0.5, 1, 2, 0]
+for step, breath, late in zip(steps, (0, 0.5, 1, 0, 0), (0, 0, 0, 1, 0)):
+    load = [0, 0.01 * breath - step["load"] * 20 * 0.04 * 0.1, -2 * mass]
+    for k in range(3):
+        assert abs(step["all"]["load"][k] - load[k]) < 1e-12, (step["load"], step["all"]["load"], load)
+        assert abs(step["all"]["reaction"][k] + load[k]) < 1e-9, (step["load"], step["all"]["reaction"], load)
+    assert step["displacement"]["x"]["high"] > 0.001 * late - 1e-12, step["displacement"]
+near(steps[0]["displacement"]["z"]["low"] + 1, steps[4]["displacement"]["z"]["low"] + 1, 1e-10)
+assert steps[0]["displacement"]["z"]["low"] < -1e-6
+'
+    done ;;
+  groups_have_materials_of_their_own)
+    # Two halves side by side with the constants of one, and a stiff layer at the end that is pulled.
+    write_mesh 4 | awk '/^\$PhysicalNames/ { print; getline; print $1 + 1; print "3 9 \"far\""; next }
+      $2 == 4 && $3 == 2 && NF == 9 { if ($6 > 50 && $7 > 50 && $8 > 50 && $9 > 50) $4 = 9 } { print }' >m.msh
+    write_case <<<"{#, \"material\": {\"young\": 1e4, \"poisson\": 0, \"density\": 1000,
+        \"groups\": [{\"group\": \"far\", \"young\": 4e4, \"poisson\": 0, \"density\": 3000}]},
+      \"supports\": [$symmetric], \"loads\": [{\"group\": \"z1\", \"traction\": [0, 0, 3000]}], \"probes\": [{\"name\": \"middle\", \"at\": [0.02, 0.03, 0.05]}]}"
+    for flags in "" "--refine 1 --volume tets" "--volume tets --preconditioner block-jacobi"; do
+      # shellcheck disable=SC2086
+      expect_exit 0 "${exactly[@]}" $flags --out o
+      # mu (s - 1/s) = traction, mu = E / 2: each half has its own stretch
+      check '
+def stretch(young):
+    a = 3000 / (young / 2)
+    return (a + (a * a + 4) ** 0.5) / 2
+soft, stiff = stretch(1e4), stretch(4e4)
+near(steps[0]["probes"]["middle"]["displacement"][2], 0.05 * (soft - 1), 1e-7)
+near(steps[0]["displacement"]["z"]["high"], 0.05 * (soft - 1) + 0.05 * (stiff - 1), 1e-7)
+near(steps[0]["groups"]["z0"]["reaction"][2], -3000 * 0.04 * 0.06, 1e-7)
+'
+    done
+    sed -i 's/"loads".*"probes"/"loads": [{"gravity": [0, 0, 1]}], "probes"/' case.json
+    expect_exit 0 "${exactly[@]}" --out o
+    check 'near(steps[0]["all"]["load"][2], (1000 + 3000) / 2 * 0.04 * 0.06 * 0.1, 1e-9)'
+    expect_exit 1 --case case.json --volume nodes
+    expect err 'volumes averaged at nodes would mix the materials around a node'
+    expect_exit 1 --case case.json --scene linear-elastic
+    expect err 'linear elasticity has one material; give the body one' ;;
+  a_pressure_that_follows_squeezes_a_body_from_all_sides)
+    write_mesh 3 >m.msh
+    loads=
+    for group in x0 x1 y0 y1 z0 z1; do loads+="${loads:+, }{\"group\": \"$group\", \"pressure\": 4000, \"follows\": true}"; done
+    write_case <<<"{#, \"material\": {\"young\": 1e4, \"poisson\": 0.4}, \"supports\": [$symmetric], \"loads\": [$loads], \"steps\": [0.5, 1, 0]}"
+    for flags in "" "--refine 1" "--volume nodes"; do
+      # shellcheck disable=SC2086
+      expect_exit 0 "${exactly[@]}" $flags --out o
+      check '
+import math
+mu, lam = 1e4 / 2.8, 1e4 * 0.4 / (1.4 * 0.2)
+for step in steps:
+    low, high = 0.3, 1.5
+    for _ in range(100):
+        s = (low + high) / 2
+        low, high = (s, high) if mu * (s * s - 1) + 3 * lam * math.log(s) < -4000 * step["load"] * s ** 3 else (low, s)
+    assert abs(step["displacement"]["z"]["low"] - 0.1 * (low - 1)) < 1e-9, (step["load"], low)
+    assert max(abs(x) for x in step["all"]["reaction"] + step["all"]["load"]) < 1e-7
+    near(1 + step["groups"]["z1"]["load"][2], 1 - 4000 * step["load"] * low ** 2 * 0.04 * 0.06, 1e-7)
+'
+    done
+    expect_exit 1 --case case.json --product matrix-free --preconditioner block-jacobi
+    expect err 'pressures that follow the surface require the assembled product' ;;
   a_case_in_millimetres_is_the_same)
     write_mesh 4 >m.msh
     write_case <<<"{#, $tissue, $loaded}"
@@ -136,6 +212,17 @@ for k in ("x", "y", "z"):
       "{#, $rest, \"loads\": [{\"group\": \"z1\", \"force\": [0, 0, 1], \"pressure\": 1}]}"
     refused 'loads\[0\].force: this must be 3 numbers, along x, y and z, not 2' "{#, $rest, \"loads\": [{\"group\": \"z1\", \"force\": [0, 0]}]}"
     refused 'loads\[0\].force\[1\]: this must be a number, not "a"' "{#, $rest, \"loads\": [{\"group\": \"z1\", \"force\": [0, \"a\", 1]}]}"
+    refused "loads\[0\]: there is no key 'curv' here; did you mean 'curve'" "{#, $rest, \"loads\": [{\"gravity\": [0, 0, 1], \"curv\": \"a\"}]}"
+    refused "loads: there is no curve 'beath'; did you mean 'breath'" \
+      "{#, $rest, \"loads\": [{\"gravity\": [0, 0, 1], \"curve\": \"beath\"}], \"curves\": {\"breath\": [[0, 1]]}}"
+    refused "curves: no load names the curve 'idle'; remove it" "{#, $rest, \"curves\": {\"idle\": [[0, 1]]}}"
+    refused "curves.a: the curve 'a' does not ascend at point 1" "{#, $rest, \"curves\": {\"a\": [[1, 0], [1, 1]]}}"
+    refused 'curves.a\[0\]: this must be a step and a factor, not 3 numbers' "{#, $rest, \"curves\": {\"a\": [[1, 0, 2]]}}"
+    refused 'loads\[0\].follows: only a pressure follows the surface' "{#, $rest, \"loads\": [{\"group\": \"z1\", \"force\": [0, 0, 1], \"follows\": true}]}"
+    refused 'loads\[0\].follows: this must be true or false' "{#, $rest, \"loads\": [{\"group\": \"z1\", \"pressure\": 1, \"follows\": 1}]}"
+    refused "material.groups\[0\].law: all of a body has one law, which stands in 'material'" \
+      "{#, \"material\": {\"young\": 1, \"poisson\": 0, \"groups\": [{\"group\": \"body\", \"law\": \"corotated\", \"young\": 1, \"poisson\": 0}]}, \"supports\": []}"
+    refused "material.groups\[0\]: the key 'young' is missing" "{#, \"material\": {\"young\": 1, \"poisson\": 0, \"groups\": [{\"group\": \"body\"}]}, \"supports\": []}"
     refused 'steps\[1\]: the load 1 is that of the step before' "{#, $rest, \"steps\": [1, 1]}"
     refused 'steps\[0\]: the load 0 is that at rest' "{#, $rest, \"steps\": [0, 1]}"
     refused "material.law: there is no material neo-hooken; did you mean neo-hookean" \

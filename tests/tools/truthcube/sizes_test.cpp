@@ -1,5 +1,6 @@
 // The sizes and bytes that truthcube states before anything is allocated, against those that are allocated then.
 #include <fem/dynamics/explicit.h>
+#include <fem/mesh/boundary.h>
 #include <fem/solver/hierarchy/background_grid.h>
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/scene_solvers.h>
@@ -66,6 +67,19 @@ class Bytes : public ::testing::TestWithParam<Case> {
     EXPECT_EQ(predicted(settings, 2) - predicted(settings, 0), of_contact);
   }
 };
+
+TEST_P(Bytes, of_pressures_that_follow_the_surface_are_those_of_the_solver) {
+  const std::vector<fem::MeshLevel> levels = levels_of(GetParam().cells, GetParam().volume);
+  fem::Loading loading{std::vector<fem::Point>(levels.front().rest.size(), fem::Point{}), {}};
+  loading.pressures.push_back({fem::boundary_faces(levels.front().mesh), 1});
+  fem::SolverSettings settings;
+  settings.nested = false;
+  const auto faces = static_cast<std::int64_t>(loading.pressures[0].faces.size());
+  const std::int64_t bytes =
+      bytes_of_run(count_cube(GetParam().cells, GetParam().volume), settings, {.faces = faces}).solver;
+  EXPECT_EQ(bytes, fem::make_solver(levels, loading, settings)->bytes());
+  EXPECT_GT(bytes, predicted(settings, 0));
+}
 
 TEST_P(Bytes, of_each_precision_are_those_of_the_solver) {
   for (const auto precision :

@@ -4,17 +4,26 @@
 
 #include "particles.h"
 int main(int count, char** words) {
-  fluid::Fluid dam{fluid::ParticleArray<float>(4096)};
+#ifdef __CUDACC__
+  using Space = physgen::Cuda;
+#else
+  using Space = physgen::Host;
+#endif
+  fluid::ParticleArray<float> particles(4096);
   for (int i = 0; i < 4096; ++i) {
-    dam.particles[i].x() = Eigen::Vector3f(Eigen::Array3i(i % 16, i / 16 % 16, i / 256).cast<float>() * 0.02F + 0.01F);
+    particles[i].x() = Eigen::Vector3f(Eigen::Array3i(i % 16, i / 16 % 16, i / 256).cast<float>() * 0.02F + 0.01F);
   }
+  fluid::Fluid<Space> dam{fluid::ParticleArray<float, Space>(4096)};
+  copy(dam.particles, particles);
   for (int step = 0; step < 1000; ++step) {
     dam.find_neighbours(step % 10 == 0);
     dam.move();
   }
+  copy(particles, dam.particles);
+  physgen::synchronize();
   double kinetic = 0, fallen = 0, density = 0, front = 0;
   std::FILE* file = count > 1 ? std::fopen(words[1], "w") : nullptr;
-  for (const auto particle : dam.particles) {
+  for (const auto particle : particles) {
     const auto one = particle.get();
     kinetic += 0.5 * static_cast<double>(dam.w.mass * one.v.squaredNorm());
     fallen += static_cast<double>(dam.w.mass * dam.w.gravity * (one.x[2] - 0.16F));

@@ -63,7 +63,7 @@ void fill_explicit_body(Body& body, const MeshLevel& level, const Loading& loadi
       put(body.places, places);
     }
   }
-  store_loading(body, level, loading.motion, loading.forces);
+  store_loading(body, level.fixed, loading.motion, loading.forces);
   dynamics::NodeMassArray<double> host_masses(level.mesh.nodes);
   quasistatic::NodeConstraintArray<double> host_constraints(level.mesh.nodes);
   for (index_t n = 0; n < host_masses.size(); ++n) {

@@ -23,7 +23,8 @@ struct alignas(32) Beside {
   std::array<Index, 4> nodes{none, none, none, none};
 };
 
-HostList<Beside> find_neighbours(const TetMesh& mesh) {
+HostList<Beside> find_neighbours(const TetMesh& mesh, std::span<const Index> material_ends) {
+  const auto material_of = [&](Index tet) { return std::ranges::upper_bound(material_ends, tet); };
   HostList<Beside> beside(mesh.tets.size());
   physgen::detail::for_each_index<4>(0, static_cast<index_t>(beside.size()), [&](index_t t) { beside[at(t)] = {}; });
   each_face(mesh.nodes, mesh.tets, tets_of_nodes(mesh), [&](Index node, std::span<const FaceUse> uses) {
@@ -33,7 +34,7 @@ HostList<Beside> find_neighbours(const TetMesh& mesh) {
                   ", among them tets " + std::to_string(uses[0].tet()) + " and " + std::to_string(uses[1].tet()) +
                   "; at most two tets may share a face");
     }
-    if (uses.size() < 2) return;
+    if (uses.size() < 2 || material_of(uses[0].tet()) != material_of(uses[1].tet())) return;
     for (std::size_t k = 0; k < 2; ++k) {
       const FaceUse &own = uses[k], &other = uses[1 - k];
       beside[at(own.tet())].tets[at(own.corner())] = other.tet();
@@ -94,8 +95,11 @@ struct Patch {
 
 class Greedy {
  public:
-  explicit Greedy(const TetMesh& mesh)
-      : mesh_(mesh), beside_(find_neighbours(mesh)), tet_patch_(mesh.tets.size(), none), free_(mesh.tets.size()) {
+  Greedy(const TetMesh& mesh, std::span<const Index> material_ends)
+      : mesh_(mesh),
+        beside_(find_neighbours(mesh, material_ends)),
+        tet_patch_(mesh.tets.size(), none),
+        free_(mesh.tets.size()) {
     physgen::detail::for_each_index(0, static_cast<index_t>(free_.size()), [&](index_t t) {
       free_[at(t)] = static_cast<std::uint8_t>(4 - std::ranges::count(beside_[at(t)].tets, none));
     });
@@ -255,9 +259,9 @@ class Greedy {
 
 }  // namespace
 
-VolumePatches greedy_patches(const TetMesh& mesh) {
+VolumePatches greedy_patches(const TetMesh& mesh, std::span<const Index> material_ends) {
   InStage stage("patches");
-  VolumePatches patches = Greedy(mesh).run();
+  VolumePatches patches = Greedy(mesh, material_ends).run();
   stage.moves(mesh.tets, mesh.node_tets.first, mesh.node_tets.entries, patches.nodes, patches.node_counts,
               patches.tet_patch, patches.tet_slots, patches.patch_tets.first, patches.patch_tets.entries);
   return patches;

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace physgen::fem {
@@ -34,7 +35,9 @@ struct VolumePatches {
 /// none is, they stay. Measured on boxes and on a mesh of Gmsh, however they are numbered: 5.5 tets per patch, fewer
 /// than 1 % of the patches of one or two. The mesh alone decides. Takes linear time, and some 100 bytes per tet for a
 /// while.
+/// @param material_ends where the tets have several materials, in whose order they lie: for each the number behind its
+/// last tet. No patch has tets of two, and patches follow each other as their materials do.
 /// @throws Error when a face belongs to more than two tets
-[[nodiscard]] VolumePatches greedy_patches(const TetMesh& mesh);
+[[nodiscard]] VolumePatches greedy_patches(const TetMesh& mesh, std::span<const Index> material_ends = {});
 
 }  // namespace physgen::fem

@@ -1,5 +1,6 @@
 // Loads become forces of nodes on the finest level; supports hold all levels.
 #include <fem/mesh/geometry.h>
+#include <fem/mesh/nearest_name.h>
 #include <fem/solver/load_case.h>
 #include <fem/solver/rigid_motions.h>
 #include <physgen/error.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace physgen::fem {
 
@@ -75,76 +77,156 @@ std::pair<std::vector<double>, double> shares_of(const MeshLevel& level, const M
   return {shares, sum};
 }
 
-/// Prescribes the components of a level; on the finest one, where `motion` is given, with their motion.
-void hold(const LoadCase& load_case, MeshLevel& level, std::span<const MeshGroup> groups, std::vector<Point>* motion) {
+/// The loading that each curve moves, by its number; the first is in proportion to the load.
+class Parts {
+ public:
+  Parts(const std::vector<LoadCurve>& curves, std::size_t nodes) : curves_(&curves), loadings_(curves.size() + 1) {
+    for (const LoadCurve& curve : curves) {
+      require_curve(curve);
+      if (std::ranges::count(curves, curve.name, &LoadCurve::name) > 1 || curve.name.empty()) {
+        throw Error("there are two curves '" + curve.name + "', or it has no name; give each a name of its own");
+      }
+    }
+    for (Loading& loading : loadings_) {
+      loading.motion.assign(nodes, Point{});
+      loading.forces.assign(nodes, Force{});
+    }
+  }
+
+  [[nodiscard]] std::size_t number(const std::string& curve) const {
+    if (curve.empty()) return 0;
+    const auto found = std::ranges::find(*curves_, curve, &LoadCurve::name);
+    if (found != curves_->end()) return static_cast<std::size_t>(found - curves_->begin()) + 1;
+    std::vector<std::string> names;
+    for (const LoadCurve& known : *curves_) names.push_back(known.name);
+    const std::string near = nearest_name(curve, names);
+    throw Error("there is no curve '" + curve + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
+                (near.empty() ? "; give the load case one of that name" : ""));
+  }
+  [[nodiscard]] Loading& of(const std::string& curve) { return loadings_[number(curve)]; }
+  [[nodiscard]] Loading& at(std::size_t number) { return loadings_[number]; }
+
+  [[nodiscard]] LoadHistory history() && {
+    LoadHistory history{std::move(loadings_.front()), {}};
+    for (std::size_t c = 0; c < curves_->size(); ++c) {
+      history.parts.push_back({(*curves_)[c], std::move(loadings_[c + 1])});
+    }
+    return history;
+  }
+
+ private:
+  const std::vector<LoadCurve>* curves_;
+  std::vector<Loading> loadings_;
+};
+
+/// Prescribes the components of a level; on the finest one, where `parts` are given, with their motion.
+void hold(const LoadCase& load_case, MeshLevel& level, std::span<const MeshGroup> groups, Parts* parts) {
   level.fixed.assign(level.rest.size(), 0);
-  std::vector<std::array<const Support*, 3>> holders(motion != nullptr ? level.rest.size() : 0);
+  std::vector<std::array<const Support*, 3>> holders(parts != nullptr ? level.rest.size() : 0);
   for (const Support& support : load_case.supports) {
     const auto prescribed = components_of(support);
+    const std::size_t curve = parts != nullptr ? parts->number(support.curve) : 0;
     for (const Index n : nodes_of(groups, support.group, "a support").nodes) {
       const auto at = static_cast<std::size_t>(n);
       for (std::size_t k = 0; k < 3; ++k) {
         if (!prescribed[k]) continue;
         level.fixed[at] = static_cast<std::uint8_t>(level.fixed[at] | 1U << k);
-        if (motion == nullptr) continue;
+        if (parts == nullptr) continue;
         const double value = *prescribed[k];
-        if (const Support* other = holders[at][k]; other != nullptr && (*motion)[at][k] != value) {
-          throw Error("groups '" + other->group + "' and '" + support.group + "' share node " + std::to_string(n) +
-                      " and prescribe other displacements along " + "xyz"[k] + " there, " + number((*motion)[at][k]) +
-                      " and " + number(value) + " m; leave that component free in one of them");
+        if (const Support* other = holders[at][k]; other != nullptr) {
+          const std::size_t other_curve = parts->number(other->curve);
+          const double other_value = parts->at(other_curve).motion[at][k];
+          if (other_value != value || (value != 0 && other_curve != curve)) {
+            throw Error("groups '" + other->group + "' and '" + support.group + "' share node " + std::to_string(n) +
+                        " and prescribe other displacements along " + "xyz"[k] + " there, " + number(other_value) +
+                        " and " + number(value) + " m" + (other_curve == curve ? "" : ", along other curves") +
+                        "; leave that component free in one of them");
+          }
         }
         holders[at][k] = &support;
-        (*motion)[at][k] = value;
+        parts->at(curve).motion[at][k] = value;
       }
     }
   }
 }
 
+/// Gravity of all the body, with the densities of groups.
+std::vector<Force> weights(const LoadCase& load_case, const MeshLevel& level, std::span<const MeshGroup> groups) {
+  std::vector<Force> forces = gravity_loads(level.mesh, level.rest, load_case.density, load_case.gravity);
+  for (const GroupDensity& own : load_case.densities) {
+    const MeshGroup& group = nodes_of(groups, own.group, "a density");
+    require_finite("the density of group '" + own.group + "'", {&own.density, 1});
+    if (group.tets.empty()) {
+      throw Error("group '" + own.group + "' has no tets, and a density needs them; take a group of a volume");
+    }
+    for (const Index t : group.tets) {
+      const auto& tet = level.mesh.tets[static_cast<std::size_t>(t)];
+      const double share = (own.density - load_case.density) * six_volumes(tet, level.rest) / 24;
+      for (const Index n : tet) {
+        for (std::size_t k = 0; k < 3; ++k) forces[static_cast<std::size_t>(n)][k] += share * load_case.gravity[k];
+      }
+    }
+  }
+  return forces;
+}
+
 }  // namespace
 
-Loading apply_load_case(const LoadCase& load_case, std::vector<MeshLevel>& levels,
-                        std::span<const std::vector<MeshGroup>> groups) {
+LoadHistory make_load_history(const LoadCase& load_case, std::vector<MeshLevel>& levels,
+                              std::span<const std::vector<MeshGroup>> groups) {
   if (levels.empty() || groups.size() != levels.size()) {
     throw Error("a load case takes the groups of each level: there are " + std::to_string(levels.size()) +
                 " levels and groups of " + std::to_string(groups.size()));
   }
   const MeshLevel& finest = levels.front();
-  Loading loading;
-  loading.motion.assign(finest.rest.size(), Point{});
+  Parts parts(load_case.curves, finest.rest.size());
   for (const Support& support : load_case.supports) {
     for (const auto& value : components_of(support)) {
       if (value) require_finite("a displacement of group '" + support.group + "'", {&*value, 1});
     }
   }
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    hold(load_case, levels[l], groups[l], l == 0 ? &loading.motion : nullptr);
-  }
+  for (std::size_t l = 0; l < levels.size(); ++l) hold(load_case, levels[l], groups[l], l == 0 ? &parts : nullptr);
   require_held(finest.mesh, finest.rest, finest.fixed);
 
   require_finite("the density", {&load_case.density, 1});
   require_finite("gravity", load_case.gravity);
-  loading.forces = gravity_loads(finest.mesh, finest.rest, load_case.density, load_case.gravity);
+  parts.of(load_case.gravity_curve).forces = weights(load_case, finest, groups.front());
   for (const GroupForce& load : load_case.forces) {
     const MeshGroup& group = nodes_of(groups.front(), load.group, "a force");
     require_finite("the force on group '" + load.group + "'", load.force);
     const auto [shares, sum] = shares_of(finest, group);
-    add(loading.forces, group.nodes, shares, {load.force[0] / sum, load.force[1] / sum, load.force[2] / sum});
+    add(parts.of(load.curve).forces, group.nodes, shares,
+        {load.force[0] / sum, load.force[1] / sum, load.force[2] / sum});
   }
   for (const GroupTraction& load : load_case.tractions) {
     const MeshGroup& group = faces_of(groups.front(), load.group, "a traction");
     require_finite("the traction on group '" + load.group + "'", load.traction);
-    add(loading.forces, group.nodes, surface_areas(finest.rest, group.faces), load.traction);
+    add(parts.of(load.curve).forces, group.nodes, surface_areas(finest.rest, group.faces), load.traction);
   }
   for (const GroupPressure& load : load_case.pressures) {
     const MeshGroup& group = faces_of(groups.front(), load.group, "a pressure");
     require_finite("the pressure on group '" + load.group + "'", {&load.pressure, 1});
-    const auto forces = pressure_loads(finest.rest, outward_faces(finest.mesh, group), load.pressure);
+    std::vector<Face> faces = outward_faces(finest.mesh, group);
+    Loading& part = parts.of(load.curve);
+    if (load.follows) {
+      part.pressures.push_back({std::move(faces), load.pressure});
+      continue;
+    }
+    const auto forces = pressure_loads(finest.rest, faces, load.pressure);
     for (const Index n : group.nodes) {
       const auto at = static_cast<std::size_t>(n);
-      for (std::size_t k = 0; k < 3; ++k) loading.forces[at][k] += forces[at][k];
+      for (std::size_t k = 0; k < 3; ++k) part.forces[at][k] += forces[at][k];
     }
   }
-  return loading;
+  return std::move(parts).history();
+}
+
+Loading apply_load_case(const LoadCase& load_case, std::vector<MeshLevel>& levels,
+                        std::span<const std::vector<MeshGroup>> groups) {
+  if (!load_case.curves.empty()) {
+    throw Error("a load case with curves is a history of loads; take make_load_history(), and follow() it");
+  }
+  return make_load_history(load_case, levels, groups).proportional;
 }
 
 Point reaction_of(std::span<const Index> nodes, const MeshLevel& level, std::span<const Point> forces) {

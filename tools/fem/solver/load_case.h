@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fem/mesh/groups.h>
+#include <fem/solver/load_history.h>
 #include <fem/solver/quasistatic.h>
 
 #include <array>
@@ -21,6 +22,8 @@ struct Displacement {
 struct Support {
   std::string group;
   Displacement displacement{0.0, 0.0, 0.0};
+  std::string
+      curve{};  ///< a name of LoadCase::curves, in place of growth in proportion to the load; so for all that follow
 };
 
 /// A force in all [N], shared by the areas of a group's faces at rest; where it has none, by the volumes of its tets;
@@ -28,18 +31,29 @@ struct Support {
 struct GroupForce {
   std::string group;
   Point force{};
+  std::string curve{};
 };
 
 /// A force per area at rest [Pa] on the faces of a group: its direction and the area stay as the body deforms.
 struct GroupTraction {
   std::string group;
   Point traction{};
+  std::string curve{};
 };
 
-/// A pressure [Pa] on faces of the surface, against their outward normal at rest, which stays as the body deforms.
+/// A pressure [Pa] on faces of the surface, against their outward normal: over the area and along the normal at rest,
+/// or over those that the faces come to have.
 struct GroupPressure {
   std::string group;
   double pressure = 0;
+  bool follows = false;  ///< the surface as the body deforms
+  std::string curve{};
+};
+
+/// The density of the tets of a group, in place of the body's [kg/m^3].
+struct GroupDensity {
+  std::string group;
+  double density = 0;
 };
 
 struct LoadCase {
@@ -49,14 +63,22 @@ struct LoadCase {
   std::vector<GroupPressure> pressures{};
   Point gravity{};        ///< [m/s^2]
   double density = 1000;  ///< [kg/m^3]; counts where there is gravity
+  std::vector<GroupDensity> densities{};
+  std::string gravity_curve{};
+  std::vector<LoadCurve> curves{};
 };
 
 /// Prescribes the components of all levels (MeshLevel::fixed), before a background grid is added.
 /// @param levels finest first @param groups of each level
-/// @return the motion and the forces of the finest level at a load of 1
+/// @return what the finest level is loaded with
 /// @throw Error when a group is missing, has no nodes or not the faces that a load needs; when two supports prescribe
-/// a component of a node differently; when a number is not finite; or when a part of the body is free to move as a
-/// rigid body, naming its motions
+/// a component of a node differently; when there is no such curve, or it is none; when a number is not finite; or when
+/// a part of the body is free to move as a rigid body, naming its motions
+[[nodiscard]] LoadHistory make_load_history(const LoadCase& load_case, std::vector<MeshLevel>& levels,
+                                            std::span<const std::vector<MeshGroup>> groups);
+
+/// The same of a case without curves: at a load of 1.
+/// @throw Error as make_load_history(), and when a load names a curve
 [[nodiscard]] Loading apply_load_case(const LoadCase& load_case, std::vector<MeshLevel>& levels,
                                       std::span<const std::vector<MeshGroup>> groups);
 

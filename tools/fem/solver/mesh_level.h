@@ -30,6 +30,10 @@ struct MeshLevel {
   std::vector<GridLocation> grid_parents;     ///< per node, in place of `parents` where a background grid comes next
   std::vector<Index> patch_parents;           ///< per patch: that of the next coarser level where it lies; or none
 
+  /// Where the body has several materials (SolverSettings::materials), for each the number behind its last tet: tets
+  /// lie in the order of their materials. No patch has tets of two.
+  std::vector<Index> material_ends;
+
   [[nodiscard]] bool is_grid() const { return mesh.tets.empty(); }
 };
 

@@ -1,6 +1,7 @@
 // Quasistatic equilibrium of an elastic body on linear tets: the solver as programs use it, whatever it runs on.
 #pragma once
 
+#include <fem/mesh/boundary.h>
 #include <fem/solver/assembled_stiffness.h>
 #include <fem/solver/linear_measurement.h>
 #include <fem/solver/mesh_level.h>
@@ -31,12 +32,19 @@ struct PlaneContact {
   double depth = 0;  ///< how far the surface is behind the plane at most [m]; 0 where it does not touch
 };
 
+/// A pressure that follows the surface: against the outward normal of each face as it is, over its area as it is.
+struct FollowingPressure {
+  std::vector<Face> faces;  ///< of the surface of the finest mesh; corners counter-clockwise, seen from outside
+  double pressure = 0;      ///< at a load of 1 [Pa]
+};
+
 /// The prescribed motion and the forces at the nodes of the finest mesh, at a load of 1; both grow in proportion to the
 /// load. MeshLevel::fixed says which components are prescribed.
 struct Loading {
   std::vector<Point> motion;  ///< of prescribed components from their rest positions [m]; one per node
   std::vector<Point> forces;  ///< external [N]; one per node, or none
   std::vector<RigidPlane> planes = {};
+  std::vector<FollowingPressure> pressures = {};
 };
 
 /// Positions of all levels on which equilibrium is solved, finest first: all that a solve goes on from.
@@ -64,6 +72,12 @@ class EquilibriumSolver {
   /// @return of the finest level, with the sums of all increments; when the status is not `converged`, the positions
   /// are those of the last load that was reached, load()
   virtual NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) = 0;
+
+  /// Replaces the loading, so that a load of 1 is another; the body stays where it is, and the next solve goes on from
+  /// there. Prescribed components remain those that the levels have.
+  /// @throw Error when the loading is not one of the finest mesh; when it has rigid planes, or the one before had; or
+  /// when pressures that follow the surface push other faces than before
+  virtual void set_loading(const Loading& loading) = 0;
 
   [[nodiscard]] virtual double load() const = 0;
   [[nodiscard]] virtual std::vector<Point> positions() const = 0;  ///< of the finest mesh [m]

@@ -4,6 +4,11 @@
 
 namespace physgen::fem {
 
+std::vector<ElasticConstants> constants_of(const SolverSettings& settings) {
+  if (settings.materials.empty()) return {{settings.youngs_modulus, settings.poissons_ratio}};
+  return settings.materials;
+}
+
 void add_increment(NewtonResult& total, NewtonResult result) {
   result.steps += total.steps;
   result.iterations += total.iterations;

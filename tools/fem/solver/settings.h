@@ -98,10 +98,19 @@ enum class TangentPrecision {
   float64,
 };
 
+/// The constants of an elastic material for small strain.
+struct ElasticConstants {
+  double youngs_modulus;  ///< [Pa]
+  double poissons_ratio;
+};
+
 struct SolverSettings {
   std::string material = "neo-hookean";  ///< one of material_names()
   double youngs_modulus = 1;             ///< [Pa]
   double poissons_ratio = 0.45;
+  /// Where the body has several materials, which are of one model: the constants of each, in place of these two; and
+  /// MeshLevel::material_ends says which tets have them.
+  std::vector<ElasticConstants> materials = {};
   Device device = Device::cpu;
   TangentPrecision precision = TangentPrecision::half;
   bool nested = true;  ///< equilibrium on coarser meshes first, where there are
@@ -120,6 +129,9 @@ struct SolverSettings {
   /// that makes the device's context on another thread waits for it here. What it throws ends the making.
   std::function<void()> before_device = {};
 };
+
+/// Those of each material: one or more.
+[[nodiscard]] std::vector<ElasticConstants> constants_of(const SolverSettings& settings);
 
 /// `total` becomes the result of the increment behind it, with the numbers of steps of both.
 void add_increment(NewtonResult& total, NewtonResult result);

@@ -30,7 +30,7 @@ struct ProbeState {
 };
 
 struct CaseState {
-  double load = 0;  ///< the factor of all loads and displacements
+  double load = 0;  ///< the step: the factor of all that follows no curve
   GroupState all;   ///< all nodes: reaction and load sum to what the solve has left of a residual
   std::vector<GroupState> groups;
   struct Range {

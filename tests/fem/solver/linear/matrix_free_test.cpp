@@ -51,7 +51,7 @@ Vectors element_product(Scene& scene, const Material& material) {
 template <class Material>
 void expect_equal_products(const char* name) {
   Scene scene(Volume::tets);
-  const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, 1, 0.45, false);
+  const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, {{1, 0.45}}, false);
   (void)scene.evaluate(*evaluator, scene.at);
   const Vectors assembled = product(scene, *evaluator, scene.direction);
   const Vectors by_tets = element_product(scene, Material::from(1, 0.45));
@@ -81,7 +81,7 @@ void for_each_scene(const std::function<void(Scene&, Evaluator<HostExecutor, Arr
       const bool averages = volume != Volume::tets;
       if (averages && !can_average_volume(name)) continue;
       Scene scene(volume);
-      const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, 1, 0.45, averages);
+      const auto evaluator = make_evaluator<HostExecutor, Arrays>(name, {{1, 0.45}}, averages);
       body(scene, *evaluator, name + ", " + name_of(volume));
     }
   }

@@ -13,7 +13,7 @@ void expect_that_tangents_give_the_assembled_product(const std::string& name, bo
   SCOPED_TRACE(name + (patches ? ", patches" : ", tets"));
   const Volume volume = patches ? Volume::patches : Volume::tets;
   TangentScene<Real> assembled(volume), free(volume, TangentLists::of_nodes);
-  const auto evaluator = make_evaluator<HostExecutor, typename TangentScene<Real>::Arrays>(name, 1, 0.49, patches);
+  const auto evaluator = make_evaluator<HostExecutor, typename TangentScene<Real>::Arrays>(name, {{1, 0.49}}, patches);
   for (TangentScene<Real>* scene : {&assembled, &free}) (void)scene->evaluate(*evaluator, scene->at);
   ASSERT_EQ(free.level.edges.size() + free.level.edge_stiffness.size() + free.arrays.edge_tet_entries.size(), 0);
   const Vectors expected = product(assembled, *evaluator, assembled.direction),

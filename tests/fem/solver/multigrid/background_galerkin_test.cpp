@@ -88,7 +88,7 @@ TEST(BackgroundGrid, stiffness_of_each_level_is_what_dense_products_give) {
     for (index_t n = 0; n < arrays.nodes(); ++n) {
       for (int k = 0; k < 3; ++k) arrays.positions.view()[n].x()[k] += noise(random);
     }
-    const auto evaluator = make_evaluator<HostExecutor, Arrays>("neo-hookean", 1, .45, patches);
+    const auto evaluator = make_evaluator<HostExecutor, Arrays>("neo-hookean", {{1, .45}}, patches);
     (void)evaluate_state(on, arrays, *linear[0], *evaluator, arrays.positions.const_view(), arrays.forces.view(), 0.0,
                          true);
     assemble(on, arrays, *linear[0], *evaluator, TangentFilter::none);

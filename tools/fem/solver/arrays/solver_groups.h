@@ -145,6 +145,18 @@ struct OfPlanes {
   };
 };
 
+/// Faces that pressures push which follow the surface.
+struct OfSurface {
+  struct Surface {
+    PHYSGEN_ARRAY(per("face"), input()) Array<contact::PressedFaceObject, double> faces;
+    /// The faces of each node, and those of each edge: rows of NodeTetEntry.
+    PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_face_ranges;
+    PHYSGEN_ARRAY(per("face_corner"), input()) Array<quasistatic::PackedIncidenceObject, float> node_face_entries;
+    PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_face_ranges;
+    PHYSGEN_ARRAY(per("face_corner"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_face_entries;
+  };
+};
+
 /// Inertia of a body that moves.
 struct OfInertia {
   struct Inertia {

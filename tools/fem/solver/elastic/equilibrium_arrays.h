@@ -8,6 +8,7 @@
 #include <fem/solver/elastic/ring_arrays.h>
 #include <fem/solver/elastic/tet_chunks.h>
 #include <fem/solver/hierarchy/level_counts.h>
+#include <fem/solver/loads/surface_arrays.h>
 
 #include <algorithm>
 #include <memory>
@@ -78,16 +79,19 @@ struct PatchesOver : Group {
 /// @tparam Patches PatchesOver, or NoArrays
 /// @tparam Rings RingsOver, or NoArrays
 /// @tparam Chunk with the arrays of Chunk in solver_groups.h
-template <class Real_, class Body, class Patches, class Rings, class Chunk>
+/// @tparam Surface SurfaceOver, or NoArrays
+template <class Real_, class Body, class Patches, class Rings, class Chunk, class Surface = NoArrays>
 struct EquilibriumOver : Body {
   using Real = Real_;
   using Own = Body;  ///< without what it may have besides
 
   std::vector<TetChunk> chunks;
-  Optional<Patches> patches;            ///< where volumes are averaged over them
-  Optional<Rings> rings;                ///< where volumes are averaged at nodes
-  std::shared_ptr<Chunk> chunk_arrays;  ///< meshes of one solver share them; not in bytes()
-  double spacing = 0;                   ///< the mean distance of neighbours at rest, or about that [m]
+  std::vector<MaterialRange> materials;  ///< where there are several
+  Optional<Patches> patches;             ///< where volumes are averaged over them
+  Optional<Rings> rings;                 ///< where volumes are averaged at nodes
+  Optional<Surface> surface;             ///< where pressures follow it
+  std::shared_ptr<Chunk> chunk_arrays;   ///< meshes of one solver share them; not in bytes()
+  double spacing = 0;                    ///< the mean distance of neighbours at rest, or about that [m]
   RowsOf<decltype(Body::node_tet_ranges), decltype(Body::node_tet_entries)> node_tets{this->node_tet_ranges,
                                                                                       this->node_tet_entries};
   /// Where TangentLists are of edges.
@@ -100,7 +104,8 @@ struct EquilibriumOver : Body {
   /// @param shared arrays of another mesh, which has as many tets at least; or none
   EquilibriumOver(const MeshLevel& level, const LevelGraph& graph, bool injects, TangentLists lists,
                   const std::shared_ptr<Chunk>& shared)
-      : chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Body::Space::kind))),
+      : chunks(make_tet_chunks(level.mesh, graph.edges, most_chunk_tets(Body::Space::kind), level.material_ends)),
+        materials(material_ranges(level)),
         chunk_arrays(shared),
         spacing(mean_spacing(level.mesh, level.rest)) {
     const EdgeParts parts = lists == TangentLists::of_edges ? make_edge_parts(level, graph) : EdgeParts{};
@@ -110,7 +115,8 @@ struct EquilibriumOver : Body {
     if (mesh.ring_nodes > 0) make(rings, level.mesh, mesh);
     if (shared != nullptr) return;
     chunk_arrays = std::make_shared<Chunk>();
-    chunk_arrays->allocate(chunk_counts(chunks.front().tets(), tet_count(), lists));
+    const index_t most = std::ranges::max(chunks, {}, &TetChunk::tets).tets();
+    chunk_arrays->allocate(chunk_counts(most, tet_count(), lists));
   }
 
   /// The bytes() of such arrays before they are made.
@@ -131,9 +137,23 @@ struct EquilibriumOver : Body {
 
   [[nodiscard]] index_t nodes() const { return this->rest.size(); }
   [[nodiscard]] index_t tet_count() const { return this->tets.size(); }
+  /// Calls body(m, range) for each material m.
+  template <class Visit>
+  void each_material(const Visit& visit) const {
+    if (materials.empty()) return visit(std::size_t{0}, MaterialRange{0, tet_count(), 0, this->volumes.size()});
+    for (std::size_t m = 0; m < materials.size(); ++m) visit(m, materials[m]);
+  }
+  /// The material of all tets of a chunk.
+  [[nodiscard]] std::size_t material_of(const TetChunk& chunk) const {
+    std::size_t m = 0;
+    while (m + 1 < materials.size() && materials[m].last_tet <= chunk.first_tet) ++m;
+    return m;
+  }
   /// As one chunk. @pre the tangents of all tets are kept
   [[nodiscard]] TetChunk all_tets() const { return {0, tet_count(), 0, nodes(), 0, 0}; }
-  [[nodiscard]] index_t bytes() const { return Body::bytes() + bytes_where(patches) + bytes_where(rings); }
+  [[nodiscard]] index_t bytes() const {
+    return Body::bytes() + bytes_where(patches) + bytes_where(rings) + bytes_where(surface);
+  }
 
  private:
   static auto counts(const LevelCounts& mesh, TangentLists lists) {

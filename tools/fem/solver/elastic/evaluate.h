@@ -8,9 +8,11 @@
 #include <fem/solver/elastic/patch_volume.h>
 #include <fem/solver/elastic/tet_stress.h>
 #include <fem/solver/material_split.h>
+#include <fem/solver/settings.h>
 #include <physgen/launch/reduce.h>
 
 #include <memory>
+#include <vector>
 
 namespace physgen::fem {
 
@@ -26,11 +28,16 @@ struct AddElastic {
   }
 };
 
-/// Leaves the energy of the mean volumes in quasistatic::Equilibrium.
+/// Leaves the energy of the mean volumes of a material in quasistatic::Equilibrium: adds it to that of those before.
 template <class StateView>
 struct StoreVolumetric {
   StateView state;
-  PHYSGEN_FUNCTION void operator()(double energy) const { state[index_t{0}].volumetric() = energy; }
+  bool is_first;
+  PHYSGEN_FUNCTION void operator()(double energy) const {
+    const auto s = state[index_t{0}];
+    const double before = is_first ? 0.0 : double(s.volumetric());
+    s.volumetric() = before + energy;
+  }
 };
 
 /// A material, as the solver sees it that is compiled for all of them.
@@ -54,33 +61,42 @@ class Evaluator {
   virtual void evaluate_tangents(On& on, Arrays& arrays, const TetChunk& chunk, TangentFilter filter) = 0;
   /// Evaluates stresses at the arrays' positions. @pre as many as tets
   virtual void evaluate_stress(On& on, Arrays& arrays, Stresses& stresses) = 0;
-  [[nodiscard]] virtual VolumeTerm volume() const = 0;
+  /// @param material 0 where the body has one
+  [[nodiscard]] virtual VolumeTerm volume(std::size_t material) const = 0;
 };
 
-/// The steps of a material.
+/// The steps of a material, or of several of one model, each over the tets that are of it.
 template <class Material>
 class MaterialSteps {
  public:
   /// @param averages whether volumes are averaged. @pre then the material's volume can be split off
-  MaterialSteps(const Material& material, bool averages) : material_(material) {
-    if constexpr (splits_volume<Material>) {
-      if (averages) volume_ = split_volume(material_);
-    }
+  MaterialSteps(const Material& material, bool averages) { add(material, averages); }
+  /// @throw Error when constants are out of range
+  MaterialSteps(const std::vector<ElasticConstants>& constants, bool averages) {
+    for (const ElasticConstants& c : constants) add(Material::from(c.youngs_modulus, c.poissons_ratio), averages);
   }
   template <class On, class Arrays, class Positions>
   void evaluate_volumes(On& on, Arrays& a, const Positions& positions, bool restart) {
     // Apart from the sum, in which a device forms fewer terms at once.
-    const auto evaluate = [&](const auto& kernel) {
-      on.run(a.volumes.size(), kernel);
-      on.reduce(a.volumes.size(), MeanVolumeEnergy{volume_.law, volume_.modulus, a.volumes.const_view()}, Sum{},
-                StoreVolumetric{a.state.view()});
+    const auto evaluate = [&](std::size_t m, const MaterialRange& range, const VolumeTerm& volume, const auto& kernel) {
+      on.run(range.volumes(), kernel);
+      on.reduce(range.volumes(),
+                MeanVolumeEnergy{range.first_volume, volume.law, volume.modulus, a.volumes.const_view()}, Sum{},
+                StoreVolumetric{a.state.view(), m == 0});
     };
     const auto of_patches = [&](auto& p) {
-      evaluate(EvaluatePatches{volume_.law, volume_.modulus, restart, p.patch_tets.const_view(), a.tets.const_view(),
-                               a.rest.const_view(), positions, a.volumes.view(), p.tangent.view()});
+      a.each_material([&](std::size_t m, const MaterialRange& range) {
+        const VolumeTerm& volume = volumes_[m];
+        evaluate(
+            m, range, volume,
+            EvaluatePatches{range.first_volume, volume.law, volume.modulus, restart, p.patch_tets.const_view(),
+                            a.tets.const_view(), a.rest.const_view(), positions, a.volumes.view(), p.tangent.view()});
+      });
     };
-    const auto at_nodes = [&](auto& rings) {
-      evaluate(EvaluateNodeVolumes{volume_.law, volume_.modulus, restart, a.node_tets.const_view(), a.tets.const_view(),
+    const auto at_nodes = [&](auto& rings) {  // of one material
+      const VolumeTerm& volume = volumes_[0];
+      evaluate(0, MaterialRange{0, 0, 0, a.volumes.size()}, volume,
+               EvaluateNodeVolumes{volume.law, volume.modulus, restart, a.node_tets.const_view(), a.tets.const_view(),
                                    a.rest.const_view(), positions, a.volumes.view(), rings.nodes.view(),
                                    rings.tangent.view()});
     };
@@ -90,8 +106,8 @@ class MaterialSteps {
   void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const Positions& positions) {
     with_pressures(a, [&](const auto& pressures) {
       on.reduce(chunk.tets(),
-                ComputeTetForces{chunk, material_, pressures, a.tets.const_view(), a.rest.const_view(), positions,
-                                 a.chunk_arrays->corners.view()},
+                ComputeTetForces{chunk, materials_[a.material_of(chunk)], pressures, a.tets.const_view(),
+                                 a.rest.const_view(), positions, a.chunk_arrays->corners.view()},
                 Sum{}, AddElastic{a.state.view(), chunk.is_first()});
     });
   }
@@ -99,20 +115,31 @@ class MaterialSteps {
   void evaluate_tangents(On& on, Arrays& a, const TetChunk& chunk, TangentFilter filter) {
     with_pressures(a, [&](const auto& pressures) {
       on.run(chunk.tets(),
-             ComputeTetTangents{chunk, filter, material_, pressures, a.tets.const_view(), a.rest.const_view(),
-                                a.positions.const_view(), a.chunk_arrays->tangent.view()});
+             ComputeTetTangents{chunk, filter, materials_[a.material_of(chunk)], pressures, a.tets.const_view(),
+                                a.rest.const_view(), a.positions.const_view(), a.chunk_arrays->tangent.view()});
     });
   }
   template <class On, class Arrays, class Stresses>
   void evaluate_stress(On& on, Arrays& a, Stresses& stresses) {
     with_pressures(a, [&](const auto& pressures) {
-      on.run(a.tet_count(), EvaluateStress{material_, pressures, a.tets.const_view(), a.rest.const_view(),
-                                           a.positions.const_view(), stresses.view()});
+      a.each_material([&](std::size_t m, const MaterialRange& range) {
+        on.run(range.tets(), EvaluateStress{range.first_tet, materials_[m], pressures, a.tets.const_view(),
+                                            a.rest.const_view(), a.positions.const_view(), stresses.view()});
+      });
     });
   }
-  [[nodiscard]] VolumeTerm volume() const { return volume_; }
+  [[nodiscard]] VolumeTerm volume(std::size_t material) const { return volumes_[material]; }
 
  private:
+  void add(Material material, bool averages) {
+    VolumeTerm volume;
+    if constexpr (splits_volume<Material>) {
+      if (averages) volume = split_volume(material);
+    }
+    materials_.push_back(material);
+    volumes_.push_back(volume);
+  }
+
   /// Calls body with what tells kernels of tets the pressures of mean volumes.
   template <class Arrays, class Body>
   static void with_pressures(Arrays& a, const Body& body) {
@@ -129,8 +156,8 @@ class MaterialSteps {
     body(NoMeanPressures{});
   }
 
-  Material material_;
-  VolumeTerm volume_;
+  std::vector<Material> materials_;
+  std::vector<VolumeTerm> volumes_;  ///< of each
 };
 
 template <class On, class Arrays, class Material>
@@ -140,7 +167,7 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
   using typename Evaluator<On, Arrays>::Stresses;
 
   /// See MaterialSteps.
-  MaterialEvaluator(const Material& material, bool averages) : steps_(material, averages) {}
+  MaterialEvaluator(const std::vector<ElasticConstants>& constants, bool averages) : steps_(constants, averages) {}
   void evaluate_volumes(On& on, Arrays& a, const PositionView& positions, bool restart) override {
     steps_.evaluate_volumes(on, a, positions, restart);
   }
@@ -151,7 +178,7 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
     steps_.evaluate_tangents(on, a, chunk, filter);
   }
   void evaluate_stress(On& on, Arrays& a, Stresses& stresses) override { steps_.evaluate_stress(on, a, stresses); }
-  [[nodiscard]] VolumeTerm volume() const override { return steps_.volume(); }
+  [[nodiscard]] VolumeTerm volume(std::size_t material) const override { return steps_.volume(material); }
 
  private:
   MaterialSteps<Material> steps_;
@@ -159,7 +186,8 @@ class MaterialEvaluator final : public Evaluator<On, Arrays> {
 
 /// @throw Error when constants are out of range
 template <class On, class Arrays>
-[[nodiscard]] std::unique_ptr<Evaluator<On, Arrays>> make_evaluator(const std::string& material, double youngs_modulus,
-                                                                    double poissons_ratio, bool averages);
+[[nodiscard]] std::unique_ptr<Evaluator<On, Arrays>> make_evaluator(const std::string& material,
+                                                                    const std::vector<ElasticConstants>& constants,
+                                                                    bool averages);
 
 }  // namespace physgen::fem

@@ -9,13 +9,18 @@
 namespace physgen::fem {
 
 /// Along with a step dx from the state that was evaluated last. @param dx view of elasticity::NodeDisplacement
-template <class On, class Arrays, class Displacements>
-void advance_pressures(On& on, Arrays& a, const VolumeTerm& volume, const Displacements& dx) {
+/// @param evaluator of these arrays
+template <class On, class Arrays, class Evaluate, class Displacements>
+void advance_pressures(On& on, Arrays& a, const Evaluate& evaluator, const Displacements& dx) {
   const auto of_patches = [&](auto& p) {
-    on.run(a.volumes.size(), AdvancePatches{volume.law, volume.modulus, a.volumes.view(), p.nodes.const_view(),
-                                            p.tangent.const_view(), dx});
+    a.each_material([&](std::size_t m, const MaterialRange& range) {
+      const VolumeTerm volume = evaluator.volume(m);
+      on.run(range.volumes(), AdvancePatches{range.first_volume, volume.law, volume.modulus, a.volumes.view(),
+                                             p.nodes.const_view(), p.tangent.const_view(), dx});
+    });
   };
   const auto at_nodes = [&](auto& rings) {
+    const VolumeTerm volume = evaluator.volume(0);
     on.run(a.volumes.size(),
            AdvanceNodeVolumes{volume.law, volume.modulus, a.volumes.view(), rings.nodes.const_view(), dx});
   };

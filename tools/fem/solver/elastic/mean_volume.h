@@ -73,12 +73,13 @@ PHYSGEN_FUNCTION inline void advance(VolumeLaw law, Scalar modulus, Scalar chang
 template <class MeanVolumeView>
 struct MeanVolumeEnergy {
   using Scalar = typename MeanVolumeView::Precision;
+  index_t first;  ///< volume of this material
   VolumeLaw law;
   Scalar modulus;          ///< lambda or kappa [Pa]
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume
 
-  PHYSGEN_FUNCTION Scalar operator()(index_t v) const {
-    const auto mean = volumes[v];
+  PHYSGEN_FUNCTION Scalar operator()(index_t i) const {
+    const auto mean = volumes[first + i];
     const Scalar pressure = mean.pressure();
     const Scalar stress = law == VolumeLaw::logarithmic ? pressure * Scalar(mean.ratio()) : pressure;
     return modulus != Scalar(0) ? Scalar(0.5) * Scalar(mean.volume()) * stress * (stress / modulus) : Scalar(0);

@@ -12,6 +12,7 @@ namespace physgen::fem {
 template <class PatchTets, class TetView, class RestView, class PositionView, class MeanVolumeView, class TangentView>
 struct EvaluatePatches {
   using Scalar = typename MeanVolumeView::Precision;
+  index_t first;  ///< patch of this material
   VolumeLaw law;
   Scalar modulus;          ///< lambda or kappa [Pa]
   bool restart;            ///< the linearised pressure begins anew, at that of the forces
@@ -22,7 +23,8 @@ struct EvaluatePatches {
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume, of which `linearised` is read unless restart; written
   TangentView tangent;     ///< quasistatic::PatchTangent, written
 
-  PHYSGEN_FUNCTION void operator()(index_t p) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    const index_t p = first + i;
     using Real = typename TangentView::Precision;
     const auto g = tangent[p].g();
     g.setZero();
@@ -55,6 +57,7 @@ struct EvaluatePatches {
 template <class MeanVolumeView, class NodesView, class TangentView, class DisplacementView>
 struct AdvancePatches {
   using Scalar = typename MeanVolumeView::Precision;
+  index_t first;  ///< patch of this material
   VolumeLaw law;
   Scalar modulus;                  ///< lambda or kappa [Pa]
   MeanVolumeView volumes;          ///< quasistatic::MeanVolume
@@ -62,7 +65,8 @@ struct AdvancePatches {
   TangentView tangent;             ///< quasistatic::PatchTangent
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: dx
 
-  PHYSGEN_FUNCTION void operator()(index_t p) const {
+  PHYSGEN_FUNCTION void operator()(index_t i) const {
+    const index_t p = first + i;
     Scalar change = 0;  // g . dx
     const auto names = nodes[p].nodes();
     const auto g = tangent[p].g();

@@ -1,6 +1,8 @@
 #include <fem/solver/elastic/tet_chunks.h>
+#include <physgen/error.h>
 
 #include <algorithm>
+#include <string>
 
 namespace physgen::fem {
 
@@ -9,11 +11,33 @@ index_t most_chunk_tets(SpaceKind space) {
   return space == SpaceKind::cuda ? index_t{1} << 18 : index_t{1} << 14;
 }
 
-std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges, index_t most) {
+std::vector<MaterialRange> material_ranges(const MeshLevel& level) {
+  std::vector<MaterialRange> ranges;
+  index_t tet = 0, volume = 0;
+  for (const Index end : level.material_ends) {
+    MaterialRange& range = ranges.emplace_back(MaterialRange{tet, end, volume, volume});
+    for (; tet < end && !level.patches.nodes.empty(); ++tet) {
+      const index_t patch = level.patches.tet_patch[static_cast<std::size_t>(tet)];
+      if (patch < volume) {
+        throw Error("patch " + std::to_string(patch) + " has tet " + std::to_string(tet) +
+                    " and one of another material; make patches by greedy_patches(mesh, material_ends)");
+      }
+      range.last_volume = std::max(range.last_volume, patch + 1);
+    }
+    tet = end;
+    volume = range.last_volume;
+  }
+  return ranges;
+}
+
+std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges, index_t most,
+                                      std::span<const Index> material_ends) {
   const auto tets = static_cast<index_t>(mesh.tets.size());
   std::vector<TetChunk> chunks;
-  for (index_t first = 0; first < tets; first += most) {
-    const index_t last = std::min(first + most, tets);
+  index_t last = 0;
+  for (index_t first = 0; first < tets; first = last) {
+    const auto material = std::ranges::upper_bound(material_ends, static_cast<Index>(first));
+    last = std::min(first + most, material == material_ends.end() ? tets : index_t{*material});
     if (first == 0) {
       chunks.push_back({first, last, 0, mesh.nodes, 0, static_cast<index_t>(edges.size())});
       continue;

@@ -2,7 +2,7 @@
 // the mesh, and on CUDA stays in the cache.
 #pragma once
 
-#include <fem/mesh/mesh.h>
+#include <fem/solver/mesh_level.h>
 #include <physgen/config.h>
 #include <physgen/memory/space.h>
 
@@ -25,12 +25,25 @@ struct TetChunk {
   [[nodiscard]] PHYSGEN_FUNCTION bool has(index_t tet) const { return first_tet <= tet && tet < last_tet; }
 };
 
+/// The tets of one material, and the patches over which their volumes are averaged. Half-open.
+struct MaterialRange {
+  index_t first_tet, last_tet;
+  index_t first_volume, last_volume;
+
+  [[nodiscard]] index_t tets() const { return last_tet - first_tet; }
+  [[nodiscard]] index_t volumes() const { return last_volume - first_volume; }
+};
+/// Those of a level; none where the body has one material.
+/// @throw Error when a patch has tets of two, or patches do not follow each other as their materials do
+[[nodiscard]] std::vector<MaterialRange> material_ranges(const MeshLevel& level);
+
 /// Tets in a chunk: on CUDA enough to fill the device, on the CPU few enough for its caches.
 [[nodiscard]] index_t most_chunk_tets(SpaceKind space);
 
 /// @param edges (m, n), m < n, ascending: of the level, to which the mesh's belong
 /// @param most tets in a chunk, above 0
+/// @param material_ends as MeshLevel has them: no chunk has tets of two materials
 [[nodiscard]] std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges,
-                                                    index_t most);
+                                                    index_t most, std::span<const Index> material_ends = {});
 
 }  // namespace physgen::fem

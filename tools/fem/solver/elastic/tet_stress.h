@@ -9,6 +9,7 @@ namespace physgen::fem {
 template <class Material, class Pressures, class TetView, class RestView, class PositionView, class StressView>
 struct EvaluateStress {
   using Scalar = typename StressView::Precision;
+  index_t first;           ///< tet of this material
   Material material;       ///< in Scalar
   Pressures pressures;     ///< NoMeanPressures, PatchPressures or NodePressures
   TetView tets;            ///< elasticity::Tet
@@ -18,15 +19,16 @@ struct EvaluateStress {
 
   PHYSGEN_FUNCTION void operator()(index_t i) const {
     using S = Scalar;
-    const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, i);
+    const index_t t = first + i;
+    const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Pressures::averages) {
-      const S pressure = pressures.template of<S>(i).pressure;
+      const S pressure = pressures.template of<S>(t).pressure;
       g = detail::with_pressure<S>(g, pressure, tet.f.s);
     }
     Matrix3<S> ug;  // U diag(g)
     for (int c = 0; c < 3; ++c) ug.col(c) = tet.f.U.col(c) * g[c];
-    stresses[i].P() = multiply_transpose<S>(ug, tet.f.V);
+    stresses[t].P() = multiply_transpose<S>(ug, tet.f.V);
   }
 };
 

@@ -7,20 +7,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace physgen::fem {
 
 /// Stores motion [m] and forces [N] at a load of 1. @param a a group with the arrays `motion` and `loads`
-/// @param forces one per node, or none
+/// @param fixed per node: bit k is set where component k is prescribed @param forces one per node, or none
 template <class Arrays>
-void store_loading(Arrays& a, const MeshLevel& level, const std::vector<Point>& motion,
+void store_loading(Arrays& a, std::span<const std::uint8_t> fixed, const std::vector<Point>& motion,
                    const std::vector<Point>& forces) {
   put_each(a.motion, [&](index_t n, auto&& node) {
     for (int k = 0; k < 3; ++k) {
-      const bool fixed = (level.fixed[std::size_t(n)] >> k & 1) != 0;
-      node.dx()[k] = fixed ? motion[std::size_t(n)][std::size_t(k)] : 0.0;
+      const bool is_fixed = (fixed[std::size_t(n)] >> k & 1) != 0;
+      node.dx()[k] = is_fixed ? motion[std::size_t(n)][std::size_t(k)] : 0.0;
     }
   });
   put_each(a.loads, [&](index_t n, auto&& node) {
@@ -28,13 +29,37 @@ void store_loading(Arrays& a, const MeshLevel& level, const std::vector<Point>& 
   });
 }
 
+/// The prescribed components of a level's nodes, as MeshLevel::fixed has them.
+template <class On, class Constraints>
+[[nodiscard]] std::vector<std::uint8_t> plain_constraints(On& on, const Constraints& constraints) {
+  on.wait();
+  const auto host = moved_to<quasistatic::NodeConstraintArray<typename Constraints::Precision>>(constraints);
+  std::vector<std::uint8_t> fixed(std::size_t(host.size()));
+  for (index_t n = 0; n < host.size(); ++n) {
+    const int bits = host.const_view()[n].fixed();
+    fixed[std::size_t(n)] = static_cast<std::uint8_t>(bits);
+  }
+  return fixed;
+}
+/// The parents of a level's nodes, as MeshLevel::parents has them.
+template <class On, class Parents>
+[[nodiscard]] std::vector<std::array<Index, 2>> plain_parents(On& on, const Parents& parents) {
+  on.wait();
+  const auto host = moved_to<quasistatic::NodeParentsArray<typename Parents::Precision>>(parents);
+  std::vector<std::array<Index, 2>> plain(std::size_t(host.size()));
+  for (index_t n = 0; n < host.size(); ++n) {
+    for (int k = 0; k < 2; ++k) plain[std::size_t(n)][std::size_t(k)] = host.const_view()[n].nodes()[k];
+  }
+  return plain;
+}
+
 /// Motion of nodes that coincide, and forces shared by the parents.
-inline void coarsen_loading(const MeshLevel& fine, Index coarse_nodes, std::vector<Point>& motion,
-                            std::vector<Point>& forces) {
+inline void coarsen_loading(std::span<const std::array<Index, 2>> parents, Index coarse_nodes,
+                            std::vector<Point>& motion, std::vector<Point>& forces) {
   const auto size = static_cast<std::size_t>(coarse_nodes);
   std::vector<Point> coarse_motion(size, Point{}), coarse_forces(forces.empty() ? 0 : size, Point{});
-  for (std::size_t n = 0; n < fine.parents.size(); ++n) {
-    const auto [p, q] = fine.parents[n];
+  for (std::size_t n = 0; n < parents.size(); ++n) {
+    const auto [p, q] = parents[n];
     if (p == q) coarse_motion[static_cast<std::size_t>(p)] = motion[n];
     if (forces.empty()) continue;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -21,6 +21,10 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluate& evaluator, const 
     on.run(chunk.nodes(), SumForces{chunk, at.load, a.node_tets.const_view(), a.chunk_arrays->corners.const_view(),
                                     a.loads.const_view(), forces});
   }
+  where(a.surface, [&](auto& surface) {
+    on.run(a.nodes(),
+           AddPressures{at.load, surface.node_faces.const_view(), surface.faces.const_view(), positions, forces});
+  });
   const auto measure = [&](const auto& planes, const auto& inertia) {
     on.reduce(a.nodes(),
               MeasureForces{at.load, a.loads.const_view(), level.constraints.const_view(), a.rest.const_view(),
@@ -31,6 +35,11 @@ auto evaluate_state(On& on, Arrays& a, Level& level, Evaluate& evaluator, const 
     if (!where(level.planes, [&](auto& planes) { measure(planes.at(at), inertia); })) measure(NoPlanes{}, inertia);
   };
   if (!where(level.inertia, [&](auto& own) { measure_with(own.at_step()); })) measure_with(NoInertia{});
+  where(a.surface, [&](auto& surface) {
+    on.reduce(surface.faces.size(),
+              PressurePotential{at.load, surface.centre, surface.faces.const_view(), a.rest.const_view(), positions},
+              Sum{}, AddPressurePotential{state});
+  });
   on.reduce(a.tet_count(), VolumeRatio{a.tets.const_view(), a.rest.const_view(), positions}, Min{},
             StoreSmallestRatio{state});
   return on.value(a.state);

@@ -44,7 +44,7 @@ template <class On, class Arrays, class Level, class Vectors, class Evaluate, cl
               Sum{}, StoreWork{a.state.view()});
     const double work = on.value(a.state).work;
     if (step.halvings == 0) {
-      advance_pressures(on, a, evaluator.volume(), v.step.const_view());
+      advance_pressures(on, a, evaluator, v.step.const_view());
     } else {
       shorten_pressures(on, a, length);
     }

@@ -16,8 +16,9 @@
 namespace physgen::fem {
 
 /// The stiffness of a level at the arrays' positions. @pre they are those of the last evaluate_state()
+/// @param load of pressures that follow the surface; a tangent that is filtered is one without them
 template <class On, class Arrays, class Level, class Evaluate>
-void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter) {
+void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter, double load = 0) {
   const auto edges = level.edge_stiffness.view();
   for (const TetChunk& chunk : a.chunks) {
     evaluator.evaluate_tangents(on, a, chunk, filter);
@@ -31,6 +32,11 @@ void assemble(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilte
   where(a.rings, [&](auto& rings) {
     on.run(level.edge_count(), AddNodeVolumeStiffness{level.edges.const_view(), rings.nodes.const_view(),
                                                       rings.tangent.const_view(), edges});
+  });
+  where(a.surface, [&](auto& surface) {
+    if (filter != TangentFilter::none) return;
+    on.run(level.edge_count(), AddPressureStiffness{load, surface.edge_faces.const_view(), level.edges.const_view(),
+                                                    surface.faces.const_view(), a.positions.const_view(), edges});
   });
   on.run(level.nodes(), SumNodeStiffness{level.node_edges.const_view(), level.edge_stiffness.const_view(),
                                          level.node_stiffness.view()});
@@ -58,7 +64,7 @@ template <class On, class Arrays, class Level, class Evaluate>
 void form_tangent(On& on, Arrays& a, Level& level, Evaluate& evaluator, TangentFilter filter, const AtLoad& at) {
   if (!level.assembled) return evaluator.evaluate_tangents(on, a, a.all_tets(), filter);
   if constexpr (Level::Choices::assembled) {
-    assemble(on, a, level, evaluator, filter);
+    assemble(on, a, level, evaluator, filter, at.load);
     const auto stiffness = level.node_stiffness.view();
     where(level.planes, [&](auto& planes) {
       on.run(a.nodes(), AddPlaneStiffness{planes.at(at), a.positions.const_view(), level.constraints.const_view(),

@@ -14,7 +14,7 @@ namespace fem = physgen::fem;
 
 /// Equilibrium and motion of a body with every choice that there is: volumes of tets, patches or nodes; products
 /// assembled or by tets; each preconditioner, on meshes and background grids, stored as computed or in half; rigid
-/// planes; and inertia.
+/// planes; pressures that follow the surface; and inertia.
 struct PHYSGEN_SCENE() everything : fem::groups::OfBody,
                                     fem::groups::OfPatches,
                                     fem::groups::OfRings,
@@ -22,20 +22,21 @@ struct PHYSGEN_SCENE() everything : fem::groups::OfBody,
                                     fem::groups::OfLevel,
                                     fem::groups::OfSchwarz,
                                     fem::groups::OfPlanes,
+                                    fem::groups::OfSurface,
                                     fem::groups::OfInertia,
                                     fem::groups::OfKrylov,
                                     fem::groups::OfStresses {
   using Real = fem::groups::Real;
 
   template <class On, class Body, class Patches, class Rings, class Chunk, class Level, class Schwarz, class Planes,
-            class Inertia, class Krylov, class Stresses>
+            class Surface, class Inertia, class Krylov, class Stresses>
   static void program(On& on, Body& body, Patches& patches, Rings& rings, Chunk& chunk, Level& level, Schwarz& schwarz,
-                      Planes& planes, Inertia& inertia, Krylov& krylov, Stresses& stresses,
+                      Planes& planes, Surface& surface, Inertia& inertia, Krylov& krylov, Stresses& stresses,
                       const fem::StableNeoHookean<double>& material, const fem::SolverSettings& settings,
                       fem::MeshFacts& facts, const fem::TimeStep& step) {
     auto solver = fem::solver_program<Real, fem::StoredInHalf, fem::AnyChoice>(
         on, settings, material, facts,
-        fem::SolverGroups{body, patches, rings, chunk, level, schwarz, planes, inertia, krylov});
+        fem::SolverGroups{body, patches, rings, chunk, level, schwarz, planes, surface, inertia, krylov});
     (void)solver.solve_to(1, {});
     solver.evaluate_stresses(1, stresses.of_tets);
     (void)solver.plane_contacts_of(0);

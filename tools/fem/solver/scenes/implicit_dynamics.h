@@ -32,7 +32,7 @@ struct PHYSGEN_SCENE() implicit_dynamics : fem::groups::OfBody,
     fem::NoArrays none;
     auto solver = fem::solver_program<Real, fem::StoredAsComputed, fem::AssembledOnMeshes>(
         on, settings, material, facts,
-        fem::SolverGroups{body, patches, none, chunk, level, none, none, inertia, krylov});
+        fem::SolverGroups{body, patches, none, chunk, level, none, none, none, inertia, krylov});
     const fem::NewtonResult result = solver.step(step);
     (void)solver.motion();
     return result;

@@ -28,7 +28,8 @@ struct PHYSGEN_SCENE() quasistatic : fem::groups::OfBody,
                       const fem::SolverSettings& settings, fem::MeshFacts& facts) {
     fem::NoArrays none;
     auto solver = fem::solver_program<Real, fem::StoredAsComputed, fem::AssembledOnMeshes>(
-        on, settings, material, facts, fem::SolverGroups{body, patches, none, chunk, level, none, none, none, krylov});
+        on, settings, material, facts,
+        fem::SolverGroups{body, patches, none, chunk, level, none, none, none, none, krylov});
     (void)solver.solve_to(1, {});
     solver.evaluate_stresses(1, stresses.of_tets);
   }

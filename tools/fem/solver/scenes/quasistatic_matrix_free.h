@@ -27,7 +27,8 @@ struct PHYSGEN_SCENE() quasistatic_matrix_free : fem::groups::OfBody,
                       const fem::SolverSettings& settings, fem::MeshFacts& facts) {
     fem::NoArrays none;
     auto solver = fem::solver_program<Real, fem::StoredAsComputed, fem::ByTets>(
-        on, settings, material, facts, fem::SolverGroups{body, patches, none, chunk, level, none, none, none, krylov});
+        on, settings, material, facts,
+        fem::SolverGroups{body, patches, none, chunk, level, none, none, none, none, krylov});
     (void)solver.solve_to(1, {});
     solver.evaluate_stresses(1, stresses.of_tets);
   }

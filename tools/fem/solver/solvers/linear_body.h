@@ -35,7 +35,7 @@ void fill_linear_body(Body& body, const MeshLevel& level, const LevelGraph& grap
     put_packed<EdgeTetEntry>(body.edge_tet_ranges, body.edge_tets, make_edge_parts(level, graph).edge_tets, tets,
                              "tets");
   }
-  store_loading(body, level, loading.motion, loading.forces);
+  store_loading(body, level.fixed, loading.motion, loading.forces);
 }
 
 }  // namespace physgen::fem

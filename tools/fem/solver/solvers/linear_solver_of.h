@@ -42,6 +42,12 @@ class LinearSolverOf final : public EquilibriumSolver {
     return result;
   }
 
+  void set_loading(const Loading& loading) override {
+    require_next_loading(loading, rest_.size(), false, {});
+    store_loading(body_, plain_constraints(*on_, linear_[0]->constraints), loading.motion, loading.forces);
+    synchronize();
+  }
+
   [[nodiscard]] double load() const override { return load_; }
   [[nodiscard]] std::vector<Point> positions() const override {
     std::vector<Point> x = plain_displacements(*on_, body_.displacements);

@@ -10,14 +10,13 @@
 namespace physgen::fem {
 
 template <class On, class Arrays>
-std::unique_ptr<Evaluator<On, Arrays>> make_evaluator(const std::string& material, double youngs_modulus,
-                                                      double poissons_ratio, bool averages) {
+std::unique_ptr<Evaluator<On, Arrays>> make_evaluator(const std::string& material,
+                                                      const std::vector<ElasticConstants>& constants, bool averages) {
   std::unique_ptr<Evaluator<On, Arrays>> made;
   for_each_material([&]<class Material>(const char* name) {
     if (material != name) return;
     if (averages && !splits_volume<Material>) refuse_averages(material);
-    made = std::make_unique<MaterialEvaluator<On, Arrays, Material>>(Material::from(youngs_modulus, poissons_ratio),
-                                                                     averages);
+    made = std::make_unique<MaterialEvaluator<On, Arrays, Material>>(constants, averages);
   });
   if (made == nullptr) refuse_material(material);
   return made;

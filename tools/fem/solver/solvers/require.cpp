@@ -66,6 +66,44 @@ void require_single_range(const MeshLevel& level, const SolverSettings& settings
               " m is out of range for float: take double precision, or units in which both are nearer to 1");
 }
 
+void require_materials(const std::vector<MeshLevel>& levels, const SolverSettings& settings) {
+  for (const ElasticConstants& constants : constants_of(settings)) {
+    SolverSettings one = settings;
+    one.youngs_modulus = constants.youngs_modulus;
+    require_single_range(levels.front(), one);
+  }
+  const std::size_t count = settings.materials.size();
+  if (count > 0 && settings.newton.product == Product::matrix_free) {
+    throw Error("several materials require the assembled product; take it, or give the body one material");
+  }
+  for (std::size_t l = 0; l < levels.size() && !levels[l].is_grid(); ++l) {
+    const std::vector<Index>& ends = levels[l].material_ends;
+    const std::string where = "level " + std::to_string(l) + ": ";
+    if (ends.size() != count) {
+      throw Error(where + "its tets have " + std::to_string(ends.size()) + " materials, and the settings have " +
+                  std::to_string(count) + "; give the same number");
+    }
+    if (count == 0) continue;
+    if (!std::ranges::is_sorted(ends) || ends.front() < 0 ||
+        ends.back() != static_cast<Index>(levels[l].mesh.tets.size())) {
+      throw Error(where + "the ends of materials among its " + std::to_string(levels[l].mesh.tets.size()) +
+                  " tets must ascend to that number");
+    }
+    if (levels[l].averages_at_nodes) {
+      throw Error(where + "volumes averaged at nodes would mix the materials around a node; average them over patches");
+    }
+  }
+}
+
+SolverSettings with_largest(SolverSettings settings) {
+  for (std::size_t m = 0; m < settings.materials.size(); ++m) {
+    const auto& [young, poisson] = settings.materials[m];
+    settings.youngs_modulus = m == 0 ? young : std::max(settings.youngs_modulus, young);
+    settings.poissons_ratio = m == 0 ? poisson : std::max(settings.poissons_ratio, poisson);
+  }
+  return settings;
+}
+
 namespace {
 
 /// @param what "the external force": of node 7 it is (nan, 0, 0)
@@ -101,11 +139,52 @@ void require_vectors(const std::string& what, std::span<const Point> vectors, st
   require_finite(what, vectors);
 }
 
-void require_loading(const MeshLevel& level, const Loading& loading) {
-  const auto nodes = static_cast<std::size_t>(level.mesh.nodes);
+namespace {
+
+void require_loading(std::size_t nodes, const Loading& loading) {
   require_vectors("the motion of prescribed components", loading.motion, nodes);
   if (!loading.forces.empty()) require_vectors("the external force", loading.forces, nodes);
   require_planes(loading.planes);
+  for (std::size_t p = 0; p < loading.pressures.size(); ++p) {
+    const FollowingPressure& pressure = loading.pressures[p];
+    const std::string which = "pressure " + std::to_string(p) + " that follows the surface ";
+    if (!std::isfinite(pressure.pressure)) {
+      throw Error(which + "is " + number(pressure.pressure) + " and must be a finite number [Pa]");
+    }
+    for (const Face& face : pressure.faces) {
+      for (const Index node : face) {
+        if (node >= 0 && static_cast<std::size_t>(node) < nodes) continue;
+        throw Error(which + "pushes a face with node " + std::to_string(node) + " of " + std::to_string(nodes) +
+                    "; give faces of the mesh's surface");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void require_loading(const MeshLevel& level, const Loading& loading) {
+  require_loading(static_cast<std::size_t>(level.mesh.nodes), loading);
+}
+
+std::vector<Face> pressed_nodes(const std::vector<FollowingPressure>& pressures) {
+  std::vector<Face> faces;
+  for (const FollowingPressure& pressure : pressures) {
+    faces.insert(faces.end(), pressure.faces.begin(), pressure.faces.end());
+  }
+  return faces;
+}
+
+void require_next_loading(const Loading& loading, std::size_t nodes, bool had_planes, const std::vector<Face>& faces) {
+  require_loading(nodes, loading);
+  if (had_planes || !loading.planes.empty()) {
+    throw Error("a loading with rigid planes cannot be replaced, nor can it replace one; make another solver");
+  }
+  if (pressed_nodes(loading.pressures) != faces) {
+    throw Error(
+        "pressures that follow the surface push other faces than those of the loading that is replaced; give "
+        "the same faces, those without pressure with 0 Pa, or make another solver");
+  }
 }
 
 void refuse_cuda() { throw Error("this build has no CUDA: configure it with -DPHYSGEN_CUDA=ON, or solve on the CPU"); }
@@ -147,6 +226,10 @@ void require_plain(const char* who, const MeshLevel& level, const Loading& loadi
     throw Error(std::string(who) + " cannot have rigid planes; prescribe the motion of nodes");
   if (!level.patches.nodes.empty() || level.averages_at_nodes) {
     throw Error(std::string(who) + " takes the change of volume tet by tet; do not average volumes");
+  }
+  if (!level.material_ends.empty()) throw Error(std::string(who) + " has one material; give the body one");
+  if (!loading.pressures.empty()) {
+    throw Error(std::string(who) + " cannot have pressures that follow the surface; give them as forces at rest");
   }
 }
 

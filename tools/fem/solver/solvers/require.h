@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace physgen::fem {
 
@@ -16,10 +17,22 @@ void require_positive(const std::string& what, double value);
 void require_rest(std::size_t l, const MeshLevel& level);
 /// @throw Error where a tangent in single precision would overflow or vanish for that modulus and the level's tets
 void require_single_range(const MeshLevel& level, const SolverSettings& settings);
-/// @throw Error when there is not a finite vector per node, or a plane is none
+/// @throw Error naming what is wrong with materials and the tets that have them
+void require_materials(const std::vector<MeshLevel>& levels, const SolverSettings& settings);
+/// Of several materials the largest constants, for what is told from them: how much rounding makes of forces, and the
+/// stiffness of planes.
+[[nodiscard]] SolverSettings with_largest(SolverSettings settings);
+/// @throw Error when there is not a finite vector per node, or a plane is none; when a pressure is not finite, or
+/// pushes a face of other nodes
 void require_loading(const MeshLevel& level, const Loading& loading);
 
-/// As require_loading(), of solvers that have neither rigid planes nor averaged volumes. @param who "linear elasticity"
+/// The faces that pressures push, one after the other.
+[[nodiscard]] std::vector<Face> pressed_nodes(const std::vector<FollowingPressure>& pressures);
+/// @param faces that the loading before pushed @throw Error as EquilibriumSolver::set_loading()
+void require_next_loading(const Loading& loading, std::size_t nodes, bool had_planes, const std::vector<Face>& faces);
+
+/// As require_loading(), of solvers that have neither rigid planes, averaged volumes, several materials nor pressures
+/// that follow the surface. @param who "linear elasticity"
 void require_plain(const char* who, const MeshLevel& level, const Loading& loading);
 /// @throw Error naming what is wrong with density or damping
 void require_motion(const DynamicSettings& settings);

@@ -52,7 +52,7 @@ struct SceneTypes : Arrays_ {
   using Material = MaterialSteps<typename Arrays_::Law>;
 
   [[nodiscard]] static std::unique_ptr<Material> make_material(const SolverSettings& settings, bool averages) {
-    return std::make_unique<Material>(Arrays_::Law::from(settings.youngs_modulus, settings.poissons_ratio), averages);
+    return std::make_unique<Material>(constants_of(settings), averages);
   }
 };
 

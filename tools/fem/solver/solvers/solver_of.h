@@ -45,11 +45,19 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
   SolverOf(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings)
       : Nested(levels, loading, settings) {
     reached_ = loading.planes.empty();  // planes may push at rest
+    has_planes_ = !loading.planes.empty();
+    faces_ = pressed_nodes(loading.pressures);
     on_->wait();
   }
 
   NewtonResult solve_to(double load, const std::function<void(std::size_t, const NewtonStep&)>& report) override {
     return Nested::solve_to(load, report);
+  }
+
+  void set_loading(const Loading& loading) override {
+    require_next_loading(loading, nodes(), has_planes_, faces_);
+    Nested::replace_loading(loading);
+    reached_ = false;
   }
 
   [[nodiscard]] double load() const override { return load_; }
@@ -116,6 +124,8 @@ class SolverOf final : public QuasistaticSolver, private NestedNewton<On, Types>
   }
 
  private:
+  bool has_planes_ = false;
+  std::vector<Face> faces_;  ///< that pressures push
   [[nodiscard]] std::size_t nodes() const { return static_cast<std::size_t>(arrays_.front()->nodes()); }
 };
 

@@ -4,6 +4,7 @@
 
 #include <fem/solver/arrays/host_points.h>
 #include <fem/solver/loads/loading_arrays.h>
+#include <fem/solver/loads/pressed_faces.h>
 #include <fem/solver/newton/newton.h>
 #include <fem/solver/preconditioners/make_linear_levels.h>
 #include <fem/solver/quasistatic.h>
@@ -70,6 +71,21 @@ class SolverParts {
     synchronize();
   }
 
+  /// @pre require_loading(), and no planes
+  void replace_loading(const Loading& loading) {
+    std::vector<Point> motion = loading.motion, forces = loading.forces;
+    std::vector<PressedFace> faces = pressed_faces(loading.pressures);
+    for (std::size_t l = 0; l < solved_; ++l) {
+      store_loading(*arrays_[l], plain_constraints(*on_, linear_[l]->constraints), motion, forces);
+      where(arrays_[l]->surface, [&](auto& surface) { surface.store(faces); });
+      if (l + 1 == solved_) break;
+      const auto parents = plain_parents(*on_, linear_[l]->parents);
+      coarsen_loading(parents, static_cast<Index>(arrays_[l + 1]->nodes()), motion, forces);
+      if (!faces.empty()) faces = coarser_faces(faces, parents);
+    }
+    synchronize();
+  }
+
   SolverSettings settings_;
   std::unique_ptr<On> own_on_;
   On* on_;
@@ -93,6 +109,7 @@ class SolverParts {
         solved_(used.solved) {
     const TangentLists lists = tangent_lists<Space>(settings.newton);
     std::vector<Point> motion = loading.motion, forces = loading.forces;
+    std::vector<PressedFace> faces = pressed_faces(loading.pressures);
     for (std::size_t l = 0; l < used.levels.size(); ++l) {
       const MeshLevel& level = used.levels[l];
       if (l < solved_) {
@@ -104,7 +121,8 @@ class SolverParts {
         stage.moves(level.mesh.tets, level.mesh.node_tets.entries, level.mesh.edge_tets.entries);
         stage.moves_bytes(arrays_.back()->bytes() + vectors_.back()->bytes());
         loops_.emplace_back();
-        store_loading(*arrays_.back(), level, motion, forces);
+        store_loading(*arrays_.back(), level.fixed, motion, forces);
+        if (!faces.empty()) make(arrays_.back()->surface, level, used.graphs[l], faces);
         rounding_forces_.push_back(
             rounding_force(settings, level, motion, !loading.planes.empty(), arrays_.back()->spacing));
         moves_.push_back(std::ranges::any_of(level.fixed, [](std::uint8_t fixed) { return fixed != 0; }) ||
@@ -112,7 +130,9 @@ class SolverParts {
         all_prescribed_.push_back(std::ranges::all_of(level.fixed, [](std::uint8_t fixed) { return fixed == 7; }));
       }
       if (!loading.planes.empty() && !level.is_grid()) make_planes(l, level, loading.planes);
-      if (l + 1 < solved_) coarsen_loading(level, used.levels[l + 1].mesh.nodes, motion, forces);
+      if (l + 1 >= solved_) continue;
+      coarsen_loading(level.parents, used.levels[l + 1].mesh.nodes, motion, forces);
+      if (!faces.empty()) faces = coarser_faces(faces, level.parents);
     }
   }
 

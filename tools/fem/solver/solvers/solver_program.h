@@ -27,7 +27,7 @@ struct EachGroup<std::vector<Group>> {
 /// group, or a vector of them, finest first, on the first of which equilibrium is solved; so is inertia, which then has
 /// a group for each level.
 template <class Body_, class Patches_, class Rings_, class Chunk_, class Level_, class Extra_, class Planes_,
-          class Inertia_, class Krylov_>
+          class Surface_, class Inertia_, class Krylov_>
 struct SolverGroups {
   using Body = Body_;
   using Patches = Patches_;
@@ -37,6 +37,7 @@ struct SolverGroups {
   using Level = typename detail::EachGroup<Level_>::type;
   using Extra = Extra_;
   using Planes = Planes_;
+  using Surface = Surface_;
   using Inertias = Inertia_;
   using Inertia = typename detail::EachGroup<Inertia_>::type;
   using Krylov = Krylov_;
@@ -47,6 +48,7 @@ struct SolverGroups {
   Levels& levels;
   Extra& extra;
   Planes& planes;
+  Surface& surface;
   Inertias& inertia;
   Krylov& krylov;
 };
@@ -66,8 +68,9 @@ struct ProgramTypes {
   using Rings = OverGroup<RingsOver, typename Groups::Rings>;
   using Extra = OverGroup<ExtraOver, typename Groups::Extra>;
   using Planes = OverGroup<PlanesOver, typename Groups::Planes>;
+  using Surface = OverGroup<SurfaceOver, typename Groups::Surface>;
   using Inertia = OverGroup<InertiaOver, typename Groups::Inertia>;
-  using Arrays = EquilibriumOver<Real, typename Groups::Body, Patches, Rings, typename Groups::Chunk>;
+  using Arrays = EquilibriumOver<Real, typename Groups::Body, Patches, Rings, typename Groups::Chunk, Surface>;
   using Level = LevelOver<Real, Space, Stored, Choices, typename Groups::Level, Extra, Planes, Inertia>;
   using Vectors = typename Groups::Krylov;
   using Material = MaterialSteps<Material_>;
@@ -108,6 +111,7 @@ class SolverProgram : private NestedNewton<On, Types> {
     a.chunks = facts.chunks;
     take(a.patches, groups.patches);
     take(a.rings, groups.rings);
+    take(a.surface, groups.surface);
     a.chunk_arrays = std::make_shared<typename Groups::Chunk>(std::move(groups.chunk));
     for_each_level([&](auto& group) {
       linear_.push_back(std::make_unique<typename Types::Level>(std::move(group)));
@@ -137,6 +141,7 @@ class SolverProgram : private NestedNewton<On, Types> {
     groups_.body = std::move(static_cast<typename Groups::Body&>(a));
     give_back(a.patches, groups_.patches);
     give_back(a.rings, groups_.rings);
+    give_back(a.surface, groups_.surface);
     groups_.chunk = std::move(*a.chunk_arrays);
     std::size_t l = 0;
     for_each_level([&](auto& group) {

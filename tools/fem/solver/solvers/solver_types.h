@@ -16,8 +16,8 @@ struct SolverTypes : AllArrays<Real, typename On::Space, Stored> {
 
   /// @param averages whether volumes are those of patches or nodes
   [[nodiscard]] static std::unique_ptr<Material> make_material(const SolverSettings& settings, bool averages) {
-    return make_evaluator<On, EquilibriumArrays<Real, typename On::Space>>(settings.material, settings.youngs_modulus,
-                                                                           settings.poissons_ratio, averages);
+    return make_evaluator<On, EquilibriumArrays<Real, typename On::Space>>(settings.material, constants_of(settings),
+                                                                           averages);
   }
 };
 

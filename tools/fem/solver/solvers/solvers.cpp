@@ -58,8 +58,13 @@ void require_settings(const SolverSettings& settings) {
 void require_nonlinear(const std::vector<MeshLevel>& levels, const Loading& loading, const SolverSettings& settings) {
   require_meshes(levels);
   require_settings(settings);
-  require_single_range(levels.front(), settings);
+  require_materials(levels, settings);
   require_loading(levels.front(), loading);
+  if (!loading.pressures.empty() && settings.newton.product == Product::matrix_free) {
+    throw Error(
+        "pressures that follow the surface require the assembled product: the matrix-free one has only the stiffness "
+        "of tets");
+  }
   if (!loading.planes.empty() && settings.newton.product == Product::matrix_free) {
     throw Error("rigid planes require the assembled product: the matrix-free one has only the stiffness of tets");
   }
@@ -108,7 +113,8 @@ std::string device_name(Device device) {
 }
 
 std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
-                                               const SolverSettings& settings) {
+                                               const SolverSettings& given) {
+  const SolverSettings settings = with_largest(given);
   require_nonlinear(levels, loading, settings);
   return in_precision(settings.precision, [&]<class Real, class Stored>() {
     if (settings.device == Device::cpu)
@@ -172,6 +178,8 @@ void require_declared(const SceneRow& scene, const std::vector<MeshLevel>& level
   require((preconditioner.asked & asks::arrays) == 0,
           "has no " + std::string(preconditioner.title) + " preconditioner");
   require(loading.planes.empty(), "has no rigid planes");
+  require(loading.pressures.empty(), "has no pressures that follow the surface");
+  require(settings.materials.empty(), "has one material");
   for (const MeshLevel& level : levels) {
     require(!level.is_grid(), "has no levels of a background grid; give meshes whose coarsest is small");
     require(!level.averages_at_nodes, "averages no volumes at nodes");
@@ -241,7 +249,9 @@ std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLeve
 }
 
 std::unique_ptr<DynamicSolver> make_implicit_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
-                                                    const DynamicSettings& settings) {
+                                                    const DynamicSettings& given) {
+  DynamicSettings settings = given;
+  settings.solver = with_largest(settings.solver);
   require_implicit(levels, loading, settings);
   return in_precision(settings.solver.precision, [&]<class Real, class Stored>() {
     if (settings.solver.device == Device::cpu) {
