@@ -1,27 +1,21 @@
 // Loads become forces of nodes on the finest level; supports hold all levels.
 #include <fem/mesh/geometry.h>
 #include <fem/solver/load_case.h>
+#include <fem/solver/number_text.h>
 #include <fem/solver/rigid_motions.h>
 #include <physgen/error.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string_view>
 
 namespace physgen::fem {
 
 namespace {
 
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 void require_finite(const std::string& what, std::span<const double> values) {
   const auto stray = std::ranges::find_if_not(values, [](double value) { return std::isfinite(value); });
-  if (stray != values.end()) throw Error(what + " is " + number(*stray) + " and must be a finite number");
+  if (stray != values.end()) throw Error(what + " is " + number_text(*stray) + " and must be a finite number");
 }
 
 std::array<std::optional<double>, 3> components_of(const Support& support) {
@@ -90,8 +84,9 @@ void hold(const LoadCase& load_case, MeshLevel& level, std::span<const MeshGroup
         const double value = *prescribed[k];
         if (const Support* other = holders[at][k]; other != nullptr && (*motion)[at][k] != value) {
           throw Error("groups '" + other->group + "' and '" + support.group + "' share node " + std::to_string(n) +
-                      " and prescribe other displacements along " + "xyz"[k] + " there, " + number((*motion)[at][k]) +
-                      " and " + number(value) + " m; leave that component free in one of them");
+                      " and prescribe other displacements along " + "xyz"[k] + " there, " +
+                      number_text((*motion)[at][k]) + " and " + number_text(value) +
+                      " m; leave that component free in one of them");
         }
         holders[at][k] = &support;
         (*motion)[at][k] = value;
