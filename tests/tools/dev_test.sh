@@ -270,10 +270,15 @@ case $rule in
       printf '0\t1500\t1\ttests/CMakeFiles/a_test.dir/two.cpp.o\tf\n'
       printf '0\t3000\t1\ttools/CMakeFiles/b.dir/three.cu.o\tf\n'
       printf '0\t100\t1\tbin/a_test\tf\n'
+      for output in generated/s.digest CMakeFiles/physgen/scenes/s.stamp "$root/build/release/CMakeFiles/physgen/scenes/s.stamp" generated/s.scene.h; do
+        printf '0\t2500\t1\t%s\ts\n' "$output" # one command
+      done
     } >"$root/build/release/.ninja_log"
     dev 0 times
     says '     3.8  a_test'
-    says "     6.8  in all"
+    says '     2.5  scenes'
+    says "     9.2  in all"
+    [[ $(grep -c ' 2.5 ' "$work/output") == 2 ]] || fail 'a command with four outputs does not count once'
     [[ $(grep -A 1 'slowest' "$work/output" | tail -n 1) == '     3.0  tools/three.cu.o' ]] || fail 'the slowest file is not first'
     ;;
   *) fail "there is no rule $rule" ;;

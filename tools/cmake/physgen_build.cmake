@@ -102,6 +102,15 @@ function(physgen_join target files)
   endif()
 endfunction()
 
+# physgen_join_named(target group <source>...)
+# The same of these sources alone, which are compiled as one file; others of `target` stay alone or are in other groups.
+function(physgen_join_named target group)
+  if(NOT DEFINED CMAKE_UNITY_BUILD OR CMAKE_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP ${group})
+  endif()
+endfunction()
+
 # physgen_join_cuda(target <source>...)
 # Compiles these CUDA sources of `target` as one file, which is written here, since CMake joins none: nvcc reads the headers of
 # each file three times. They are named, so that joined files take about the same time. As with physgen_join, names in unnamed

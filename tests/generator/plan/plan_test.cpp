@@ -13,20 +13,8 @@
 namespace physgen::plan {
 namespace {
 
-using model::Element;
-using model::Encoding;
-using model::Shape;
-using model::Space;
-using test::array;
-using test::field;
-using test::nested;
-using test::no_objects;
-using test::object;
-using test::rotation;
-using test::scalar;
-using test::schema;
-using test::stored;
-using test::stored_on_cuda;
+using namespace model;  // enumerations of schemas
+using namespace test;   // models.h
 
 TEST(Plan, packs_real_fields_in_order_of_declaration) {
   const auto svd = object("DeformationSvd", {field("U", Shape::rotation, 3, 3), field("V", Shape::rotation, 3, 3),

@@ -13,19 +13,8 @@
 namespace physgen::plan {
 namespace {
 
-using model::Element;
-using model::Encoding;
-using model::Shape;
-using model::Space;
-using test::array;
-using test::field;
-using test::nested;
-using test::no_objects;
-using test::object;
-using test::rotation;
-using test::scalar;
-using test::schema;
-using test::stored;
+using namespace model;  // enumerations of schemas
+using namespace test;   // models.h
 
 class Fault : public testing::Test {
  protected:

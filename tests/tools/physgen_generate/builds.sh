@@ -45,6 +45,29 @@ case $rule in
       [[ -e $source/generated/b.physgen.h ]] || fail "a header that may be checked in was removed, built in $build"
     done
     ;;
+  headers_that_an_older_checkout_left_in_the_build_folder_are_removed_and_named)
+    # No record of what was written: an older checkout kept none, or kept it elsewhere.
+    tree=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd -P)
+    mkdir -p "$build/generated/examples"
+    older=(moved.scene.h moved.program.h moved.need.json old.physgen.h)
+    others=(notes.h a.physgen.h.orig examples/old.physgen.h)  # not physgen's, or in a folder that is not looked at
+    for file in "${older[@]}" "${others[@]}"; do echo '// as an older checkout wrote it' >"$build/generated/$file"; done
+    calls 'physgen_generate(TARGET s SCHEMAS a.h b.h OUTPUT_DIR ${CMAKE_BINARY_DIR}/generated)' s_headers
+    printf 'include("%s")\nphysgen_remove_older_headers(${CMAKE_BINARY_DIR}/generated)\n' \
+      "$tree/tools/cmake/physgen_older_build.cmake" >>"$source/call.cmake"
+    said=$(cmake -S "$source" -B "$build" -G "$generator" -D "PHYSGEN=$command" -D "MODULE=$module" 2>&1)
+    for file in "${older[@]}"; do
+      [[ ! -e $build/generated/$file ]] || fail "$file stays, which nothing writes"
+      [[ $said == *"$file"* ]] || fail "nothing says that $file was removed: $said"
+    done
+    build
+    for file in "${others[@]}" a.physgen.h b.physgen.h; do
+      [[ -e $build/generated/$file ]] || fail "$file is gone"
+    done
+    said=$(cmake "$build" 2>&1)
+    [[ $said != *"an older checkout wrote"* ]] || fail "headers of today were removed: $said"
+    [[ -e $build/generated/b.physgen.h ]] || fail 'configuring again removed b.physgen.h'
+    ;;
   what_is_saved_while_physgen_runs_is_read_by_the_next_build)
     rm "$command"
     # Once, value.h is saved between reading and the end: when the header is written.

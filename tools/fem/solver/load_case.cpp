@@ -2,12 +2,12 @@
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/nearest_name.h>
 #include <fem/solver/load_case.h>
+#include <fem/solver/number_text.h>
 #include <fem/solver/rigid_motions.h>
 #include <physgen/error.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -15,15 +15,9 @@ namespace physgen::fem {
 
 namespace {
 
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 void require_finite(const std::string& what, std::span<const double> values) {
   const auto stray = std::ranges::find_if_not(values, [](double value) { return std::isfinite(value); });
-  if (stray != values.end()) throw Error(what + " is " + number(*stray) + " and must be a finite number");
+  if (stray != values.end()) throw Error(what + " is " + number_text(*stray) + " and must be a finite number");
 }
 
 std::array<std::optional<double>, 3> components_of(const Support& support) {
@@ -138,8 +132,8 @@ void hold(const LoadCase& load_case, MeshLevel& level, std::span<const MeshGroup
           const double other_value = parts->at(other_curve).motion[at][k];
           if (other_value != value || (value != 0 && other_curve != curve)) {
             throw Error("groups '" + other->group + "' and '" + support.group + "' share node " + std::to_string(n) +
-                        " and prescribe other displacements along " + "xyz"[k] + " there, " + number(other_value) +
-                        " and " + number(value) + " m" + (other_curve == curve ? "" : ", along other curves") +
+                        " and prescribe other displacements along " + "xyz"[k] + " there, " + number_text(other_value) +
+                        " and " + number_text(value) + " m" + (other_curve == curve ? "" : ", along other curves") +
                         "; leave that component free in one of them");
           }
         }

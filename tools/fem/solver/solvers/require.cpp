@@ -1,27 +1,22 @@
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/stages.h>
 #include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/number_text.h>
 #include <fem/solver/solvers/require.h>
 #include <physgen/detail/first_index.h>
 #include <physgen/error.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace physgen::fem {
 
 namespace {
 
-/// "1.5e-09"
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 /// "(0, nan, 0.01)"
-std::string vector_text(const Point& x) { return "(" + number(x[0]) + ", " + number(x[1]) + ", " + number(x[2]) + ")"; }
+std::string vector_text(const Point& x) {
+  return "(" + number_text(x[0]) + ", " + number_text(x[1]) + ", " + number_text(x[2]) + ")";
+}
 
 bool is_finite(const Point& x) {
   return std::ranges::all_of(x, [](double value) { return std::isfinite(value); });
@@ -31,7 +26,7 @@ bool is_finite(const Point& x) {
 
 void require_positive(const std::string& what, double value) {
   if (!(value > 0) || !std::isfinite(value)) {
-    throw Error(what + " is " + number(value) + " and must be a positive number");
+    throw Error(what + " is " + number_text(value) + " and must be a positive number");
   }
 }
 
@@ -50,7 +45,7 @@ void require_rest(std::size_t l, const MeshLevel& level) {
   const auto volumes = [&](index_t t) { return six_volumes(level.mesh.tets[at(t)], level.rest); };
   const index_t flat = physgen::detail::first_index(tets, [&](index_t t) { return !(volumes(t) > 0); });
   if (flat == tets) return;
-  throw Error(where + "tet " + std::to_string(flat) + " has the volume " + number(volumes(flat) / 6) +
+  throw Error(where + "tet " + std::to_string(flat) + " has the volume " + number_text(volumes(flat) / 6) +
               " m^3 at rest and needs a positive one: exchange two of its corners, or mesh again");
 }
 
@@ -62,7 +57,7 @@ void require_single_range(const MeshLevel& level, const SolverSettings& settings
   const double h = mean_spacing(level.mesh, level.rest);
   const double modulus = settings.youngs_modulus, per_area = modulus / h / h, work = modulus * h * h * h;
   if (!(modulus > 0) || (per_area >= 1e-35 && per_area <= 1e30 && work >= 1e-28 && work <= 1e33)) return;
-  throw Error("a Young's modulus of " + number(modulus) + " Pa over tets of " + number(h) +
+  throw Error("a Young's modulus of " + number_text(modulus) + " Pa over tets of " + number_text(h) +
               " m is out of range for float: take double precision, or units in which both are nearer to 1");
 }
 
@@ -123,8 +118,8 @@ void require_planes(const std::vector<RigidPlane>& planes) {
       throw Error(which + ": its normal has a length of " + std::to_string(length) + " and must have 1");
     }
     if (!std::isfinite(plane.offset) || !std::isfinite(plane.travel)) {
-      throw Error(which + ": its offset is " + number(plane.offset) + " and its travel " + number(plane.travel) +
-                  ": give finite lengths [m]");
+      throw Error(which + ": its offset is " + number_text(plane.offset) + " and its travel " +
+                  number_text(plane.travel) + ": give finite lengths [m]");
     }
   }
 }
@@ -197,13 +192,13 @@ bool MotionMeasure::is_finite() const {
 void require_step(double length, double load) {
   require_positive("the length of a time step", length);
   if (!std::isfinite(load)) {
-    throw Error("the load at the end of a time step is " + number(load) + " and must be a finite number");
+    throw Error("the load at the end of a time step is " + number_text(load) + " and must be a finite number");
   }
 }
 
 void require_state(const SolverState& state, std::span<const std::size_t> nodes) {
   if (!std::isfinite(state.load)) {
-    throw Error("the load of a state is " + number(state.load) + " and must be a finite number");
+    throw Error("the load of a state is " + number_text(state.load) + " and must be a finite number");
   }
   if (state.positions.size() != nodes.size()) {
     throw Error("the state has " + std::to_string(state.positions.size()) + " levels, but this solver solves on " +
@@ -236,7 +231,7 @@ void require_plain(const char* who, const MeshLevel& level, const Loading& loadi
 void require_motion(const DynamicSettings& settings) {
   require_positive("the density", settings.density);
   if (!(settings.damping >= 0) || !std::isfinite(settings.damping)) {
-    throw Error("the damping is " + number(settings.damping) + " and must be 0 or a positive number");
+    throw Error("the damping is " + number_text(settings.damping) + " and must be 0 or a positive number");
   }
 }
 

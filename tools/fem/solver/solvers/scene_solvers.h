@@ -30,7 +30,7 @@ namespace physgen::fem {
                                                                         const Loading& loading,
                                                                         const DynamicSettings& settings);
 
-/// Each is compiled by itself: see scene_solver.in. @pre nothing is asked for that the scene has not
+/// Those of an executor are compiled as one file: see scene_solver.in. @pre nothing is asked for that the scene has not
 using MakeSceneSolver = std::unique_ptr<EquilibriumSolver>(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                            const SolverSettings& settings);
 using MakeSceneImplicitSolver = std::unique_ptr<DynamicSolver>(const std::vector<MeshLevel>& levels,
