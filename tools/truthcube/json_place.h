@@ -6,7 +6,6 @@
 #include <physgen/error.h>
 
 #include <algorithm>
-#include <istream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -17,9 +16,6 @@
 namespace physgen::truthcube {
 
 using Json = nlohmann::ordered_json;
-
-/// Reads JSON, with comments if it has some. @throw Error naming the file and the line, or a key that stands twice
-[[nodiscard]] Json parsed_json(const std::string& file, std::istream& stream);
 
 /// A value and where it stands.
 class Place {

@@ -14,6 +14,7 @@
 
 #include "memory.h"
 #include "run_bytes.h"
+#include "scene_choice.h"
 
 namespace physgen::truthcube {
 
@@ -137,6 +138,13 @@ Scene make_scene(const Options& options, std::vector<MeshLevel> levels) {
   for (const Index n : upper.nodes.front()) scene.loading.motion[static_cast<std::size_t>(n)][2] = -height;
   if (!options.is_cube() && options.solver.newton.preconditioner.kind == fem::Preconditioner::multigrid) {
     scene.grid = fem::add_background_grid(scene.levels);
+  }
+  const bool has_no_grid =
+      options.scene == SceneKind::quasistatic || options.scene == SceneKind::quasistatic_fixed_corotated;
+  if (scene.grid[0] > 0 && has_no_grid) {
+    throw Error("multigrid of this mesh needs a background grid, which --scene " + name_of(scene_kinds, options.scene) +
+                " does not have; add --preconditioner block-jacobi, or take --scene everything --material " +
+                options.solver.material + " --precision float, which has one");
   }
   return scene;
 }

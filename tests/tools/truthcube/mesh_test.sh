@@ -73,7 +73,11 @@ case $rule in
       said=$(sed -nE 's/^solver: ([0-9]+) bytes.*/\1/p' out)
       took=$(number_of bytes o/run.json)
       ((said == took)) || fail "$flags: $said bytes said, $took taken"
-    done ;;
+    done
+    expect_exit 1 --scene quasistatic --mesh m.msh --compress 0.01
+    expect err 'needs a background grid, which --scene quasistatic does not have; add --preconditioner block-jacobi, or take --scene everything'
+    expect_exit 0 --scene quasistatic --mesh m.msh --threads 1 --compress 0.01 --preconditioner block-jacobi
+    expect_exit 0 --scene everything --material stable-neo-hookean --precision float --mesh m.msh --threads 1 --compress 0.01 ;;
   a_refined_mesh_has_multigrid)
     write_mesh 2 >m.msh
     expect_exit 0 --mesh m.msh --refine 2 --threads 1 --compress 0.05
