@@ -15,7 +15,6 @@ namespace physgen::fem {
 
 namespace {
 
-using detail::at;
 using detail::CoarsePairs;
 using detail::first_edges;
 using detail::HigherNodes;

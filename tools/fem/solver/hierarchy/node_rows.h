@@ -2,6 +2,7 @@
 // coarse_terms.cpp.
 #pragma once
 
+#include <fem/mesh/at.h>
 #include <fem/mesh/mesh.h>
 #include <physgen/fill_rows.h>
 
@@ -13,8 +14,6 @@ using physgen::detail::for_each_index;
 using physgen::detail::RegionFailure;
 using physgen::detail::sort_row;
 using physgen::detail::Spares;
-
-[[nodiscard]] inline std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
 
 /// Per node, the first of its edges to higher nodes; and one more. @param edges ascending
 [[nodiscard]] inline HostList<Index> first_edges(Index nodes, std::span<const std::array<Index, 2>> edges) {

@@ -1,3 +1,4 @@
+#include <fem/mesh/at.h>
 #include <fem/solver/loads/pressed_faces.h>
 #include <physgen/error.h>
 
@@ -7,8 +8,6 @@
 namespace physgen::fem {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The node that two edges of the coarser mesh share, or -1.
 Index common(const std::array<Index, 2>& a, const std::array<Index, 2>& b) {

@@ -144,7 +144,7 @@ void require_loading(std::size_t nodes, const Loading& loading) {
     const FollowingPressure& pressure = loading.pressures[p];
     const std::string which = "pressure " + std::to_string(p) + " that follows the surface ";
     if (!std::isfinite(pressure.pressure)) {
-      throw Error(which + "is " + number(pressure.pressure) + " and must be a finite number [Pa]");
+      throw Error(which + "is " + number_text(pressure.pressure) + " and must be a finite number [Pa]");
     }
     for (const Face& face : pressure.faces) {
       for (const Index node : face) {

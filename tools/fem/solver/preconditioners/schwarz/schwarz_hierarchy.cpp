@@ -1,3 +1,4 @@
+#include <fem/mesh/at.h>
 #include <fem/solver/preconditioners/schwarz/schwarz_hierarchy.h>
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace {
 
 using Pair = std::array<Index, 2>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 Index whole_blocks(Index slots) { return (slots + schwarz_slots - 1) / schwarz_slots; }
 
 /// Two bits between each two of the lowest 21 bits.
