@@ -173,8 +173,10 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   std::vector<std::string> notes;
   const Scene scene = make_case_scene(options, read_mesh(options, notes));
   const std::vector<LevelCounts> counts = count_levels(scene.levels);
+  require_mesh_fits(counts);
   notes.insert(notes.end(), options.notes.begin(), options.notes.end());
   for (std::string& note : adapt_solver(options, scene, counts)) notes.push_back(std::move(note));
+  adapt_smoother(options, scene);
   for (const std::string& note : notes) terminal.text("note: " + note);
   const auto faces = static_cast<std::int64_t>(pressed_faces(scene.history.at(1).pressures).size());
   const RunBytes bytes =
@@ -188,6 +190,7 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   terminal.set_up(2, parts, "files");
   std::optional<FolderLock> lock;
   if (!options.out.empty()) {
+    if (options.set_up_only) require_no_run(options.out);
     require_writable(options.out);
     lock.emplace(options.out);
   }
@@ -219,7 +222,11 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   record.stages = records_of(stages, record.setup_seconds);
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; set up in %.2f s", static_cast<long long>(record.tets),
                 static_cast<long long>(record.nodes), scene.levels.size(), record.device.c_str(), record.setup_seconds);
-  if (options.timings) print_timings(record.stages, terminal);
+  if (options.timings || options.set_up_only) print_timings(record.stages, terminal);
+  if (options.set_up_only) {
+    write_set_up(options.out, record);
+    return Outcome::done;
+  }
   return CaseSteps(options, scene, *solver, record, std::move(locations), terminal).run();
 }
 

@@ -55,7 +55,7 @@ struct Options {
   bool historical = false;    ///< whether the tolerance is an absolute force, which the height of the body decides
   std::filesystem::path out;  ///< empty: nothing is written
   std::filesystem::path beads;
-  bool restart = false, dry_run = false, timings = false, quiet = false;
+  bool restart = false, dry_run = false, set_up_only = false, timings = false, quiet = false;
   int repetitions = 0;             ///< of all solves, for their time
   int threads = 0;                 ///< of the CPU, see physgen::set_threads()
   std::vector<std::string> notes;  ///< what a user should know of what was chosen

@@ -236,6 +236,9 @@ Options parse(const std::vector<std::string>& arguments) {
   app.add_flag("--timings", options.timings,
                "print what each stage of the set-up takes, beside the bytes that it moves at least");
   app.add_flag("--dry-run", options.dry_run, "print sizes and bytes only");
+  app.add_flag("--set-up", options.set_up_only,
+               "make all that the first Newton step needs, print the stages as --timings does, write run.json into "
+               "--out, and end: what a run of the same flags takes before it solves");
   app.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
   options.help = parse_words(app, arguments);
   if (!options.help.empty()) return options;
@@ -248,6 +251,11 @@ Options parse(const std::vector<std::string>& arguments) {
     options.notes.push_back("the energy of '" + options.solver.material +
                             "' has no separate volume part to average: --volume tets, which locks near a "
                             "Poisson's ratio of 0.5");
+  }
+  for (const char* flag : {"--dry-run", "--restart", "--repeat", "--beads"}) {
+    require(!options.set_up_only || !given(flag), std::string("--set-up cannot take ") + flag +
+                                                      ", because it ends before the first Newton step, with " +
+                                                      "everything made; remove " + flag);
   }
   require(plate_stiffness->count() == 0 || options.plates == Plates::contact,
           "--plate-stiffness is that of --plates contact, which is missing");

@@ -73,6 +73,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   }
   const std::vector<LevelCounts> counts =
       options.is_cube() ? count_cube(options.cells, options.volume) : count_levels(scene.levels);
+  if (!options.is_cube()) require_mesh_fits(counts);
   append(notes, options.notes);
   append(notes, adapt_solver(options, scene, counts));
   for (const std::string& note : notes) terminal.text("note: " + note);
@@ -90,12 +91,14 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   needed.require(options, device);
   std::optional<FolderLock> lock;
   if (!options.out.empty()) {
+    if (options.set_up_only) require_no_run(options.out);
     if (!options.restart) require_writable(options.out);
     if (is_writable(options.out)) lock.emplace(options.out);  // else a run that goes on writes nothing
   }
 
   terminal.set_up(2, parts, "meshes of " + std::to_string(counts.front().tets) + " tets");
   if (options.is_cube()) scene = make_scene(options, make_cube(options));
+  adapt_smoother(options, scene);
   const fem::MeshLevel& finest = scene.levels.front();
   if (options.historical) {
     fem::NewtonSettings& newton = options.solver.newton;
@@ -157,8 +160,12 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; %.1f MB, %.0f bytes per node; set up in %.2f s",
                 static_cast<long long>(record.tets), static_cast<long long>(record.nodes), scene.levels.size(),
                 record.device.c_str(), total / 1e6, total / static_cast<double>(record.nodes), record.setup_seconds);
-  if (options.timings) print_timings(record.stages, terminal);
+  if (options.timings || options.set_up_only) print_timings(record.stages, terminal);
   terminal.text(describe(scene.plates));
+  if (options.set_up_only) {
+    write_set_up(options.out, record);
+    return Outcome::done;
+  }
   if (checkpoint) {
     solver->restore(state_of(*checkpoint, solver->state()));
     terminal.line("continuing after step %d, at a compression of %g", checkpoint->step, checkpoint->compression);

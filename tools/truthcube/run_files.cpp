@@ -16,6 +16,7 @@ using fem::Point;
 
 constexpr const char* checkpoint_name = "checkpoint.h5";
 constexpr const char* record_name = "run.json";
+constexpr const char* viewers_name = "cube.vtkhdf";
 
 /// Positions of all levels behind each other, as a checkpoint has them.
 std::vector<double> flat(const fem::SolverState& state) {
@@ -39,6 +40,16 @@ void require_writable(const std::filesystem::path& folder) {
   }
 }
 
+void require_no_run(const std::filesystem::path& folder) {
+  if (!std::filesystem::exists(folder / viewers_name)) return;
+  throw Error("--set-up: " + folder.string() + " has the files of a run, whose " + record_name +
+              " would be replaced by one without steps; choose another --out");
+}
+
+void write_set_up(const std::filesystem::path& folder, const RunRecord& record) {
+  if (!folder.empty()) write_run_json(folder / record_name, record);
+}
+
 void write_state(VtkHdfWriter& vtk, double time, const Fields& fields) {
   const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
   const std::vector<Field> of_cells{
@@ -54,7 +65,7 @@ RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mes
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
   if (folder_.empty()) return;
-  const auto vtk = file("cube.vtkhdf"), csv = file("beads.csv");
+  const auto vtk = file(viewers_name), csv = file("beads.csv");
   // An old run's checkpoint does not belong to the files that begin here.
   if (steps_done == 0) std::filesystem::remove(file(checkpoint_name));
   vtk_.emplace(steps_done > 0 ? VtkHdfWriter::append_to(vtk, rest_, mesh_.tets, steps_done)

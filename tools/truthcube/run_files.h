@@ -23,6 +23,12 @@ namespace physgen::truthcube {
 /// Makes the folder where it is missing. @throw Error when it cannot be made, or nothing can be written into it
 void require_writable(const std::filesystem::path& folder);
 
+/// For a run that ends behind its set-up. @throw Error when the folder has the files of a run, whose record would be
+/// lost
+void require_no_run(const std::filesystem::path& folder);
+/// Its record, without steps; nothing where the folder is empty.
+void write_set_up(const std::filesystem::path& folder, const RunRecord& record);
+
 /// Appends a state to a file for viewers.
 void write_state(VtkHdfWriter& vtk, double time, const Fields& fields);
 

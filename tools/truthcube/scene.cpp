@@ -2,6 +2,7 @@
 
 #include <fem/mesh/boundary.h>
 #include <fem/mesh/check.h>
+#include <fem/mesh/flatness.h>
 #include <fem/mesh/gmsh_file.h>
 #include <fem/mesh/graded_cube.h>
 #include <fem/mesh/material_order.h>
@@ -10,6 +11,7 @@
 #include <physgen/error.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "memory.h"
@@ -184,6 +186,26 @@ std::vector<std::string> adapt_solver(Options& options, const Scene& scene, cons
   return {"the coarsest mesh has " + std::to_string(coarsest) + " nodes, and more than " +
           std::to_string(fem::most_coarse_nodes) +
           " are smoothed, not solved: numbers of cells that are 2^k or 3 * 2^k are faster"};
+}
+
+void adapt_smoother(Options& options, const Scene& scene) {
+  fem::PreconditionerSettings& preconditioner = options.solver.newton.preconditioner;
+  const bool is_uniform = options.is_cube() && options.grading == 1;
+  if (is_uniform || preconditioner.kind != fem::Preconditioner::multigrid) return;
+  // Measured on graded cubes: in as long as by degree 2, a third to a half of the iterations less.
+  struct Smoother {
+    double flatter_than;
+    int degree;
+    double low;
+  };
+  constexpr std::array<Smoother, 2> smoothers{{{2, 3, 0.05}, {6, 4, 0.04}}};
+  const fem::MeshLevel& finest = scene.levels.front();
+  const double flatness = fem::flatness(finest.mesh, finest.rest);
+  for (const auto& [flatter_than, degree, low] : smoothers) {
+    if (flatness <= flatter_than) return;
+    preconditioner.degree = degree;
+    preconditioner.low = low;
+  }
 }
 
 std::string name_of_tet(const Scene& scene, Index tet) {

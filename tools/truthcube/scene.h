@@ -56,6 +56,10 @@ struct Scene {
 [[nodiscard]] std::vector<std::string> adapt_solver(Options& options, const Scene& scene,
                                                     const std::vector<LevelCounts>& levels);
 
+/// Where tets are flat (fem::flatness()), which a smoother that goes node by node leaves more in, gives its polynomial
+/// a larger degree. Uniform cubes keep theirs.
+void adapt_smoother(Options& options, const Scene& scene);
+
 /// "tet 12", as cells of cube.vtkhdf are numbered; of a mesh of the user's "tet 12 (element 345 of the mesh file)".
 [[nodiscard]] std::string name_of_tet(const Scene& scene, fem::Index tet);
 

@@ -97,6 +97,15 @@ std::int64_t largest_number(const std::vector<LevelCounts>& levels) {
   return largest;
 }
 
+void require_mesh_fits(const std::vector<LevelCounts>& levels) {
+  constexpr std::int64_t most = std::numeric_limits<fem::Index>::max();
+  const std::int64_t largest = largest_number(levels);
+  if (largest <= most) return;
+  throw Error("this mesh: the solver's lists would need numbers up to " + std::to_string(largest) +
+              ", and 32-bit numbers only reach " + std::to_string(most) +
+              "; take a coarser mesh, or --volume tets, which has the shortest lists");
+}
+
 void require_cube_fits(int cells, VolumeTreatment volume) {
   constexpr std::int64_t most = std::numeric_limits<fem::Index>::max();
   if (cells <= most_made(volume)) return;

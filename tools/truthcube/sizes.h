@@ -24,6 +24,9 @@ using fem::LevelCounts;
 /// 32 bits must hold it.
 [[nodiscard]] std::int64_t largest_number(const std::vector<LevelCounts>& levels);
 
+/// @throw Error when numbers of 32 bits do not reach for the levels of a mesh
+void require_mesh_fits(const std::vector<LevelCounts>& levels);
+
 /// @throw Error when numbers of 32 bits do not reach for a cube, with a number of cells that fits
 void require_cube_fits(int cells, VolumeTreatment volume);
 

@@ -1,4 +1,5 @@
 // Cubes whose cells narrow towards all faces.
+#include <fem/mesh/flatness.h>
 #include <fem/mesh/geometry.h>
 #include <fem/mesh/graded_cube.h>
 #include <fem/mesh/mesh.h>
@@ -78,6 +79,30 @@ TEST(GradedCube, a_grading_of_one_moves_no_node) {
   grade_cube(rest, 7, side, 1);
   EXPECT_EQ(rest, before);
   EXPECT_NEAR(graded_flatness(7, 1), 1, 1e-14);
+}
+
+TEST(GradedCube, is_as_flat_as_99_of_100_of_its_tets) {
+  constexpr Index cells = 6;
+  const TetMesh mesh = make_box_mesh(cells, cells, cells);
+  std::vector<Point> rest = uniform(cells);
+  EXPECT_NEAR(flatness(mesh, rest), 1, 1e-12);
+  std::vector<Point> pressed = rest;
+  for (Point& x : pressed) x[2] /= 6;
+  EXPECT_NEAR(flatness(mesh, pressed), std::pow(2 + 1 / 36., 1.5) * 6 / std::pow(3, 1.5), 1e-12);
+  for (Point& x : rest) x = {-x[1], x[0], x[2]};  // turned, and seen in a mirror below
+  EXPECT_NEAR(flatness(mesh, rest), 1, 1e-12);
+  for (Point& x : rest) x[0] = -x[0];
+  EXPECT_NEAR(flatness(mesh, rest), 1, 1e-12);
+  // The corner of the cube, pressed into its cell: 6 of 1296 tets are flat, fewer than 1 in 100.
+  rest = uniform(cells);
+  rest.front() = {0.2 * side / cells, 0.2 * side / cells, 0.3 * side / cells};
+  EXPECT_NEAR(flatness(mesh, rest), 1, 1e-12);
+  EXPECT_EQ(flatness(TetMesh{}, {}), 0);
+  std::vector<Point> graded = uniform(32);
+  grade_cube(graded, 32, side, 1.5);
+  const double flat = flatness(make_box_mesh(32, 32, 32), graded);
+  EXPECT_GT(flat, 3.5);
+  EXPECT_LT(flat, 4.5);
 }
 
 }  // namespace

@@ -81,7 +81,13 @@ assert "held" not in run and "compression" not in steps[0] and run["settings"]["
 assert len(probes) == 2 and float(probes[1]["uz"]) == steps[1]["probes"]["end"]["displacement"][2]
 assert len(groups) == 16 and groups[12]["group"] == "z0" and groups[12]["step"] == "2"
 '
-    [[ -s o/cube.vtkhdf ]] || fail 'no file for viewers' ;;
+    [[ -s o/cube.vtkhdf ]] || fail 'no file for viewers'
+    expect_exit 0 "${exactly[@]}" --set-up --out set_up
+    expect out '^  arrays of levels +[0-9.]+ +[0-9.]+ '
+    expect_no out '^load|solved'
+    expect set_up/run.json '"steps": \[\]'
+    expect_exit 1 "${exactly[@]}" --set-up --out o
+    expect err '--set-up: o has the files of a run, .*; choose another --out' ;;
   reactions_balance_the_loads_and_unloading_leads_back_to_rest)
     write_mesh 4 >m.msh
     write_case <<<"{#, $tissue, $loaded, \"steps\": [0.5, 1, 0.5, 0]}"

@@ -15,7 +15,7 @@ case $rule in
   help_lists_flags_layouts_and_exit_codes)
     expect_exit 0 --help
     for flag in cells grading mesh refine material young poisson volume compress top plates plate-stiffness device precision layout preconditioner \
-      product tolerance stepping historical out restart beads threads repeat timings dry-run quiet scene time-step duration density damping fixed-order \
+      product tolerance stepping historical out restart beads threads repeat timings dry-run set-up quiet scene time-step duration density damping fixed-order \
       frames; do expect out "--$flag"; done
     expect out "layout \{$built\}"
     expect out "in the layout $built, with products assembled .* or matrix-free"
@@ -111,6 +111,10 @@ case $rule in
     expect_refused 'plate-stiffness is that of --plates contact' --plate-stiffness 10
     expect_refused 'excludes' --historical --precision double
     expect_refused 'excludes' --historical --product assembled
+    for flag in --dry-run --restart '--repeat 2' '--beads b.csv'; do
+      # shellcheck disable=SC2086
+      expect_refused "--set-up cannot take ${flag%% *}, because .*; remove ${flag%% *}\$" --set-up --out o $flag
+    done
     expect_refused '--plates contact requires --product assembled' --plates contact --historical
     expect_refused '--volume nodes requires --product assembled' --volume nodes --historical
     expect_refused '--product matrix-free requires --preconditioner block-jacobi or none' --product matrix-free ;;
@@ -253,5 +257,25 @@ case $rule in
     expect out '^  a copy of memory reads and writes [0-9.]+ GB/s$'
     sed -n '/"setup_stages"/,/^  ]/p' o/run.json | awk -F': ' -v whole="$(number_of setup_seconds o/run.json)" '
       /"seconds"/ { sum += $2 } END { exit !(sum > 0.99 * whole && sum < 1.01 * whole) }' || fail 'stages are not the whole' ;;
+  a_set_up_ends_before_the_first_newton_step)
+    expect_exit 0 "${small[@]}" --set-up --out o
+    expect out '^  rows of tets +[0-9.]+ +[0-9.]+ +[0-9.]+ +[0-9.]+$'
+    expect out '^  a copy of memory reads and writes [0-9.]+ GB/s$'
+    expect_no out 'compression|solved'
+    expect o/run.json '"name": "arrays of levels"'
+    expect o/run.json '"steps": \[\]'
+    [[ $(ls o) == $'run.json\nrun.lock' || $(ls o) == run.json ]] || fail "files: $(ls o)"
+    # What a run makes is what a set-up makes.
+    expect_exit 0 "${small[@]}" --compress 0.02 --out run
+    for key in bytes nodes tets; do
+      [[ $(number_of $key run/run.json) == "$(number_of $key o/run.json)" ]] || fail "$key differ"
+    done
+    expect_exit 1 "${small[@]}" --set-up --out run
+    expect err '--set-up: run has the files of a run, whose run.json would be replaced .*; choose another --out'
+    expect run/run.json '"newton"'
+    for scene in linear-elastic explicit-dynamics implicit-dynamics quasistatic; do
+      expect_exit 0 --scene $scene --cells 4 --threads 1 --compress 0.02 --set-up
+      expect_no out 'solved|states of'
+    done ;;
   *) fail 'no such rule' ;;
 esac

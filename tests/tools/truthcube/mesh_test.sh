@@ -37,6 +37,24 @@ write_rough_mesh() {
   write_mesh "$1" | awk -v noise="$2" 'BEGIN { srand(3) }
     NF == 4 { printf "%d %.17g %.17g %.17g\n", $1, $2, $3, $4 + noise * (2 * rand() - 1); next } { print }'
 }
+# A cube whose tets all have its middle as a corner, 12 N^2 of them, and a node that none has.
+write_star() {
+  awk -v m="$1" 'function node(k, s, a, b) {
+      p[k] = s; p[(k + 1) % 3] = a; p[(k + 2) % 3] = b
+      name = p[0] " " p[1] " " p[2]
+      if (!(name in number)) { number[name] = ++nodes; lines = lines nodes " " .08 * p[0] / m " " .08 * p[1] / m " " .08 * p[2] / m "\n" }
+      return number[name]
+    }
+    function tet(a, b, c, turned) { tets = tets (++count) " 4 2 0 1 1 " a " " (turned ? c " " b : b " " c) "\n" }
+    BEGIN {
+      nodes = 2; lines = "1 .04 .04 .04\n2 1 1 1\n"
+      for (k = 0; k < 3; ++k) for (s = 0; s <= m; s += m) for (a = 0; a < m; ++a) for (b = 0; b < m; ++b) {
+        n00 = node(k, s, a, b); n10 = node(k, s, a + 1, b); n11 = node(k, s, a + 1, b + 1); n01 = node(k, s, a, b + 1)
+        tet(n00, n10, n11, s == 0); tet(n00, n11, n01, s == 0)
+      }
+      print "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" nodes "\n" lines "$EndNodes\n$Elements\n" count "\n" tets "$EndElements"
+    }'
+}
 small=(--cells 4 --threads 1)
 exactly=(--threads 1 --compress 0.05 --precision double --tolerance 1e-10)
 
@@ -109,6 +127,42 @@ case $rule in
     said=$(sed -nE 's/.*most of all (tet [0-9]+ [(]part of element [0-9]+) of the mesh file[)]: J -.*/\1/p' err)
     read -r _ tet _ _ _ element <<<"$said"
     ((element == tet / 8 + 1001)) || fail "not a part of its element: $said" ;;
+  stars_lone_nodes_and_bodies_of_two_parts_are_solved)
+    # 12 * 21^2 = 5292 tets around one node, and a node of no tet.
+    write_star 21 >star.msh
+    expect_exit 0 --mesh star.msh --threads 1 --compress 0.02
+    expect out 'note: 1 nodes of star.msh belong to no tet and are left out'
+    expect out '^5292 tets, 2649 nodes'
+    expect out 'solved in'
+    expect_exit 0 --mesh star.msh --threads 1 --set-up
+    expect out '^  reading of the mesh +[0-9.]+ +[0-9.]+ '
+    expect out '^  checks of the mesh '
+    # Each part is held by the plates, which have the nodes of both.
+    write_mesh 2 | awk '{ line[++lines] = $0 } NF == 4 { $1 += 27; $2 += 0.2; node[++nodes] = $0 }
+      NF == 9 { $1 += 48; for (c = 6; c <= 9; ++c) $c += 27; tet[++count] = $0 }
+      END { for (k = 1; k <= lines; ++k) {
+        if (line[k] == "27" || line[k] == "48") print 2 * line[k]; else if (line[k] == "$EndNodes" || line[k] == "$EndElements") {
+          for (n = 1; line[k] == "$EndNodes" && n <= nodes; ++n) print node[n]
+          for (n = 1; line[k] == "$EndElements" && n <= count; ++n) print tet[n]
+          print line[k]
+        } else print line[k] } }' >two.msh
+    write_mesh 2 >one.msh
+    expect_exit 0 --mesh one.msh "${exactly[@]}" --out one
+    expect_exit 0 --mesh two.msh "${exactly[@]}" --out two
+    expect out 'the mesh has 2 parts that share no node.*48 elements and 27 nodes from element 1 .*, 48 elements and 27 nodes from element 49'
+    awk -v one="$(number_of reaction one/run.json)" -v two="$(number_of reaction two/run.json)" \
+      'BEGIN { exit !(one < -0.1 && (two - 2 * one) ^ 2 < 1e-12 * one * one) }' || fail 'not twice the reaction' ;;
+  a_single_tet_and_a_binary_file_that_is_cut_off_are_refused)
+    printf '%s\n' '$MeshFormat' '2.2 0 8' '$EndMeshFormat' '$Nodes' 4 '1 0 0 0' '2 1 0 0' '3 0 1 0' '4 0 0 1' '$EndNodes' \
+      '$Elements' 1 '1 4 2 0 1 1 2 3 4' '$EndElements' >one.msh
+    expect_exit 1 --mesh one.msh
+    expect err 'These are only 3 and 1, .*: give the mesh flat faces there, or a larger --plate-tolerance'
+    for bytes in 60 1000 5000; do
+      head -c $bytes "$here/../../fem/mesh/gmsh/binary_41.msh" >cut.msh
+      expect_exit 1 --mesh cut.msh --out o
+      expect err 'cut.msh.*the file may be cut off or damaged: write it again'
+      [[ ! -e o ]] || fail 'a folder was made'
+    done ;;
   a_mesh_that_is_too_large_when_refined_is_refused_before_it_is_made)
     write_mesh 8 >m.msh
     expect_exit 1 --mesh m.msh --refine 6

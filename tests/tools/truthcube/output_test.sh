@@ -227,6 +227,16 @@ case $rule in
     # What a finer mesh would give is nearer to the other code's reaction than the mesh's own.
     awk -v mesh="$(number_of reaction o1.5/run.json)" -v estimate="$(number_of reaction_estimate o1.5/run.json)" 'function from(x) {
       x += 11.087e-4 * 15e3; return x < 0 ? -x : x } BEGIN { exit !(from(estimate) < 0.4 * from(mesh)) }' || fail 'reactions' ;;
+  flat_cells_take_at_most_1.5_times_the_iterations_of_uniform_ones)
+    for cube in '16 0.49 1.5' '16 0.499 1.5' '16 0.49 1.8' '16 0.499 1.8' '32 0.49 1.5'; do
+      read -r cells nu grading <<<"$cube"
+      for g in 1 "$grading"; do
+        expect_exit 0 --cells "$cells" --poisson "$nu" --grading "$g" --threads 1 --compress 0.1825
+        iterations=$(sed -nE 's/.* and ([0-9]+) PCG iterations.*/\1/p' out)
+        if [[ $g == 1 ]]; then uniform=$iterations; fi
+      done
+      ((2 * iterations <= 3 * uniform)) || fail "$cube: $iterations iterations, $uniform of uniform cells"
+    done ;;
   the_grading_of_uniform_cells_changes_nothing)
     expect_exit 0 "${small[@]}" --compress 0.05 --out a
     expect_exit 0 "${small[@]}" --compress 0.05 --out b --grading 1

@@ -36,6 +36,21 @@ TEST(Sizes, of_cubes_are_those_of_their_meshes) {
   }
 }
 
+TEST(Sizes, of_meshes_beyond_numbers_of_32_bits_are_refused_with_the_number) {
+  LevelCounts counts;
+  counts.nodes = 1000;
+  counts.edges = std::int64_t{1} << 30;  // two entries each: one more than numbers reach
+  try {
+    require_mesh_fits({LevelCounts{}, counts});
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("numbers up to 2147483648, and 32-bit numbers only reach 2147483647"),
+              std::string::npos)
+        << error.what();
+  }
+  require_mesh_fits(count_levels(levels_of(4, VolumeTreatment::patches)));
+}
+
 struct Case {
   int cells;
   VolumeTreatment volume;

@@ -1,103 +1,18 @@
 #include <fem/mesh/refine.h>
-#include <fem/mesh/rings.h>
 #include <fem/mesh/stages.h>
-#include <fem/solver/hierarchy/check_parents.h>
 #include <fem/solver/hierarchy/coarse_terms.h>
 #include <fem/solver/hierarchy/hierarchy.h>
+#include <fem/solver/hierarchy/level_graphs.h>
 #include <fem/solver/hierarchy/node_rows.h>
-#include <physgen/error.h>
 
 #include <cmath>
-#include <optional>
-#include <string>
 
 namespace physgen::fem {
 
 namespace {
 
-using detail::CoarsePairs;
 using detail::first_edges;
-using detail::HigherNodes;
 using physgen::detail::for_each_index;
-
-void require_sizes(std::size_t l, const MeshLevel& level) {
-  const std::size_t size = at(level.mesh.nodes);
-  if (level.fixed.size() == size && level.rest.size() == size) return;
-  throw Error("level " + std::to_string(l) + " has " + std::to_string(size) + " nodes, but " +
-              std::to_string(level.rest.size()) + " positions and " + std::to_string(level.fixed.size()) +
-              " constraints");
-}
-
-/// The edges of a level: those of its tets, of nodes that share a mean volume, and those that finer levels have.
-EdgeList edges_of(const MeshLevel& level, const CoarsePairs& of_finer) {
-  InStage stage("edges of levels");
-  const bool patches = !level.patches.nodes.empty(), rings = level.averages_at_nodes;
-  if (!patches && !rings && of_finer.pairs.empty()) return level.mesh.edges;
-  const HostList<Index> first = first_edges(level.mesh.nodes, level.mesh.edges);
-  const IncidenceList node_patches = patches ? make_node_patches(level) : IncidenceList();
-  const NodeRings node_rings = rings ? make_rings(level.mesh) : NodeRings();
-  struct Scratch {
-    HigherNodes nodes;
-    std::optional<HigherInRings> in_rings;
-  };
-  HostList<Index> first_of_all;
-  EdgeList edges;
-  append_rows(
-      Host{}, level.mesh.nodes,
-      [&] {
-        Scratch scratch{HigherNodes(level.mesh.nodes), std::nullopt};
-        if (rings) scratch.in_rings.emplace(level.mesh.nodes);
-        return scratch;
-      },
-      [&](index_t m, Scratch& scratch, std::vector<std::array<Index, 2>>& row) {
-        const auto node = static_cast<Index>(m);
-        HigherNodes& higher = scratch.nodes;
-        higher.begin(node);
-        for (Index e = first[at(m)]; e < first[at(m) + 1]; ++e) higher.add(level.mesh.edges[at(e)][1]);
-        for (Index k = patches ? node_patches.first[at(m)] : 0; patches && k < node_patches.first[at(m) + 1]; ++k) {
-          const Index patch = node_patches.entries[at(k)].element;
-          for (Index slot = 0; slot < level.patches.node_counts[at(patch)]; ++slot) {
-            higher.add(level.patches.nodes[at(patch)][at(slot)]);
-          }
-        }
-        if (rings) {
-          scratch.in_rings->find(node_rings, node);
-          for (const Index n : scratch.in_rings->nodes()) higher.add(n);
-        }
-        if (!of_finer.pairs.empty()) {
-          for (Index k = of_finer.first[at(m)]; k < of_finer.first[at(m) + 1]; ++k) {
-            higher.add(of_finer.pairs[at(k)].other);
-          }
-        }
-        for (const Index n : higher.sorted()) row.push_back({node, n});
-      },
-      first_of_all, edges);
-  stage.moves(level.mesh.edges, node_patches.entries, level.patches.nodes, node_rings.nodes, of_finer.pairs, edges);
-  return edges;
-}
-
-IncidenceList children_of(const LevelGraph& graph, Index coarse_nodes) {
-  InStage stage("children");
-  IncidenceList children;
-  fill_rows(
-      Host{}, coarse_nodes, graph.nodes,
-      [&graph](index_t a, const auto& put) {
-        const auto node = static_cast<Index>(a);
-        if (!graph.grid_parents.empty()) {
-          const auto& [nodes, weights] = graph.grid_parents[at(a)];
-          for (Index k = 0; k < 4; ++k) {
-            if (weights[at(k)] != 0) put(nodes[at(k)], IncidenceEntry{node, k});
-          }
-          return;
-        }
-        const auto [p, q] = graph.parents[at(a)];
-        put(p, IncidenceEntry{node, p == q ? 2 : 1});
-        if (p != q) put(q, IncidenceEntry{node, 1});
-      },
-      children.first, children.entries);
-  stage.moves(graph.parents, graph.grid_parents, children.first, children.entries);
-  return children;
-}
 
 }  // namespace
 
@@ -118,33 +33,10 @@ double mean_spacing(const TetMesh& mesh, const std::vector<Point>& rest) {
 }
 
 std::vector<LevelGraph> make_level_graphs(std::span<const MeshLevel> levels, bool edges) {
-  std::vector<LevelGraph> graphs(levels.size());
-  CoarsePairs of_finer;
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    const MeshLevel& level = levels[l];
-    LevelGraph& graph = graphs[l];
-    require_sizes(l, level);
-    graph.nodes = level.mesh.nodes;
-    graph.is_grid = level.is_grid();
-    graph.fixed = level.fixed;
-    if (edges) {
-      graph.edges = edges_of(level, of_finer);
-      graph.node_edges = edges_of_nodes(graph.nodes, graph.edges);
-      if (l > 0) graphs[l - 1].edge_terms = detail::coarse_terms(graphs[l - 1], of_finer, graph);
-    }
-    if (l + 1 == levels.size()) break;
-    if (level.grid_parents.empty()) {
-      detail::check_parents(l, level, levels[l + 1], level.parents);
-      graph.parents = level.parents;
-    } else {
-      detail::check_parents(l, level, levels[l + 1], level.grid_parents);
-      graph.grid_parents = level.grid_parents;
-    }
-    if (!edges) continue;
-    graph.children = children_of(graph, levels[l + 1].mesh.nodes);
-    of_finer = detail::coarse_pairs(graph, levels[l + 1].mesh.nodes);
-  }
-  return graphs;
+  return detail::make_graphs(levels, edges,
+                             [](std::size_t l, std::vector<LevelGraph>& graphs, const detail::CoarsePairs& of_finer) {
+                               graphs[l - 1].edge_terms = detail::coarse_terms(graphs[l - 1], of_finer, graphs[l]);
+                             });
 }
 
 EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
@@ -203,21 +95,7 @@ EdgeParts make_edge_parts(const MeshLevel& level, const LevelGraph& graph) {
   return parts;
 }
 
-IncidenceList make_node_patches(const MeshLevel& level) {
-  InStage stage("rows of patches");
-  const VolumePatches& patches = level.patches;
-  IncidenceList list;
-  fill_rows(
-      Host{}, level.mesh.nodes, static_cast<index_t>(patches.nodes.size()),
-      [&patches](index_t p, const auto& put) {
-        for (Index slot = 0; slot < patches.node_counts[at(p)]; ++slot) {
-          put(patches.nodes[at(p)][at(slot)], IncidenceEntry{static_cast<Index>(p), slot});
-        }
-      },
-      list.first, list.entries);
-  stage.moves(patches.nodes, list.first, list.entries);
-  return list;
-}
+IncidenceList make_node_patches(const MeshLevel& level) { return detail::patches_of_nodes(level); }
 
 std::vector<MeshLevel> make_cube_levels(Index cells, double side, bool patches, Index coarsest) {
   std::vector<MeshLevel> levels;

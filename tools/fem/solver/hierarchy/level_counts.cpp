@@ -1,4 +1,5 @@
 #include <fem/solver/hierarchy/level_counts.h>
+#include <fem/solver/hierarchy/level_graphs.h>
 
 #include <numeric>
 
@@ -35,10 +36,18 @@ LevelCounts counts_of(const MeshLevel& level, const LevelGraph& graph) {
   return counts;
 }
 
+// The terms of coarse blocks, the longest lists of all, are counted and not made.
 std::vector<LevelCounts> count_levels(const std::vector<MeshLevel>& levels) {
-  const std::vector<LevelGraph> graphs = make_level_graphs(levels);
+  std::vector<std::int64_t> terms(levels.size());
+  const auto count = [&](std::size_t l, const std::vector<LevelGraph>& /*graphs*/, const detail::CoarsePairs& pairs) {
+    for (const detail::CoarsePairs::Pair& pair : pairs.pairs) terms[l - 1] += pair.terms;
+  };
+  const std::vector<LevelGraph> graphs = detail::make_graphs(levels, true, count);
   std::vector<LevelCounts> counts;
-  for (std::size_t l = 0; l < levels.size(); ++l) counts.push_back(counts_of(levels[l], graphs[l]));
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    counts.push_back(counts_of(levels[l], graphs[l]));
+    counts.back().edge_terms = terms[l];
+  }
   return counts;
 }
 

@@ -1,9 +1,11 @@
-// What the lists of a hierarchy have in common: edges under their first nodes, and sets of nodes. For hierarchy.cpp and
-// coarse_terms.cpp.
+// What the lists of a hierarchy have in common: edges under their first nodes, patches of nodes, and sets of nodes. For
+// hierarchy.cpp, level_graphs.cpp and coarse_terms.cpp.
 #pragma once
 
 #include <fem/mesh/at.h>
 #include <fem/mesh/mesh.h>
+#include <fem/mesh/stages.h>
+#include <fem/solver/mesh_level.h>
 #include <physgen/fill_rows.h>
 
 #include <vector>
@@ -73,6 +75,23 @@ void each_node(Index nodes, const Make& make, const Act& act) {
     });
   });
   failure.rethrow();
+}
+
+/// Per node: patch, slot.
+[[nodiscard]] inline IncidenceList patches_of_nodes(const MeshLevel& level) {
+  InStage stage("rows of patches");
+  const VolumePatches& patches = level.patches;
+  IncidenceList list;
+  fill_rows(
+      Host{}, level.mesh.nodes, static_cast<index_t>(patches.nodes.size()),
+      [&patches](index_t p, const auto& put) {
+        for (Index slot = 0; slot < patches.node_counts[at(p)]; ++slot) {
+          put(patches.nodes[at(p)][at(slot)], IncidenceEntry{static_cast<Index>(p), slot});
+        }
+      },
+      list.first, list.entries);
+  stage.moves(patches.nodes, list.first, list.entries);
+  return list;
 }
 
 }  // namespace physgen::fem::detail
