@@ -222,7 +222,7 @@ Outcome run_case(Options options, const std::string& command, const fem::Stages&
   record.stages = records_of(stages, record.setup_seconds);
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; set up in %.2f s", static_cast<long long>(record.tets),
                 static_cast<long long>(record.nodes), scene.levels.size(), record.device.c_str(), record.setup_seconds);
-  if (options.timings || options.set_up_only) print_timings(record.stages, terminal);
+  if (options.prints_timings()) print_timings(record.stages, terminal);
   if (options.set_up_only) {
     write_set_up(options.out, record);
     return Outcome::done;

@@ -62,6 +62,8 @@ struct Options {
   std::string help;                ///< what to print where help was asked for
 
   [[nodiscard]] bool is_cube() const { return mesh.empty(); }
+  /// A quiet run measures no copy: its peak of memory is that of what it makes.
+  [[nodiscard]] bool prints_timings() const { return (timings || set_up_only) && !quiet; }
   [[nodiscard]] bool is_case() const { return !case_file.empty(); }
   [[nodiscard]] bool moves() const {
     return scene == SceneKind::implicit_dynamics || scene == SceneKind::explicit_dynamics;

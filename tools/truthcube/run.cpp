@@ -160,7 +160,7 @@ Outcome run_recorded(Options options, const std::string& command, const fem::Sta
   terminal.line("%lld tets, %lld nodes, %zu levels; %s; %.1f MB, %.0f bytes per node; set up in %.2f s",
                 static_cast<long long>(record.tets), static_cast<long long>(record.nodes), scene.levels.size(),
                 record.device.c_str(), total / 1e6, total / static_cast<double>(record.nodes), record.setup_seconds);
-  if (options.timings || options.set_up_only) print_timings(record.stages, terminal);
+  if (options.prints_timings()) print_timings(record.stages, terminal);
   terminal.text(describe(scene.plates));
   if (options.set_up_only) {
     write_set_up(options.out, record);
