@@ -25,11 +25,12 @@ struct TetChunk {
   [[nodiscard]] PHYSGEN_FUNCTION bool has(index_t tet) const { return first_tet <= tet && tet < last_tet; }
 };
 
-/// Tets in a chunk: on CUDA enough to fill the device, on the CPU few enough for its caches.
+/// Tets in a chunk, whole blocks of a reduction, so that energies are added as those of one chunk: on CUDA enough to
+/// fill the device, on the CPU few enough for its caches.
 [[nodiscard]] index_t most_chunk_tets(SpaceKind space);
 
 /// @param edges (m, n), m < n, ascending: of the level, to which the mesh's belong
-/// @param most tets in a chunk, above 0
+/// @param most tets in a chunk: a multiple of 2048, above 0
 [[nodiscard]] std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges,
                                                     index_t most);
 

@@ -86,8 +86,7 @@ void evaluate_linear(On& on, Body& a, const Level& level, const LameParameters& 
             MeasureLinearForces{load, forces_of<double>(a, lame, u), a.loads.const_view(),
                                 level.constraints.const_view(), u, a.forces.view()},
             Sum{}, StoreForces{state});
-  on.reduce(a.tets.size(), LinearEnergy{lame, a.tets.const_view(), a.rest.const_view(), u}, Sum{},
-            AddElastic{state, true});
+  on.reduce(a.tets.size(), LinearEnergy{lame, a.tets.const_view(), a.rest.const_view(), u}, Sum{}, StoreElasticEnergy{state});
 }
 
 /// Leaves prescribed components where a load takes them, and the forces there.
