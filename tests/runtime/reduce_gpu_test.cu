@@ -67,6 +67,28 @@ TEST_F(CudaReduce, hands_the_value_to_then_once_and_uses_its_workspace_again) {
   EXPECT_EQ(records.getdata(0, 1), 150);
 }
 
+struct ScatteredFrom {
+  index_t first;
+  PHYSGEN_FUNCTION auto operator()(index_t i) const { return Scattered{}(first + i); }
+};
+TEST_F(CudaReduce, part_by_part_has_the_bits_of_one_reduction_and_calls_then_once) {
+  Records records(1);
+  const Record<Records::View> record{records.view()};
+  const index_t n = 300007;
+  ReduceWorkspace workspace(n);
+  const double all = sum(Cuda{}, n, Scattered{}, workspace);
+  for (const index_t most : {2048, 5 * 2048, 1 << 20}) {
+    for (index_t first = 0; first < n; first += most) {
+      const PartOfReduction part{first, std::min(most, n - first), n};
+      parallel_reduce_part(Cuda{}, part, ScatteredFrom{first}, Sum{}, record, workspace);
+    }
+  }
+  synchronize();
+  EXPECT_EQ(records.getdata(0, 0), all + all + all);
+  EXPECT_EQ(records.getdata(0, 1), 3);
+  EXPECT_THROW(parallel_reduce_part(Cuda{}, {1, 2048, 4096}, ScatteredFrom{1}, Sum{}, record, workspace), Error);
+}
+
 TEST_F(CudaReduce, can_be_captured_in_a_graph_and_replayed) {
   const index_t n = 300007;
   ReduceWorkspace workspace(n);

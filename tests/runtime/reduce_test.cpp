@@ -1,4 +1,5 @@
 // Reductions on the CPU.
+#include <physgen/executor.h>
 #include <physgen/parallel_reduce.h>
 #include <physgen/threads.h>
 
@@ -73,6 +74,45 @@ TEST(Reduce, short_forms_take_lambdas_ranges_and_integers) {
   EXPECT_TRUE(any(Host{}, 4, 5, is_even));
   EXPECT_FALSE(all(Host{}, n, is_even));
   EXPECT_TRUE(all(Host{}, 0, is_even));
+}
+
+TEST(Reduce, part_by_part_has_the_bits_of_one_reduction_and_numbers_of_all_objects) {
+  std::mt19937 random(seed());
+  HostExecutor on;
+  for (const index_t n : {0, 1, 2048, 5000, 50021}) {
+    const Vectors<float, Host, Soa> vectors(n, random);
+    const auto view = vectors.array.const_view();
+    const Product<std::remove_const_t<decltype(view)>> product{view};
+    const double sum_of_all = parallel_reduce(Host{}, n, product, Sum{});
+    const auto first_of_all = parallel_reduce(Host{}, n, product, Argmax{});
+    for (const index_t most : {2048, 3 * 2048, 1 << 16}) {
+      int calls = 0;
+      for (index_t first = 0; first == 0 || first < n; first += most) {
+        const PartOfReduction part{first, std::min(most, n - first), n};
+        const auto of_part = [&](auto i) { return product(numbers(i) + static_cast<std::int32_t>(first)); };
+        on.reduce_part(part, over<float>(of_part), Sum{}, [&](double value) {
+          ++calls;
+          expect_same(value, sum_of_all, std::to_string(n) + " objects by " + std::to_string(most));
+        });
+      }
+      EXPECT_EQ(calls, 1);
+      for (index_t first = 0; first == 0 || first < n; first += most) {
+        const auto of_part = [&](auto i) { return product(numbers(i) + static_cast<std::int32_t>(first)); };
+        on.reduce_part({first, std::min(most, n - first), n}, over<float>(of_part), Argmax{},
+                       [&](const auto& value) { EXPECT_EQ(value.index, first_of_all.index) << n << " objects"; });
+      }
+    }
+  }
+}
+TEST(Reduce, refuses_parts_that_do_not_have_whole_blocks) {
+  HostExecutor on;
+  const auto one = over<float>([](auto i) { return numbers(i); });
+  for (const PartOfReduction part : {PartOfReduction{1024, 2048, 8192}, {0, 1024, 8192}, {4096, 8192, 8192}}) {
+    EXPECT_EQ(message_of([&] { on.reduce_part(part, one, Sum{}, [](index_t) {}); }),
+              "physgen: a reduction of 8192 objects has a part from object " + std::to_string(part.first) +
+                  " to before " + std::to_string(part.first + part.count) +
+                  "; let parts begin and end at multiples of 2048, and the last at the end");
+  }
 }
 
 /// A fold of one's own: the largest absolute value.

@@ -4,6 +4,9 @@
 //
 //   on.run(n, kernel)                    kernel(i) for the objects 0 .. n-1
 //   on.reduce(n, kernel, fold, then)     the same; then(value) runs where the value was formed, and nothing waits
+//   on.reduce_part(part, kernel, fold, then)   the same part by part, kernel(i) for the objects 0 .. part.count-1;
+//   then()
+//                                        runs behind the last part. No other reduction stands between two parts
 //   on.perform(work)                     work(stream): steps in a way of their own, such as kernels that share memory
 //   on.repeat(loop, most, body, done)    body() until done() holds or `most` bodies were run; nothing waits. `loop` is
 //                                        an On::Loop that belongs to this place in the program and to these arrays
@@ -14,6 +17,8 @@
 #include <physgen/error.h>
 #include <physgen/parallel_for.h>
 #include <physgen/parallel_reduce.h>
+
+#include <vector>
 
 namespace physgen {
 
@@ -35,6 +40,19 @@ class HostExecutor {
   template <class Kernel, class Fold, class Then>
   void reduce(index_t n, const Kernel& kernel, Fold fold, const Then& then) {
     then(parallel_reduce(Host{}, n, kernel, fold));
+  }
+
+  /// @throw Error when the part does not begin and end with whole blocks; what kernel(i) throws
+  template <class Kernel, class Fold, class Then>
+  void reduce_part(const PartOfReduction& part, const Kernel& kernel, Fold /*fold*/, const Then& then) {
+    using Types = detail::HostReduction<Kernel, Fold>;
+    using Value = typename Types::Value;
+    part.check();
+    const index_t blocks = part.blocks();
+    values_.resize(static_cast<std::size_t>(blocks * Types::count) * sizeof(Value));
+    auto* const values = reinterpret_cast<Value*>(values_.data());
+    detail::reduce_blocks<Fold>(0, part.count, kernel, values + part.first_block(), blocks, part.first);
+    if (part.is_last()) then(detail::join_entries<Fold, Types>(values, blocks));
   }
 
   /// @param work a function object `void operator()(Stream) const`
@@ -63,6 +81,9 @@ class HostExecutor {
     }
     return array.const_view().get(index_t{0});
   }
+
+ private:
+  std::vector<std::byte> values_;  // of the blocks of a reduction in parts
 };
 
 }  // namespace physgen

@@ -87,6 +87,12 @@ class CudaExecutor {
     parallel_reduce(Cuda{}, 0, n, kernel, fold, then, workspace_, stream_);
   }
 
+  /// @throw Error when the part does not begin and end with whole blocks, or the launch fails
+  template <class Kernel, class Fold, class Then>
+  void reduce_part(const PartOfReduction& part, const Kernel& kernel, Fold fold, const Then& then) {
+    parallel_reduce_part(Cuda{}, part, kernel, fold, then, workspace_, stream_);
+  }
+
   /// @param work orders what it does in the stream that it is given
   /// @throw what it throws
   template <class Work>

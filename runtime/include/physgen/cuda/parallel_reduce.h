@@ -23,17 +23,25 @@ template <class Kernel, class Fold, class Then>
   requires(!std::is_integral_v<Kernel> && !std::is_same_v<Then, ReduceWorkspace>)
 void parallel_reduce(Cuda /*space*/, index_t begin, index_t end, const Kernel& kernel, Fold /*fold*/, const Then& then,
                      ReduceWorkspace& workspace, Stream stream = nullptr) {
-  using Types = detail::Reduction<Kernel, Fold, index_t>;
-  using Value = typename Types::Value;
-  workspace.require(std::max(end - begin, index_t{0}), index_t{sizeof(Value)} * Types::count);
-  detail::check_numbers(kernel);
   detail::check_range_of_launch(begin);
-  const cuda::Blocks blocks{begin, end, detail::blocks_of(begin, end)};
-  static const index_t at_once = cuda::blocks_at_once(cuda::reduce_objects<Types, Fold, Kernel, Then>);
-  const auto grid = static_cast<unsigned>(std::clamp(blocks.count, index_t{1}, at_once));
-  cuda::reduce_objects<Types, Fold><<<grid, cuda::reduce_threads, 0, stream>>>(
-      blocks, kernel, then, reinterpret_cast<Value*>(workspace.values()), workspace.finished());
-  cuda::check(cudaGetLastError(), "launching a reduction");
+  workspace.require(std::max(end - begin, index_t{0}), cuda::value_bytes<Kernel, Fold>);
+  const index_t count = detail::blocks_of(begin, end);
+  cuda::launch_reduction<Fold>({begin, end, count, 0, count, true, 0}, kernel, then, workspace, stream);
+}
+
+/// The same part by part: kernel(i) for the objects 0 .. part.count-1, and then(value of all parts) behind the last.
+/// The workspace holds the values of blocks from one part to the next.
+/// @pre no other reduction in the workspace stands between two parts
+/// @throw Error when the part does not begin and end with whole blocks, the workspace is too small for all parts, or
+/// the launch fails
+template <class Kernel, class Fold, class Then>
+void parallel_reduce_part(Cuda /*space*/, const PartOfReduction& part, const Kernel& kernel, Fold /*fold*/,
+                          const Then& then, ReduceWorkspace& workspace, Stream stream = nullptr) {
+  part.check();
+  workspace.require(part.of, cuda::value_bytes<Kernel, Fold>);
+  const index_t count = detail::blocks_of(0, part.count);
+  cuda::launch_reduction<Fold>({0, part.count, count, part.first_block(), part.blocks(), part.is_last(), part.first},
+                               kernel, then, workspace, stream);
 }
 
 /// A reduction on a device allocates nothing, so it is handed its memory.

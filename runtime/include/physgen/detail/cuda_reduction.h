@@ -3,7 +3,9 @@
 #pragma once
 
 #include <physgen/cuda/check.h>
+#include <physgen/detail/check_numbers.h>
 #include <physgen/detail/reduction.h>
+#include <physgen/launch/reduce_workspace.h>
 
 #include <algorithm>
 #include <cstring>
@@ -37,10 +39,14 @@ __device__ Value from_lane(const Value& value, int step) {
   return other;
 }
 
-/// The range, and the number of its blocks.
+/// The range, the number of its blocks, and where their values lie among those of all blocks that are joined as one.
 struct Blocks {
   index_t begin, end;
   index_t count;
+  index_t first = 0;    ///< the number of the range's first block
+  index_t all = count;  ///< blocks that are joined
+  bool is_last = true;  ///< whether these are the last of them
+  index_t shift = 0;    ///< folds know object i by the number i + shift
 };
 
 /// The values of this thread block's blocks of objects. All its threads form terms; of each block one warp joins them,
@@ -73,7 +79,7 @@ __device__ void reduce_blocks(const Blocks& blocks, const Kernel& kernel, typena
         PHYSGEN_UNROLL
         for (int k = 0; k < Types::count; ++k) {
           const Number term = terms[half][k][i - at - from];
-          lanes[k] = Fold::join(lanes[k], Fold::template value<Number>(term, i));
+          lanes[k] = Fold::join(lanes[k], Fold::template value<Number>(term, i + blocks.shift));
         }
       };
       if (whole) {
@@ -109,7 +115,7 @@ __device__ void reduce_blocks(const Blocks& blocks, const Kernel& kernel, typena
         for (int step = detail::reduce_lanes / 2; step > 0; step /= 2) {
           lanes[k] = Fold::join(lanes[k], from_lane(lanes[k], step));
         }
-        if (lane == 0) values[k * blocks.count + block] = lanes[k];
+        if (lane == 0) values[k * blocks.all + blocks.first + block] = lanes[k];
       }
     }
   }
@@ -178,12 +184,12 @@ __global__ void __launch_bounds__(reduce_threads)
   __syncthreads();
   if (threadIdx.x == 0) last = atomicInc(finished, gridDim.x - 1) == gridDim.x - 1;
   __syncthreads();
-  if (!last) return;
+  if (!last || !blocks.is_last) return;
   __threadfence();
   typename Types::Value result[Types::count];
   PHYSGEN_UNROLL
   for (int k = 0; k < Types::count; ++k) {
-    result[k] = join_blocks<typename Types::Number, Fold>(values + k * blocks.count, blocks.count);
+    result[k] = join_blocks<typename Types::Number, Fold>(values + k * blocks.all, blocks.all);
   }
   if (threadIdx.x == 0) then(Types::Entries::result(static_cast<const typename Types::Value*>(result)));
 }
@@ -196,6 +202,24 @@ template <class Global>
   check(cudaDeviceGetAttribute(&processors, cudaDevAttrMultiProcessorCount, device), "asking for its size");
   check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel, reduce_threads, 0), "asking what runs at once");
   return std::max(index_t{processors} * blocks, index_t{1});
+}
+
+/// Bytes of the value of one block.
+template <class Kernel, class Fold>
+inline constexpr index_t value_bytes = index_t{sizeof(typename detail::Reduction<Kernel, Fold, index_t>::Value)} *
+                                       detail::Reduction<Kernel, Fold, index_t>::count;
+
+/// @pre the workspace has room for the values of all blocks
+template <class Fold, class Kernel, class Then>
+void launch_reduction(const Blocks& blocks, const Kernel& kernel, const Then& then, ReduceWorkspace& workspace,
+                      Stream stream) {
+  using Types = detail::Reduction<Kernel, Fold, index_t>;
+  detail::check_numbers(kernel);
+  static const index_t at_once = blocks_at_once(reduce_objects<Types, Fold, Kernel, Then>);
+  const auto grid = static_cast<unsigned>(std::clamp(blocks.count, index_t{1}, at_once));
+  reduce_objects<Types, Fold><<<grid, reduce_threads, 0, stream>>>(
+      blocks, kernel, then, reinterpret_cast<typename Types::Value*>(workspace.values()), workspace.finished());
+  check(cudaGetLastError(), "launching a reduction");
 }
 
 struct a_reduction_on_a_device_needs_a_ReduceWorkspace_as_its_last_argument {};

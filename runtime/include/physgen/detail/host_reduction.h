@@ -56,8 +56,10 @@ void keep_apart([[maybe_unused]] Numbers& numbers) {
 
 /// The values of the objects begin .. end-1, which lie in one block, an entry each. The numbers of 32 objects are
 /// collected, then joined to the lanes at once: a loop that compilers turn into packs, whatever the fold.
+/// @param shift folds know object i by the number i + shift
 template <class Fold, int kWidth, class Kernel, class Value>
-void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, LaunchFailure& failure, Value* values) {
+void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, LaunchFailure& failure, index_t shift,
+                      Value* values) {
   using Index = std::conditional_t<kWidth == 1, index_t, Pack<kWidth>>;
   using Types = Reduction<Kernel, Fold, Index>;
   static_assert(kWidth == 1 || !std::is_arithmetic_v<typename Types::Entries::Entry>,
@@ -80,7 +82,7 @@ void reduce_one_block(index_t begin, index_t end, const Kernel& kernel, LaunchFa
     };
     const auto join = [&](std::size_t l) {
       for (std::size_t k = 0; k < count; ++k) {
-        const Value value = Fold::template value<Number>(numbers[k][l], lane0 + static_cast<index_t>(l));
+        const Value value = Fold::template value<Number>(numbers[k][l], lane0 + static_cast<index_t>(l) + shift);
         lanes[k][l] = Fold::join(lanes[k][l], value);
       }
     };

@@ -5,7 +5,9 @@
 
 #include <physgen/detail/folds.h>
 #include <physgen/detail/reduction.h>
+#include <physgen/error.h>
 
+#include <string>
 #include <type_traits>
 
 namespace physgen {
@@ -16,6 +18,28 @@ namespace physgen {
 // b % 1024, in ascending b; then strand s joins strand s + 512 for s < 512, where there are so many, s + 256 for
 // s < 256, and so on to strand 0. So the value has the same bits for any number of threads, lanes of packs, and on host
 // and device, where the kernel's terms have.
+
+/// Some of the objects of a reduction that runs part by part: its objects first .. first + count - 1. Parts follow each
+/// other in ascending order and without gaps, and each but the last has whole blocks. Their value has the bits that one
+/// reduction of all objects has; `then` is called once, behind the last part.
+struct PartOfReduction {
+  index_t first, count;
+  index_t of;  ///< objects of all parts
+
+  [[nodiscard]] constexpr bool is_last() const { return first + count == of; }
+  [[nodiscard]] constexpr index_t first_block() const { return first / detail::reduce_block; }
+  [[nodiscard]] constexpr index_t blocks() const { return (of + detail::reduce_block - 1) / detail::reduce_block; }
+  /// @throw Error when it begins inside of a block, ends inside of one without being the last, or is not among `of`
+  void check() const {
+    if (first >= 0 && count >= 0 && count <= of - first && first % detail::reduce_block == 0 &&
+        (is_last() || count % detail::reduce_block == 0)) {
+      return;
+    }
+    throw Error("a reduction of " + std::to_string(of) + " objects has a part from object " + std::to_string(first) +
+                " to before " + std::to_string(first + count) + "; let parts begin and end at multiples of " +
+                std::to_string(detail::reduce_block) + ", and the last at the end");
+  }
+};
 
 // A fold is a type with these members, of which a fold of your own has all, too; Number is the type of one object's
 // term: float, double, std::int32_t or bool. Folds of several terms (std::array, Eigen vectors and matrices) fold each.

@@ -23,6 +23,10 @@ class ProbeExecutor {
   void reduce(index_t /*n*/, const Kernel& kernel, Fold fold, const Then& then) {
     probe::detail::reduce_step<Kernel, Fold, Then, Space>(kernel, fold, then);
   }
+  template <class Kernel, class Fold, class Then>
+  void reduce_part(const PartOfReduction& /*part*/, const Kernel& kernel, Fold fold, const Then& then) {
+    probe::detail::reduce_step<Kernel, Fold, Then, Space>(kernel, fold, then);
+  }
   template <class Work>
   void perform(const Work& work) {
     probe::detail::perform_step<Work, Space>(work);

@@ -140,8 +140,10 @@ struct EquilibriumOver : Body {
   /// Calls body(m, range) for each material m.
   template <class Visit>
   void each_material(const Visit& visit) const {
-    if (materials.empty()) return visit(std::size_t{0}, MaterialRange{0, tet_count(), 0, this->volumes.size()});
-    for (std::size_t m = 0; m < materials.size(); ++m) visit(m, materials[m]);
+    for (std::size_t m = 0; m < std::max(materials.size(), std::size_t{1}); ++m) visit(m, material_range(m));
+  }
+  [[nodiscard]] MaterialRange material_range(std::size_t m) const {
+    return materials.empty() ? MaterialRange{0, tet_count(), 0, this->volumes.size()} : materials[m];
   }
   /// The material of all tets of a chunk.
   [[nodiscard]] std::size_t material_of(const TetChunk& chunk) const {

@@ -16,9 +16,9 @@
 
 namespace physgen::fem {
 
-/// Leaves the energy of a chunk of tets in quasistatic::Equilibrium: adds it to that of the chunks before.
+/// Leaves the energy of the tets of a material in quasistatic::Equilibrium: adds it to that of those before.
 template <class StateView>
-struct AddElastic {
+struct StoreElasticEnergy {
   StateView state;
   bool is_first;
   PHYSGEN_FUNCTION void operator()(double energy) const {
@@ -54,8 +54,8 @@ class Evaluator {
   /// Mean volumes and their pressures at `positions`, where the arrays have patches or rings: all else follows them.
   /// @param restart linearised pressures begin anew
   virtual void evaluate_volumes(On& on, Arrays& arrays, const PositionView& positions, bool restart) = 0;
-  /// Leaves in chunk_arrays->corners the forces of a chunk of tets at `positions`, and their energy in the arrays'
-  /// state.
+  /// Leaves in chunk_arrays->corners the forces of a chunk of tets at `positions`, and, behind the last chunk, the
+  /// energy of all tets in the arrays' state. @pre chunks come in their order
   virtual void evaluate_forces(On& on, Arrays& arrays, const TetChunk& chunk, const PositionView& positions) = 0;
   /// Leaves in chunk_arrays->tangent the tangents of a chunk of tets at the arrays' positions.
   virtual void evaluate_tangents(On& on, Arrays& arrays, const TetChunk& chunk, TangentFilter filter) = 0;
@@ -105,10 +105,12 @@ class MaterialSteps {
   template <class On, class Arrays, class Positions>
   void evaluate_forces(On& on, Arrays& a, const TetChunk& chunk, const Positions& positions) {
     with_pressures(a, [&](const auto& pressures) {
-      on.reduce(chunk.tets(),
-                ComputeTetForces{chunk, materials_[a.material_of(chunk)], pressures, a.tets.const_view(),
-                                 a.rest.const_view(), positions, a.chunk_arrays->corners.view()},
-                Sum{}, AddElastic{a.state.view(), chunk.is_first()});
+      const std::size_t m = a.material_of(chunk);
+      const MaterialRange range = a.material_range(m);
+      on.reduce_part({chunk.first_tet - range.first_tet, chunk.tets(), range.tets()},
+                     ComputeTetForces{chunk, materials_[m], pressures, a.tets.const_view(), a.rest.const_view(),
+                                      positions, a.chunk_arrays->corners.view()},
+                     Sum{}, StoreElasticEnergy{a.state.view(), m == 0});
     });
   }
   template <class On, class Arrays>

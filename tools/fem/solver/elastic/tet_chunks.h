@@ -37,11 +37,12 @@ struct MaterialRange {
 /// @throw Error when a patch has tets of two, or patches do not follow each other as their materials do
 [[nodiscard]] std::vector<MaterialRange> material_ranges(const MeshLevel& level);
 
-/// Tets in a chunk: on CUDA enough to fill the device, on the CPU few enough for its caches.
+/// Tets in a chunk, whole blocks of a reduction, so that energies are added as those of one chunk: on CUDA enough to
+/// fill the device, on the CPU few enough for its caches.
 [[nodiscard]] index_t most_chunk_tets(SpaceKind space);
 
 /// @param edges (m, n), m < n, ascending: of the level, to which the mesh's belong
-/// @param most tets in a chunk, above 0
+/// @param most tets in a chunk: a multiple of 2048, above 0
 /// @param material_ends as MeshLevel has them: no chunk has tets of two materials
 [[nodiscard]] std::vector<TetChunk> make_tet_chunks(const TetMesh& mesh, std::span<const std::array<Index, 2>> edges,
                                                     index_t most, std::span<const Index> material_ends = {});

@@ -87,7 +87,7 @@ void evaluate_linear(On& on, Body& a, const Level& level, const LameParameters& 
                                 level.constraints.const_view(), u, a.forces.view()},
             Sum{}, StoreForces{state});
   on.reduce(a.tets.size(), LinearEnergy{lame, a.tets.const_view(), a.rest.const_view(), u}, Sum{},
-            AddElastic{state, true});
+            StoreElasticEnergy{state, true});
 }
 
 /// Leaves prescribed components where a load takes them, and the forces there.
