@@ -16,7 +16,7 @@ struct EvaluateStress {
   PositionView positions;  ///< elasticity::NodePosition, current
   StressView stresses;     ///< elasticity::Stress, written
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     using S = Scalar;
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, i);
     Vector3<S> g = material.stress(tet.f.s);
