@@ -121,8 +121,7 @@ class Joiner {
       why.push_back("they run over different objects, " + before.runs + " and " + step.runs);
     for (const ProgramStep* one : {&before, &step})
       if (!one->takes_packs)
-        why.push_back(short_name(one->step) +
-                      " cannot take packs, since its call operator is not a template over the index");
+        why.push_back(short_name(one->step) + " cannot take packs, since its call operator takes single objects alone");
       else if (!one->obstacle.empty())
         why.push_back(short_name(one->step) + ": " + one->obstacle);
       else if (uses_.of(one->step) == nullptr)

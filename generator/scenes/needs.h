@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/halos.h"
 #include "scenes/issue.h"
 #include "scenes/scene.h"
 #include "usage/usage.h"
@@ -92,6 +93,7 @@ struct Needs {
   std::vector<StepGroup> groups;
   std::vector<StepsApart> apart;
   std::vector<std::string> not_joined;  ///< why other steps are not looked at: "step() runs them, not the program"
+  Halos halos;                          ///< found by find_halos()
   bool operator==(const Needs&) const = default;
 
   [[nodiscard]] bool sound() const;

@@ -104,6 +104,7 @@ class SceneReader {
                     "scene " + frontend::in_quotes(scene.name) +
                         " has no arrays; write a group, 'struct Body { PHYSGEN_ARRAY(per(\"tet\")) "
                         "Array<elasticity::TetObject, Real> tets; };'");
+    check_names(scene, arrays_, report_);
     program(record, scene);
     return scene;
   }
@@ -152,6 +153,7 @@ class SceneReader {
       if (!read_type(*member, array, report_)) continue;
       read_options(*member, array, report_);
       group.arrays.push_back(std::move(array));
+      arrays_.push_back(member);
     }
     return group;
   }
@@ -214,6 +216,7 @@ class SceneReader {
   std::string path_;
   clang::SourceLocation beginning_;
   std::vector<const clang::CXXRecordDecl*> scenes_;
+  std::vector<const clang::FieldDecl*> arrays_;  // of all groups, in order
 };
 
 class Consumer : public clang::ASTConsumer {

@@ -19,7 +19,8 @@ namespace {
 using frontend::Constant;
 using frontend::in_quotes;
 
-constexpr const char* array_options = "per(...), input(...), output(...) and uniform()";
+constexpr const char* array_options =
+    "per(...), input(...), output(...), uniform(), names(...), no_index(...) and follows(...)";
 
 /// "physgen::scene::detail::Per" gives "Per"; empty: it is not an option.
 std::string option_name(clang::QualType type) {
@@ -128,13 +129,20 @@ class OptionReader {
     clang::Expr::EvalResult result;
     if (name.empty() || !argument.EvaluateAsConstantExpr(result, report_.context()) || !result.Val.isStruct())
       return report_.error(range, std::string("this is not an option; PHYSGEN_ARRAY takes ") + array_options);
-    if (!seen_.insert(name).second) return error(range, "has this option twice; remove one of them");
+    if (name != "NamesObjects" && !seen_.insert(name).second)
+      return error(range, "has this option twice; remove one of them");
     const Constant value{result.Val, argument.getType()};
     const Location where = location(report_.context(), range.getBegin());
     if (name == "Per") {
       per(value, range);
     } else if (name == "Uniform") {
       array_.uniform = true;
+    } else if (name == "NamesObjects") {
+      names(value, where, range);
+    } else if (name == "Follows") {
+      array_.follows = frontend::literal(value.member("set").value).value_or("");
+    } else if (name == "Shift") {
+      error(range, "has shifted(...) beside its options; write it in names(\"code\", \"tet\", shifted(2))");
     } else {
       (name == "Input" ? array_.input : array_.output) = selection_of(value.member("fields"), where);
       known_fields(name == "Input" ? *array_.input : *array_.output, range);
@@ -152,6 +160,26 @@ class OptionReader {
             "has a per(...) that is neither a name nor a number of objects; write per(\"tet\"), with letters, digits "
             "and '_', "
             "or per(1)");
+  }
+
+  void names(const Constant& value, const Location& where, clang::SourceRange range) {
+    NamedObjects named;
+    named.field = frontend::literal(value.member("field").value).value_or("");
+    named.set = frontend::literal(value.member("set").value).value_or("");
+    named.shift = static_cast<int>(value.member("shift").member("bits").value.getInt().getExtValue());
+    named.location = where;
+    known_fields({false, {named.field}, where}, range);
+    for (const Field& field : array_.fields)
+      if (field.name == named.field && field.type != "int32" && !named.set.empty())
+        error(range, "names objects by its field " + in_quotes(named.field) + ", which is no index but " + field.type +
+                         "; name a field of type Index");
+    if (named.shift < 0 || named.shift > 30)
+      error(range, "has shifted(" + std::to_string(named.shift) + "); an index has 31 bits, so shift by 0 to 30");
+    for (const NamedObjects& known : array_.names)
+      if (known.field == named.field && (known.set == named.set || known.set.empty() || named.set.empty()))
+        error(range, known.set == named.set ? "has this option twice; remove one of them"
+                                            : "has names(...) and no_index(...) of one field; remove one of them");
+    array_.names.push_back(std::move(named));
   }
 
   void known_fields(const Selection& selection, clang::SourceRange range) {

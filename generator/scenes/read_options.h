@@ -3,6 +3,8 @@
 
 #include <clang/AST/DeclCXX.h>
 
+#include <vector>
+
 #include "frontend/report.h"
 #include "scenes/scene.h"
 
@@ -21,6 +23,11 @@ inline constexpr llvm::StringRef array_annotation = "physgen.array";
 /// Reads the options of PHYSGEN_ARRAY, and reports those that are repeated, missing, or name fields that are not there.
 /// @pre its type has been read
 void read_options(const clang::FieldDecl& declaration, Array& array, frontend::Report& report);
+
+/// Reports sets that names() and follows() say and the scene has not, and sets that follow each other in a circle.
+/// @param declarations of the groups' arrays, in order
+void check_names(const Scene& scene, const std::vector<const clang::FieldDecl*>& declarations,
+                 frontend::Report& report);
 
 /// Line and column of `where`, in the file's own terms.
 [[nodiscard]] Location location(const clang::ASTContext& context, clang::SourceLocation where);

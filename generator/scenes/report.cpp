@@ -6,13 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/report_groups.h"
+#include "scenes/report_halos.h"
 
 namespace physgen::scenes {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int report_format = 2;  // counts up when an old reader would misread a new file; the first had no number
+constexpr int report_format = 3;  // counts up when an old reader would misread a new file; the first had no number
 
 /// Bytes and elements of one object of each array of a set, together.
 struct Sum {
@@ -193,7 +194,8 @@ std::string report_text(const Scene& scene, const Needs& needs) {
   for (const Sum& sum : sums(scene, needs))
     text += sum.set + ": " + std::to_string(sum.kept_bytes) + " of " + std::to_string(sum.all_bytes) + " bytes, " +
             std::to_string(sum.kept_elements) + " of " + std::to_string(sum.all_elements) + " numbers\n";
-  text += records_text(scene, needs) + too_early_text(needs) + groups_text(scene, needs) + "\nWhy:\n";
+  text += records_text(scene, needs) + too_early_text(needs) + groups_text(scene, needs) + halos_text(needs.halos) +
+          "\nWhy:\n";
   for_each_array(scene, needs, [&](const Group& group, const Array& array, const ArrayNeed& need) {
     for (const FieldNeed& field : need.fields)
       text += "  " + group.full_name(array) + "." + field.field.name + " " + fate_and_why(needs, need, field) + "\n";
@@ -245,6 +247,7 @@ std::string report_json(const Scene& scene, const Needs& needs) {
                                       {"place", read.place == usage::Place() ? "" : usage::text_of(read.place)},
                                       {"note", text_of(read)}});
   add_groups(needs, json);
+  add_halos(needs.halos, json);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -259,7 +262,8 @@ std::string report_why(const Scene& scene, const Needs& needs, const std::string
         names.push_back(word + "." + field.field.name);
         if (name != word && name != names.back()) continue;
         text += group.full_name(array) + "." + field.field.name + " of " + array.object + " " +
-                fate_and_why(needs, need, field) + "\n" + lines(field);
+                fate_and_why(needs, need, field) + "\n" + lines(field) +
+                why_text(needs.halos, group.full_name(array), field.field.name);
         break;
       }
   });

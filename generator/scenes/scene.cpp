@@ -24,6 +24,9 @@ Json write(const Array& array) {
   if (array.input) json["input"] = write(*array.input);
   if (array.output) json["output"] = write(*array.output);
   if (array.uniform) json["uniform"] = true;
+  for (const NamedObjects& named : array.names)
+    json["names"].push_back({{"field", named.field}, {"set", named.set}, {"shift", named.shift}});
+  if (!array.follows.empty()) json["follows"] = array.follows;
   json["fields"] = Json::array();
   for (const Field& field : array.fields) {
     Json written = {{"name", field.name}, {"type", field.type}, {"elements", field.elements}, {"bytes", field.bytes}};
@@ -44,6 +47,13 @@ std::vector<std::string> Group::sets() const {
   for (const Array& array : arrays)
     if (!array.set.empty() && std::find(sets.begin(), sets.end(), array.set) == sets.end()) sets.push_back(array.set);
   return sets;
+}
+
+bool states_names(const Scene& scene) {
+  return std::ranges::any_of(scene.groups, [](const Group& group) {
+    return std::ranges::any_of(group.arrays,
+                               [](const Array& array) { return !array.names.empty() || !array.follows.empty(); });
+  });
 }
 
 std::string set_of(const Array& array) {

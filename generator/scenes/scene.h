@@ -33,6 +33,15 @@ struct Selection {
   [[nodiscard]] bool has(const std::string& field) const;
 };
 
+/// An index field, and the set whose objects it names.
+struct NamedObjects {
+  std::string field;
+  std::string set;  ///< empty: it names none, as bits and counts
+  int shift = 0;    ///< the number is field >> shift
+  Location location;
+  bool operator==(const NamedObjects&) const = default;
+};
+
 struct Array {
   std::string name;
   std::string doc;
@@ -45,6 +54,8 @@ struct Array {
   std::optional<Selection> input;
   std::optional<Selection> output;
   bool uniform = false;
+  std::vector<NamedObjects> names;
+  std::string follows;  ///< a set; empty: none
   std::vector<Field> fields;
   Location location;
   bool operator==(const Array&) const = default;
@@ -84,6 +95,9 @@ struct Scene {
   [[nodiscard]] bool has_own_real(const Array& array) const { return array.own_real && !real.empty(); }
   [[nodiscard]] std::string qualified_name() const { return scope.empty() ? name : scope + "::" + name; }
 };
+
+/// Whether the scene says which sets its index fields name, so that halos are looked for.
+[[nodiscard]] bool states_names(const Scene& scene);
 
 /// "per tet", "1 object", "3 objects".
 [[nodiscard]] std::string set_of(const Array& array);

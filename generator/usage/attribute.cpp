@@ -34,7 +34,9 @@ class Attribution {
       const Own own = [&](const Function& f) { return step.own_files.count(f.place.file) != 0; };
       use.fields = accesses({step.function}, own);
       const std::set<int> lead_to = reached_;
-      races(lead_to, own, result);
+      const std::vector<PartUse> parts = this->parts(lead_to, own);
+      races(parts, result);
+      use.kernels = kernels(step, parts, own);
       steps_lead_to.insert(lead_to.begin(), lead_to.end());
       result.steps.push_back(std::move(use));
     }
@@ -135,6 +137,12 @@ class Attribution {
     use.address_taken = access.access == Access::address;
     use.read = access.access == Access::read;
     use.written = access.access == Access::write;
+    const bool reads = use.read || use.address_taken, writes = use.written || use.address_taken || use.added;
+    const bool is_others = use.gathered || use.added;
+    use.reads_own = use.own && reads;
+    use.writes_own = use.own && writes;
+    use.reads_others = is_others && reads;
+    use.writes_others = is_others && writes;
     return use;
   }
 
@@ -183,25 +191,54 @@ class Attribution {
   struct PartUse {
     std::string kernel;
     int behind = 0;
+    std::string class_name;
+    KernelViews views;
     std::vector<int> call_operators;
     std::vector<FieldUse> fields;
   };
 
   /// @param lead_to functions of a step, whose own ones have places
-  void races(const std::set<int>& lead_to, const Own& own, Usage& result) {
+  std::vector<PartUse> parts(const std::set<int>& lead_to, const Own& own) {
     std::vector<PartUse> parts;
     for (const Part& part : graph_.parts) {
       if (lead_to.count(part.call_operator) == 0) continue;
       auto same = std::ranges::find_if(
           parts, [&](const PartUse& known) { return known.kernel == part.kernel && known.behind == part.behind; });
-      if (same == parts.end()) same = parts.insert(same, {part.kernel, part.behind, {}, {}});
+      if (same == parts.end())
+        same = parts.insert(same, {part.kernel, part.behind, part.class_name, part.views, {}, {}});
       same->call_operators.push_back(part.call_operator);
     }
     for (PartUse& part : parts) {
       part.fields = accesses(part.call_operators, own);
       if (makes_index(part.call_operators))
-        for (FieldUse& use : part.fields) use.own = false;
+        for (FieldUse& use : part.fields) forget_own(use);
     }
+    return parts;
+  }
+  /// Any object may be meant.
+  static void forget_own(FieldUse& use) {
+    use.own = false;
+    use.reads_others = use.reads_others || use.read || use.address_taken;
+    use.writes_others = use.writes_others || use.written || use.address_taken;
+  }
+
+  /// The kernels of a step: of a fused one its parts, of a reduction what is folded.
+  std::vector<KernelUse> kernels(const Step& step, const std::vector<PartUse>& parts, const Own& own) {
+    std::vector<KernelUse> result;
+    for (const PartUse& part : parts) result.push_back({part.class_name, part.views, part.fields});
+    if (!result.empty() || !step.views) return result;
+    int function = step.function;
+    for (const Call& call : at(function).calls)
+      if (std::ranges::any_of(graph_.steps, [&](const Step& one) { return one.function == call.to; }))
+        function = call.to;
+    KernelUse kernel = {step.kernel, *step.views, accesses({function}, own)};
+    if (makes_index({function}))
+      for (FieldUse& use : kernel.fields) forget_own(use);
+    result.push_back(std::move(kernel));
+    return result;
+  }
+
+  static void races(const std::vector<PartUse>& parts, Usage& result) {
     for (const PartUse& one : parts)
       for (const PartUse& other : parts)
         if (&one != &other) races(one, other, result);

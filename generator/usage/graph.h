@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,15 +44,19 @@ struct Function {
 
 struct Step {
   int function = 0;
-  StepUse use;                      ///< without its fields
-  std::set<std::string> own_files;  ///< where its kernel and what the kernel is made of are defined
+  StepUse use;                       ///< without its fields
+  std::set<std::string> own_files;   ///< where its kernel and what the kernel is made of are defined
+  std::string kernel;                ///< a class of the program's, without template arguments; empty: there is none
+  std::optional<KernelViews> views;  ///< of the kernel; none: it is no kernel of one object after the other
 };
 
 /// A kernel in a fused one.
 struct Part {
   int call_operator = 0;  ///< index of a function
   std::string kernel;
-  int behind = 0;  ///< how many kernels of the group come after it
+  int behind = 0;          ///< how many kernels of the group come after it
+  std::string class_name;  ///< as Step::kernel
+  KernelViews views;
 };
 
 struct Graph {

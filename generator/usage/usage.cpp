@@ -19,6 +19,20 @@ void sort(std::vector<FieldUse>& uses) {
   });
 }
 
+/// Adds kernels of the same step as it is compiled for another side.
+void add(std::vector<KernelUse>& kernels, const std::vector<KernelUse>& more) {
+  for (const KernelUse& kernel : more) {
+    const auto same = std::ranges::find_if(kernels, [&](const KernelUse& known) {
+      return known.name == kernel.name && known.views.arrays == kernel.views.arrays;
+    });
+    if (same == kernels.end()) {
+      kernels.push_back(kernel);
+    } else {
+      for (const FieldUse& use : kernel.fields) usage::add(same->fields, use);
+    }
+  }
+}
+
 auto key(const StepUse& step) { return std::tie(step.kernel, step.arrays, step.place, step.root); }
 
 }  // namespace
@@ -35,6 +49,10 @@ void add(std::vector<FieldUse>& uses, const FieldUse& use) {
   to.own = to.own || use.own;
   to.gathered = to.gathered || use.gathered;
   to.added = to.added || use.added;
+  to.reads_own = to.reads_own || use.reads_own;
+  to.reads_others = to.reads_others || use.reads_others;
+  to.writes_own = to.writes_own || use.writes_own;
+  to.writes_others = to.writes_others || use.writes_others;
   to.whole_object = to.whole_object || use.whole_object;
   merge(to.places, use.places);
   merge(to.read_places, use.read_places);
@@ -57,9 +75,13 @@ void sort(Usage& usage) {
       steps.push_back(step);
     } else {
       for (const FieldUse& use : step.fields) add(same->fields, use);
+      add(same->kernels, step.kernels);
     }
   }
-  for (StepUse& step : steps) sort(step.fields);
+  for (StepUse& step : steps) {
+    sort(step.fields);
+    for (KernelUse& kernel : step.kernels) sort(kernel.fields);
+  }
   std::ranges::sort(steps, [](const StepUse& a, const StepUse& b) { return key(a) < key(b); });
   usage.steps = std::move(steps);
   sort(usage.unattributed);

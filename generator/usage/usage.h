@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace physgen::usage {
@@ -21,9 +22,11 @@ struct FieldUse {
   bool read = false, written = false;
   bool address_taken = false;  ///< by `&` of an element or an atomic operation
   // The objects that are meant. None: types do not tell, where a kernel takes single objects alone or makes an index.
-  bool own = false;                                ///< of those that the step is called for
-  bool gathered = false;                           ///< of others, which it finds by indices of its own making
-  bool added = false;                              ///< of others, by add()
+  bool own = false;       ///< of those that the step is called for
+  bool gathered = false;  ///< of others, which it finds by indices of its own making
+  bool added = false;     ///< of others, by add()
+  // The same of reads and of writes apart. None: as above.
+  bool reads_own = false, reads_others = false, writes_own = false, writes_others = false;
   bool whole_object = false;                       ///< by a get() or put() of all fields, too, at `whole_places`
   std::vector<Place> places;                       ///< in the kernel's own source, in ascending order, each once
   std::vector<Place> read_places, written_places;  ///< those of them where it is read, and where it is written
@@ -31,13 +34,30 @@ struct FieldUse {
   bool operator==(const FieldUse&) const = default;
 };
 
+/// The views that a kernel holds, in the order of its members: Rows are two, their ranges and their entries, and
+/// members that are structs count with their own.
+struct KernelViews {
+  std::vector<std::string> arrays;                        ///< of each view; empty: of no array with a name
+  std::vector<std::pair<std::string, std::string>> rows;  ///< arrays of ranges, and of their entries
+  bool operator==(const KernelViews&) const = default;
+};
+
+/// A kernel of a step: of a fused one there are several, of work of a program's own none.
+struct KernelUse {
+  std::string name;  ///< "physgen::fem::ComputeSvd"; empty: a lambda, or a kernel of the runtime's over one
+  KernelViews views;
+  std::vector<FieldUse> fields;  ///< by array and field, in ascending order; without those of what follows a reduction
+  bool operator==(const KernelUse&) const = default;
+};
+
 /// The uses that one step of a program makes of fields.
 struct StepUse {
   std::string kernel;               ///< "physgen::fem::ComputeSvd", or "lambda in physgen::fem::multiply"
   Place place;                      ///< where the kernel is defined
   std::vector<std::string> arrays;  ///< that the kernel is given, in the order of its parameters
-  bool root = false;             ///< what it reads is wanted whatever becomes of it: a predicate, a value of the host
-  std::vector<FieldUse> fields;  ///< by array and field, in ascending order
+  bool root = false;               ///< what it reads is wanted whatever becomes of it: a predicate, a value of the host
+  std::vector<FieldUse> fields;    ///< by array and field, in ascending order
+  std::vector<KernelUse> kernels;  ///< that it consists of, in their order; files of usages do not have them
   bool operator==(const StepUse&) const = default;
 };
 

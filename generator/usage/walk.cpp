@@ -11,7 +11,7 @@
 #include "usage/expressions.h"
 #include "usage/facts.h"
 #include "usage/in_order.h"
-#include "usage/names.h"
+#include "usage/kernel_views.h"
 #include "usage/unknown.h"
 
 namespace physgen::usage {
@@ -26,9 +26,9 @@ class Walk {
   const Graph& graph(const std::vector<const FunctionDecl*>& functions) {
     for (const auto* probe : names_.probes()) accesses_of(*probe);
     for (const FunctionDecl* function : names_.steps()) {
-      Step step = names_.step(*function);
-      step.function = number(function);
-      graph_.steps.push_back(std::move(step));
+      graph_.steps.push_back(names_.step(*function));
+      graph_.steps.back().function = number(function);
+      add_kernel(*function, names_, graph_.steps.back());
     }
     if (const auto programs = names_.variants(); !programs.empty()) graph_.program = number(programs.front());
     follow();
@@ -129,7 +129,7 @@ class Walk {
       const clang::Decl* declared = declarations_[static_cast<std::size_t>(call.to)];
       const auto* called = llvm::dyn_cast<clang::CXXMethodDecl>(declared);
       if (called != nullptr && called->getOverloadedOperator() == clang::OO_Call && called->getParent() == &kernel)
-        graph_.parts.push_back({call.to, names_.kernel_name(kernel), behind});
+        graph_.parts.push_back(part_of(call.to, kernel, behind, names_));
       const auto* step = llvm::dyn_cast<FunctionDecl>(declared);
       if (step != nullptr && called == nullptr &&
           (Names::is_physgen(step, "run_step", {"detail"}) || Names::is_physgen(step, "run_one_by_one", {"detail"})))

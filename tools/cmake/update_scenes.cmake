@@ -2,7 +2,7 @@
 # reports of an older checkout, which are files of a build now.
 cmake_minimum_required(VERSION 3.25)
 
-file(GLOB written ${WRITTEN}/*.scene.h ${WRITTEN}/*.program.h ${WRITTEN}/*.digest)
+file(GLOB written ${WRITTEN}/*.scene.h ${WRITTEN}/*.program.h ${WRITTEN}/*.halos.h ${WRITTEN}/*.digest)
 if(NOT written)
   message(FATAL_ERROR "${WRITTEN} has no headers of scenes; ${CHECKED_IN} stays as it is")
 endif()

@@ -11,6 +11,7 @@
 #include "scenes/analysis.h"
 #include "scenes/digest.h"
 #include "scenes/groups.h"
+#include "scenes/halos.h"
 #include "scenes/header.h"
 #include "scenes/needs.h"
 #include "scenes/probe_unit.h"
@@ -56,6 +57,7 @@ class SceneCommand {
     const auto usage = analyse(scene, path);
     if (!usage) return errors;
     scenes::Needs needs = scenes::find_needs(scene, *usage);
+    if (needs.sound()) needs.halos = scenes::find_halos(scene, *usage, needs.issues);
     for (const scenes::Issue& issue : needs.issues)  // notes are of needs that hold
       if (needs.sound() || issue.kind == scenes::Issue::Kind::error) err_ << scenes::text_of(issue);
     if (!needs.sound()) return errors;
@@ -101,8 +103,10 @@ class SceneCommand {
                                {path(".usage.json"), usage::to_json({{scene.name, usage}})}};
     if (request_.everything)
       files.push_back({path(".everything.h"), scenes::header(scene, scenes::everything(needs), "_everything")});
+    if (needs.halos.stated) files.push_back({path(".halos.h"), scenes::halos_header(scene, needs.halos)});
     if (!request_.depfile.empty()) files.push_back({request_.depfile, depfile(request_.stamp, dependencies_)});
     write_outputs(files, {request_.file}, stamp_);  // programs that it reads may include what was written of it
+    if (!needs.halos.stated) std::filesystem::remove(path(".halos.h"));  // of when the scene stated names
   }
 
   const SceneRequest& request_;
@@ -126,7 +130,8 @@ void describe_scene(CLI::App& app, SceneRequest& request) {
       ->add_option(
           "-o,--output", request.output_dir,
           "Folder of x.scene.h, of x.program.h, which calls the program over these arrays, of the digest x.digest, "
-          "and of the reports x.need.txt, x.need.json and x.usage.json; made if it does not exist; "
+          "of the table x.halos.h where the scene says what its index fields name, and of the reports x.need.txt, "
+          "x.need.json and x.usage.json; made if it does not exist; "
           "without: the report is printed")
       ->type_name("DIR");
   scene

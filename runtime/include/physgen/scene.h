@@ -31,8 +31,8 @@
 #if defined(__clang__) && !defined(__CUDACC__)
 /// Marks a struct as a scene: `struct PHYSGEN_SCENE() name { ... };`.
 #define PHYSGEN_SCENE() [[clang::annotate("physgen.scene")]]
-/// Marks the arrays of a group, before their type. Options: per(...), and where they hold, input(...), output(...) and
-/// uniform().
+/// Marks the arrays of a group, before their type. Options: per(...), and where they hold, input(...), output(...),
+/// uniform(), names(...), no_index(...) and follows(...).
 #define PHYSGEN_ARRAY(...) [[clang::annotate("physgen.array" __VA_OPT__(, ) __VA_ARGS__)]]
 #else
 #define PHYSGEN_SCENE()
@@ -61,6 +61,18 @@ struct Output {
 };
 struct Uniform {
   int records = 1;
+};
+struct Shift {
+  int bits = 0;
+};
+/// No set: the field is no index.
+struct NamesObjects {
+  const char* field = nullptr;
+  const char* set = nullptr;
+  Shift shift;
+};
+struct Follows {
+  const char* set = nullptr;
 };
 
 template <class... Text>
@@ -91,5 +103,21 @@ template <class... Text>
 
 /// One record for all objects, which are all the same. The program only reads it.
 [[nodiscard]] constexpr detail::Uniform uniform() { return {}; }
+
+/// An index field that names objects of a set by their numbers: names("nodes", "node"). Of a field that names objects
+/// of several sets, which are counted alike, each is said by a names() of its own.
+/// @param shift of a number that lies above others in the same field: names("code", "tet", shifted(2))
+[[nodiscard]] constexpr detail::NamesObjects names(const char* field, const char* set, detail::Shift shift = {}) {
+  return {field, set, shift};
+}
+/// The number is field >> bits.
+[[nodiscard]] constexpr detail::Shift shifted(int bits) { return {bits}; }
+
+/// An integer field that names no objects: bits, kinds, counts.
+[[nodiscard]] constexpr detail::NamesObjects no_index(const char* field) { return {field, "", {}}; }
+
+/// Where the objects of a set are divided among ranks, an object of this array's set is computed on each rank that owns
+/// one of the objects of `set` that it names: an edge or a tet that follows("node").
+[[nodiscard]] constexpr detail::Follows follows(const char* set) { return {set}; }
 
 }  // namespace physgen::scene

@@ -76,7 +76,7 @@ TEST_F(FusedScene, joins_what_can_be_joined_says_why_the_rest_is_not_and_compile
            {"gathered", "Gather reads body.m_gathered.a of other objects than its own, kernels.h:"},
            {"scattered", "Scatter adds to body.m_scattered.a of other objects than its own, kernels.h:"},
            {"otherset", "they run over different objects, per particle of body and per few of body; "},
-           {"single", "CopyOne cannot take packs, since its call operator is not a template over the index; "},
+           {"single", "CopyOne cannot take packs, since its call operator takes single objects alone; "},
            {"some", "no earlier step of the group is sure to store all of body.m_some.a, which Shift reads; "},
            {"masked", "Limit: it holds 'physgen::store_where("},
            {"element",

@@ -177,7 +177,7 @@ TEST(Groups, run_over_the_same_objects) {
 TEST(Groups, are_of_kernels_that_take_packs_of_one_width) {
   Chain chain;
   chain.second().takes_packs = false;
-  EXPECT_EQ(chain.why(), "Force cannot take packs, since its call operator is not a template over the index");
+  EXPECT_EQ(chain.why(), "Force cannot take packs, since its call operator takes single objects alone");
   chain.second().takes_packs = true;
   chain.second().scalar_bytes = 8;
   EXPECT_EQ(chain.why(), "packs of Force have another width");

@@ -64,7 +64,7 @@ TEST(SceneNeeds, keep_apart_where_a_step_reads_a_field_and_where_it_writes_it) {
   add(usage.steps.back().fields, use("body.svd", "s", false, {{"scale.h", 3, 5}}));
   const Needs needs = find_needs(chain(), usage);
   const auto json = nlohmann::json::parse(scenes::report_json(chain(), needs));
-  EXPECT_EQ(json.at("format"), 2);
+  EXPECT_EQ(json.at("format"), 3);
   const auto& s = json.at("arrays").at(1).at("fields").at(1);
   EXPECT_EQ(s.at("read_by").at(1).at("places"), nlohmann::json({"scale.h:2:5"}));
   EXPECT_EQ(s.at("written_by").at(1).at("places"), nlohmann::json({"scale.h:3:5"}));

@@ -1,44 +1,13 @@
 // Declarations of scenes: what is read from a sound one, and what is said of others. The objects stand for generated
 // ones, so that nothing else is parsed.
-#include "scenes/read.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <sstream>
 
-#include "frontend/case.h"
+#include "read_case.h"
 
 namespace physgen::test {
 namespace {
-
-const std::string objects = R"(#include <physgen/scene.h>
-#include <array>
-#include <string_view>
-enum class ElementType { float32, float64, int32, half, bfloat16, snorm16, none, fixed24 };
-struct FieldInfo { std::string_view name; ElementType type; int count; double initial; };
-struct SvdObject {
-  template <class Space> struct Formats {};
-  template <class Real, class Formats> static constexpr std::array<FieldInfo, 4> fields = {{
-      {"U", ElementType::float32, 9, 0}, {"n", ElementType::int32, 1, 2},
-      {"points[0].x", ElementType::float32, 3, 0}, {"points[1].x", ElementType::float32, 3, 0}}};
-};
-using namespace physgen::scene;
-)";
-
-/// Reads `text` behind the objects, as scene.h; line 1 is its first.
-scenes::Declaration read(const std::string& text) {
-  const Folder folder;
-  folder.write("objects.h", objects);
-  return scenes::read(folder.write("scene.h", "#include \"objects.h\"\n#line 1\n" + text),
-                      {"-I", PHYSGEN_RUNTIME_INCLUDE});
-}
-
-/// A scene with these arrays in its one group, which begin on line 3, and this behind the group.
-std::string scene_of(const std::string& arrays,
-                     const std::string& program = "template <class On, class B> static void program(On&, B& body);") {
-  return "struct PHYSGEN_SCENE() scene {\nstruct Body {\n" + arrays + "\n};\n" + program + "\n};\n";
-}
 
 TEST(SceneDeclaration, is_read_with_its_groups_arrays_options_and_comments) {
   const auto declaration = read(R"(namespace a::b {
@@ -143,25 +112,6 @@ TEST(SceneDeclaration, is_named_in_headers_by_the_folder_of_I_that_it_lies_in) {
   EXPECT_TRUE(has("/objects.h") && has("/scene.h"));
 }
 
-/// The errors without file names: "4:3: error: ...".
-std::vector<std::string> errors_of(const std::string& diagnostics) {
-  std::vector<std::string> result;
-  const std::string mark = "scene.h:";
-  std::istringstream lines(diagnostics);
-  for (std::string line; std::getline(lines, line);)
-    if (const auto place = line.find(mark); place != std::string::npos && line.find("error: ") != std::string::npos)
-      result.push_back(line.substr(place + mark.size()));
-  return result;
-}
-
-struct Wrong {
-  std::string name, text;
-  std::vector<std::string> expected;
-};
-void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.name; }
-
-const std::string svds = "PHYSGEN_ARRAY(per(\"tet\")) Array<SvdObject, float> svds;";
-
 const std::vector<Wrong> cases = {
     {"no_scene",
      "struct A {};\n",
@@ -215,7 +165,8 @@ const std::vector<Wrong> cases = {
      {"3:23: error: array 'svds' has this option twice; remove one of them"}},
     {"no_option",
      scene_of("PHYSGEN_ARRAY(per(1), 3) Array<SvdObject, float> svds;"),
-     {"3:23: error: this is not an option; PHYSGEN_ARRAY takes per(...), input(...), output(...) and uniform()"}},
+     {"3:23: error: this is not an option; PHYSGEN_ARRAY takes per(...), input(...), output(...), uniform(), "
+      "names(...), no_index(...) and follows(...)"}},
     {"an_unknown_field",
      scene_of("PHYSGEN_ARRAY(per(1), input(\"point.x\")) Array<SvdObject, float> svds;"),
      {"3:23: error: array 'svds' holds Svd; there is no field 'point.x'; did you mean 'points.x'?"}},

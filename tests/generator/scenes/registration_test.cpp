@@ -2,6 +2,7 @@
 // the host as what probes register in a program that is made of the scene's, and by Clang for the host and for CUDA.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,8 +10,10 @@
 #include <sstream>
 
 #include "frontend/case.h"
+#include "scenes/halos.h"
 #include "scenes/probe_unit.h"
 #include "scenes/read.h"
+#include "scenes/report_halos.h"
 #include "usage/analyse.h"
 
 namespace physgen::test {
@@ -28,28 +31,36 @@ std::vector<std::string> flags() {
   return flags;
 }
 
+std::string path_of(const std::string& name) {
+  const std::string tested = PHYSGEN_TESTED_SCENE_FOLDER "/" + name + ".h";
+  return fs::exists(tested) ? tested : PHYSGEN_SCENE_FOLDER "/" + name + ".h";
+}
 scenes::Scene scene_of(const std::string& name) {
-  const auto declaration = scenes::read(PHYSGEN_SCENE_FOLDER "/" + name + ".h", flags());
+  const auto declaration = scenes::read(path_of(name), flags());
   EXPECT_TRUE(declaration.scene) << declaration.diagnostics;
   return declaration.scene ? *declaration.scene : scenes::Scene();
 }
 std::string unit_of(const std::string& name, const std::string& space) {
-  return scenes::probe_unit(scene_of(name), space, PHYSGEN_SCENE_FOLDER "/" + name + ".h");
+  return scenes::probe_unit(scene_of(name), space, path_of(name));
 }
 
-/// The uses that Clang finds, over all steps and outside of them.
-Texts analysed(const std::string& name, usage::Side side) {
+usage::Usage usage_of(const std::string& name, usage::Side side) {
   usage::Diagnostics diagnostics;
-  const auto usage = usage::analyse("unit.cpp", unit_of(name, side == usage::Side::host ? "Host" : "Cuda"), flags(),
-                                    side, diagnostics);
+  auto usage = usage::analyse("unit.cpp", unit_of(name, side == usage::Side::host ? "Host" : "Cuda"), flags(), side,
+                              diagnostics);
   EXPECT_TRUE(usage) << diagnostics.text;
+  return usage ? std::move(*usage) : usage::Usage();
+}
+
+/// Uses, over all steps and outside of them.
+Texts texts_of(const usage::Usage& usage) {
   Texts result;
-  if (!usage) return result;
-  for (const usage::FieldUse& use : usage::all_fields(*usage))
+  for (const usage::FieldUse& use : usage::all_fields(usage))
     result.insert(use.array + "." + use.field + (use.read ? " R" : " ") + (use.written ? "W" : "") +
                   (use.address_taken ? "&" : ""));
   return result;
 }
+Texts analysed(const std::string& name, usage::Side side) { return texts_of(usage_of(name, side)); }
 
 /// The lines that a command prints.
 Texts lines_of(const std::string& command) {
@@ -101,13 +112,81 @@ Texts registered_by_gcc(const std::string& name) {
                     PHYSGEN_COMPILER " -O0 " PHYSGEN_MARCH " -no-pie -Wl,--unresolved-symbols=ignore-all");
 }
 
+/// What the rows of a scene's table say of the fields of arrays, as registered() does; and of what steps do in ways of
+/// their own, or after a reduction, what the analysis says.
+Texts said_by(const scenes::Halos& halos, const usage::Usage& usage) {
+  std::vector<usage::FieldUse> said = usage.unattributed;
+  for (const usage::StepUse& step : usage.steps) {
+    for (usage::FieldUse use : step.fields) {
+      const auto has = [&](const usage::KernelUse& kernel) {
+        return std::ranges::any_of(
+            kernel.fields, [&](const usage::FieldUse& of) { return of.array == use.array && of.field == use.field; });
+      };
+      if (std::ranges::none_of(step.kernels, has)) usage::add(said, use);
+    }
+    for (const usage::KernelUse& kernel : step.kernels)
+      for (const scenes::HaloRow& row : halos.table) {
+        if (row.kernel != kernel.name) continue;
+        usage::FieldUse use;
+        use.array = kernel.views.arrays.at(static_cast<std::size_t>(row.view));
+        use.field = row.field;
+        use.read = row.reads_own || row.reads_others;
+        use.written = row.writes_own || row.writes_others;
+        const bool is_of_this = std::ranges::any_of(kernel.fields, [&](const usage::FieldUse& of) {
+          return of.array == use.array && of.field == use.field;  // else of the kernel over other views
+        });
+        if (is_of_this) usage::add(said, use);
+      }
+  }
+  usage::Usage all;
+  all.unattributed = said;
+  return texts_of(all);
+}
+
+/// Checks a scene's table against what probes have registered. @return the table as the header has it
+std::string table_of(const std::string& name, const usage::Usage& usage, const Texts& registered) {
+  std::vector<scenes::Issue> errors;
+  const scenes::Halos halos = scenes::find_halos(scene_of(name), usage, errors);
+  for (const scenes::Issue& error : errors) ADD_FAILURE() << error.message;
+  EXPECT_EQ(halos.unknown, std::vector<scenes::UnknownHalo>());
+  EXPECT_EQ(said_by(halos, usage), registered);
+  const std::string text = scenes::halos_header(scene_of(name), halos);
+  const auto begin = text.find("    {");
+  return text.substr(begin, text.find("};\n") - begin);
+}
+
 TEST(RegistrationOfScenes, is_one_set_for_gcc_clang_and_nvcc_of_a_scene_whose_steps_are_kernels_alone) {
   const std::string scene = "force_chain";
-  const Texts expected = analysed(scene, usage::Side::host);
+  const usage::Usage usage = usage_of(scene, usage::Side::host);
+  const Texts expected = texts_of(usage);
   EXPECT_EQ(expected.size(), 15U);
   EXPECT_TRUE(expected.contains("body.svds.U RW") && expected.contains("body.positions.x R") &&
               expected.contains("body.forces.f W"));
   EXPECT_EQ(registered_by_gcc(scene), expected);
+  EXPECT_EQ(table_of(scene, usage, expected),
+            R"(    {"physgen::fem::ComputeCornerForces", 0, "dm_inverse", {.reads_own = true}},
+    {"physgen::fem::ComputeCornerForces", 0, "volume", {.reads_own = true}},
+    {"physgen::fem::ComputeCornerForces", 1, "P", {.reads_own = true}},
+    {"physgen::fem::ComputeCornerForces", 2, "G", {.writes_own = true}},
+    {"physgen::fem::ComputeDeformationGradient", 0, "nodes", {.reads_own = true}},
+    {"physgen::fem::ComputeDeformationGradient", 1, "x", {.reads_others = true}, "body.tets.nodes"},
+    {"physgen::fem::ComputeDeformationGradient", 2, "dm_inverse", {.reads_own = true}},
+    {"physgen::fem::ComputeDeformationGradient", 3, "F", {.writes_own = true}},
+    {"physgen::fem::ComputeStress", 0, "U", {.reads_own = true}},
+    {"physgen::fem::ComputeStress", 0, "V", {.reads_own = true}},
+    {"physgen::fem::ComputeStress", 0, "s", {.reads_own = true}},
+    {"physgen::fem::ComputeStress", 1, "P", {.writes_own = true}},
+    {"physgen::fem::ComputeSvd", 0, "F", {.reads_own = true}},
+    {"physgen::fem::ComputeSvd", 1, "U", {.writes_own = true}},
+    {"physgen::fem::ComputeSvd", 1, "V", {.writes_own = true}},
+    {"physgen::fem::ComputeSvd", 1, "s", {.writes_own = true}},
+    {"physgen::fem::GatherForces", 0, "begin", {.reads_own = true}},
+    {"physgen::fem::GatherForces", 0, "end", {.reads_own = true}},
+    {"physgen::fem::GatherForces", 1, "element", {.reads_others = true}, "body.node_ranges.begin, body.node_ranges.end"},
+    {"physgen::fem::GatherForces", 1, "local", {.reads_others = true}, "body.node_ranges.begin, body.node_ranges.end"},
+    {"physgen::fem::GatherForces", 2, "G", {.reads_others = true}, "body.node_tets.element"},
+    {"physgen::fem::GatherForces", 3, "f", {.writes_own = true}},
+)");
 #ifdef PHYSGEN_NVCC
   EXPECT_EQ(registered(scene, "Cuda", ".cu",
                        PHYSGEN_NVCC " -O0 --expt-relaxed-constexpr -diag-suppress 20012 "
@@ -120,10 +199,40 @@ TEST(RegistrationOfScenes, is_one_set_for_gcc_clang_and_nvcc_of_a_scene_whose_st
 
 // Not for nvcc: what steps of the solver do in a way of their own on CUDA is code for devices, which registers nothing.
 TEST(RegistrationOfScenes, is_one_set_for_gcc_and_clang_of_a_solver_with_an_assembled_matrix) {
-  const Texts expected = analysed("quasistatic", usage::Side::host);
+  const usage::Usage usage = usage_of("quasistatic", usage::Side::host);
+  const Texts expected = texts_of(usage);
   EXPECT_GE(expected.size(), 90U);
   EXPECT_TRUE(expected.contains("level.edge_stiffness.E RW"));
   EXPECT_EQ(registered_by_gcc("quasistatic"), expected);
+  (void)table_of("quasistatic", usage, expected);
+}
+
+TEST(RegistrationOfScenes, is_the_table_of_halos_of_springs_in_which_positions_alone_cross) {
+  const usage::Usage usage = usage_of("relax", usage::Side::host);
+  const Texts registered = registered_by_gcc("relax");
+  EXPECT_EQ(registered, texts_of(usage));
+  EXPECT_EQ(table_of("relax", usage, registered),
+            R"(    {"springs::Pull", 0, "nodes", {.reads_own = true}},
+    {"springs::Pull", 1, "x", {.reads_others = true}, "body.edges.nodes"},
+    {"springs::Pull", 2, "f", {.writes_own = true}},
+    {"springs::Step", 0, "f", {.reads_own = true}},
+    {"springs::Step", 1, "x", {.reads_own = true, .writes_own = true}},
+    {"springs::SumPulls", 0, "begin", {.reads_own = true}},
+    {"springs::SumPulls", 0, "end", {.reads_own = true}},
+    {"springs::SumPulls", 1, "element", {.reads_others = true}, "body.ranges.begin, body.ranges.end"},
+    {"springs::SumPulls", 1, "local", {.reads_others = true}, "body.ranges.begin, body.ranges.end"},
+    {"springs::SumPulls", 2, "f", {.reads_others = true}, "body.ends.element"},
+    {"springs::SumPulls", 3, "f", {.writes_own = true}},
+)");
+  std::vector<scenes::Issue> errors;
+  EXPECT_EQ(scenes::halos_text(scenes::find_halos(scene_of("relax"), usage, errors)),
+            "\nHalos:\n"
+            "  springs::Pull: body.positions.x gathered through body.edges.nodes: exchanged if stale\n"
+            "  springs::SumPulls: body.ends.element gathered through body.ranges.begin, body.ranges.end: none (rows of "
+            "node)\n"
+            "  springs::SumPulls: body.ends.local gathered through body.ranges.begin, body.ranges.end: none (rows of "
+            "node)\n"
+            "  springs::SumPulls: body.pulls.f gathered through body.ends.element: none (edge follows node)\n");
 }
 
 }  // namespace

@@ -2,72 +2,11 @@
 // and against what their authors say of them.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <set>
-#include <sstream>
-
+#include "analysed.h"
 #include "kernels/probe_kernels.h"
-#include "usage/analyse.h"
 
 namespace physgen::usage {
 namespace {
-
-using Fields = std::set<std::string>;
-
-const std::vector<std::string>& flags() {
-  static const std::vector<std::string> words = [] {
-    std::istringstream text(PHYSGEN_USAGE_FLAGS);
-    return std::vector<std::string>(std::istream_iterator<std::string>(text), {});
-  }();
-  return words;
-}
-
-struct Analysis {
-  std::optional<Usage> usage;
-  Diagnostics diagnostics;
-};
-
-Analysis analysed(const std::string& name, const std::string& text, Side side = Side::host) {
-  Analysis analysis;
-  analysis.usage = analyse(name, text, flags(), side, analysis.diagnostics);
-  return analysis;
-}
-
-/// The usage that is found in a file of tests/generator/usage. Each is analysed once for each side.
-const Usage& usage_of(const std::string& file, Side side) {
-  static std::map<std::pair<std::string, Side>, Usage> known;
-  const auto [entry, is_new] = known.try_emplace({file, side});
-  if (is_new) {
-    std::ifstream in(PHYSGEN_USAGE_SOURCES "/" + file);
-    const Analysis analysis = analysed(file, {std::istreambuf_iterator<char>(in), {}}, side);
-    EXPECT_TRUE(analysis.usage) << analysis.diagnostics.text;
-    EXPECT_EQ(analysis.diagnostics.text, "");
-    if (analysis.usage) entry->second = *analysis.usage;
-  }
-  return entry->second;
-}
-
-Fields texts_of(const std::vector<FieldUse>& uses) {
-  Fields result;
-  for (const FieldUse& use : uses)
-    result.insert(use.array + "." + use.field + (use.read ? " R" : " ") + (use.written ? "W" : "") +
-                  (use.address_taken ? "&" : ""));
-  return result;
-}
-
-const StepUse* step(const Usage& usage, const std::string& kernel) {
-  for (const StepUse& step : usage.steps)
-    if (step.kernel == kernel) return &step;
-  return nullptr;
-}
-
-Fields fields_of(const Usage& usage, const std::string& kernel) {
-  const StepUse* found = step(usage, kernel);
-  EXPECT_NE(found, nullptr) << "there is no step " << kernel;
-  return found == nullptr ? Fields() : texts_of(found->fields);
-}
 
 /// Those of arrays whose names begin with "beginning.", or those of the others.
 Fields of_array(Fields fields, const std::string& beginning) {
@@ -140,64 +79,6 @@ TEST(UsageOfKernels, has_places_in_the_kernels_own_source) {
       EXPECT_EQ(use.places.size(), 2U) << "of the node itself, and in the lambda over its edges";
     }
   }
-}
-
-// ---- Which objects
-// ---------------------------------------------------------------------------------------------------
-
-std::string source_of_neighbours() {
-  std::ifstream in(PHYSGEN_USAGE_SOURCES "/neighbours.cpp");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// "between own": which objects of each array.
-Fields objects_of(const Usage& usage, const std::string& kernel) {
-  Fields result;
-  const StepUse* found = step(usage, kernel);
-  EXPECT_NE(found, nullptr) << kernel;
-  if (found == nullptr) return result;
-  for (const FieldUse& use : found->fields)
-    result.insert(use.array + (use.own ? " own" : "") + (use.gathered ? " gathered" : "") +
-                  (use.added ? " added" : ""));
-  return result;
-}
-
-TEST(UsageOfNeighbours, tells_own_objects_from_others_where_types_do) {
-  const Usage& usage = usage_of("neighbours.cpp", Side::host);
-  EXPECT_EQ(objects_of(usage, "neighbours::Copy"), (Fields{"from own", "to own"}));
-  EXPECT_EQ(objects_of(usage, "neighbours::Shift"), (Fields{"from gathered", "to own"}));
-  EXPECT_EQ(objects_of(usage, "neighbours::AddToNext"), (Fields{"from own", "sums added"}));
-  EXPECT_EQ(objects_of(usage, "neighbours::OneByOne"), (Fields{"from", "to"}));
-  EXPECT_EQ(objects_of(usage,
-                       "physgen::Fused<neighbours::Copy, neighbours::Copy, neighbours::AddToNext, "
-                       "neighbours::AddToNext>"),
-            (Fields{"from own", "between own", "to own", "sums added"}));
-  EXPECT_EQ(usage.races, std::vector<Race>());
-}
-
-TEST(UsageOfNeighbours, in_a_group_that_writes_them_is_a_race_in_either_order_and_on_both_sides) {
-  const auto races = [](const std::string& steps, Side side) {
-    const Analysis analysis =
-        analysed("neighbours.cpp",
-                 "#define PHYSGEN_TEST_STEP fuse(locals(), " + steps + ")\n#line 1\n" + source_of_neighbours(), side);
-    EXPECT_TRUE(analysis.usage) << analysis.diagnostics.text;
-    Fields result;
-    if (analysis.usage)
-      for (const Race& race : analysis.usage->races)
-        result.insert(race.writer + ' ' + std::to_string(race.writer_place.line) + ", " + race.other + ' ' +
-                      std::to_string(race.other_place.line) + ": " + race.array + '.' + race.field);
-    return result;
-  };
-  const std::string copy = "Copy{a.from.view(), a.between.view()}", shift = "Shift{a.between.view(), a.to.view()}",
-                    sum = "AddToNext{a.from.view(), a.sums.view()}", of_sums = "Copy{a.sums.view(), a.to.view()}";
-  const Fields expected = {"neighbours::Copy 40, neighbours::Shift 54: between.volume"};
-  EXPECT_EQ(races(copy + ", " + shift, Side::host), expected);
-  EXPECT_EQ(races(sum + ", " + of_sums, Side::host),
-            Fields{"neighbours::AddToNext 68, neighbours::Copy 40: sums.volume"});
-  EXPECT_EQ(races(copy + ", NextPack{a.between.view(), a.to.view()}", Side::host),
-            Fields{"neighbours::Copy 40, neighbours::NextPack 88: between.volume"});
-  if (!has_device_side()) GTEST_SKIP() << "there is no CUDA toolkit";
-  EXPECT_EQ(races(shift + ", " + copy, Side::device), expected);
 }
 
 // ---- Kernels that are hard to read ----------------------------------------------------------------------------------

@@ -101,6 +101,35 @@ struct OneByOne {
 template <class From, class To>
 OneByOne(From, To) -> OneByOne<From, To>;
 
+/// to[i] = from[i + 1] + between[i of the part that begins at 4], a template over the index of single objects
+template <class From, class Between, class To>
+struct Single {
+  using Scalar = float;
+  From from;
+  Between between;
+  To to;
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
+    to[i].volume() = float(from[object_number(i) + 1].volume()) + float(between[object_of_part(4, i)].volume());
+  }
+};
+template <class From, class Between, class To>
+Single(From, Between, To) -> Single<From, Between, To>;
+template <class From>
+struct SumOfOwn {
+  using Scalar = float;
+  From from;
+  PHYSGEN_FUNCTION float operator()(SingleObject auto i) const { return from[i].volume(); }
+};
+template <class From>
+SumOfOwn(From) -> SumOfOwn<From>;
+template <class To>
+struct StoreSum {
+  To to;
+  PHYSGEN_FUNCTION void operator()(double sum) const { to[index_t{0}].volume() = static_cast<float>(sum); }
+};
+template <class To>
+StoreSum(To) -> StoreSum<To>;
+
 template <class On>
 void program(On& on, Arrays& a) {
 #if defined(PHYSGEN_TEST_STEP)
@@ -110,6 +139,9 @@ void program(On& on, Arrays& a) {
   on.run(1, Shift{a.from.view(), a.to.view()});
   on.run(1, AddToNext{a.from.view(), a.sums.view()});
   on.run(1, OneByOne{a.from.view(), a.to.view()});
+  on.run(1, Single{a.from.const_view(), a.between.view(), a.to.view()});
+  on.run(1, lanes<1>(Single{a.from.const_view(), a.between.view(), a.sums.view()}));
+  on.reduce(1, SumOfOwn{a.from.const_view()}, Sum{}, StoreSum{a.sums.view()});
   on.run(1, fuse(locals(), Copy{a.from.view(), a.between.view()}, Copy{a.between.view(), a.to.view()},
                  AddToNext{a.to.view(), a.sums.view()}, AddToNext{a.between.view(), a.sums.view()}));
 #endif

@@ -31,7 +31,7 @@ struct MoveNodes {
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: u, from rest
   RoundedView rounded;             ///< elasticity::NodeDisplacement: u in the precision of tets, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Vector = Eigen::Matrix<double, 3, 1>;
     using Real = typename RoundedView::Precision;
     const int fixed = constraints[node].fixed();

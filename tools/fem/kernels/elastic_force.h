@@ -23,7 +23,7 @@ PHYSGEN_FUNCTION inline Matrix3<S> corner_forces(const Matrix3<S>& P, const Matr
 /// Sum over the tets of a node of the force on it: column c - 1 of G at corner c > 0, minus all columns at corner 0.
 template <class Scalar, class NodeTets, class ForceView>
 PHYSGEN_FUNCTION inline Vector3<Scalar> gather_corners(const NodeTets& node_tets, const ForceView& forces,
-                                                       index_t node) {
+                                                       SingleObject auto node) {
   Vector3<Scalar> sum = Vector3<Scalar>::Zero();
   node_tets.for_each(node, [&](const auto& incidence, bool /*active*/) {
     const auto tet = forces[index_t{incidence.element()}];
@@ -74,7 +74,7 @@ struct GatherForces {
     node_tets.require("GatherForces: node_tets", nodes.size(), forces.size());
   }
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     nodes[node].f() = detail::gather_corners<Scalar>(node_tets, forces, node);
   }
 };

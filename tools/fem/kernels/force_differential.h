@@ -35,7 +35,7 @@ struct ComputeForceDifferentials {
     node_edges.require("ComputeForceDifferentials: node_edges", differentials.size(), edges.size());
   }
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Vector = Vector3<Scalar>;
     const Matrix3<Scalar> K = node_stiffness[node].K();
     const Vector own = displacements[node].dx();
@@ -91,7 +91,7 @@ struct GatherForceDifferentials {
     node_tets.require("GatherForceDifferentials: node_tets", nodes.size(), differentials.size());
   }
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     nodes[node].df() = detail::gather_corners<Scalar>(node_tets, differentials, node);
   }
 };

@@ -83,9 +83,9 @@ struct FindPlaces {
   EntryView entries;  ///< elasticity::Incidence: tet, corner
   PlaceView places;   ///< elasticity::TetPlaces, written
 
-  PHYSGEN_FUNCTION void operator()(index_t entry) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto entry) const {
     const auto incidence = entries[entry];
-    places[index_t{incidence.element()}].places()[incidence.local()] = static_cast<std::int32_t>(entry);
+    places[index_t{incidence.element()}].places()[incidence.local()] = static_cast<std::int32_t>(object_number(entry));
   }
 };
 template <class... Views>
@@ -128,9 +128,9 @@ struct SumRowForces {
   }
 
   [[nodiscard]] index_t size() const { return 4 * nodes.size(); }
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
-    const index_t node = i / 4;
-    const int component = static_cast<int>(i % 4);
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
+    const index_t at = object_number(i), node = at / 4;
+    const int component = static_cast<int>(at % 4);
     if (component == 3) return;
     nodes[node].f()[component] =
         rows.sum(node, Scalar(0), [component](const auto& placed) -> Scalar { return placed.f()[component]; });

@@ -107,7 +107,7 @@ struct GatherNodeStiffness {
     node_tets.require("GatherNodeStiffness: node_tets", nodes.size(), stiffness.size());
   }
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     nodes[node].K() = node_tets.sum(node, Matrix3<Scalar>::Zero(), [&](const auto& incidence) -> Matrix3<Scalar> {
       const int corner = incidence.local();
       return stiffness[index_t{incidence.element()}].k(corner);
@@ -129,7 +129,7 @@ struct GatherEdgeStiffness {
     edge_tets.require("GatherEdgeStiffness: edge_tets", edges.size(), stiffness.size());
   }
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge) const {
     edges[edge].E() = edge_tets.sum(edge, Matrix3<Scalar>::Zero(), [&](const auto& incidence) -> Matrix3<Scalar> {
       const int local = incidence.local();
       const auto tet = stiffness[index_t{incidence.element()}];

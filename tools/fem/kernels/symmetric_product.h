@@ -130,7 +130,8 @@ template <class Product, class I>
 
 /// K_v dx(v)
 template <class Product>
-PHYSGEN_FUNCTION inline Vector3<typename Product::Scalar> node_contribution(const Product& product, index_t node) {
+PHYSGEN_FUNCTION inline Vector3<typename Product::Scalar> node_contribution(const Product& product,
+                                                                            SingleObject auto node) {
   using S = typename Product::Scalar;
   const Matrix3<S> K = product.node_stiffness[node].K();
   const Vector3<S> dx = product.displacements[node].dx();

@@ -15,7 +15,7 @@ struct MultiplyNodes {
   DisplacementView displacements;    ///< elasticity::NodeDisplacement
   DifferentialView differentials;    ///< elasticity::NodeForceDifferential, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     differentials[node].df() = detail::node_contribution(*this, node);
   }
 };

@@ -19,7 +19,7 @@ struct Lane {
 /// zero + term(entry) + ... of a lane's entries of a row, in their order.
 /// @param term of any entry, at any time: it changes nothing
 template <class Rows, class Value, class Term>
-[[nodiscard]] PHYSGEN_FUNCTION Value sum_of_lane(const Rows& rows, index_t row, Lane lane, const Value& zero,
+[[nodiscard]] PHYSGEN_FUNCTION Value sum_of_lane(const Rows& rows, SingleObject auto row, Lane lane, const Value& zero,
                                                  const Term& term) {
 #ifdef __CUDA_ARCH__
   constexpr int at_once = 4;  // terms whose loads are under way together

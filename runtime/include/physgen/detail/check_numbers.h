@@ -12,9 +12,6 @@ namespace physgen {
 
 namespace detail {
 
-/// The index of such a kernel: an integer, as of single objects, of a type that no program counts objects with.
-using CheckedIndex = char16_t;
-
 template <class I>
 inline constexpr bool of_checked_numbers = std::is_same_v<I, CheckedIndex>;
 template <class T>

@@ -27,6 +27,23 @@ template <detail::OfOneObject I>
   return static_cast<std::int32_t>(detail::bare(i));
 }
 
+/// The number of the one object at i. What it names are other objects, as far as types tell; view[i] is the own one.
+template <SingleObject I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr index_t object_number(const I& i) {
+  return static_cast<index_t>(detail::bare(i));
+}
+
+/// The object first + i, where a kernel is called for the objects of a part that begins at `first`: the own one, too.
+/// @param first the same in all calls of a launch
+template <SingleObject I>
+[[nodiscard]] PHYSGEN_FUNCTION constexpr auto object_of_part(index_t first, const I& i) {
+  if constexpr (detail::is_own<I>) {
+    return I{first + i.index, i.frame};
+  } else {
+    return first + i;
+  }
+}
+
 /// Whether a condition holds for any, for all objects at i.
 template <detail::OfOneObject I>
 [[nodiscard]] PHYSGEN_FUNCTION constexpr bool any(const I& /*i*/, bool condition) {

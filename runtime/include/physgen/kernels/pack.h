@@ -64,6 +64,15 @@ using Bare = std::remove_cvref_t<decltype(bare(std::declval<const I&>()))>;
 template <class I>
 concept AnyPack = std::same_as<I, Pack<I::width>> || std::same_as<I, PartialPack<I::width>>;
 
+/// The index of kernels that are checked in place of packs (check_numbers.h): an integer, as of single objects, of a
+/// type that no program counts objects with.
+using CheckedIndex = char16_t;
+
+/// In the place of the locals of a kernel that is not fused.
+struct NoFrame {};
+/// In the place of index_t where a kernel is looked at and not run (probe.h): its type tells it from other numbers.
+using OwnObject = Own<index_t, NoFrame>;
+
 /// Indices that stand for one object or for a pack, whether an Own holds them or not.
 template <class I>
 concept OfOneObject = std::integral<Bare<I>>;
@@ -73,6 +82,13 @@ concept OfPack = AnyPack<Bare<I>>;
 struct a_pack_is_no_number_so_name_neighbours_by_numbers_of_i_plus_one {};
 
 }  // namespace detail
+
+/// The index of a kernel that takes single objects alone: `template <SingleObject I> void operator()(I i) const`. It is
+/// index_t wherever the kernel runs. As a template the kernel tells its own object, view[i], from those that it finds
+/// by numbers, so that physgen knows what it reads of others; object_number(i) is the number to calculate with.
+template <class I>
+concept SingleObject =
+    (std::integral<I> && !std::same_as<I, detail::CheckedIndex>) || std::same_as<I, detail::OwnObject>;
 
 // The pack at i + 1 would not begin at a multiple of its width: `view[numbers(i) + 1]` gathers the neighbours.
 template <class I, std::integral Number>

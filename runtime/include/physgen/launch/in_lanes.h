@@ -10,6 +10,8 @@
 #include <physgen/detail/scalar_of.h>
 #include <physgen/detail/step_lanes.h>
 
+#include <concepts>
+
 namespace physgen {
 
 /// The kernel that lanes<W>() makes.
@@ -19,6 +21,7 @@ struct InLanes : detail::ScalarOf<Kernel> {
 
   PHYSGEN_FUNCTION constexpr explicit InLanes(const Kernel& given) : kernel(given) {}
   template <class I>
+    requires(requires { typename Kernel::FusedSteps; } || std::invocable<const Kernel&, const I&>)
   PHYSGEN_FUNCTION decltype(auto) operator()(const I& i) const {
     if constexpr (requires { typename Kernel::FusedSteps; }) {
       return kernel.template run<W == 0 ? detail::StepLanes::chosen : detail::StepLanes::stated>(i);

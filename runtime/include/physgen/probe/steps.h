@@ -3,6 +3,7 @@
 // is reached from there.
 #pragma once
 
+#include <physgen/detail/check_numbers.h>
 #include <physgen/kernels/lanes.h>
 #include <physgen/launch/reduce.h>
 #include <physgen/probe/field_accesses.h>
@@ -23,8 +24,18 @@ constexpr int lanes_of() {
   return 1;
 }
 
-/// kernel(i) for one object. Types do not tell its index from those that it forms; under packs and in fused kernels
-/// they do.
+/// Whether a kernel takes single objects alone, and is a template over their index: SingleObject. A template that takes
+/// all kinds of index is looked at under packs.
+template <class Kernel>
+constexpr bool takes_own_object() {
+  if constexpr (requires { typename Kernel::Scalar; } && !physgen::detail::Generic<Kernel>)
+    return std::invocable<const Kernel&, physgen::detail::OwnObject>;
+  else
+    return false;
+}
+
+/// kernel(i) for one object. Types do not tell its index from those that it forms; under packs, in fused kernels and
+/// under OwnObject they do.
 template <class Kernel>
 void single_object(const Kernel& kernel) {
   if (false) (void)kernel(index_t{0});
@@ -38,6 +49,7 @@ void step(const Kernel& kernel) {
     // physgen finds this by its name, to learn whether the kernel takes packs (generator/scenes/read_kernel.cpp).
     constexpr int lanes = lanes_of<Kernel, Space>();
     if constexpr (lanes > 1) (void)kernel(Pack<lanes>{0});
+    if constexpr (takes_own_object<Kernel>()) (void)kernel(physgen::detail::OwnObject{0, nullptr});
   }
 }
 

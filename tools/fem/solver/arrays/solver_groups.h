@@ -18,13 +18,16 @@ using Real = float;
 /// A mesh on which equilibrium is sought: in double what decides the result, in Real the tangent.
 struct OfBody {
   struct Body {
-    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
+    PHYSGEN_ARRAY(per("tet"), input(), names("nodes", "node"), follows("node")) Array<elasticity::TetObject, Real> tets;
     /// The tets of each node: rows of NodeTetEntry.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_tet_ranges;
-    PHYSGEN_ARRAY(per("corner"), input()) Array<quasistatic::PackedIncidenceObject, float> node_tet_entries;
+    PHYSGEN_ARRAY(per("corner"), input(), names("code", "tet", shifted(2)), names("code", "chunk_tet", shifted(2)),
+                  names("code", "kept_tet", shifted(2)))
+    Array<quasistatic::PackedIncidenceObject, float> node_tet_entries;
     /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
     PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_tet_ranges;
-    PHYSGEN_ARRAY(per("tet_edge"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_tet_entries;
+    PHYSGEN_ARRAY(per("tet_edge"), input(), names("code", "kept_tet", shifted(4)))
+    Array<quasistatic::PackedIncidenceObject, float> edge_tet_entries;
     /// The volumes of each patch or node where volumes are averaged.
     PHYSGEN_ARRAY(per("volume")) Array<quasistatic::MeanVolumeObject, double> volumes;
 
@@ -52,21 +55,24 @@ struct OfBody {
 /// Volumes that are averaged over patches of tets.
 struct OfPatches {
   struct Patches {
-    PHYSGEN_ARRAY(per("tet"), input()) Array<quasistatic::TetPatchObject, Real> tet_patches;
-    PHYSGEN_ARRAY(per("patch"), input()) Array<quasistatic::PatchNodesObject, Real> nodes;
+    PHYSGEN_ARRAY(per("tet"), input(), names("patch", "volume")) Array<quasistatic::TetPatchObject, Real> tet_patches;
+    PHYSGEN_ARRAY(per("patch"), input(), names("nodes", "node"), follows("node"))
+    Array<quasistatic::PatchNodesObject, Real> nodes;
     /// Where there is a coarser level.
-    PHYSGEN_ARRAY(per("child"), input()) Array<quasistatic::PatchParentObject, Real> parents;
+    PHYSGEN_ARRAY(per("child"), input(), names("patch", "volume")) Array<quasistatic::PatchParentObject, Real> parents;
     PHYSGEN_ARRAY(per("patch"), input()) Array<elasticity::IncidenceRangeObject, float> patch_tet_ranges;
-    PHYSGEN_ARRAY(per("tet"), input()) Array<quasistatic::PatchTetObject, float> patch_tet_entries;
+    PHYSGEN_ARRAY(per("tet"), input(), names("tet", "tet")) Array<quasistatic::PatchTetObject, float> patch_tet_entries;
     /// Rows of EdgePatchEntry, where the stiffness is assembled.
     PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_patch_ranges;
-    PHYSGEN_ARRAY(per("edge_patch"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_patch_entries;
+    PHYSGEN_ARRAY(per("edge_patch"), input(), names("code", "patch", shifted(6)))
+    Array<quasistatic::PackedIncidenceObject, float> edge_patch_entries;
     /// Rows of NodePatchEntry, where it is not.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_patch_ranges;
-    PHYSGEN_ARRAY(per("node_patch"), input()) Array<quasistatic::PackedIncidenceObject, float> node_patch_entries;
+    PHYSGEN_ARRAY(per("node_patch"), input(), names("code", "patch", shifted(3)), names("code", "change", shifted(3)))
+    Array<quasistatic::PackedIncidenceObject, float> node_patch_entries;
     PHYSGEN_ARRAY(per("patch")) Array<quasistatic::PatchTangentObject, Real> tangent;
     /// The changes in products without blocks of edges, on the CPU.
-    PHYSGEN_ARRAY(per("change")) Array<quasistatic::PatchChangeObject, Real> changes;
+    PHYSGEN_ARRAY(per("change"), follows("node")) Array<quasistatic::PatchChangeObject, Real> changes;
   };
 };
 
@@ -75,7 +81,8 @@ struct OfRings {
   struct Rings {
     /// The nodes of each node's ring, ascending.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_ranges;
-    PHYSGEN_ARRAY(per("neighbour"), input("node")) Array<quasistatic::RingNodeObject, Real> node_entries;
+    PHYSGEN_ARRAY(per("neighbour"), input("node"), names("node", "node"), names("node", "volume"))
+    Array<quasistatic::RingNodeObject, Real> node_entries;
     PHYSGEN_ARRAY(per("node")) Array<quasistatic::NodeVolumeTangentObject, Real> tangent;
   };
 };
@@ -83,20 +90,23 @@ struct OfRings {
 /// The arrays that kernels over a chunk of tets leave for the next.
 struct OfChunk {
   struct Chunk {
-    PHYSGEN_ARRAY(per("chunk_tet")) Array<elasticity::CornerForcesObject, double> corners;
+    PHYSGEN_ARRAY(per("chunk_tet"), follows("node")) Array<elasticity::CornerForcesObject, double> corners;
     /// The tangent of a chunk, or of all tets.
-    PHYSGEN_ARRAY(per("kept_tet")) Array<quasistatic::TetTangentObject, Real> tangent;
+    PHYSGEN_ARRAY(per("kept_tet"), follows("node")) Array<quasistatic::TetTangentObject, Real> tangent;
   };
 };
 
 /// The linear system of a level.
 struct OfLevel {
   struct Level {
-    PHYSGEN_ARRAY(per("node"), input()) Array<quasistatic::NodeConstraintObject, Real> constraints;
-    PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::EdgeObject, Real> edges;
+    PHYSGEN_ARRAY(per("node"), input(), no_index("fixed")) Array<quasistatic::NodeConstraintObject, Real> constraints;
+    PHYSGEN_ARRAY(per("edge"), input(), names("nodes", "node"), names("nodes", "edge_node"),
+                  names("nodes", "block_node"), follows("node"))
+    Array<elasticity::EdgeObject, Real> edges;
     /// Rows of NodeEdgeEntry.
     PHYSGEN_ARRAY(per("edge_node"), input()) Array<elasticity::IncidenceRangeObject, float> node_edge_ranges;
-    PHYSGEN_ARRAY(per("edge_end"), input()) Array<quasistatic::PackedIncidenceObject, float> node_edge_entries;
+    PHYSGEN_ARRAY(per("edge_end"), input(), names("code", "edge", shifted(1)))
+    Array<quasistatic::PackedIncidenceObject, float> node_edge_entries;
     PHYSGEN_ARRAY(per("block_node")) Array<elasticity::NodeStiffnessObject, Real> node_stiffness;
     PHYSGEN_ARRAY(per("edge")) Array<elasticity::EdgeStiffnessObject, Real> edge_stiffness;
 
@@ -116,15 +126,21 @@ struct OfLevel {
     PHYSGEN_ARRAY(per("edge_node")) Array<elasticity::NodeDisplacementObject, Real> power;
 
     // To the next coarser level; none on the coarsest.
-    PHYSGEN_ARRAY(per("child"), input()) Array<quasistatic::NodeParentsObject, Real> parents;
+    PHYSGEN_ARRAY(per("child"), input(), names("nodes", "node"))
+    Array<quasistatic::NodeParentsObject, Real> parents;
     /// In place of `parents`, to a background grid.
-    PHYSGEN_ARRAY(per("grid_child"), input()) Array<quasistatic::GridParentsObject, Real> grid_parents;
+    PHYSGEN_ARRAY(per("grid_child"), input(), names("nodes", "node"))
+    Array<quasistatic::GridParentsObject, Real> grid_parents;
     /// The children of each node of the coarser level: rows of ChildEntry.
     PHYSGEN_ARRAY(per("parent"), input()) Array<elasticity::IncidenceRangeObject, float> child_ranges;
-    PHYSGEN_ARRAY(per("child_entry"), input()) Array<quasistatic::PackedIncidenceObject, float> child_entries;
+    PHYSGEN_ARRAY(per("child_entry"), input(), names("code", "node", shifted(2)),
+                  names("code", "grid_child", shifted(2)), names("code", "grid_node", shifted(2)))
+    Array<quasistatic::PackedIncidenceObject, float> child_entries;
     /// The terms of each edge of the coarser level: rows of EdgeTermEntry.
     PHYSGEN_ARRAY(per("coarse_edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_term_ranges;
-    PHYSGEN_ARRAY(per("edge_term"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_term_entries;
+    PHYSGEN_ARRAY(per("edge_term"), input(), names("code", "block_node", shifted(3)), names("code", "edge", shifted(3)),
+                  names("code", "grid_child", shifted(3)))
+    Array<quasistatic::PackedIncidenceObject, float> edge_term_entries;
     /// The levels of a background grid, and the mesh on it, have these.
     PHYSGEN_ARRAY(per("grid_node")) Array<quasistatic::TranslationStiffnessObject, Real> translations;
     /// The coarsest level alone has it.
@@ -173,14 +189,16 @@ struct OfInertia {
 /// A linear elastic body: ten numbers are kept per tet, its shape at rest.
 struct OfLinear {
   struct Linear {
-    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
+    PHYSGEN_ARRAY(per("tet"), input(), names("nodes", "node"), follows("node")) Array<elasticity::TetObject, Real> tets;
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::RestShapeObject, double> rest;
     /// The tets of each node: rows of NodeTetEntry.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_tet_ranges;
-    PHYSGEN_ARRAY(per("corner"), input()) Array<quasistatic::PackedIncidenceObject, float> node_tets;
+    PHYSGEN_ARRAY(per("corner"), input(), names("code", "tet", shifted(2)))
+    Array<quasistatic::PackedIncidenceObject, float> node_tets;
     /// The tets of each edge: rows of EdgeTetEntry. None where the stiffness is not assembled.
     PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_tet_ranges;
-    PHYSGEN_ARRAY(per("tet_edge"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_tets;
+    PHYSGEN_ARRAY(per("tet_edge"), input(), names("code", "tet", shifted(4)))
+    Array<quasistatic::PackedIncidenceObject, float> edge_tets;
     /// u, from rest.
     PHYSGEN_ARRAY(per("node"), output()) Array<elasticity::NodeDisplacementObject, double> displacements;
     /// The motion of prescribed components, at a load of 1.

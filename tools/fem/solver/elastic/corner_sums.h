@@ -14,7 +14,7 @@ namespace physgen::fem::detail {
 /// @param corners elasticity::CornerForces of the chunk
 template <class Scalar, class NodeTets, class CornerView>
 [[nodiscard]] PHYSGEN_FUNCTION inline Vector3<Scalar> add_corners(const TetChunk& chunk, const NodeTets& node_tets,
-                                                                  const CornerView& corners, index_t node,
+                                                                  const CornerView& corners, SingleObject auto node,
                                                                   Vector3<Scalar> sum) {
   node_tets.for_each(node, [&](const auto& entry, bool /*active*/) {
     const index_t t = NodeTetEntry::element(entry);

@@ -20,7 +20,7 @@ PHYSGEN_FUNCTION inline Vector3<S> shape_gradient(const Matrix3<S>& dm_inverse, 
 
 /// Dm^-1 in another precision than it is stored in.
 template <class S, class RestView>
-PHYSGEN_FUNCTION inline Matrix3<S> rest_gradients(const RestView& rest, index_t tet) {
+PHYSGEN_FUNCTION inline Matrix3<S> rest_gradients(const RestView& rest, SingleObject auto tet) {
   const Matrix3<typename RestView::Precision> dm_inverse = rest[tet].dm_inverse();
   return dm_inverse.template cast<S>();
 }
@@ -61,7 +61,7 @@ struct LinearForce {
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: u
 
   /// @return [N]
-  PHYSGEN_FUNCTION Vector3<Scalar> operator()(index_t node) const {
+  PHYSGEN_FUNCTION Vector3<Scalar> operator()(SingleObject auto node) const {
     using Vector = Vector3<Scalar>;
     const auto u = [this](auto n) { return displacements[n].dx().get().template cast<Scalar>().eval(); };
     return node_tets.sum(node, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
@@ -87,7 +87,7 @@ struct MultiplyLinear {
   using Scalar = typename DifferentialView::Precision;
   Force force;                     ///< LinearForce at dx
   DifferentialView differentials;  ///< elasticity::NodeForceDifferential, written
-  PHYSGEN_FUNCTION void operator()(index_t node) const { differentials[node].df() = force(node); }
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const { differentials[node].df() = force(node); }
 };
 
 /// Elastic energy of a tet at displacements u [J].
@@ -99,7 +99,7 @@ struct LinearEnergy {
   RestView rest;                   ///< elasticity::RestShape
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: u
 
-  PHYSGEN_FUNCTION double operator()(index_t t) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto t) const {
     const auto u = [this](auto n) { return displacements[n].dx().get().template cast<double>().eval(); };
     const Matrix3<double> H =
         multiply<double>(detail::edge_matrix<double>(tets, t, u), detail::rest_gradients<double>(rest, t));
@@ -118,7 +118,7 @@ struct DisplacedVolumeRatio {
   RestView rest;                   ///< elasticity::RestShape
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: u
 
-  PHYSGEN_FUNCTION double operator()(index_t t) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto t) const {
     const auto u = [this](auto n) { return displacements[n].dx().get().template cast<double>().eval(); };
     const Matrix3<double> F =
         multiply<double>(detail::edge_matrix<double>(tets, t, u), detail::rest_gradients<double>(rest, t)) +
@@ -137,7 +137,7 @@ struct ComputeLinearStress {
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: u
   StressView stresses;             ///< elasticity::Stress, written
 
-  PHYSGEN_FUNCTION void operator()(index_t t) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto t) const {
     const auto u = [this](auto n) { return displacements[n].dx().get().template cast<double>().eval(); };
     const Matrix3<double> H =
         multiply<double>(detail::edge_matrix<double>(tets, t, u), detail::rest_gradients<double>(rest, t));
@@ -154,7 +154,7 @@ struct SumLinearEdgeStiffness {
   EdgeTets edge_tets;       ///< Rows of EdgeTetEntry
   EdgeStiffnessView edges;  ///< elasticity::EdgeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge) const {
     using Matrix = Matrix3<Scalar>;
     const auto mu = static_cast<Scalar>(lame.mu), lambda = static_cast<Scalar>(lame.lambda);
     edges[edge].E() = edge_tets.sum(edge, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
@@ -179,7 +179,7 @@ struct SumLinearNodeStiffness {
   NodeTets node_tets;       ///< Rows of NodeTetEntry
   NodeStiffnessView nodes;  ///< elasticity::NodeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     const auto mu = static_cast<Scalar>(lame.mu), lambda = static_cast<Scalar>(lame.lambda);
     nodes[node].K() = node_tets.sum(node, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {

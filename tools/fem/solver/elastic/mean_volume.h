@@ -20,7 +20,7 @@ struct TetVolume {
 /// @param rest, positions views of elasticity::NodePosition
 template <class Scalar, class TetView, class RestView, class PositionView>
 PHYSGEN_FUNCTION inline TetVolume<Scalar> tet_volume(const TetView& tets, const RestView& rest,
-                                                     const PositionView& positions, index_t tet) {
+                                                     const PositionView& positions, SingleObject auto tet) {
   const auto rest_of = [&](auto node) { return rest[node].x().get(); };
   const auto current_of = [&](auto node) { return positions[node].x().get(); };
   const Matrix3<Scalar> dm = edge_matrix<Scalar>(tets, tet, rest_of);
@@ -78,8 +78,8 @@ struct MeanVolumeEnergy {
   Scalar modulus;          ///< lambda or kappa [Pa]
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume
 
-  PHYSGEN_FUNCTION Scalar operator()(index_t i) const {
-    const auto mean = volumes[first + i];
+  PHYSGEN_FUNCTION Scalar operator()(SingleObject auto i) const {
+    const auto mean = volumes[object_of_part(first, i)];
     const Scalar pressure = mean.pressure();
     const Scalar stress = law == VolumeLaw::logarithmic ? pressure * Scalar(mean.ratio()) : pressure;
     return modulus != Scalar(0) ? Scalar(0.5) * Scalar(mean.volume()) * stress * (stress / modulus) : Scalar(0);
@@ -93,7 +93,7 @@ struct ShortenPressures {
   Scalar length;           ///< 0 to 1
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume
 
-  PHYSGEN_FUNCTION void operator()(index_t v) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto v) const {
     const auto mean = volumes[v];
     const Scalar before = mean.before(), full = mean.full();
     mean.linearised() = before + length * (full - before);

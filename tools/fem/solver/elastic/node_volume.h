@@ -47,7 +47,7 @@ struct EvaluateNodeVolumes {
   Rings rings;             ///< Rows of quasistatic::RingNode, of which g is written
   TangentView tangent;     ///< quasistatic::NodeVolumeTangent, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Real = typename TangentView::Precision;
     using Vector = Vector3<Scalar>;
     const auto entries = rings.entries();
@@ -103,7 +103,7 @@ struct AddNodeVolumeStiffness {
   TangentView tangent;      ///< quasistatic::NodeVolumeTangent
   EdgeStiffnessView edges;  ///< elasticity::EdgeStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge) const {
     using Vector = Vector3<Scalar>;
     const auto names = ends[edge].nodes();
     const index_t m = names[0], n = names[1];
@@ -136,13 +136,15 @@ struct AdvanceNodeVolumes {
   Rings rings;                     ///< Rows of quasistatic::RingNode
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: dx
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     Scalar change = 0;  // of the node's volume, with the nodes of its ring
     const auto entries = rings.entries();
     rings.for_each(node, [&](const auto& entry, bool /*active*/) {
       const index_t other = entry.node();
       const auto range = rings.ranges()[other];
-      const auto g = entries[detail::place_in_ring(entries, index_t{range.begin()}, index_t{range.end()}, node)].g();
+      const auto g =
+          entries[detail::place_in_ring(entries, index_t{range.begin()}, index_t{range.end()}, object_number(node))]
+              .g();
       const auto dx = displacements[other].dx();
       for (int k = 0; k < 3; ++k) change += Scalar(g[k]) * Scalar(dx[k]);
     });
@@ -158,7 +160,7 @@ struct InjectNodePressures {
   CoarseView coarse;       ///< quasistatic::MeanVolume
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     const auto names = parents[node].nodes();
     const index_t first = names[0], second = names[1];
     volumes[node].linearised() =

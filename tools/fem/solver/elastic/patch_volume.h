@@ -23,8 +23,8 @@ struct EvaluatePatches {
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume, of which `linearised` is read unless restart; written
   TangentView tangent;     ///< quasistatic::PatchTangent, written
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
-    const index_t p = first + i;
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
+    const auto p = object_of_part(first, i);
     using Real = typename TangentView::Precision;
     const auto g = tangent[p].g();
     g.setZero();
@@ -65,8 +65,8 @@ struct AdvancePatches {
   TangentView tangent;             ///< quasistatic::PatchTangent
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: dx
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
-    const index_t p = first + i;
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
+    const auto p = object_of_part(first, i);
     Scalar change = 0;  // g . dx
     const auto names = nodes[p].nodes();
     const auto g = tangent[p].g();
@@ -87,7 +87,7 @@ struct InjectPatchPressures {
   CoarseView coarse;       ///< quasistatic::MeanVolume
   MeanVolumeView volumes;  ///< quasistatic::MeanVolume
 
-  PHYSGEN_FUNCTION void operator()(index_t p) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto p) const {
     const index_t parent = parents[p].patch();
     volumes[p].linearised() = Scalar(coarse[parent].linearised());
   }

@@ -32,9 +32,9 @@ struct SumEdgeStiffness {
   TetTangentView tangent;   ///< quasistatic::TetTangent of the chunk
   EdgeStiffnessView edges;  ///< elasticity::EdgeStiffness: begun with the first chunk
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     using Matrix = Matrix3<Scalar>;
-    const index_t edge = chunk.first_edge + i;
+    const auto edge = object_of_part(chunk.first_edge, i);
     Matrix sum = Matrix::Zero();
     if (!chunk.is_first()) sum = edges[edge].E();
     sum = edge_tets.fold(edge, sum, [&](const Matrix& total, const auto& entry) -> Matrix {
@@ -57,7 +57,7 @@ struct SumEdgeStiffness {
   }
 
  private:
-  PHYSGEN_FUNCTION Matrix3<Scalar> add_patches(index_t edge, const Matrix3<Scalar>& sum) const {
+  PHYSGEN_FUNCTION Matrix3<Scalar> add_patches(SingleObject auto edge, const Matrix3<Scalar>& sum) const {
     using Matrix = Matrix3<Scalar>;
     return patches.edge_patches.sum(edge, sum, [&](const auto& entry) -> Matrix {
       const int slots = EdgePatchEntry::local(entry);
@@ -86,7 +86,7 @@ struct SumNodeStiffness {
   EdgeStiffnessView edges;  ///< elasticity::EdgeStiffness
   NodeStiffnessView nodes;  ///< elasticity::NodeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     const Matrix sum = node_edges.sum(node, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
       const int side = NodeEdgeEntry::local(entry);

@@ -17,9 +17,9 @@ struct EvaluateStress {
   PositionView positions;  ///< elasticity::NodePosition, current
   StressView stresses;     ///< elasticity::Stress, written
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     using S = Scalar;
-    const index_t t = first + i;
+    const auto t = object_of_part(first, i);
     const detail::DeformedTet<S> tet = detail::deformed_tet<Scalar>(tets, rest, positions, t);
     Vector3<S> g = material.stress(tet.f.s);
     if constexpr (Pressures::averages) {

@@ -21,7 +21,7 @@ struct ComputeNodeScale {
   NodeStiffnessView stiffness;  ///< elasticity::NodeStiffness
   ScaleView scales;             ///< quasistatic::NodeScale, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     const Matrix3<Scalar> K = stiffness[node].K();
     const Scalar largest = math::max(math::max(math::abs(K(0, 0)), math::abs(K(1, 1))), math::abs(K(2, 2)));
     Scalar scale(1), inverse(1);
@@ -52,7 +52,7 @@ struct ScaleNodes {
   ScaledView scaled;            ///< elasticity::NodeStiffness, written
   InverseView inverse;          ///< quasistatic::NodeInverse, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     const Scalar s = scales[node].scale();
     Matrix K = Matrix(stiffness[node].K().get()) * (s * s);
@@ -91,10 +91,10 @@ struct ScaleEdges {
   ScaleView scales;             ///< quasistatic::NodeScale
   ScaledView scaled;            ///< elasticity::EdgeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const { (*this)(edge, edge, 0); }
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge) const { (*this)(edge, edge, 0); }
   /// @param block the number of the scaled one
   /// @param side from which it is seen: 0, df(m)/dx(n); 1, df(n)/dx(m)
-  PHYSGEN_FUNCTION void operator()(index_t edge, index_t block, int side) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge, SingleObject auto block, int side) const {
     const auto ends = edges[edge].nodes();
     const index_t m = ends[0], n = ends[1];
     const Scalar factor = Scalar(scales[m].scale()) * Scalar(scales[n].scale());
@@ -121,7 +121,7 @@ struct KeepTranslations {
   EdgeStiffnessView stiffness;   ///< elasticity::EdgeStiffness
   ScaledNodesView scaled_nodes;  ///< elasticity::NodeStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     const int fixed = constraints[node].fixed();
     const Scalar scale = scales[node].scale();

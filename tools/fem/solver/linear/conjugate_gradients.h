@@ -17,7 +17,7 @@ struct SetTolerance {
   using Scalar = double;
   StateView state;  ///< quasistatic::LinearSolve
   double tolerance;
-  PHYSGEN_FUNCTION void operator()(index_t /*i*/) const { state[index_t{0}].tolerance() = tolerance; }
+  PHYSGEN_FUNCTION void operator()(SingleObject auto /*i*/) const { state[index_t{0}].tolerance() = tolerance; }
 };
 
 /// Begins with dx = 0.

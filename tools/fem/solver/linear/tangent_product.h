@@ -93,7 +93,7 @@ struct AddTetDifferentials {
   DisplacementView displacements;  ///< elasticity::NodeDisplacement
   DifferentialView differentials;  ///< elasticity::NodeForceDifferential
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     const Matrix3<Scalar> dG = detail::tet_differential<Scalar>(tets, tangent, displacements, i);
     const auto names = tets[i].nodes();
     const index_t first = names[0];
@@ -114,7 +114,7 @@ struct ComputePatchChanges {
   DisplacementView displacements;  ///< elasticity::NodeDisplacement
   ChangeView changes;              ///< quasistatic::PatchChange, written
 
-  PHYSGEN_FUNCTION void operator()(index_t p) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto p) const {
     changes[p].change() = detail::patch_change<Scalar>(nodes[p].nodes(), tangent[p], displacements);
   }
 };
@@ -128,7 +128,7 @@ struct AddPatchDifferentials {
   DisplacementView displacements;  ///< elasticity::NodeDisplacement
   DifferentialView differentials;  ///< elasticity::NodeForceDifferential
 
-  PHYSGEN_FUNCTION void operator()(index_t p) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto p) const {
     const auto names = nodes[p].nodes();
     const auto patch = tangent[p];
     const Scalar change = detail::patch_change<Scalar>(names, patch, displacements);
@@ -174,10 +174,10 @@ struct SumDifferentials {
   Patches patches;                 ///< NoNodePatches or NodePatchChanges
   DifferentialView differentials;  ///< elasticity::NodeForceDifferential
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     using Real = typename DifferentialView::Precision;
     using Vector = Vector3<double>;
-    const index_t node = chunk.first_node + i;
+    const auto node = object_of_part(chunk.first_node, i);
     Vector sum = detail::add_corners<double>(chunk, node_tets, corners, node, Vector::Zero());
     if constexpr (Patches::averages) {
       if (chunk.is_first()) {
@@ -202,7 +202,7 @@ struct SumNodeTangents {
   Patches patches;          ///< NoNodePatches or NodePatchTangents
   NodeStiffnessView nodes;  ///< elasticity::NodeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     using Vector = Vector3<Scalar>;
     Matrix sum = node_tets.sum(node, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {

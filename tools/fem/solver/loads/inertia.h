@@ -28,7 +28,7 @@ struct Inertia {
   MassView masses;     ///< dynamics::NodeMass
   CentreView centres;  ///< elasticity::NodePosition: y
 
-  PHYSGEN_FUNCTION InertiaPull on_node(index_t node, const Vector3<double>& x) const {
+  PHYSGEN_FUNCTION InertiaPull on_node(SingleObject auto node, const Vector3<double>& x) const {
     const double c = per_mass * double(masses[node].mass());
     const Vector3<double> away = x - Vector3<double>(centres[node].x().get());
     return {away * -c, 0.5 * c * dot3<double>(away, away)};
@@ -45,7 +45,7 @@ struct AddInertiaStiffness {
   MassView masses;              ///< dynamics::NodeMass, of the level
   NodeStiffnessView stiffness;  ///< elasticity::NodeStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Real = typename NodeStiffnessView::Precision;
     Matrix3<Real> K = stiffness[node].K();
     const auto c = static_cast<Real>(per_mass * double(masses[node].mass()));
@@ -63,7 +63,7 @@ struct AddInertiaTranslations {
   MassView masses;               ///< dynamics::NodeMass
   TranslationView translations;  ///< quasistatic::TranslationStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Real = typename TranslationView::Precision;
     const int fixed = constraints[node].fixed();
     const auto c = static_cast<Real>(per_mass * double(masses[node].mass()));
@@ -87,7 +87,7 @@ struct PredictPositions {
   CentreView centres;          ///< elasticity::NodePosition: y, written
   StartView start;             ///< elasticity::NodePosition, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     const Vector3<double> x = positions[node].x(), v = velocities[node].v();
     const Vector3<double> way = v * (length / (1 + damping * length));
     centres[node].x() = Vector3<double>(x + way);
@@ -104,7 +104,7 @@ struct UpdateVelocities {
   BeforeView before;        ///< elasticity::NodePosition: x_n
   VelocityView velocities;  ///< dynamics::NodeVelocity, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     const Vector3<double> way = Vector3<double>(positions[node].x().get()) - Vector3<double>(before[node].x().get());
     velocities[node].v() = Vector3<double>(way / length);
   }

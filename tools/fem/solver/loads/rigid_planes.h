@@ -50,7 +50,7 @@ struct RigidPlanes {
 
   /// Whether a plane touches a node: one that lies in it or behind it, on the surface, and can move along the normal.
   template <class Constraint>
-  PHYSGEN_FUNCTION bool touches(index_t plane, index_t node, const Vector3<double>& x,
+  PHYSGEN_FUNCTION bool touches(index_t plane, SingleObject auto node, const Vector3<double>& x,
                                 const Constraint& constraint) const {
     if (!(double(areas[node].area()) > 0)) return false;
     const auto p = planes[plane];
@@ -60,7 +60,8 @@ struct RigidPlanes {
 
   /// The sum over all planes on a node.
   template <class Constraint>
-  PHYSGEN_FUNCTION PlanePush on_node(index_t node, const Vector3<double>& x, const Constraint& constraint) const {
+  PHYSGEN_FUNCTION PlanePush on_node(SingleObject auto node, const Vector3<double>& x,
+                                     const Constraint& constraint) const {
     PlanePush sum;
     for (index_t plane = 0; plane < planes.size(); ++plane) {
       if (!touches(plane, node, x, constraint)) continue;
@@ -73,7 +74,8 @@ struct RigidPlanes {
 
   /// d force / d x of a node: -k A n n^T of the planes that touch it.
   template <class Constraint>
-  PHYSGEN_FUNCTION Matrix3<double> tangent(index_t node, const Vector3<double>& x, const Constraint& constraint) const {
+  PHYSGEN_FUNCTION Matrix3<double> tangent(SingleObject auto node, const Vector3<double>& x,
+                                           const Constraint& constraint) const {
     Matrix3<double> sum = Matrix3<double>::Zero();
     for (index_t plane = 0; plane < planes.size(); ++plane) {
       if (!touches(plane, node, x, constraint)) continue;
@@ -97,7 +99,7 @@ struct AddPlaneStiffness {
   PartView part;                ///< elasticity::NodeStiffness, written
   NodeStiffnessView stiffness;  ///< elasticity::NodeStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Real = typename NodeStiffnessView::Precision;
     const Matrix3<double> own = planes.tangent(node, positions[node].x(), constraints[node]);
     const Matrix3<Real> K = own.template cast<Real>();
@@ -117,7 +119,7 @@ struct CoarsenPlaneStiffness {
   PartView part;                ///< elasticity::NodeStiffness, written
   NodeStiffnessView stiffness;  ///< elasticity::NodeStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     const Matrix sum = children.sum(node, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
       const index_t child = ChildEntry::element(entry);
@@ -137,7 +139,7 @@ struct PlaneDepth {
   Planes planes;
   PositionView positions;      ///< elasticity::NodePosition
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
-  PHYSGEN_FUNCTION double operator()(index_t node) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto node) const {
     const Vector3<double> x = positions[node].x();
     return planes.touches(plane, node, x, constraints[node]) ? planes.depth(planes.planes[plane], x, planes.at.load)
                                                              : 0;
@@ -152,7 +154,7 @@ struct PlaneForce {
   Planes planes;
   PositionView positions;      ///< elasticity::NodePosition
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
-  PHYSGEN_FUNCTION double operator()(index_t node) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto node) const {
     return planes.stiffness * double(planes.areas[node].area()) *
            PlaneDepth{plane, planes, positions, constraints}(node);
   }

@@ -19,7 +19,7 @@ struct NodeMotion {
   MassView masses;          ///< dynamics::NodeMass
   VelocityView velocities;  ///< dynamics::NodeVelocity
 
-  PHYSGEN_FUNCTION Eigen::Matrix<double, 4, 1> operator()(index_t node) const {
+  PHYSGEN_FUNCTION Eigen::Matrix<double, 4, 1> operator()(SingleObject auto node) const {
     const double mass = masses[node].mass();
     const Vector3<double> v = velocities[node].v();
     return {0.5 * mass * dot3<double>(v, v), mass * v[0], mass * v[1], mass * v[2]};

@@ -12,7 +12,7 @@ template <class PositionView>
 struct LargestCoordinate {
   using Scalar = double;
   PositionView positions;  ///< elasticity::NodePosition
-  PHYSGEN_FUNCTION double operator()(index_t node) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto node) const {
     const Vector3<double> x = positions[node].x();
     return max(abs(x[0]), max(abs(x[1]), abs(x[2])));
   }

@@ -28,7 +28,7 @@ struct InterpolateMotion {
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
   PositionView positions;      ///< elasticity::NodePosition
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Vector = Vector3<Scalar>;
     const auto names = parents[node].nodes();
     const index_t a = names[0], b = names[1];

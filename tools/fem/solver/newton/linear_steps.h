@@ -19,7 +19,7 @@ struct BeginAtLoad {
   ConstraintView constraints;      ///< quasistatic::NodeConstraint
   DisplacementView displacements;  ///< elasticity::NodeDisplacement, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     const int fixed = constraints[node].fixed();
     for (int k = 0; k < 3; ++k) {
       displacements[node].dx()[k] = (fixed >> k & 1) != 0 ? double(motion[node].dx()[k]) * load : 0.0;
@@ -35,7 +35,7 @@ struct AddLinearStep {
   ConstraintView constraints;      ///< quasistatic::NodeConstraint
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: u
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     const int fixed = constraints[node].fixed();
     for (int k = 0; k < 3; ++k) {
       if ((fixed >> k & 1) == 0) displacements[node].dx()[k] += double(steps[node].dx()[k]);
@@ -54,7 +54,7 @@ struct MeasureLinearForces {
   DisplacementView displacements;  ///< elasticity::NodeDisplacement: u
   ForceView forces;                ///< elasticity::NodeForce, written
 
-  PHYSGEN_FUNCTION Vector3<double> operator()(index_t node) const {
+  PHYSGEN_FUNCTION Vector3<double> operator()(SingleObject auto node) const {
     using Vector = Vector3<double>;
     const Vector own = Vector(loads[node].f().get()) * load, u = displacements[node].dx();
     const Vector f = force(node) + own;

@@ -23,9 +23,9 @@ struct SumForces {
   LoadView loads;      ///< elasticity::NodeForce
   ForceView forces;    ///< elasticity::NodeForce: begun with the first chunk
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     using Vector = Vector3<Scalar>;
-    const index_t node = chunk.first_node + i;
+    const auto node = object_of_part(chunk.first_node, i);
     const Vector before =
         chunk.is_first() ? Vector(Vector(loads[node].f().get()) * load) : Vector(forces[node].f().get());
     const Vector f = detail::add_corners<Scalar>(chunk, node_tets, corners, node, before);
@@ -49,7 +49,7 @@ struct MeasureForces {
   Planes planes;               ///< RigidPlanes or NoPlanes
   Inertia inertia;             ///< Inertia or NoInertia
 
-  PHYSGEN_FUNCTION Vector3<Scalar> operator()(index_t node) const {
+  PHYSGEN_FUNCTION Vector3<Scalar> operator()(SingleObject auto node) const {
     using Vector = Vector3<Scalar>;
     Vector f = forces[node].f(), more = Vector::Zero();  // more: what planes and inertia add to what is returned
     const Vector x = positions[node].x();
@@ -93,7 +93,7 @@ struct BeginResidual {
   bool has_increment;          ///< whether `residual` holds K d
   ResidualView residual;       ///< elasticity::NodeForceDifferential
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Real = typename ResidualView::Precision;
     using Vector = Eigen::Matrix<double, 3, 1>;
     Vector f = forces[node].f();
@@ -112,7 +112,7 @@ struct CastIncrement {
   IncrementView increment;  ///< elasticity::NodeDisplacement, in double
   DirectionView direction;  ///< elasticity::NodeDisplacement, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Real = typename DirectionView::Precision;
     for (int k = 0; k < 3; ++k) direction[node].dx()[k] = static_cast<Real>(double(increment[node].dx()[k]));
   }
@@ -125,7 +125,7 @@ struct AddIncrement {
   IncrementView increment;  ///< elasticity::NodeDisplacement, in double, 0 in free components
   StepView steps;           ///< elasticity::NodeDisplacement: dx
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Real = typename StepView::Precision;
     for (int k = 0; k < 3; ++k) steps[node].dx()[k] += static_cast<Real>(double(increment[node].dx()[k]));
   }
@@ -146,7 +146,7 @@ struct Advance {
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
   TrialView trial;             ///< elasticity::NodePosition, written
 
-  PHYSGEN_FUNCTION double operator()(index_t node) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto node) const {
     using Vector = Eigen::Matrix<double, 3, 1>;
     using Real = typename StepView::Precision;
     const Vector x = positions[node].x(), f = forces[node].f();
@@ -183,7 +183,7 @@ struct ComputeIncrement {
   PositionView positions;      ///< elasticity::NodePosition
   IncrementView increment;     ///< elasticity::NodeDisplacement, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Vector = Eigen::Matrix<double, 3, 1>;
     const Vector target = Vector(rest[node].x().get()) + Vector(motion[node].dx().get()) * load;
     const Vector d = target - Vector(positions[node].x().get());

@@ -63,7 +63,7 @@ struct PartBeforeFlat {
   PositionView positions;      ///< elasticity::NodePosition
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
 
-  PHYSGEN_FUNCTION double operator()(index_t tet) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto tet) const {
     const auto anchor = [this](index_t node) {
       return detail::anchor_of(rest[node].x(), positions[node].x(), constraints[node]);
     };
@@ -82,7 +82,7 @@ struct PartBeforeFlat {
 
  private:
   template <class Vectors>
-  PHYSGEN_FUNCTION Matrix3<double> edges(index_t tet, const Vectors& vectors) const {
+  PHYSGEN_FUNCTION Matrix3<double> edges(SingleObject auto tet, const Vectors& vectors) const {
     const auto nodes = tets[tet].nodes();
     const Vector3<double> origin = vectors(index_t{nodes[0]});
     Matrix3<double> result;
@@ -111,7 +111,7 @@ struct ReturnToPart {
   ConstraintView constraints;  ///< quasistatic::NodeConstraint
   PositionView positions;      ///< elasticity::NodePosition
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     const Vector3<double> x = positions[node].x();
     const Vector3<double> anchor = detail::anchor_of(rest[node].x(), x, constraints[node]);
     positions[node].x() = Vector3<double>(anchor + Vector3<double>(x - anchor) * part);

@@ -19,11 +19,11 @@ struct PHYSGEN_SCENE() force_chain {
   struct Body {
     /// The nodes that move, and where they were at rest.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::NodePositionObject, Real> positions;
-    PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::TetObject, Real> tets;
+    PHYSGEN_ARRAY(per("tet"), input(), names("nodes", "node"), follows("node")) Array<elasticity::TetObject, Real> tets;
     PHYSGEN_ARRAY(per("tet"), input()) Array<elasticity::RestShapeObject, Real> rest;
     /// The tets of each node: rows of (tet, corner).
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, Real> node_ranges;
-    PHYSGEN_ARRAY(per("corner"), input()) Array<elasticity::IncidenceObject, Real> node_tets;
+    PHYSGEN_ARRAY(per("corner"), input(), names("element", "tet")) Array<elasticity::IncidenceObject, Real> node_tets;
 
     PHYSGEN_ARRAY(per("tet")) Array<elasticity::DeformationGradientObject, Real> gradients;
     PHYSGEN_ARRAY(per("tet")) Array<elasticity::DeformationSvdObject, Real> svds;

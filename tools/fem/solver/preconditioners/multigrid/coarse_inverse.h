@@ -68,17 +68,17 @@ struct ApplyCoarseInverse {
 
   static constexpr int lanes = 32;  ///< see run_rows()
 
-  PHYSGEN_FUNCTION Vector3<Scalar> part(index_t i, Lane lane) const {
+  PHYSGEN_FUNCTION Vector3<Scalar> part(SingleObject auto i, Lane lane) const {
     Vector3<Scalar> sum = Vector3<Scalar>::Zero();
     for (index_t j = lane.number; j < nodes; j += lane.count) {
-      const Matrix3<Scalar> G = inverse[i * nodes + j].G();
+      const Matrix3<Scalar> G = inverse[object_number(i) * nodes + j].G();
       const Vector3<Scalar> r = residual[j].df();
       sum = multiply_add<Scalar>(G, r, sum);
     }
     return sum;
   }
-  PHYSGEN_FUNCTION void put(index_t i, const Vector3<Scalar>& sum) const { corrections[i].dx() = sum; }
-  PHYSGEN_FUNCTION void operator()(index_t i) const { put(i, part(i, Lane{})); }
+  PHYSGEN_FUNCTION void put(SingleObject auto i, const Vector3<Scalar>& sum) const { corrections[i].dx() = sum; }
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const { put(i, part(i, Lane{})); }
 };
 
 }  // namespace physgen::fem

@@ -39,7 +39,7 @@ struct CoarsenEdgeStiffness {
   EdgeStiffnessView edges;  ///< elasticity::EdgeStiffness, of the finer level
   CoarseView coarse;        ///< elasticity::EdgeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge) const {
     using Matrix = Matrix3<Scalar>;
     coarse[edge].E() = terms.sum(edge, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
       return detail::fine_block<Scalar>(nodes, edges, entry);

@@ -45,7 +45,7 @@ struct CoarsenToGrid {
   CoarseEdgeView coarse_edges;  ///< elasticity::Edge
   CoarseView coarse;            ///< elasticity::EdgeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge) const {
     using Matrix = Matrix3<Scalar>;
     const auto ends = coarse_edges[edge].nodes();
     const index_t A = ends[0], B = ends[1];
@@ -82,7 +82,7 @@ struct SumTranslationStiffness {
   EdgeStiffnessView edges;       ///< elasticity::EdgeStiffness
   TranslationView translations;  ///< quasistatic::TranslationStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     // All of a row adds up to 0: T is minus what M takes out.
     const int fixed = constraints[node].fixed();
@@ -113,7 +113,7 @@ struct AddPlaneTranslations {
   PlaneView planes;              ///< elasticity::NodeStiffness: the part that planes have
   TranslationView translations;  ///< quasistatic::TranslationStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     const int fixed = constraints[node].fixed();
     const Matrix K = planes[node].K();
@@ -131,7 +131,7 @@ struct CoarsenTranslationStiffness {
   FineView fine;                ///< quasistatic::TranslationStiffness
   CoarseView coarse;            ///< quasistatic::TranslationStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     coarse[node].T() = children.sum(node, Matrix(Matrix::Zero()), [&](const auto& entry) -> Matrix {
       const Matrix T = fine[ChildEntry::element(entry)].T();
@@ -147,7 +147,7 @@ struct AddTranslationStiffness {
   TranslationView translations;  ///< quasistatic::TranslationStiffness
   NodeStiffnessView nodes;       ///< elasticity::NodeStiffness: minus the sum, by SumNodeStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Matrix = Matrix3<Scalar>;
     const Matrix T = translations[node].T(), K = nodes[node].K();
     nodes[node].K() = Matrix(K + (T + T.transpose()) * Scalar(0.5));

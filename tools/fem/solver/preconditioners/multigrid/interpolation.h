@@ -19,7 +19,7 @@ struct HalfWay {
     return Scalar(0.5) * Scalar(same);
   }
   template <class Scalar, class ValueOf>
-  PHYSGEN_FUNCTION Vector3<Scalar> value(index_t node, const ValueOf& value_of) const {
+  PHYSGEN_FUNCTION Vector3<Scalar> value(SingleObject auto node, const ValueOf& value_of) const {
     const auto names = parents[node].nodes();
     const index_t first = names[0], second = names[1];
     const Vector3<Scalar> a = value_of(first), b = value_of(second);
@@ -40,7 +40,7 @@ struct InGrid {
     return parents[node].weights()[which];
   }
   template <class Scalar, class ValueOf>
-  PHYSGEN_FUNCTION Vector3<Scalar> value(index_t node, const ValueOf& value_of) const {
+  PHYSGEN_FUNCTION Vector3<Scalar> value(SingleObject auto node, const ValueOf& value_of) const {
     const auto names = parents[node].nodes();
     const auto weights = parents[node].weights();
     Vector3<Scalar> sum = Vector3<Scalar>::Zero();

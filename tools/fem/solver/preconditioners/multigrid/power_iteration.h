@@ -14,8 +14,9 @@ struct ScatterDirection {
   using Scalar = typename DirectionView::Precision;
   DirectionView direction;  ///< elasticity::NodeDisplacement, written
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
-    for (int k = 0; k < 3; ++k) direction[node].dx()[k] = static_cast<Scalar>(detail::scattered(3 * node + k, 0));
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
+    for (int k = 0; k < 3; ++k)
+      direction[node].dx()[k] = static_cast<Scalar>(detail::scattered(3 * object_number(node) + k, 0));
   }
 };
 

@@ -21,9 +21,9 @@ struct AddRowProduct {
   static constexpr int lanes = 8;
   using Vector = Vector3<Scalar>;
 
-  PHYSGEN_FUNCTION Vector part(index_t node, Lane lane) const {
+  PHYSGEN_FUNCTION Vector part(SingleObject auto node, Lane lane) const {
     constexpr int at_once = 4;  // loads of so many blocks are under way together, before the sum needs the first
-    const Index begin = rows.first[node], end = rows.first[node + 1];
+    const Index begin = rows.first[object_number(node)], end = rows.first[object_number(node) + 1];
     Vector sum = Vector::Zero();
     if (lane.number == 0) sum = differentials[node].df();  // under way with the blocks, too
     for (Index first = begin + lane.number; first < end; first += at_once * lane.count) {
@@ -42,8 +42,8 @@ struct AddRowProduct {
     }
     return sum;
   }
-  PHYSGEN_FUNCTION void put(index_t node, const Vector& sum) const { differentials[node].df() = sum; }
-  PHYSGEN_FUNCTION void operator()(index_t node) const { put(node, part(node, Lane{})); }
+  PHYSGEN_FUNCTION void put(SingleObject auto node, const Vector& sum) const { differentials[node].df() = sum; }
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const { put(node, part(node, Lane{})); }
 };
 
 /// Runs a kernel over edges once for each entry of rows: kernel(edge, entry, side).
@@ -53,7 +53,7 @@ struct AtEntries {
   Kernel kernel;
   EntryView entries;  ///< of a level's node_edges: NodeEdgeEntry
 
-  PHYSGEN_FUNCTION void operator()(index_t entry) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto entry) const {
     const auto value = entries[entry];
     kernel(NodeEdgeEntry::element(value), entry, NodeEdgeEntry::local(value));
   }

@@ -27,18 +27,18 @@ struct RestrictResidual {
   static constexpr int lanes = 8;  ///< see run_rows()
   using Vector = Vector3<Scalar>;
 
-  PHYSGEN_FUNCTION Vector part(index_t node, Lane lane) const {
+  PHYSGEN_FUNCTION Vector part(SingleObject auto node, Lane lane) const {
     return sum_of_lane(children, node, lane, Vector(Vector::Zero()), [&](const auto& entry) -> Vector {
       const index_t child = ChildEntry::element(entry);
       const Vector r = fine[child].df();
       return r * (Scalar(fine_scales[child].inverse()) * interpolation.template weight<Scalar>(entry));
     });
   }
-  PHYSGEN_FUNCTION void put(index_t node, const Vector& sum) const {
+  PHYSGEN_FUNCTION void put(SingleObject auto node, const Vector& sum) const {
     const Vector scaled = sum * Scalar(scales[node].scale());
     coarse[node].df() = detail::free_part<Scalar>(scaled, constraints[node]);
   }
-  PHYSGEN_FUNCTION void operator()(index_t node) const { put(node, part(node, Lane{})); }
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const { put(node, part(node, Lane{})); }
 };
 
 /// d = the parents' corrections, interpolated, z += d, and r takes in the nodes' part of K d.
@@ -56,7 +56,7 @@ struct InterpolateCorrection {
   CorrectionView corrections;     ///< elasticity::NodeDisplacement: z
   ResidualView residual;          ///< elasticity::NodeForceDifferential: r
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Vector = Vector3<Scalar>;
     const Vector interpolated = interpolation.template value<Scalar>(node, [&](index_t parent) -> Vector {
       const Vector z = coarse[parent].dx();

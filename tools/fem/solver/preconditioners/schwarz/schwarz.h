@@ -59,10 +59,10 @@ struct SumSupernodes {
   Stiffness stiffness;       ///< of the level before
   SupernodeView supernodes;  ///< quasistatic::Supernode, written
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     Matrix3<Scalar> K = Matrix3<Scalar>::Zero();
     Vector3<Scalar> magnitude = Vector3<Scalar>::Zero();
-    terms.for_each(first + i, [&](const auto& term, bool /*active*/) {
+    terms.for_each(object_of_part(first, i), [&](const auto& term, bool /*active*/) {
       const index_t source = term.source();
       const int kind = term.kind();
       if (kind == 0) {
@@ -75,8 +75,8 @@ struct SumSupernodes {
         }
       }
     });
-    supernodes[first + i].K() = K;
-    supernodes[first + i].magnitude() = magnitude;
+    supernodes[object_of_part(first, i)].K() = K;
+    supernodes[object_of_part(first, i)].magnitude() = magnitude;
   }
 };
 
@@ -89,16 +89,16 @@ struct SumPairs {
   Stiffness stiffness;      ///< of the level before
   EdgeStiffnessView pairs;  ///< elasticity::EdgeStiffness, written
 
-  PHYSGEN_FUNCTION void operator()(index_t i) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto i) const {
     Matrix3<Scalar> sum = Matrix3<Scalar>::Zero();
-    terms.for_each(first + i, [&](const auto& term, bool /*active*/) {
+    terms.for_each(object_of_part(first, i), [&](const auto& term, bool /*active*/) {
       const Matrix3<Scalar> E = stiffness.edge(term.source());
       const int kind = term.kind();
       for (int c = 0; c < 3; ++c) {
         for (int r = 0; r < 3; ++r) sum(r, c) += kind == 0 ? E(r, c) : E(c, r);
       }
     });
-    pairs[first + i].E() = sum;
+    pairs[object_of_part(first, i)].E() = sum;
   }
 };
 
@@ -152,7 +152,7 @@ struct AddSupernodes {
   FromView supernodes;         ///< elasticity::NodeDisplacement, of supernodes
   CorrectionView corrections;  ///< elasticity::NodeDisplacement: z
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     Vector3<Scalar> z = Vector3<Scalar>::Zero();
     const index_t slot = nodes[node].slot();
     if (slot >= 0) {

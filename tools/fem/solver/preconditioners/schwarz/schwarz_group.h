@@ -8,16 +8,23 @@ namespace physgen::fem::groups {
 /// The multilevel Schwarz preconditioner of one level.
 struct OfSchwarz {
   struct Schwarz {
-    PHYSGEN_ARRAY(per("node"), input()) Array<quasistatic::SchwarzNodeObject, Real> nodes;
-    PHYSGEN_ARRAY(per("slot"), input()) Array<quasistatic::SchwarzSlotObject, Real> slots;
-    PHYSGEN_ARRAY(per("block"), input("parent", "children", "arrived"))
+    PHYSGEN_ARRAY(per("node"), input(), names("slot", "slot")) Array<quasistatic::SchwarzNodeObject, Real> nodes;
+    PHYSGEN_ARRAY(per("slot"), input(), names("source", "node"), names("source", "supernode"),
+                  names("parent", "supernode"), names("parent", "slot"))
+    Array<quasistatic::SchwarzSlotObject, Real> slots;
+    PHYSGEN_ARRAY(per("block"), input("parent", "children", "arrived"), names("parent", "block"), no_index("children"),
+                  no_index("arrived"))
     Array<quasistatic::SchwarzBlockObject, Real> blocks;
     PHYSGEN_ARRAY(per("supernode"), input()) Array<elasticity::IncidenceRangeObject, float> supernode_term_ranges;
-    PHYSGEN_ARRAY(per("supernode_term"), input()) Array<quasistatic::SchwarzTermObject, float> supernode_term_entries;
+    PHYSGEN_ARRAY(per("supernode_term"), input(), names("source", "edge_node"), names("source", "edge"),
+                  names("source", "supernode"), names("source", "pair"), no_index("kind"))
+    Array<quasistatic::SchwarzTermObject, float> supernode_term_entries;
     PHYSGEN_ARRAY(per("pair"), input()) Array<elasticity::IncidenceRangeObject, float> pair_term_ranges;
-    PHYSGEN_ARRAY(per("pair_term"), input()) Array<quasistatic::SchwarzTermObject, float> pair_term_entries;
+    PHYSGEN_ARRAY(per("pair_term"), input(), names("source", "edge"), names("source", "pair"), no_index("kind"))
+    Array<quasistatic::SchwarzTermObject, float> pair_term_entries;
     PHYSGEN_ARRAY(per("block"), input()) Array<elasticity::IncidenceRangeObject, float> block_edge_ranges;
-    PHYSGEN_ARRAY(per("block_edge"), input()) Array<quasistatic::SchwarzPairObject, float> block_edge_entries;
+    PHYSGEN_ARRAY(per("block_edge"), input(), names("edge", "edge"), names("edge", "pair"), no_index("places"))
+    Array<quasistatic::SchwarzPairObject, float> block_edge_entries;
 
     // Supernodes of all levels but the first.
     PHYSGEN_ARRAY(per("supernode")) Array<quasistatic::SupernodeObject, Real> supernodes;
