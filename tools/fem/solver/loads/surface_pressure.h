@@ -43,7 +43,7 @@ struct AddPressures {
   PositionView positions;  ///< elasticity::NodePosition, current
   ForceView forces;        ///< elasticity::NodeForce
 
-  PHYSGEN_FUNCTION void operator()(index_t node) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto node) const {
     using Vector = Vector3<double>;
     const Vector before = forces[node].f();
     const Vector sum = node_faces.sum(node, before, [&](const auto& entry) -> Vector {
@@ -65,7 +65,7 @@ struct PressurePotential {
   RestView rest;           ///< elasticity::NodePosition, at rest
   PositionView positions;  ///< elasticity::NodePosition, current
 
-  PHYSGEN_FUNCTION double operator()(index_t i) const {
+  PHYSGEN_FUNCTION double operator()(SingleObject auto i) const {
     const auto face = faces[i];
     const double change = detail::FaceCorners(face, positions, centre).six_volumes() -
                           detail::FaceCorners(face, rest, centre).six_volumes();
@@ -97,7 +97,7 @@ struct AddPressureStiffness {
   PositionView positions;   ///< elasticity::NodePosition, current
   EdgeStiffnessView edges;  ///< elasticity::EdgeStiffness
 
-  PHYSGEN_FUNCTION void operator()(index_t edge) const {
+  PHYSGEN_FUNCTION void operator()(SingleObject auto edge) const {
     using Real = typename EdgeStiffnessView::Precision;
     using Vector = Vector3<double>;
     const auto names = ends[edge].nodes();
