@@ -80,6 +80,16 @@ set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)' >"$work/later.cmake"
     grep -x '27 nodes, 98 edges' "$work/output.txt"
     grep 'NodePosition: object 27 of an array of 27' "$work/output.txt" || fail "unclear: $(cat "$work/output.txt")"
     ;;
+  distributed_is_a_component_with_and_without_mpirun)
+    must_configure build distributed
+    build build
+    export ASAN_OPTIONS=detect_leaks=0  # of MPI
+    "$work/build/ranks" | grep -x '1 ranks, sum 0' || fail 'the program is wrong'
+    if [[ ${MPIRUN-} ]]; then
+      OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 60 "$MPIRUN" --oversubscribe -n 3 "$work/build/ranks" |
+        grep -x '3 ranks, sum 3' || fail 'three ranks do not find each other'
+    fi
+    ;;
   fem_of_a_subdirectory_compiles)
     # Compiled only: the libraries are this build's own.
     must_configure build subdirectory "-DPHYSGEN=$source" -DPHYSGEN_GENERATOR=OFF

@@ -1,5 +1,6 @@
 // Kernels that a compiler must refuse, with words that say what to do. refused.py compares them with what it reports.
 #include <elasticity.physgen.h>
+#include <physgen/distributed/kernel_members.h>
 #include <physgen/parallel_for.h>
 #include <physgen/parallel_reduce.h>
 #include <physgen/rows.h>
@@ -154,6 +155,11 @@ const packs_wider_than_registers* const wide = nullptr;
 /// refused a_lambda_without_a_width: over<float>(lambda)
 void a_lambda_without_a_width() {
   parallel_for(Host{}, 5, [](auto) {});
+}
+
+/// refused a_lambda_on_several_ranks: write the kernel as a struct of views, Rows and numbers
+void a_lambda_on_several_ranks() {
+  for_each_view([step = 0.5F](auto) { (void)step; }, [](const KernelView&) {});
 }
 
 // ---- Rows ----

@@ -32,7 +32,8 @@ struct HaloAccess {
 /// so an incomplete table costs exchanges, and a row that says too little is wrong.
 struct HaloUse {
   /// The qualified name of the kernel's class or class template, without template arguments, as C++ names it:
-  /// "physgen::fem::ComputeSvd". (The steps of a fused kernel have rows of their own; a lambda cannot have any.)
+  /// "physgen::fem::ComputeSvd", "(anonymous namespace)::Pull". (The steps of a fused kernel have rows of their own; a
+  /// lambda cannot have any.)
   std::string_view kernel;
   /// The number of the view among the kernel's views. Members count in the order of their declaration: a View is one,
   /// Rows are two (the ranges, then the entries), a member that is an aggregate counts with its own members at its

@@ -1,0 +1,190 @@
+// The arrays of a program on several ranks: its sets, what names what, and the part of them that this rank has.
+//
+//   DistributedArrays body(ranks, relax_halos);
+//   body.add_set("node", mesh.nodes);
+//   body.add_set("edge", mesh.edges);
+//   body.follow("edge", "node");                                      // edges are computed wherever a node of theirs
+//   is body.add("body.positions", "node", positions);                    // arrays without objects, which cut() gives
+//   theirs body.add("body.edges", "edge", edges); body.connect(edges, "nodes", "node", [&](index_t e) { return
+//   mesh.edge(e); });  // by global numbers body.cut(); body.fill(positions, [&](index_t node) { return
+//   mesh.position(node); });
+#pragma once
+
+#include <physgen/arrays/array.h>
+#include <physgen/detail/array_sets.h>
+#include <physgen/distributed/partition.h>
+
+#include <algorithm>
+#include <concepts>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace physgen {
+
+class DistributedArrays : public Partition {
+ public:
+  using Partition::Partition;
+
+  // ---- Before cut(). Every rank calls these with the same arguments. ----
+
+  /// @param name as in the scene, "body.positions"
+  /// @param array outlives this, and is resized by cut() alone
+  /// @throw Error when the name or the array is taken, or there is no such set
+  template <class Array>
+  void add(const std::string& name, std::string_view set, Array& array) {
+    add_array({name,
+               number_of(set),
+               &array,
+               [&array] { return array.untyped(); },
+               [&array](index_t size) { array = Array(size); },
+               {},
+               {},
+               {}});
+  }
+  /// A field of indices names objects of a set.
+  /// @param named named(object) gives a range of as many numbers as the field has elements; -1 names none. It is called
+  /// for objects of all ranks
+  /// @throw Error when the array, the field or the set is not known
+  template <class Array, class Named>
+  void connect(const Array& array, const std::string& field, std::string_view target, const Named& named) {
+    connect_field(&array, field, target, [named](index_t object, std::vector<index_t>& numbers) {
+      for (const auto number : named(object)) numbers.push_back(static_cast<index_t>(number));
+    });
+  }
+  /// Rows (rows.h) of the objects of the set of `ranges`, whose entries name objects of another set, or of the same.
+  /// `entries` is added by this.
+  /// @param name of the array of entries, "body.ends"
+  /// @param row row(object) gives a range of Entries::Value, with global numbers in the field
+  /// @param shift the number is field >> shift, and what is below stays as it is
+  template <class Ranges, class Entries, class Row>
+  void connect_rows(const Ranges& ranges, const std::string& name, Entries& entries, const std::string& field,
+                    std::string_view target, const Row& row, int shift = 0);
+
+  // ---- After it. ----
+
+  /// Every object of an array, owned or a ghost: value(global number) gives the array's Value.
+  template <class Array, class Value>
+    requires std::invocable<const Value&, index_t>
+  void fill(Array& array, const Value& value) {
+    const LocalSet& objects = set_of(&array);
+    const auto view = array.view();
+    for (index_t i = objects.first(); i < objects.last(); ++i) view.put(i, value(objects.global(i)));
+    set_fresh(&array, true);
+  }
+  /// The same from an array of all objects, in any layout, precision and formats.
+  /// @throw Error when it has another number of objects
+  template <class Array, class Whole>
+    requires detail::SameObject<Array, Whole>
+  void fill(Array& array, const Whole& whole);
+  /// The caller has written objects of an array that this rank owns, outside of the program's steps. All ranks call it.
+  template <class Array>
+  void owned_changed(const Array& array) {
+    set_fresh(&array, false);
+  }
+  /// Calls body(first, view) on rank 0, with the objects first .. first + view.size() - 1 of all ranks, in ascending
+  /// order; on other ranks, which call this too, it is not called.
+  /// @param most bytes that rank 0 holds at once, or one block
+  template <class Array, class Body>
+  void each_block(const Array& array, const Body& body, index_t most = index_t{64} << 20);
+  /// On rank 0 an array of all objects, on other ranks, which call this too, one of none.
+  template <class Array>
+  [[nodiscard]] Array whole(const Array& array) {
+    Array all(ranks().is_first() ? set_of(&array).runs().size() : 0);
+    each_block(array,
+               [&](index_t first, const auto& view) { detail::pick(all.untyped(), first, view.untyped(), nullptr); });
+    return all;
+  }
+
+ private:
+  [[nodiscard]] std::vector<index_t> local_numbers(const LocalSet& set, index_t begin, index_t end) const {
+    std::vector<index_t> numbers(static_cast<std::size_t>(end - begin));
+    for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = set.local(begin + static_cast<index_t>(k));
+    return numbers;
+  }
+};
+
+template <class Array, class Whole>
+  requires detail::SameObject<Array, Whole>
+void DistributedArrays::fill(Array& array, const Whole& whole) {
+  const LocalSet& objects = set_of(&array);
+  if (whole.size() != objects.runs().size()) {
+    throw Error(std::string(Array::Object::name) + ": an array of " + std::to_string(whole.size()) +
+                " objects is given for a set of " + std::to_string(objects.runs().size()) + "; give all objects");
+  }
+  std::vector<index_t> numbers;
+  for (index_t i = objects.first(); i < objects.last(); ++i) numbers.push_back(objects.global(i));
+  const auto& same = detail::in_form_of<Array>(whole);
+  const detail::Numbers order(numbers, {});
+  detail::pick(array.untyped(), objects.first(), same.untyped(), &order);
+  set_fresh(&array, true);
+}
+
+template <class Ranges, class Entries, class Row>
+void DistributedArrays::connect_rows(const Ranges& ranges, const std::string& name, Entries& entries,
+                                     const std::string& field, std::string_view target, const Row& row, int shift) {
+  using One = Array<typename Entries::Object, typename Entries::Precision, Host, Aos, typename Entries::Formats>;
+  const int named_set = number_of(target), rows = number_of_array(&ranges);
+  const auto scratch = std::make_shared<One>(1);
+  add_set(name, 0, DistributedSet::Kind::entries);
+  add(name, name, entries);
+  const auto named = [=](index_t object, std::vector<index_t>& numbers) {
+    for (const auto& entry : row(object)) {
+      scratch->view().put(index_t{0}, entry);
+      numbers.push_back(*index_at(scratch->untyped(), field, 0, 0) >> shift);
+    }
+  };
+  const auto store = [=, this, &entries] {
+    const DistributedArray& of_ranges = arrays()[static_cast<std::size_t>(rows)];
+    const LocalSet& objects = *sets()[static_cast<std::size_t>(of_ranges.set)].local;
+    std::vector<typename Entries::Value> all;
+    std::vector<index_t> begins;
+    const UntypedArray places = of_ranges.untyped();
+    for (index_t i = 0; i < objects.size(); ++i) {
+      *index_at(places, "begin", i, 0) = static_cast<std::int32_t>(all.size());
+      if (is_complete(of_ranges.set, i)) {
+        for (const auto& entry : row(objects.global(i))) all.push_back(entry);
+      }
+      *index_at(places, "end", i, 0) = static_cast<std::int32_t>(all.size());
+    }
+    // One at least, as in a set.
+    entries = Entries(std::max(static_cast<index_t>(all.size()), index_t{ranks().count() > 1 ? 1 : 0}));
+    const auto view = entries.view();
+    for (index_t k = 0; k < static_cast<index_t>(all.size()); ++k) {
+      view.put(k, all[static_cast<std::size_t>(k)]);
+      std::int32_t* const number = index_at(entries.untyped(), field, k, 0);
+      const std::int32_t below = *number & ((std::int32_t{1} << shift) - 1);
+      *number = (local_number(named_set, *number >> shift, name + "." + field) << shift) | below;
+    }
+  };
+  connect_entries(&ranges, name, field, named_set, named, store);
+}
+
+template <class Array, class Body>
+void DistributedArrays::each_block(const Array& array, const Body& body, index_t most) {
+  const LocalSet& objects = set_of(&array);
+  const index_t all = objects.runs().size();
+  const index_t step = std::max(most / std::max(Array::record_bytes, 1) / Runs::block, index_t{1}) * Runs::block;
+  for (index_t first = 0; first < all; first += step) {
+    const index_t last = std::min(first + step, all);
+    Array window(ranks().is_first() ? last - first : 0);
+    for (int owner = 0; owner < ranks().count(); ++owner) {
+      const index_t begin = std::max(first, objects.runs().begin(owner)),
+                    end = std::min(last, objects.runs().end(owner));
+      if (begin >= end || (owner != ranks().rank() && !ranks().is_first())) continue;
+      Array piece(end - begin);
+      if (owner == ranks().rank()) {
+        const std::vector<index_t> numbers = local_numbers(objects, begin, end);
+        const detail::Numbers order(numbers, {});
+        detail::pick(piece.untyped(), 0, array.untyped(), &order);
+      }
+      const UntypedArray memory = piece.untyped();
+      to_first(owner, {memory.base, static_cast<std::size_t>(memory.bytes())});
+      if (ranks().is_first()) detail::pick(window.untyped(), begin - first, memory, nullptr);
+    }
+    if (ranks().is_first()) ranks().guard([&] { body(first, window.const_view()); });
+  }
+}
+
+}  // namespace physgen

@@ -1,0 +1,52 @@
+// The objects of a set that a rank has, and their local numbers: ghosts below, those that it owns, ghosts above.
+#pragma once
+
+#include <physgen/distributed/runs.h>
+
+#include <span>
+#include <vector>
+
+namespace physgen {
+
+/// Local numbers ascend with global ones, so rows, edges and blocks add in the order of one process:
+///
+///   0 .. first()-1           objects that stand for none; no kernel is called for them
+///   first() .. begin()-1     ghosts: objects of ranks below
+///   begin() .. end()-1       owned; begin() is a multiple of Runs::block, as the global number is
+///   end() .. size()-1        ghosts: objects of ranks above
+class LocalSet {
+ public:
+  /// @param ghosts global numbers of objects that others own, ascending
+  /// @throw Error when they do not ascend, or one is owned or no object
+  LocalSet(Runs runs, int rank, std::vector<index_t> ghosts);
+
+  /// Objects that arrays have. With several ranks one at least, so that an array can be told by its memory.
+  [[nodiscard]] index_t size() const { return size_; }
+  [[nodiscard]] index_t first() const { return first_; }
+  [[nodiscard]] index_t begin() const { return begin_; }
+  [[nodiscard]] index_t end() const { return begin_ + owned(); }
+  [[nodiscard]] index_t owned() const { return runs_.end(rank_) - runs_.begin(rank_); }
+  /// Behind the last object that is there.
+  [[nodiscard]] index_t last() const { return first_ + owned() + static_cast<index_t>(ghosts_.size()); }
+  [[nodiscard]] const Runs& runs() const { return runs_; }
+  [[nodiscard]] int rank() const { return rank_; }
+  [[nodiscard]] std::span<const index_t> ghosts() const { return ghosts_; }
+
+  /// @return -1 for an object that stands for none
+  [[nodiscard]] index_t global(index_t local) const;
+  /// @return -1 for an object that is not here
+  [[nodiscard]] index_t local(index_t global) const;
+  /// The local number of ghost g.
+  [[nodiscard]] index_t ghost(std::size_t g) const {
+    const auto number = static_cast<index_t>(g);
+    return number < begin_ - first_ ? first_ + number : number + first_ + owned();
+  }
+
+ private:
+  Runs runs_;
+  int rank_;
+  std::vector<index_t> ghosts_;
+  index_t first_, begin_, size_;
+};
+
+}  // namespace physgen

@@ -1,0 +1,132 @@
+// The sets of a program, what names what, and the part that this rank has of them; without the types of its arrays,
+// which distributed/arrays.h knows.
+#pragma once
+
+#include <physgen/arrays/untyped_array.h>
+#include <physgen/distributed/halo_plan.h>
+#include <physgen/distributed/halo_uses.h>
+#include <physgen/distributed/local_set.h>
+#include <physgen/distributed/ranks.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace physgen {
+
+/// A set, as all ranks know it.
+struct DistributedSet {
+  enum class Kind {
+    owned,       ///< each object is owned by one rank
+    replicated,  ///< all ranks have all objects, and compute the same
+    entries      ///< the entries of rows: those of the rows that a rank has
+  };
+  std::string name;
+  index_t size;  ///< of all ranks; of entries 0
+  Kind kind = Kind::owned;
+  int follows = -1;  ///< the set of which an owned object makes objects of this one present
+  std::optional<LocalSet> local;
+  HaloPlan plan;
+};
+
+/// An array that has the objects of a set that are here.
+struct DistributedArray {
+  std::string name;
+  int set;
+  const void* array;  ///< the caller's
+  std::function<UntypedArray()> untyped;
+  std::function<void(index_t)> resize;
+  UntypedArray memory;         ///< behind cut(), wherever a program moves or swaps its arrays to
+  std::vector<char> is_fresh;  ///< of each field: whether ghosts have their owners' values
+  std::vector<char> is_index;  ///< of each field: local numbers, which never cross
+};
+
+/// The base of DistributedArrays, which has what users call.
+class Partition {
+ public:
+  /// @param uses what kernels use of others; without rows everything counts as used
+  Partition(const Ranks& ranks, HaloUses uses);
+  Partition(const Partition&) = delete;
+  Partition& operator=(const Partition&) = delete;
+  ~Partition() = default;
+
+  // ---- Before cut(). Every rank calls these with the same arguments. ----
+
+  /// @throw Error when the name is taken or the size is negative
+  void add_set(const std::string& name, index_t size) { add_set(name, size, DistributedSet::Kind::owned); }
+  /// Numbers that a program keeps once, small meshes: all ranks have all.
+  void add_replicated_set(const std::string& name, index_t size) {
+    add_set(name, size, DistributedSet::Kind::replicated);
+  }
+  /// Objects of `set` are present and computed wherever one of the objects of `target` that they name is owned.
+  /// @throw Error when one of the sets is not known or not owned by objects, or one of them follows or is followed
+  void follow(std::string_view set, std::string_view target);
+
+  /// Decides what each rank owns, makes what it needs of others present, and gives the arrays their objects, with
+  /// initial values, and with local numbers in the fields that name others.
+  /// @throw Error when a number names no object, or all ranks have a set that names one of which they have parts
+  void cut();
+
+  // ---- After it. ----
+
+  [[nodiscard]] const LocalSet& set(std::string_view name) const;
+  [[nodiscard]] const Ranks& ranks() const { return ranks_; }
+  [[nodiscard]] Transport& transport() const { return *transport_; }
+  [[nodiscard]] HaloUses uses() const { return uses_; }
+  [[nodiscard]] const std::vector<DistributedSet>& sets() const { return sets_; }
+  [[nodiscard]] const std::vector<DistributedArray>& arrays() const { return arrays_; }
+  [[nodiscard]] std::vector<DistributedArray>& arrays() { return arrays_; }
+  /// The array whose memory begins there, or -1.
+  [[nodiscard]] int find(const std::byte* base) const;
+  /// An index field, "body.edges.nodes": the set of the array that has it, and the one that it names.
+  struct Naming {
+    std::string field;
+    int source, target;
+  };
+  [[nodiscard]] const std::vector<Naming>& namings() const { return namings_; }
+
+ protected:
+  /// Appends the global numbers that an object names.
+  using Named = std::function<void(index_t object, std::vector<index_t>& numbers)>;
+
+  void add_set(const std::string& name, index_t size, DistributedSet::Kind kind);
+  void add_array(DistributedArray array);
+  void connect_field(const void* array, const std::string& field, std::string_view target, Named named);
+  /// @param store makes rows, behind cut()
+  void connect_entries(const void* ranges, const std::string& name, const std::string& field, int target, Named named,
+                       std::function<void()> store);
+  [[nodiscard]] int number_of(std::string_view set) const;
+  [[nodiscard]] int number_of_array(const void* array) const;
+  [[nodiscard]] const LocalSet& set_of(const void* array) const;
+  void set_fresh(const void* array, bool is_fresh);
+  /// Whether all that an object names is here.
+  [[nodiscard]] bool is_complete(int set, index_t local) const;
+  /// Of a global number; -1 where it is not here. @throw Error when the set has no such object
+  [[nodiscard]] std::int32_t local_number(int set, index_t number, const std::string& of) const;
+  [[nodiscard]] static std::int32_t* index_at(const UntypedArray& array, std::string_view field, index_t object, int k);
+  /// Takes an owner's bytes to rank 0.
+  void to_first(int owner, std::span<std::byte> bytes) const;
+
+ private:
+  struct Connection {
+    int source, target;
+    Named named;
+    std::function<void()> store;  ///< local numbers, behind cut()
+  };
+  void decide_runs();
+  void find_ghosts();
+
+  const Ranks& ranks_;
+  HaloUses uses_;
+  std::unique_ptr<Transport> transport_;
+  std::vector<DistributedSet> sets_;
+  std::vector<DistributedArray> arrays_;
+  std::vector<Connection> connections_;
+  std::vector<Naming> namings_;
+  bool is_cut_ = false;
+};
+
+}  // namespace physgen

@@ -1,0 +1,151 @@
+// What arrays of several ranks are made of; cut.cpp decides what each rank has.
+#include <physgen/distributed/partition.h>
+
+#include <algorithm>
+
+#include "../index_field.h"
+
+namespace physgen {
+
+Partition::Partition(const Ranks& ranks, HaloUses uses)
+    : ranks_(ranks), uses_(uses), transport_(make_transport(ranks)) {}
+
+void Partition::add_set(const std::string& name, index_t size, DistributedSet::Kind kind) {
+  if (is_cut_) throw Error("set " + name + " is added behind cut(); add all sets before it");
+  if (size < 0) {
+    throw Error("set " + name + " has " + std::to_string(size) + " objects; give a number that is not negative");
+  }
+  for (const DistributedSet& other : sets_) {
+    if (other.name == name) throw Error("there are two sets " + name + "; give each a name of its own");
+  }
+  sets_.push_back({name, size, kind, -1, {}, {}});
+}
+
+void Partition::follow(std::string_view set, std::string_view target) {
+  DistributedSet& one = sets_[static_cast<std::size_t>(number_of(set))];
+  const DistributedSet& other = sets_[static_cast<std::size_t>(number_of(target))];
+  const auto is_owned = [](const DistributedSet& of) { return of.kind == DistributedSet::Kind::owned; };
+  if (!is_owned(one) || !is_owned(other)) {
+    throw Error("set " + one.name + " cannot follow " + other.name +
+                ", since all ranks have all objects of one of them; remove follow()");
+  }
+  const int number = number_of(target);
+  const bool is_followed =
+      std::ranges::any_of(sets_, [&](const DistributedSet& of) { return of.follows == number_of(set); });
+  if (&one == &other || other.follows >= 0 || is_followed) {
+    throw Error("set " + one.name + " follows " + other.name +
+                ", and one of them follows another set or is followed; let a set follow one that follows none");
+  }
+  one.follows = number;
+}
+
+void Partition::add_array(DistributedArray array) {
+  if (is_cut_) throw Error("array " + array.name + " is added behind cut(); add all arrays before it");
+  for (const DistributedArray& other : arrays_) {
+    if (other.name == array.name || other.array == array.array) {
+      throw Error("array " + array.name + " is added a second time, before as " + other.name + "; add each array once");
+    }
+  }
+  const std::size_t fields = array.untyped().fields.size();
+  array.is_fresh.assign(fields, 1);
+  array.is_index.assign(fields, 0);
+  arrays_.push_back(std::move(array));
+}
+
+int Partition::number_of(std::string_view set) const {
+  std::string all;
+  for (std::size_t s = 0; s < sets_.size(); ++s) {
+    if (sets_[s].name == set) return static_cast<int>(s);
+    all += " " + sets_[s].name;
+  }
+  throw Error("there is no set " + std::string(set) + "; there are:" + all);
+}
+
+int Partition::number_of_array(const void* array) const {
+  for (std::size_t a = 0; a < arrays_.size(); ++a) {
+    if (arrays_[a].array == array) return static_cast<int>(a);
+  }
+  throw Error("an array is not one of the distributed arrays; add() it before cut()");
+}
+
+int Partition::find(const std::byte* base) const {
+  for (std::size_t a = 0; a < arrays_.size(); ++a) {
+    if (arrays_[a].memory.base == base) return static_cast<int>(a);
+  }
+  return -1;
+}
+
+const LocalSet& Partition::set(std::string_view name) const {
+  const DistributedSet& found = sets_[static_cast<std::size_t>(number_of(name))];
+  if (!found.local)
+    throw Error("set " + found.name + " has no local numbers; call cut() first, and ask for sets of objects");
+  return *found.local;
+}
+
+const LocalSet& Partition::set_of(const void* array) const {
+  return set(sets_[static_cast<std::size_t>(arrays_[static_cast<std::size_t>(number_of_array(array))].set)].name);
+}
+
+void Partition::set_fresh(const void* array, bool is_fresh) {
+  DistributedArray& found = arrays_[static_cast<std::size_t>(number_of_array(array))];
+  for (std::size_t f = 0; f < found.is_fresh.size(); ++f) found.is_fresh[f] = is_fresh || found.is_index[f] ? 1 : 0;
+}
+
+std::int32_t* Partition::index_at(const UntypedArray& array, std::string_view field, index_t object, int k) {
+  const FieldInfo& info = detail::find_index_field(array, field);
+  return reinterpret_cast<std::int32_t*>(array.address(object, info.offset + k * 4, 4));
+}
+
+void Partition::connect_field(const void* array, const std::string& field, std::string_view target, Named named) {
+  const int number = number_of_array(array), to = number_of(target);
+  DistributedArray& source = arrays_[static_cast<std::size_t>(number)];
+  const UntypedArray untyped = source.untyped();
+  source.is_index[static_cast<std::size_t>(&detail::find_index_field(untyped, field) - untyped.fields.data())] = 1;
+  const std::string of = source.name + "." + field;
+  namings_.push_back({of, source.set, to});
+  const auto store = [this, number, to, field, of, named] {
+    const DistributedArray& connected = arrays_[static_cast<std::size_t>(number)];
+    const LocalSet& objects = *sets_[static_cast<std::size_t>(connected.set)].local;
+    const UntypedArray memory = connected.untyped();
+    const int elements = detail::find_index_field(memory, field).count;
+    std::vector<index_t> numbers;
+    for (index_t i = objects.first(); i < objects.last(); ++i) {
+      numbers.clear();
+      named(objects.global(i), numbers);
+      if (static_cast<int>(numbers.size()) != elements) {
+        throw Error(of + " of object " + std::to_string(objects.global(i)) + " has " + std::to_string(elements) +
+                    " elements, and " + std::to_string(numbers.size()) + " numbers were given; give one for each");
+      }
+      for (int k = 0; k < elements; ++k) {
+        *index_at(memory, field, i, k) = local_number(to, numbers[static_cast<std::size_t>(k)], of);
+      }
+    }
+  };
+  connections_.push_back({source.set, to, std::move(named), store});
+}
+
+void Partition::connect_entries(const void* ranges, const std::string& name, const std::string& field, int target,
+                                Named named, std::function<void()> store) {
+  DistributedArray& of_ranges = arrays_[static_cast<std::size_t>(number_of_array(ranges))];
+  DistributedArray& entries = arrays_.back();
+  for (auto& [array, fields] : {std::pair{&of_ranges, std::vector<std::string>{"begin", "end"}}, {&entries, {field}}}) {
+    const UntypedArray untyped = array->untyped();
+    for (const std::string& one : fields) {
+      array->is_index[static_cast<std::size_t>(&detail::find_index_field(untyped, one) - untyped.fields.data())] = 1;
+    }
+  }
+  for (const char* one : {".begin", ".end"}) namings_.push_back({of_ranges.name + one, of_ranges.set, entries.set});
+  namings_.push_back({name + "." + field, entries.set, target});
+  connections_.push_back({of_ranges.set, target, std::move(named), std::move(store)});
+}
+
+void Partition::to_first(int owner, std::span<std::byte> bytes) const {
+  if (owner == 0) return;
+  std::vector<Message> messages;
+  if (ranks_.is_first()) messages.push_back({owner, {}, bytes});
+  if (ranks_.rank() == owner) messages.push_back({0, bytes, {}});
+  transport_->begin(messages);
+  transport_->end();
+}
+
+}  // namespace physgen

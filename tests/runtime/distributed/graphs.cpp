@@ -1,0 +1,252 @@
+// graphs: random programs over random graphs, on as many ranks as it is started with, against the same programs over
+// whole arrays in one process. Every object that a rank owns must have the same bits, and every ghost of a field that
+// is fresh.
+//
+//   --seeds A B     seeds A .. B-1
+//   --without ROW   a row of the table is left out
+//   --rows          says how many rows of the table must be missed when they are left out
+//   --most N        nodes of the largest graph (default 5000)
+// Exit status: 0 all equal, 3 differences were found.
+#include "graphs.h"
+
+#include <physgen/distributed/executor.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace graphs {
+namespace {
+
+/// Arrays of a program, of all objects or of a rank's.
+template <class Real, class X, class F, class M, class S, class Stored>
+struct Body {
+  Array<elasticity::NodePositionObject, Real, Host, X> positions;
+  Array<elasticity::NodeForceObject, Real, Host, F> forces;
+  Array<elasticity::NodeForceObject, Real, Host, S, Stored> springs;
+  Array<elasticity::NodeDisplacementObject, Real, Host, M> means;
+  Array<elasticity::NodeForceDifferentialObject, Real, Host, S> shares;
+  Array<elasticity::EdgeObject, Real, Host, M> edges;
+  Array<elasticity::TetObject, Real, Host, F> quads;
+  elasticity::IncidenceRangeArray<float> ranges, touched;
+  elasticity::IncidenceArray<float> ends, touches;
+  elasticity::NodeForceArray<double> state{1};
+};
+struct HalfForces : elasticity::NodeForceFormats<Host> {
+  using f = format::Half<>;
+};
+using InFloat = Body<float, AosPadded, Soa, Aosoa<16>, Aos, elasticity::NodeForceFormats<Host>>;
+using InDouble = Body<double, Soa, Aosoa<8>, Aos, AosPadded, elasticity::NodeForceFormats<Host>>;
+using InHalf = Body<float, Aosoa<16>, AosPadded, Soa, Soa, HalfForces>;
+
+template <class Body>
+typename decltype(Body::positions)::Value position(index_t node) {
+  typename decltype(Body::positions)::Value value{};
+  for (int k = 0; k < 3; ++k) value.x[k] = static_cast<float>((node * (2 * k + 3)) % 101 - 50) / 64;
+  return value;
+}
+
+template <class Body>
+void fill(Body& body, const Graph& graph) {
+  const auto entries = [](auto& ranges, auto& array, const auto& rows) {
+    std::vector<elasticity::Incidence<float>> all;
+    ranges.resize(static_cast<index_t>(rows.size()));
+    for (index_t i = 0; i < ranges.size(); ++i) {
+      ranges[i].begin() = static_cast<std::int32_t>(all.size());
+      all.insert(all.end(), rows[Graph::at(i)].begin(), rows[Graph::at(i)].end());
+      ranges[i].end() = static_cast<std::int32_t>(all.size());
+    }
+    array.resize(static_cast<index_t>(all.size()));
+    for (index_t k = 0; k < array.size(); ++k) array.view().put(k, all[Graph::at(k)]);
+  };
+  for (const auto resize : {graph.nodes}) {
+    body.positions.resize(resize);
+    body.forces.resize(resize);
+    body.means.resize(resize);
+  }
+  body.edges.resize(static_cast<index_t>(graph.edges.size()));
+  body.springs.resize(body.edges.size());
+  body.quads.resize(static_cast<index_t>(graph.quads.size()));
+  body.shares.resize(body.quads.size());
+  entries(body.ranges, body.ends, graph.ends);
+  entries(body.touched, body.touches, graph.touches);
+  for (index_t i = 0; i < graph.nodes; ++i) body.positions.view().put(i, position<Body>(i));
+  for (index_t e = 0; e < body.edges.size(); ++e)
+    for (int k = 0; k < 2; ++k)
+      body.edges[e].nodes()[k] = static_cast<std::int32_t>(graph.edges[Graph::at(e)][Graph::at(k)]);
+  for (index_t t = 0; t < body.quads.size(); ++t)
+    for (int k = 0; k < 4; ++k)
+      body.quads[t].nodes()[k] = static_cast<std::int32_t>(graph.quads[Graph::at(t)][Graph::at(k)]);
+}
+
+template <class Body>
+void distribute(DistributedArrays& arrays, Body& body, const Graph& graph, bool follows) {
+  arrays.add_set("node", graph.nodes);
+  arrays.add_set("edge", static_cast<index_t>(graph.edges.size()));
+  arrays.add_set("quad", static_cast<index_t>(graph.quads.size()));
+  if (follows) arrays.follow("edge", "node");
+  arrays.add("b.positions", "node", body.positions);
+  arrays.add("b.forces", "node", body.forces);
+  arrays.add("b.means", "node", body.means);
+  arrays.add("b.ranges", "node", body.ranges);
+  arrays.add("b.touched", "node", body.touched);
+  arrays.add("b.edges", "edge", body.edges);
+  arrays.add("b.springs", "edge", body.springs);
+  arrays.add("b.quads", "quad", body.quads);
+  arrays.add("b.shares", "quad", body.shares);
+  arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return graph.edges[Graph::at(e)]; });
+  arrays.connect(body.quads, "nodes", "node", [&](index_t t) { return graph.quads[Graph::at(t)]; });
+  arrays.connect_rows(body.ranges, "b.ends", body.ends, "element", "edge",
+                      [&](index_t i) -> const auto& { return graph.ends[Graph::at(i)]; });
+  arrays.connect_rows(body.touched, "b.touches", body.touches, "element", "quad",
+                      [&](index_t i) -> const auto& { return graph.touches[Graph::at(i)]; });
+  arrays.cut();
+}
+
+/// One step of a program. @param chosen which
+template <class On, class Body>
+void step(On& on, Body& b, int chosen) {
+  const index_t nodes = b.positions.size(), edges = b.edges.size();
+  const auto ends = Rows(b.ranges.const_view(), b.ends.const_view(), edges);
+  const auto touches = Rows(b.touched.const_view(), b.touches.const_view(), b.quads.size());
+  const auto x = b.positions.const_view();
+  switch (chosen) {
+    case 0:
+      return on.run(edges, Pull{b.edges.const_view(), x, b.springs.view()});
+    case 1:
+      return on.run(nodes, SumPulls{ends, b.springs.const_view(), b.forces.view()});
+    case 2:
+      return on.run(nodes, Move{b.forces.const_view(), b.means.const_view(), b.positions.view(), 0.0625F});
+    case 3:
+      return on.run(b.quads.size(), Share{b.quads.const_view(), x, b.shares.view()});
+    case 4:
+      return on.run(nodes, AddShares{touches, b.shares.const_view(), b.forces.view()});
+    case 5:
+      return on.run(nodes, Mix{b.forces.const_view(), b.means.view()});
+    case 6:
+      return on.reduce(edges, Lengths{x, b.edges.const_view()}, Sum{}, Store{b.state.view(), 0});
+    case 7:
+      return on.reduce(edges, Lengths{x, b.edges.const_view()}, Argmax{}, Store{b.state.view(), 1});
+    case 8:
+      return on.run(nodes, Drift{b.means.const_view(), b.positions.view()});
+    default:
+      return on.run(nodes, Smooth{ends, b.edges.const_view(), x, b.means.view()});
+  }
+}
+
+/// Elements that differ from those of one process, of owned objects and of ghosts of fresh fields.
+template <class Array>
+index_t differences(const DistributedArrays& arrays, const Array& mine, const Array& whole) {
+  const int number = arrays.find(mine.untyped().base);
+  const DistributedArray& array = arrays.arrays()[static_cast<std::size_t>(number)];
+  const LocalSet& set = *arrays.sets()[static_cast<std::size_t>(array.set)].local;
+  index_t found = 0;
+  for (index_t i = set.first(); i < set.last(); ++i) {
+    const bool is_owned = set.begin() <= i && i < set.end();
+    if (!is_owned && array.is_fresh[0] == 0) continue;
+    for (int k = 0; k < Array::elements; ++k) found += mine.getdata(i, k) == whole.getdata(set.global(i), k) ? 0 : 1;
+  }
+  return found;
+}
+
+/// @return the differences on all ranks
+template <class Body>
+index_t run_seed(const Ranks& ranks, HaloUses uses, unsigned seed, index_t most) {
+  std::mt19937 random(seed);
+  const auto nodes = static_cast<index_t>(1 + random() % static_cast<unsigned long>(seed % 5 == 0 ? 64 : most));
+  const Graph graph(nodes, random);
+  const bool follows = random() % 2 == 0;
+  Body whole, mine;
+  fill(whole, graph);
+  DistributedArrays arrays(ranks, uses);
+  distribute(arrays, mine, graph, follows);
+  arrays.fill(mine.positions, whole.positions);
+  HostExecutor plain;
+  DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
+  // Each beginning has what shows that some rows of the table are missing: a field that is stale, and a step that would
+  // then be done for ghosts, or would not fetch it.
+  const std::vector<int> beginnings[] = {{0, 1, 2, 0, 3, 4}, {9, 2, 9, 2, 0}, {0, 1, 5, 8, 0, 2, 6, 7}, {3, 4, 2, 0}};
+  std::vector<int> program;
+  for (const int one : beginnings[seed % 4]) {
+    if (one < 9 || follows) program.push_back(one);  // what reads through two index fields needs a set that follows
+  }
+  for (int k = 0; k < 20; ++k) program.push_back(static_cast<int>(random() % (follows ? 10 : 9)));
+  for (const int chosen : program) {
+    step(plain, whole, chosen);
+    step(on, mine, chosen);
+  }
+  index_t found = differences(arrays, mine.positions, whole.positions) +
+                  differences(arrays, mine.forces, whole.forces) + differences(arrays, mine.springs, whole.springs) +
+                  differences(arrays, mine.means, whole.means) + differences(arrays, mine.shares, whole.shares);
+  for (int k = 0; k < 3; ++k) found += mine.state.getdata(0, k) == whole.state.getdata(0, k) ? 0 : 1;
+  const auto back = arrays.whole(mine.positions);
+  for (index_t i = 0; i < back.size(); ++i) {
+    for (int k = 0; k < 3; ++k) found += back.getdata(i, k) == whole.positions.getdata(i, k) ? 0 : 1;
+  }
+  if (back.size() != (ranks.is_first() ? nodes : 0)) ++found;
+  std::vector<index_t> of_all(static_cast<std::size_t>(ranks.count()));
+  const std::vector<index_t> sizes(of_all.size(), sizeof(index_t));
+  arrays.transport().gather(std::as_bytes(std::span(&found, 1)), sizes, std::as_writable_bytes(std::span(of_all)));
+  index_t sum = 0;
+  for (const index_t one : of_all) sum += one;
+  if (sum > 0 && ranks.is_first()) {
+    std::printf("seed %u: %lld nodes, %zu edges, %zu quads: %lld differences\n", seed, static_cast<long long>(nodes),
+                graph.edges.size(), graph.quads.size(), static_cast<long long>(sum));
+  }
+  return sum;
+}
+
+/// The table without a row: a view that would have none then has one that says that nothing is used.
+std::vector<HaloUse> without(std::size_t row) {
+  std::vector<HaloUse> rows(std::begin(table), std::end(table));
+  const HaloUse removed = rows.at(row);
+  rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(row));
+  for (const HaloUse& other : rows) {
+    if (other.kernel == removed.kernel && other.view == removed.view) return rows;
+  }
+  rows.push_back({removed.kernel, removed.view, "", {}, {}});
+  return rows;
+}
+
+int run(int argc, char** argv) {
+  const Ranks ranks(argc, argv);
+  if (argc == 2 && argv[1] == std::string("--rows")) {
+    std::printf("%zu of %zu rows count\n", rows_that_count, std::size(table));
+    return 0;
+  }
+  unsigned first = 0, last = 20;
+  index_t most = 5000;
+  std::vector<HaloUse> uses(std::begin(table), std::end(table));
+  for (int a = 1; a + 1 < argc; ++a) {
+    const std::string what = argv[a];
+    if (what == "--seeds" && a + 2 < argc) {
+      first = static_cast<unsigned>(std::atoi(argv[a + 1]));
+      last = static_cast<unsigned>(std::atoi(argv[a + 2]));
+    }
+    if (what == "--most") most = std::atoi(argv[a + 1]);
+    if (what == "--without") uses = without(static_cast<std::size_t>(std::atoi(argv[a + 1])));
+  }
+  index_t found = 0;
+  for (unsigned seed = first; seed < last; ++seed) {
+    ranks.guard([&] {
+      if (seed % 3 == 0) found += run_seed<InFloat>(ranks, uses, seed, most);
+      if (seed % 3 == 1) found += run_seed<InDouble>(ranks, uses, seed, most);
+      if (seed % 3 == 2) found += run_seed<InHalf>(ranks, uses, seed, most);
+    });
+  }
+  if (ranks.is_first())
+    std::printf("seeds %u to %u on %d ranks: %lld differences\n", first, last - 1, ranks.count(),
+                static_cast<long long>(found));
+  return found == 0 ? 0 : 3;
+}
+
+}  // namespace
+}  // namespace graphs
+
+int main(int argc, char** argv) {
+  try {
+    return graphs::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,250 @@
+// Random graphs, kernels over them, and the table of these: own objects, others through one and through two index
+// fields, through rows, sets that follow and sets that do not, sums and what is done with them.
+#pragma once
+
+#include <elasticity.physgen.h>
+#include <physgen/distributed/halo_uses.h>
+#include <physgen/executor.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+namespace graphs {
+
+using namespace physgen;
+
+// One object at a time: relax.cpp has packs. All sums are of doubles, so that a compiler that fuses them does so for
+// all.
+
+template <class EdgeView, class PositionView, class SpringView>
+struct Pull {
+  using Scalar = typename SpringView::Precision;
+  EdgeView edges;
+  PositionView positions;
+  SpringView springs;
+  void operator()(index_t i) const {
+    const auto nodes = edges[i].nodes().get();
+    springs[i].f() = (positions[nodes[1]].x().get() - positions[nodes[0]].x().get()).eval();
+  }
+};
+template <class... V>
+Pull(V...) -> Pull<V...>;
+
+template <class Rows, class SpringView, class ForceView>
+struct SumPulls {
+  using Scalar = typename ForceView::Precision;
+  Rows ends;
+  SpringView springs;
+  ForceView forces;
+  void operator()(index_t i) const {
+    using Vector = Eigen::Matrix<typename ForceView::Precision, 3, 1>;
+    Vector sum = Vector::Zero();
+    ends.for_each(i, [&](const auto& end, bool) {
+      const Vector f = springs[end.element()].f();
+      if (end.local() == 0)
+        sum += f;
+      else
+        sum -= f;
+    });
+    forces[i].f() = sum;
+  }
+};
+template <class... V>
+SumPulls(V...) -> SumPulls<V...>;
+
+/// Reads positions of nodes at the other ends of edges: through two index fields.
+template <class Rows, class EdgeView, class PositionView, class MeanView>
+struct Smooth {
+  using Scalar = typename MeanView::Precision;
+  Rows ends;
+  EdgeView edges;
+  PositionView positions;
+  MeanView means;
+  void operator()(index_t i) const {
+    using Vector = Eigen::Matrix<typename MeanView::Precision, 3, 1>;
+    Vector sum = positions[i].x();
+    ends.for_each(i, [&](const auto& end, bool) {
+      const index_t other = edges[end.element()].nodes()[1 - int(end.local())];
+      sum = sum + positions[other].x().get();
+    });
+    means[i].dx() = Vector(sum * (1.0F / float(1 + ends.size(i))));
+  }
+};
+template <class... V>
+Smooth(V...) -> Smooth<V...>;
+
+template <class ForceView, class MeanView, class PositionView>
+struct Move {
+  using Scalar = typename PositionView::Precision;
+  ForceView forces;
+  MeanView means;
+  PositionView positions;
+  float step;
+  void operator()(index_t i) const {
+    positions[i].x() =
+        (positions[i].x().get() * 0.5F + means[i].dx().get() * 0.25F + forces[i].f().get() * step).eval();
+  }
+};
+template <class F, class M, class P>
+Move(F, M, P, float) -> Move<F, M, P>;
+
+/// A quad follows no set. It has the mean of its nodes, and what it had.
+template <class QuadView, class PositionView, class ShareView>
+struct Share {
+  using Scalar = typename ShareView::Precision;
+  QuadView quads;
+  PositionView positions;
+  ShareView shares;
+  void operator()(index_t i) const {
+    const auto nodes = quads[i].nodes().get();
+    auto sum = (positions[nodes[0]].x().get() + positions[nodes[1]].x().get()).eval();
+    sum = sum + positions[nodes[2]].x().get() + positions[nodes[3]].x().get();
+    shares[i].df() = (shares[i].df().get() * 0.5F + sum * 0.125F).eval();
+  }
+};
+template <class... V>
+Share(V...) -> Share<V...>;
+
+template <class Rows, class ShareView, class ForceView>
+struct AddShares {
+  using Scalar = typename ForceView::Precision;
+  Rows touches;
+  ShareView shares;
+  ForceView forces;
+  void operator()(index_t i) const {
+    using Vector = Eigen::Matrix<typename ForceView::Precision, 3, 1>;
+    Vector sum = forces[i].f();
+    touches.for_each(i, [&](const auto& touch, bool) { sum += shares[touch.element()].df().get() * 0.0625F; });
+    forces[i].f() = sum;
+  }
+};
+template <class... V>
+AddShares(V...) -> AddShares<V...>;
+
+/// Nothing of others: it can be done for ghosts, too.
+template <class ForceView, class MeanView>
+struct Mix {
+  using Scalar = typename MeanView::Precision;
+  ForceView forces;
+  MeanView means;
+  void operator()(index_t i) const { means[i].dx() = (means[i].dx().get() * 0.5F + forces[i].f().get() * 0.5F).eval(); }
+};
+template <class... V>
+Mix(V...) -> Mix<V...>;
+
+template <class MeanView, class PositionView>
+struct Drift {
+  using Scalar = typename PositionView::Precision;
+  MeanView means;
+  PositionView positions;
+  void operator()(index_t i) const { positions[i].x() = (positions[i].x().get() + means[i].dx().get() * 0.5F).eval(); }
+};
+template <class... V>
+Drift(V...) -> Drift<V...>;
+
+template <class PositionView, class EdgeView>
+struct Lengths {
+  using Scalar = typename PositionView::Precision;
+  PositionView positions;
+  EdgeView edges;
+  double operator()(index_t i) const {
+    const auto nodes = edges[i].nodes().get();
+    return double((positions[nodes[1]].x().get() - positions[nodes[0]].x().get()).squaredNorm());
+  }
+};
+template <class... V>
+Lengths(V...) -> Lengths<V...>;
+
+template <class StateView>
+struct Store {
+  StateView state;
+  int at;
+  template <class Value>
+  void operator()(const Value& value) const {
+    if constexpr (requires { value.index; })
+      state[index_t{0}].f()[at] = double(value.index);
+    else
+      state[index_t{0}].f()[at] = double(value);
+  }
+};
+template <class S>
+Store(S, int) -> Store<S>;
+
+inline constexpr HaloAccess own{.reads_own = true}, others{.reads_others = true}, written{.writes_own = true},
+    changed{.reads_own = true, .writes_own = true}, everything{.reads_own = true, .reads_others = true};
+inline constexpr const char *of_ends = "b.ranges.begin, b.ranges.end", *of_touches = "b.touched.begin, b.touched.end";
+/// Rows without which an exchange or a stale field would be missed come first; the others are needed to know over which
+/// set a kernel runs, and that no index is written.
+inline constexpr HaloUse table[] = {
+    {"graphs::Pull", 1, "x", others, "b.edges.nodes"},
+    {"graphs::Pull", 2, "f", written},
+    {"graphs::SumPulls", 2, "f", others, "b.ends.element"},
+    {"graphs::SumPulls", 3, "f", written},
+    {"graphs::Smooth", 3, "x", everything, "b.ends.element, b.edges.nodes"},
+    {"graphs::Smooth", 4, "dx", written},
+    {"graphs::Move", 0, "f", own},
+    {"graphs::Move", 1, "dx", own},
+    {"graphs::Move", 2, "x", changed},
+    {"graphs::Share", 1, "x", others, "b.quads.nodes"},
+    {"graphs::Share", 2, "df", changed},
+    {"graphs::AddShares", 2, "df", others, "b.touches.element"},
+    {"graphs::AddShares", 3, "f", changed},
+    {"graphs::Mix", 0, "f", own},
+    {"graphs::Mix", 1, "dx", changed},
+    {"graphs::Drift", 0, "dx", own},
+    {"graphs::Drift", 1, "x", changed},
+    {"graphs::Lengths", 0, "x", others, "b.edges.nodes"},
+    {"graphs::Pull", 0, "nodes", own},
+    {"graphs::SumPulls", 0, "begin", own},
+    {"graphs::SumPulls", 0, "end", own},
+    {"graphs::SumPulls", 1, "element", others, of_ends},
+    {"graphs::SumPulls", 1, "local", others, of_ends},
+    {"graphs::Smooth", 0, "begin", own},
+    {"graphs::Smooth", 0, "end", own},
+    {"graphs::Smooth", 1, "element", others, of_ends},
+    {"graphs::Smooth", 1, "local", others, of_ends},
+    {"graphs::Smooth", 2, "nodes", others, "b.ends.element"},
+    {"graphs::Share", 0, "nodes", own},
+    {"graphs::AddShares", 0, "begin", own},
+    {"graphs::AddShares", 0, "end", own},
+    {"graphs::AddShares", 1, "element", others, of_touches},
+    {"graphs::Lengths", 1, "nodes", own},
+};
+inline constexpr std::size_t rows_that_count = 18;
+
+/// A graph of nodes, edges and quads (of four nodes, some of them twice).
+struct Graph {
+  index_t nodes;
+  std::vector<std::array<index_t, 2>> edges;
+  std::vector<std::array<index_t, 4>> quads;
+  std::vector<std::vector<elasticity::Incidence<float>>> ends, touches;
+
+  Graph(index_t count, std::mt19937& random) : nodes(count), ends(at(count)), touches(at(count)) {
+    const auto number = [&](index_t below) { return static_cast<index_t>(random()) % below; };
+    const bool is_local = random() % 2 == 0;  // names are near, or anywhere
+    const auto near = [&](index_t node) { return is_local ? (node + 1 + number(40)) % nodes : number(nodes); };
+    const index_t edge_count = nodes == 0 ? 0 : number(3 * nodes + 1), quad_count = nodes == 0 ? 0 : number(nodes + 1);
+    const bool is_ordered = random() % 2 == 0;
+    for (index_t e = 0; e < edge_count; ++e) {
+      const index_t node = is_ordered ? e * nodes / edge_count : number(nodes);
+      edges.push_back({node, near(node)});
+      for (int k = 0; k < 2; ++k) ends[at(edges.back()[static_cast<std::size_t>(k)])].push_back(incidence(e, k));
+    }
+    for (index_t t = 0; t < quad_count; ++t) {
+      const index_t node = is_ordered ? t * nodes / quad_count : number(nodes);
+      quads.push_back({node, near(node), near(node), number(nodes)});
+      touches[at(node)].push_back(incidence(t, 0));
+      touches[at(quads.back()[3])].push_back(incidence(t, 3));
+    }
+  }
+  static std::size_t at(index_t i) { return static_cast<std::size_t>(i); }
+  static elasticity::Incidence<float> incidence(index_t element, int local) {
+    elasticity::Incidence<float> value{};
+    value.element = static_cast<std::int32_t>(element);
+    value.local = local;
+    return value;
+  }
+};
+
+}  // namespace graphs

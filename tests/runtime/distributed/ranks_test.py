@@ -1,0 +1,129 @@
+"""Programs on several ranks, started as users start them: ranks_test.py MPIRUN|none FOLDER CASE."""
+import os
+import re
+import subprocess
+import sys
+import time
+
+MPIRUN, FOLDER, CASE = sys.argv[1:4]
+COUNTS = (1, 2, 3, 4, 8)
+# More ranks than processors, also as root; ranks that wait give their processor to others.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1",
+                   OMPI_MCA_btl_vader_single_copy_mechanism="none", OMP_NUM_THREADS="1",
+                   ASAN_OPTIONS="detect_leaks=0")  # MPI has some
+SECONDS = 120  # what takes longer hangs
+
+
+def run(*command, environment=None):
+    """Status, output, errors and seconds of a command."""
+    start = time.monotonic()
+    done = subprocess.run(command, env={**ENVIRONMENT, **(environment or {})}, capture_output=True, text=True, timeout=SECONDS, check=False)
+    return done.returncode, done.stdout, done.stderr, time.monotonic() - start
+
+
+def program(name):
+    return os.path.join(FOLDER, "distributed_" + name)
+
+
+def ranks(count, name, *arguments, environment=None):
+    return run(MPIRUN, "--oversubscribe", "-n", str(count), program(name), *arguments, environment=environment)
+
+
+def digest(done):
+    status, output, errors, _ = done
+    assert status == 0, f"status {status}: {output}{errors}"
+    return re.match(r"digest \S+ square \S+ node \S+ steps \S+", output).group(0)
+
+
+def fails(done, *texts):
+    status, output, errors, _ = done
+    assert status != 0, f"status 0: {output}{errors}"
+    for text in texts:
+        assert text in errors, f"'{text}' is not in: {errors}"
+
+
+def all_numbers_of_ranks_have_the_bits_of_one_process():
+    """All numbers of ranks and threads give the bits of whole arrays in one process, also of the build without MPI."""
+    wanted = digest(run(program("relax_without_mpi"), "--plain"))
+    assert digest(run(program("relax_without_mpi"))) == wanted
+    assert digest(run(program("relax"))) == wanted, "without mpirun"
+    for count in COUNTS:
+        assert digest(ranks(count, "relax")) == wanted, f"{count} ranks"
+        print(f"{count} ranks: {wanted}")
+    assert digest(ranks(2, "relax", "--threads", "2")) == wanted, "2 threads"
+    # Without a table more is fetched, and nothing is missing.
+    known, unknown = ranks(3, "relax"), ranks(3, "relax", "--no-table")
+    assert digest(unknown) == wanted
+    exchanges = [int(re.search(r"exchanges (\d+)", done[1]).group(1)) for done in (known, unknown)]
+    # Two make the plans; positions cross once for each step but the first.
+    assert exchanges[0] == 2 + 19 and exchanges[1] > exchanges[0], exchanges
+    assert "unknown springs::Pull" in unknown[1] and "unknown" not in known[1]
+    # More ranks than there are blocks, and hardly any nodes: ranks without objects work.
+    for cells in ("1", "3"):
+        assert digest(ranks(4, "relax", "--cells", cells)) == digest(run(program("relax_without_mpi"), "--plain", "--cells", cells))
+
+
+def random_programs_over_random_graphs_have_them_too():
+    """Random programs over random graphs: owned objects and fresh ghosts have the bits of one process."""
+    for k, count in enumerate((1, 2, 3, 4, 8)):
+        first = 40 * k
+        status, output, errors, _ = ranks(count, "graphs", "--seeds", str(first), str(first + 40))
+        print(output)
+        assert status == 0, output + errors
+    status, output, errors, _ = ranks(8, "graphs", "--seeds", "200", "206", "--most", "30000")
+    assert status == 0, output + errors
+
+
+def a_row_of_the_table_that_is_left_out_is_missed():
+    """Each row of the table that an exchange or a stale field depends on is missed when it is left out."""
+    count, rows = (int(number) for number in re.findall(r"\d+", run(program("graphs"), "--rows")[1]))
+    assert 0 < count < rows
+    for row in range(count):
+        status, output, errors, _ = ranks(3, "graphs", "--seeds", "0", "24", "--most", "9000", "--without", str(row))
+        assert status != 0, f"without row {row} of the table nothing differs: {output}{errors}"
+
+
+def left_over(name):
+    """Processes of a program that still run."""
+    found = []
+    for process in os.listdir("/proc"):
+        try:
+            if process.isdigit() and os.readlink(f"/proc/{process}/exe") == program(name):
+                found.append(process)
+        except OSError:
+            pass
+    return found
+
+
+def a_rank_that_cannot_go_on_ends_all():
+    """One rank that cannot go on ends all, with its message, in seconds."""
+    done = ranks(4, "relax", "--throw", "1")
+    fails(done, "rank 1 of 4 on ", "physgen: node ", " may not move")
+    assert done[3] < 30, done
+    done = ranks(4, "relax", "--kill", "2")
+    fails(done, "rank 2", "signal 9")
+    assert done[3] < 30, done
+    time.sleep(1)
+    assert not left_over("relax"), left_over("relax")
+
+
+def what_cannot_work_is_refused_with_the_remedy():
+    """What cannot work is refused with the remedy."""
+    one = [program("relax"), "--cells", "4"]
+    both = run(MPIRUN, "--oversubscribe", "-n", "2", *one, "--options", "a", ":", "-n", "1", *one, "--options", "b")
+    fails(both, 'rank 2 on ', 'has another option: "b", and rank 0 has "a"; start all ranks with equal programs, options and files')
+    fails(ranks(2, "relax", "--sizes", "1"), "has another list of sets and sizes", "node:15625")
+    # The launcher of another MPI starts programs of which each would be rank 0.
+    fails(run(program("relax"), environment={"PMI_SIZE": "4"}), "PMI_SIZE=4", "start it with the mpirun of Open MPI")
+    fails(ranks(2, "relax_without_mpi"), "OMPI_COMM_WORLD_SIZE=2", "physgen was built without MPI; install libopenmpi-dev")
+
+
+def main():
+    if MPIRUN == "none":
+        print("skipped: MPI was not found, so there is one rank; install libopenmpi-dev and openmpi-bin")
+        return 77
+    globals()[CASE]()
+    return 0
+
+
+sys.exit(main())

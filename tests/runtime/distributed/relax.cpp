@@ -1,0 +1,202 @@
+// relax: the springs of a lattice, on as many ranks as it is started with; prints a digest of what it computed.
+//
+//   --cells N       edges of the lattice along each side (default 24)
+//   --steps N       at most (default 20)
+//   --plain         arrays of all objects, without anything of distributed/ (one process)
+//   --threads N     of each rank
+//   --no-table      no kernel is known
+//   --throw R       a kernel throws on rank R
+//   --kill R        rank R is killed before its steps, by a signal that it cannot handle
+//   --options TEXT  must be equal on all ranks
+//   --sizes R       rank R has another mesh
+#include <physgen/distributed/executor.h>
+#include <physgen/threads.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+#include "springs.h"
+
+namespace {
+
+using namespace physgen;
+
+/// A lattice, whose edges ascend by their first node, and some edges to far nodes.
+struct Mesh {
+  index_t side;
+  std::vector<std::array<index_t, 2>> edges;
+  std::vector<std::vector<elasticity::Incidence<float>>> ends;
+
+  explicit Mesh(index_t cells) : side(cells + 1), ends(static_cast<std::size_t>(side * side * side)) {
+    std::mt19937 random(7);
+    for (index_t i = 0; i < nodes(); ++i) {
+      const std::array<index_t, 3> at = place(i);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const index_t step = k == 0 ? 1 : k == 1 ? side : side * side;
+        if (at[k] + 1 < side) add(i, i + step);
+      }
+      if (i % 97 == 0) add(i, static_cast<index_t>(random()) % nodes());
+    }
+  }
+  [[nodiscard]] index_t nodes() const { return side * side * side; }
+  [[nodiscard]] std::array<index_t, 3> place(index_t node) const {
+    return {node % side, node / side % side, node / side / side};
+  }
+  [[nodiscard]] elasticity::NodePosition<float> position(index_t node) const {
+    elasticity::NodePosition<float> value{};
+    const std::array<index_t, 3> at = place(node);
+    for (int k = 0; k < 3; ++k) {
+      const auto x = static_cast<float>(at[static_cast<std::size_t>(k)]);
+      value.x[k] = x + 0.1F * static_cast<float>((node * (k + 3)) % 7);
+    }
+    return value;
+  }
+
+ private:
+  void add(index_t a, index_t b) {
+    if (a == b) return;
+    for (int k = 0; k < 2; ++k) {
+      elasticity::Incidence<float> end{};
+      end.element = static_cast<std::int32_t>(edges.size());
+      end.local = k;
+      ends[static_cast<std::size_t>(k == 0 ? a : b)].push_back(end);
+    }
+    edges.push_back({a, b});
+  }
+};
+
+struct Digest {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  void add(float value) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    for (int k = 0; k < 4; ++k) hash = (hash ^ (bits >> (8 * k) & 255)) * 0x100000001b3;
+  }
+};
+
+void print(const Digest& digest, const springs::Body& body, const char* more) {
+  const auto state = body.state.const_view()[index_t{0}].f().get();
+  std::printf("digest %016llx square %a node %.0f steps %.0f%s\n", static_cast<unsigned long long>(digest.hash),
+              state[0], state[1], state[2], more);
+}
+
+void run_plain(const Mesh& mesh, int steps) {
+  springs::Body body;
+  body.positions = elasticity::NodePositionArray<float>(mesh.nodes());
+  body.forces = elasticity::NodeForceArray<float>(mesh.nodes());
+  body.ranges = elasticity::IncidenceRangeArray<float>(mesh.nodes());
+  body.edges = elasticity::EdgeArray<float>(static_cast<index_t>(mesh.edges.size()));
+  body.springs = elasticity::NodeForceArray<float>(body.edges.size());
+  std::vector<elasticity::Incidence<float>> all;
+  for (index_t i = 0; i < mesh.nodes(); ++i) {
+    body.positions.view().put(i, mesh.position(i));
+    const auto& row = mesh.ends[static_cast<std::size_t>(i)];
+    body.ranges[i].begin() = static_cast<std::int32_t>(all.size());
+    all.insert(all.end(), row.begin(), row.end());
+    body.ranges[i].end() = static_cast<std::int32_t>(all.size());
+  }
+  body.ends = elasticity::IncidenceArray<float>(static_cast<index_t>(all.size()));
+  for (index_t k = 0; k < body.ends.size(); ++k) body.ends.view().put(k, all[static_cast<std::size_t>(k)]);
+  for (index_t e = 0; e < body.edges.size(); ++e) {
+    const auto& nodes = mesh.edges[static_cast<std::size_t>(e)];
+    body.edges[e].nodes() = Eigen::Vector2i(static_cast<int>(nodes[0]), static_cast<int>(nodes[1]));
+  }
+  HostExecutor on;
+  springs::relax(on, body, steps, 1e-3);
+  Digest digest;
+  for (index_t i = 0; i < mesh.nodes(); ++i) {
+    for (int k = 0; k < 3; ++k) digest.add(body.positions[i].x()[k]);
+  }
+  print(digest, body, "");
+}
+
+void run_on(const Ranks& ranks, const Mesh& mesh, int steps, bool has_table, int throws) {
+  springs::Body body;
+  DistributedArrays arrays(ranks, has_table ? HaloUses(springs::halos) : HaloUses());
+  arrays.add_set("node", mesh.nodes());
+  arrays.add_set("edge", static_cast<index_t>(mesh.edges.size()));
+  arrays.follow("edge", "node");
+  arrays.add("body.positions", "node", body.positions);
+  arrays.add("body.forces", "node", body.forces);
+  arrays.add("body.ranges", "node", body.ranges);
+  arrays.add("body.edges", "edge", body.edges);
+  arrays.add("body.springs", "edge", body.springs);
+  arrays.connect(body.edges, "nodes", "node", [&](index_t e) { return mesh.edges[static_cast<std::size_t>(e)]; });
+  arrays.connect_rows(body.ranges, "body.ends", body.ends, "element", "edge",
+                      [&](index_t node) -> const auto& { return mesh.ends[static_cast<std::size_t>(node)]; });
+  arrays.cut();
+  arrays.fill(body.positions, [&](index_t node) { return mesh.position(node); });
+  if (throws == ranks.rank()) body.refused = arrays.set("node").begin() + 17;
+  DistributedExecutor<HostExecutor> on(ranks, arrays, {.poisons_stale_ghosts = true});
+  springs::relax(on, body, steps, 1e-3);
+  const Traffic traffic = on.traffic();
+  Digest digest;
+  arrays.each_block(
+      body.positions,
+      [&](index_t /*first*/, auto view) {
+        for (index_t i = 0; i < view.size(); ++i) {
+          for (int k = 0; k < 3; ++k) digest.add(view[i].x()[k]);
+        }
+      },
+      1 << 16);
+  std::string more = " exchanges " + std::to_string(traffic.exchanges) + " gathers " + std::to_string(traffic.gathers);
+  for (const std::string& kernel : on.unknown_kernels()) more += " unknown " + kernel;
+  if (ranks.is_first()) print(digest, body, more.c_str());
+}
+
+int run(int argc, char** argv) {
+  index_t cells = 24;
+  int steps = 20, throws = -1, kill = -1, other = -1;
+  bool plain = false, has_table = true;
+  std::string options;
+  const Ranks ranks(argc, argv);
+  for (int a = 1; a < argc; ++a) {
+    const std::string what = argv[a];
+    if (what == "--plain")
+      plain = true;
+    else if (what == "--no-table")
+      has_table = false;
+    else if (a + 1 == argc)
+      throw Error("option " + what + " needs a value; see the head of relax.cpp");
+    else if (what == "--cells")
+      cells = std::atoi(argv[++a]);
+    else if (what == "--steps")
+      steps = std::atoi(argv[++a]);
+    else if (what == "--threads")
+      set_threads(std::atoi(argv[++a]));
+    else if (what == "--throw")
+      throws = std::atoi(argv[++a]);
+    else if (what == "--kill")
+      kill = std::atoi(argv[++a]);
+    else if (what == "--sizes")
+      other = std::atoi(argv[++a]);
+    else if (what == "--options")
+      options = argv[++a];
+    else
+      throw Error("there is no option " + what + "; see the head of relax.cpp");
+  }
+  ranks.agree("option", options);
+  const Mesh mesh(other == ranks.rank() ? cells + 1 : cells);
+  if (plain) {
+    run_plain(mesh, steps);
+    return 0;
+  }
+  if (kill == ranks.rank()) std::raise(SIGKILL);
+  ranks.guard([&] { run_on(ranks, mesh, steps, has_table, throws); });
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

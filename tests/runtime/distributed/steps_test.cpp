@@ -1,0 +1,234 @@
+// What steps of several ranks refuse, each with the place and the remedy; and over which objects they run.
+#include <gtest/gtest.h>
+#include <physgen/distributed/executor.h>
+
+#include "springs.h"
+
+namespace physgen {
+namespace {
+
+constexpr HaloUse table[] = {
+    {"Gathers", 0, "nodes", {.reads_own = true}},
+    {"Gathers", 1, "x", {.reads_others = true}, "b.edges.nodes"},
+    {"Adds", 0, "nodes", {.reads_own = true}},
+    {"Adds", 1, "x", {.writes_others = true}, "b.edges.nodes"},
+    {"Renumbers", 0, "nodes", {.writes_own = true}},
+    {"Far", 0, "begin", {.reads_own = true}},
+    {"Far", 1, "x", {.reads_others = true}, "b.ends.element, b.edges.nodes"},
+    {"OfTwo", 0, "x", {.reads_own = true}},
+    {"OfTwo", 1, "nodes", {.reads_own = true}},
+    {"OfOne", 0, "f", {.reads_own = true}},
+    {"OfOne", 1, "x", {.reads_others = true}},
+    {"Known", 0, "x", {.reads_own = true}},
+    {"OfEntries", 0, "element", {.reads_own = true}},
+};
+
+/// Nodes, edges that name them, rows of edges, and a state that all ranks have.
+class Steps : public testing::Test {
+ protected:
+  void make_sets(bool follows) {
+    arrays.add_set("node", 100);
+    arrays.add_set("edge", 60);
+    arrays.add_replicated_set("one", 1);
+    if (follows) arrays.follow("edge", "node");
+    arrays.add("b.positions", "node", positions);
+    arrays.add("b.ranges", "node", ranges);
+    arrays.add("b.edges", "edge", edges);
+    arrays.add("b.state", "one", state);
+    arrays.connect(edges, "nodes", "node", [](index_t e) { return std::array{e, e + 1}; });
+    arrays.connect_rows(ranges, "b.ends", ends, "element", "edge", [](index_t node) {
+      std::vector<elasticity::Incidence<float>> row(node < 60 ? 1 : 0);
+      if (node < 60) row[0].element = static_cast<std::int32_t>(node);
+      return row;
+    });
+  }
+  void cut(bool follows) {
+    make_sets(follows);
+    arrays.cut();
+  }
+  template <class View>
+  static KernelView of(const View& view) {
+    const UntypedArray memory = view.untyped();
+    return {memory.base, memory.size, !std::is_const_v<typename View::Byte>, memory.object};
+  }
+  /// The message of a step of a kernel, or the range over which it runs.
+  std::string step(const std::string& kernel, std::vector<KernelView> views, index_t size, bool owned_only = false) {
+    HaloSteps steps(arrays, true);
+    const HaloSteps::Kernel one{&kernel, std::move(views)};
+    try {
+      const HaloSteps::Objects objects = steps.begin(std::span(&one, 1), size, owned_only);
+      return std::to_string(objects.begin) + " to " + std::to_string(objects.end);
+    } catch (const Error& error) {
+      return error.what();
+    }
+  }
+  static std::string message_of(const auto& body) {
+    try {
+      body();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  int argc = 0;
+  char** argv = nullptr;
+  Ranks ranks{argc, argv};
+  DistributedArrays arrays{ranks, table};
+  elasticity::NodePositionArray<float> positions;
+  elasticity::IncidenceRangeArray<float> ranges;
+  elasticity::EdgeArray<float> edges;
+  elasticity::IncidenceArray<float> ends;
+  elasticity::NodeForceArray<double> state;
+};
+
+TEST_F(Steps, run_over_the_set_of_their_own_objects) {
+  cut(true);
+  EXPECT_EQ(step("Gathers", {of(edges.const_view()), of(positions.const_view())}, 60), "0 to 60");
+  EXPECT_EQ(step("not in the table", {of(edges.const_view()), of(positions.const_view())}, 60), "0 to 60");
+  EXPECT_EQ(step("not in the table", {of(positions.view())}, 100), "0 to 100");
+  EXPECT_EQ(step("of a number alone", {of(state.view())}, 1), "0 to 1");
+  EXPECT_EQ(step("OfEntries", {of(ends.const_view())}, 60), "0 to 60");
+  EXPECT_EQ(step("Known", {of(positions.const_view())}, 60),
+            "physgen: Known is run over 60 objects, and set node has 100 here; run it over all, array.size()");
+  EXPECT_EQ(
+      step("not in the table", {of(positions.const_view())}, 61),
+      "physgen: it is not known over which set not in the table is run: the size 61 is that of 0 sets of its views; "
+      "give it rows in the table of kernels");
+}
+
+TEST_F(Steps, refuse_writes_to_objects_that_another_rank_may_own) {
+  cut(true);
+  EXPECT_EQ(
+      step("Adds", {of(edges.const_view()), of(positions.view())}, 60),
+      "physgen: Adds writes b.positions.x of other objects than that of its call, which another rank may own; gather "
+      "over rows instead");
+  EXPECT_EQ(
+      step("not in the table", {of(edges.const_view()), of(positions.view())}, 60),
+      "physgen: not in the table writes b.positions.x of other objects than that of its call, which another rank may "
+      "own; gather over rows instead, or give the kernel a const_view() or rows in the table of kernels");
+  EXPECT_EQ(
+      step("not in the table", {of(positions.view()), of(state.view())}, 100),
+      "physgen: not in the table writes b.state.f of other objects than that of its call, which all ranks have: they "
+      "would differ; reduce instead, or give the kernel a const_view() or rows in the table of kernels");
+  elasticity::NodeForceArray<double> number(1);
+  EXPECT_EQ(
+      step("not in the table", {of(positions.view()), of(number.view())}, 100),
+      "physgen: not in the table may write numbers that all ranks keep, in a step of which each rank does a part; "
+      "reduce instead, or give the kernel a const_view() or rows in the table of kernels");
+  EXPECT_EQ(step("Renumbers", {of(edges.view())}, 60),
+            "physgen: Renumbers writes b.edges.nodes, which names objects by the numbers of this rank; connect other "
+            "arrays instead");
+}
+
+TEST_F(Steps, refuse_what_they_cannot_reach_or_attribute) {
+  cut(false);
+  EXPECT_EQ(
+      step("Far", {of(ranges.const_view()), of(positions.const_view())}, 100),
+      "physgen: Far reads b.positions.x through b.edges.nodes of other objects, whose set follows no set, so that "
+      "what they name may be on other ranks; let it follow one");
+  EXPECT_EQ(
+      step("not in the table", {of(ranges.const_view()), of(edges.const_view())}, 100),
+      "physgen: not in the table may read through b.edges.nodes of other objects, whose set follows no set, so that "
+      "what they name may be on other ranks; give the kernel rows in the table of kernels, or let the set follow one");
+  EXPECT_EQ(step("OfTwo", {of(positions.const_view()), of(edges.const_view())}, 100),
+            "physgen: OfTwo uses own objects of two sets, node and edge; correct its rows in the table of kernels");
+  EXPECT_EQ(
+      step("OfOne", {of(state.const_view()), of(positions.const_view())}, 1),
+      "physgen: OfOne runs over objects that all ranks have, and uses arrays of which ranks have parts; reduce what "
+      "is wanted of them");
+  EXPECT_EQ(
+      step("OfEntries", {of(ends.const_view())}, 60, true),
+      "physgen: OfEntries is reduced over the entries of rows, b.ends, which have no blocks that all numbers of ranks "
+      "have; reduce over the objects that have the rows");
+  elasticity::NodeForceArray<double> other(7);
+  EXPECT_EQ(
+      step("not in the table", {of(positions.const_view()), of(other.const_view())}, 100),
+      "physgen: not in the table uses an array of 7 elasticity::NodeForce that is none of the distributed arrays; "
+      "add() it before cut()");
+  HaloSteps steps(arrays, true);
+  const KernelView view = of(positions.const_view());
+  EXPECT_EQ(message_of([&] { steps.require_replicated(std::span(&view, 1), "StoreSquare"); }),
+            "physgen: StoreSquare uses b.positions, of which ranks have parts of set node; let a kernel reduce what is "
+            "wanted into an array that all ranks have");
+}
+
+TEST_F(Steps, follow_arrays_that_a_program_moves_and_swaps) {
+  cut(true);
+  const int number = arrays.find(positions.untyped().base);
+  elasticity::NodePositionArray<float> moved = std::move(positions);
+  EXPECT_EQ(arrays.find(moved.untyped().base), number);
+  EXPECT_EQ(step("Known", {of(moved.const_view())}, 100), "0 to 100");
+}
+
+TEST_F(Steps, refuse_sets_and_arrays_that_cannot_be) {
+  make_sets(true);
+  EXPECT_EQ(message_of([&] { arrays.add_set("node", 5); }),
+            "physgen: there are two sets node; give each a name of its own");
+  EXPECT_EQ(message_of([&] { arrays.add_set("tet", -5); }),
+            "physgen: set tet has -5 objects; give a number that is not negative");
+  EXPECT_EQ(
+      message_of([&] { arrays.follow("node", "edge"); }),
+      "physgen: set node follows edge, and one of them follows another set or is followed; let a set follow one that "
+      "follows none");
+  EXPECT_EQ(message_of([&] { arrays.follow("node", "one"); }),
+            "physgen: set node cannot follow one, since all ranks have all objects of one of them; remove follow()");
+  EXPECT_EQ(message_of([&] { arrays.add("again", "node", positions); }),
+            "physgen: array again is added a second time, before as b.positions; add each array once");
+  EXPECT_EQ(message_of([&] { (void)arrays.set("tet"); }),
+            "physgen: there is no set tet; there are: node edge one b.ends");
+  EXPECT_EQ(message_of([&] { (void)arrays.set("node"); }),
+            "physgen: set node has no local numbers; call cut() first, and ask for sets of objects");
+  EXPECT_NE(message_of([&] {
+              arrays.connect(positions, "x", "node", [](index_t) { return std::array{0}; });
+            }).find("there is no field of indices \"x\"; the object has none"),
+            std::string::npos);
+}
+
+TEST_F(Steps, refuse_numbers_of_objects_that_are_not_there) {
+  make_sets(true);
+  elasticity::EdgeArray<float> wrong;
+  arrays.add("b.wrong", "edge", wrong);
+  arrays.connect(wrong, "nodes", "node", [](index_t e) { return std::array<index_t, 2>{e, e == 40 ? 100 : 0}; });
+  EXPECT_EQ(message_of([&] { arrays.cut(); }),
+            "physgen: object 40 names object 100 of set node, which has 100; name one of 0 .. size-1, or -1 for none");
+}
+
+TEST_F(Steps, refuse_a_field_that_is_given_too_few_numbers) {
+  make_sets(true);
+  elasticity::TetArray<float> tets;
+  arrays.add("b.tets", "edge", tets);
+  arrays.connect(tets, "nodes", "node", [](index_t e) { return std::array{e, e + 1, e + 2}; });
+  EXPECT_EQ(message_of([&] { arrays.cut(); }),
+            "physgen: b.tets.nodes of object 0 has 4 elements, and 3 numbers were given; give one for each");
+}
+
+TEST_F(Steps, hand_out_objects_by_blocks_in_order) {
+  cut(true);
+  arrays.fill(positions, [](index_t node) {
+    elasticity::NodePosition<float> value{};
+    value.x[1] = static_cast<float>(node);
+    return value;
+  });
+  index_t next = 0;
+  arrays.each_block(positions, [&](index_t first, auto view) {
+    for (index_t i = 0; i < view.size(); ++i) EXPECT_EQ(float(view[i].x()[1]), float(next++)) << first;
+  });
+  EXPECT_EQ(next, 100);
+}
+
+TEST_F(Steps, take_whole_arrays_in_other_layouts_and_give_them_back) {
+  cut(true);
+  elasticity::NodePositionArray<double, Host, Soa> whole(100);
+  for (index_t i = 0; i < 100; ++i) whole[i].x()[2] = static_cast<double>(i) / 4;
+  arrays.fill(positions, whole);
+  const auto back = arrays.whole(positions);
+  ASSERT_EQ(back.size(), 100);
+  for (index_t i = 0; i < 100; ++i) EXPECT_EQ(back.getdata(i, 2), static_cast<double>(i) / 4);
+  whole.resize(99);
+  EXPECT_EQ(message_of([&] { arrays.fill(positions, whole); }),
+            "physgen: elasticity::NodePosition: an array of 99 objects is given for a set of 100; give all objects");
+}
+
+}  // namespace
+}  // namespace physgen

@@ -1,0 +1,11 @@
+# Finds MPI, of programs on several ranks: PHYSGEN_HAVE_MPI and the target MPI::MPI_CXX. Only its interface of C is used.
+set(PHYSGEN_HAVE_MPI OFF)
+if(PHYSGEN_MPI)
+  set(MPI_CXX_SKIP_MPICXX ON)
+  if(PHYSGEN_MPI STREQUAL "AUTO")
+    find_package(MPI QUIET COMPONENTS CXX)
+  else()
+    find_package(MPI REQUIRED COMPONENTS CXX)
+  endif()
+  set(PHYSGEN_HAVE_MPI ${MPI_CXX_FOUND})
+endif()
