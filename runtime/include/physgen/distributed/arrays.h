@@ -3,11 +3,12 @@
 //   DistributedArrays body(ranks, relax_halos);
 //   body.add_set("node", mesh.nodes);
 //   body.add_set("edge", mesh.edges);
-//   body.follow("edge", "node");                                      // edges are computed wherever a node of theirs
-//   is body.add("body.positions", "node", positions);                    // arrays without objects, which cut() gives
-//   theirs body.add("body.edges", "edge", edges); body.connect(edges, "nodes", "node", [&](index_t e) { return
-//   mesh.edge(e); });  // by global numbers body.cut(); body.fill(positions, [&](index_t node) { return
-//   mesh.position(node); });
+//   body.follow("edge", "node");  // an edge is computed wherever a node of it is owned
+//   body.add("body.positions", "node", positions);  // an array without objects, which cut() gives it
+//   body.add("body.edges", "edge", edges);
+//   body.connect(edges, "nodes", "node", [&](index_t e) { return mesh.edge(e); });  // by global numbers
+//   body.cut();
+//   body.fill(positions, [&](index_t node) { return mesh.position(node); });
 #pragma once
 
 #include <physgen/arrays/array.h>
