@@ -5,8 +5,8 @@
 //   on.run(n, kernel)                    kernel(i) for the objects 0 .. n-1
 //   on.reduce(n, kernel, fold, then)     the same; then(value) runs where the value was formed, and nothing waits
 //   on.reduce_part(part, kernel, fold, then)
-//                                        the same part by part, kernel(i) for the objects 0 .. part.count-1; `then` runs
-//                                        behind the last part. No other reduction stands between two parts
+//                                        the same part by part, kernel(i) for the objects 0 .. part.count-1;
+//                                        `then` runs behind the last part. No other reduction stands between two parts
 //   on.perform(work)                     work(stream): steps in a way of their own, such as kernels that share memory
 //   on.repeat(loop, most, body, done)    body() until done() holds or `most` bodies were run; nothing waits. `loop` is
 //                                        an On::Loop that belongs to this place in the program and to these arrays

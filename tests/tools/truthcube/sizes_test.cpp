@@ -5,6 +5,7 @@
 #include <fem/solver/quasistatic.h>
 #include <fem/solver/solvers/scene_solvers.h>
 #include <gtest/gtest.h>
+#include <physgen/error.h>
 #include <truthcube/arrays.h>
 #include <truthcube/run_bytes.h>
 
