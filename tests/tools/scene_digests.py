@@ -12,7 +12,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "
 from truthcube import digest, records  # noqa: E402
 
 RENEW = "To renew it, in a build with -DPHYSGEN_CUDA=ON: tools/dev build release update-generated"
-KNOWN = (".scene.h", ".program.h", ".halos.h", ".digest")
+KNOWN = (".scene.h", ".program.h", ".digest")
 
 
 def of_arrays(found, known, exactly):

@@ -164,12 +164,15 @@ struct OfPlanes {
 /// Faces that pressures push which follow the surface.
 struct OfSurface {
   struct Surface {
-    PHYSGEN_ARRAY(per("face"), input()) Array<contact::PressedFaceObject, double> faces;
+    PHYSGEN_ARRAY(per("face"), input(), names("nodes", "node"), follows("node"))
+    Array<contact::PressedFaceObject, double> faces;
     /// The faces of each node, and those of each edge: rows of NodeTetEntry.
     PHYSGEN_ARRAY(per("node"), input()) Array<elasticity::IncidenceRangeObject, float> node_face_ranges;
-    PHYSGEN_ARRAY(per("face_corner"), input()) Array<quasistatic::PackedIncidenceObject, float> node_face_entries;
+    PHYSGEN_ARRAY(per("face_corner"), input(), names("code", "face", shifted(2)))
+    Array<quasistatic::PackedIncidenceObject, float> node_face_entries;
     PHYSGEN_ARRAY(per("edge"), input()) Array<elasticity::IncidenceRangeObject, float> edge_face_ranges;
-    PHYSGEN_ARRAY(per("face_corner"), input()) Array<quasistatic::PackedIncidenceObject, float> edge_face_entries;
+    PHYSGEN_ARRAY(per("face_corner"), input(), names("code", "face", shifted(2)))
+    Array<quasistatic::PackedIncidenceObject, float> edge_face_entries;
   };
 };
 
