@@ -31,8 +31,8 @@ Program sample() {
   Program program;
   program.name = "dynamics";
   program.usage.steps = {
-      {"physgen::fem::ComputeSvd", kernel, {"gradients", "svds"}, false, {read("U", {read_at}), written}},
-      {"scenes::IsDone", {"scenes/dynamics.h", 3, 1}, {"state"}, true, {read("r", {})}}};
+      {"physgen::fem::ComputeSvd", kernel, {"gradients", "svds"}, false, {read("U", {read_at}), written}, {}},
+      {"scenes::IsDone", {"scenes/dynamics.h", 3, 1}, {"state"}, true, {read("r", {})}, {}}};
   program.usage.unattributed = {read("s", {{"scenes/dynamics.h", 4, 5}})};
   program.usage.unknown = {{"tets", "data()", {"scenes/dynamics.h", 6, 7}}};
   return program;
