@@ -1,5 +1,6 @@
 """Programs on several ranks, started as users start them: ranks_test.py MPIRUN|none FOLDER CASE."""
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -10,7 +11,8 @@ COUNTS = (1, 2, 3, 4, 8)
 # More ranks than processors, also as root; ranks that wait give their processor to others.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1",
                    OMPI_MCA_btl_vader_single_copy_mechanism="none", OMP_NUM_THREADS="1",
-                   ASAN_OPTIONS="detect_leaks=0")  # MPI has some
+                   ASAN_OPTIONS="detect_leaks=0",  # MPI has some
+                   PHYSGEN_STARTED_BY=str(os.getpid()))
 SECONDS = 120  # what takes longer hangs
 
 
@@ -83,12 +85,12 @@ def a_row_of_the_table_that_is_left_out_is_missed():
         assert status != 0, f"without row {row} of the table nothing differs: {output}{errors}"
 
 
-def left_over(name):
-    """Processes of a program that still run."""
-    found = []
+def left_over():
+    """Processes of this test that still run, among those of other tests."""
+    mark, found = f"PHYSGEN_STARTED_BY={os.getpid()}".encode(), []
     for process in os.listdir("/proc"):
         try:
-            if process.isdigit() and os.readlink(f"/proc/{process}/exe") == program(name):
+            if process.isdigit() and mark in pathlib.Path("/proc", process, "environ").read_bytes().split(b"\0"):
                 found.append(process)
         except OSError:
             pass
@@ -97,6 +99,9 @@ def left_over(name):
 
 def a_rank_that_cannot_go_on_ends_all():
     """One rank that cannot go on ends all, with its message, in seconds."""
+    with subprocess.Popen(["sleep", "60"], env=ENVIRONMENT) as other:
+        assert left_over() == [str(other.pid)]
+        other.kill()
     done = ranks(4, "relax", "--throw", "1")
     fails(done, "rank 1 of 4 on ", "physgen: node ", " may not move")
     assert done[3] < 30, done
@@ -104,7 +109,7 @@ def a_rank_that_cannot_go_on_ends_all():
     fails(done, "rank 2", "signal 9")
     assert done[3] < 30, done
     time.sleep(1)
-    assert not left_over("relax"), left_over("relax")
+    assert not left_over(), left_over()
 
 
 def what_cannot_work_is_refused_with_the_remedy():
