@@ -25,13 +25,16 @@ constexpr int lanes_of() {
 }
 
 /// Whether a kernel takes single objects alone, and is a template over their index: SingleObject. A template that takes
-/// all kinds of index is looked at under packs.
+/// all kinds of index is looked at under packs, and fused kernels tell by themselves.
 template <class Kernel>
 constexpr bool takes_own_object() {
-  if constexpr (requires { typename Kernel::Scalar; } && !physgen::detail::Generic<Kernel>)
-    return std::invocable<const Kernel&, physgen::detail::OwnObject>;
-  else
+  if constexpr (requires { typename Kernel::FusedSteps; } || !requires { typename Kernel::Scalar; }) {
     return false;
+  } else if constexpr (physgen::detail::Generic<Kernel>) {
+    return false;
+  } else {
+    return std::invocable<const Kernel&, physgen::detail::OwnObject>;
+  }
 }
 
 /// kernel(i) for one object. Types do not tell its index from those that it forms; under packs, in fused kernels and
