@@ -24,7 +24,8 @@ void Partition::cut() {
   ranks_.agree("list of sets and sizes", text);
   text.clear();
   for (const HaloUse& use : uses_) {
-    text += std::string(use.kernel) + " " + std::to_string(use.view) + " " + std::string(use.field) + " ";
+    text += std::string(use.kernel) + " " + std::to_string(use.view) + " " + std::string(use.field) + " " +
+            std::string(use.through) + " ";
     for (const bool flag :
          {use.access.reads_own, use.access.reads_others, use.access.writes_own, use.access.writes_others})
       text += flag ? '1' : '0';

@@ -187,6 +187,11 @@ void HaloSteps::add_gathered(Step& step, const Use& use) const {
                   "follow one");
     }
   }
+  if (use.is_known && !is_found) {
+    throw Error(use.kernel + " reads " + name_of(use.field) +
+                " of other objects by numbers that no connected index field has, and which of them are on this rank is "
+                "not known; let an index field name them, and connect() it");
+  }
   step.reaches_on_ghosts &= is_found && over.follows >= 0;
   step.is_known &= is_found;
 }

@@ -15,6 +15,8 @@ constexpr HaloUse table[] = {
     {"Renumbers", 0, "nodes", {.writes_own = true}},
     {"Far", 0, "begin", {.reads_own = true}},
     {"Far", 1, "x", {.reads_others = true}, "b.ends.element, b.edges.nodes"},
+    {"Beside", 0, "begin", {.reads_own = true}},
+    {"Beside", 1, "x", {.reads_others = true}},
     {"OfTwo", 0, "x", {.reads_own = true}},
     {"OfTwo", 1, "nodes", {.reads_own = true}},
     {"OfOne", 0, "f", {.reads_own = true}},
@@ -127,6 +129,9 @@ TEST_F(Steps, refuse_what_they_cannot_reach_or_attribute) {
       step("Far", {of(ranges.const_view()), of(positions.const_view())}, 100),
       "physgen: Far reads b.positions.x through b.edges.nodes of other objects, whose set follows no set, so that "
       "what they name may be on other ranks; let it follow one");
+  EXPECT_EQ(step("Beside", {of(ranges.const_view()), of(positions.const_view())}, 100),
+            "physgen: Beside reads b.positions.x of other objects by numbers that no connected index field has, and "
+            "which of them are on this rank is not known; let an index field name them, and connect() it");
   EXPECT_EQ(
       step("not in the table", {of(ranges.const_view()), of(edges.const_view())}, 100),
       "physgen: not in the table may read through b.edges.nodes of other objects, whose set follows no set, so that "
