@@ -15,6 +15,7 @@ struct LoadCurve {
   std::string name;
   std::vector<std::array<double, 2>> points;  ///< load, or a time that stands for it; and factor. Loads ascend
 
+  /// @pre as require_curve() says
   [[nodiscard]] double at(double load) const;
 };
 
