@@ -8,6 +8,7 @@ from case_bodies import Box, Command, run_rule  # noqa: E402
 
 CONVERT = pathlib.Path(__file__).parents[3] / "tools/fem/mesh/convert.py"
 truthcube = Command(sys.argv[2], f"{sys.argv[3]}/{sys.argv[1]}")
+EVEN = ((0, 1, 2, 3), (1, 0, 3, 2), (2, 3, 0, 1), (3, 2, 1, 0))  # orders of a tet's corners of one sense
 SIDES = ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0))  # of a C3D4: S1 to S4
 CASE = {
     "material": {"young": 1e4, "poisson": 0.3, "density": 1000, "groups": [{"group": "FAR", "young": 3e4, "poisson": 0.2}]},
@@ -58,11 +59,12 @@ def same_as_written(box, groups, tags):
 
 def abaqus(box):
     """A box as Abaqus and CalculiX have it: far tets by numbers, near ones by a set of ELEMENT, surfaces by sides and shells."""
+    tets = [tuple(tet[k] for k in EVEN[t // 3 % 4]) for t, tet in enumerate(box.tets)]
     number = {t: 100 + 3 * t for t in range(len(box.tets))}
     lines = ["*Heading", "** a comment, which counts for nothing", "*NODE, NSET=All nodes"]
     lines += [f"{n}, " + ", ".join(map(repr, x)) for n, x in enumerate(box.nodes, 1)]
     lines += ["*Element, type=c3d4, elset=\"Body\""]
-    for t, tet in enumerate(box.tets):  # one in three goes on in the next line
+    for t, tet in enumerate(tets):  # one in three goes on in the next line
         corners = [n + 1 for n in tet]
         lines += [f"{number[t]}, {corners[0]},", f" {corners[1]}, {corners[2]}, {corners[3]}"] if t % 3 == 0 else [
             f"{number[t]}, " + ", ".join(map(str, corners))]
@@ -76,10 +78,11 @@ def abaqus(box):
     lines += ["*ELSET, ELSET=FAR"] + ["upper, " + ", ".join(str(number[t]) for t in box.far[7:])]
     sides = {}
     for face in box.faces["y1"]:
-        for t, tet in enumerate(box.tets):
+        for t, tet in enumerate(tets):
             for side, corners in enumerate(SIDES, 1):
                 if {tet[c] for c in corners} == set(face):
                     sides.setdefault(side, []).append(number[t])
+    assert sorted(sides) == [1, 2, 3, 4], sides
     for side, numbers in sides.items():
         lines += [f"*ELSET, ELSET=_y1_S{side}, INTERNAL"] + [", ".join(map(str, numbers))]
     lines += ["*SURFACE, TYPE=ELEMENT, NAME=y1"] + [f"_Y1_S{side}, S{side}" for side in sides]
