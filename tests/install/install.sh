@@ -26,3 +26,6 @@ rm -rf third
 
 mv first 'package without physgen'
 mv second package
+for place in package 'package without physgen'; do
+  [[ -x $place/bin/physgen-convert-mesh ]] || { echo "$place lacks the command that converts meshes" >&2; exit 1; }
+done

@@ -2,8 +2,10 @@
 
 #include <physgen/error.h>
 
+#include <algorithm>
 #include <initializer_list>
 
+#include "choices.h"
 #include "scene_choice.h"
 
 namespace physgen::truthcube {
@@ -17,6 +19,21 @@ void refuse(const Given& given, std::initializer_list<const char*> flags, const 
     if (given(flag))
       throw Error(std::string("--case cannot take ") + flag + ", because " + reason + "; remove " + flag);
   }
+}
+
+/// As the file says.
+void choose_output(Options& options, const Given& given) {
+  const std::string& wanted = options.given_case.output;
+  const auto found = std::ranges::find(outputs, wanted, &std::pair<std::string, Output>::first);
+  if (found == outputs.end()) {
+    throw Error("case " + options.case_file.string() + ": output: " + unknown("output", wanted, words_of(outputs)) +
+                " There are " + joined(words_of(outputs)));
+  }
+  if (given("--output") && options.output != found->second) {
+    throw Error("--output " + name_of(outputs, options.output) + ": the case " + options.case_file.string() +
+                " says \"output\": \"" + wanted + "\"; remove one of them");
+  }
+  options.output = found->second;
 }
 
 }  // namespace
@@ -41,6 +58,7 @@ void apply_case(Options& options, const Given& given) {
     options.solver.materials = {{read.young, read.poisson}};
     options.solver.materials.insert(options.solver.materials.end(), read.of_groups.begin(), read.of_groups.end());
   }
+  if (!read.output.empty()) choose_output(options, given);
   if (read.law.empty()) return;
   if (options.scene == SceneKind::linear_elastic) {
     throw Error("case " + options.case_file.string() + ": material.law: --scene linear-elastic has a law of its own; " +

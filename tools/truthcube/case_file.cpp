@@ -37,10 +37,29 @@ std::optional<double>& component(fem::Displacement& displacement, const Place& p
 
 std::string curve_of(const Place& entry) { return entry.has("curve") ? entry.at("curve").word() : ""; }
 
+fem::SupportAxis axis_of(const Place& entry) {
+  if (entry.has("fixed")) entry.at("fixed").refuse("a support with an axis holds along it; write another for x, y, z");
+  fem::SupportAxis result;
+  const Place axis = entry.at("axis");
+  if (axis.is_word()) {
+    result.is_normal = axis.word() == "normal";
+    if (!result.is_normal) axis.refuse("an axis is three numbers, such as [1, 1, 0], or \"normal\"");
+  } else {
+    result.direction = axis.vector();
+    if (result.direction == fem::Point{}) axis.refuse("[0, 0, 0] has no direction; give three numbers, not all 0");
+  }
+  if (entry.has("displacement")) result.displacement = entry.at("displacement").number();
+  return result;
+}
+
 fem::Support support_of(const Place& entry) {
-  entry.with_keys({"group", "fixed", "displacement", "curve"});
+  entry.with_keys({"group", "fixed", "axis", "displacement", "curve"});
   fem::Support support{entry.at("group").word()};
   support.curve = curve_of(entry);
+  if (entry.has("axis")) {
+    support.axis = axis_of(entry);
+    return support;
+  }
   if (!entry.has("fixed") && !entry.has("displacement")) return support;
   support.displacement = {};
   if (entry.has("displacement")) {
@@ -216,7 +235,7 @@ Case read_case(const std::filesystem::path& file) {
     throw Error("case " + name + ": cannot be read; check its name and your rights");
   const Json json = parsed_json(name, stream);
   const Place all(name, "", json);
-  all.with_keys({"mesh", "scale", "material", "supports", "loads", "curves", "steps", "probes"});
+  all.with_keys({"mesh", "scale", "material", "supports", "loads", "curves", "steps", "probes", "output"});
   Case result;
   result.text = json.dump();
   result.mesh = all.at("mesh").word();
@@ -245,6 +264,7 @@ Case read_case(const std::filesystem::path& file) {
   if (all.has("curves")) read_curves(all.at("curves"), result.load_case);
   check_curves(all, result.load_case);
   if (all.has("steps")) result.steps = steps_of(all.at("steps"), all.has("curves"));
+  if (all.has("output")) result.output = all.at("output").word();
   if (all.has("probes")) read_probes(all.at("probes"), result);
   return result;
 }

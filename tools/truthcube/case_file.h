@@ -25,7 +25,8 @@ struct Case {
   fem::LoadCase load_case;
   std::vector<double> steps{1};  ///< factors of all loads and displacements, one after the other
   std::vector<Probe> probes;
-  std::string text;  ///< all of the file, as one line of JSON
+  std::string output;  ///< as --output; empty: as the command line says
+  std::string text;    ///< all of the file, as one line of JSON
 };
 
 /// Reads a case in JSON, with comments if it has some.

@@ -12,14 +12,12 @@
 
 #include "arrays.h"
 #include "case_state_of.h"
-#include "fields.h"
 #include "interrupts.h"
 #include "memory.h"
 #include "needed_memory.h"
 #include "output/case_tables.h"
 #include "output/folder_lock.h"
 #include "output/run_json.h"
-#include "output/vtkhdf.h"
 #include "parse.h"
 #include "run_files.h"
 #include "scene.h"
@@ -28,6 +26,7 @@
 #include "suspect.h"
 #include "terminal.h"
 #include "timings.h"
+#include "viewers_file.h"
 
 namespace physgen::truthcube {
 
@@ -51,8 +50,7 @@ class CaseSteps {
         locations_(std::move(locations)),
         terminal_(terminal) {
     if (options.out.empty()) return;
-    const fem::MeshLevel& level = scene.levels.front();
-    vtk_.emplace(options.out / "cube.vtkhdf", level.rest, level.mesh.tets);
+    viewers_.emplace(options, scene, 0);
     write_tables();
   }
 
@@ -84,7 +82,7 @@ class CaseSteps {
  private:
   void finish(double load, const fem::NewtonResult& result, double seconds, std::vector<NewtonRecord> newton) {
     const std::vector<Point> positions = solver_.positions();
-    CaseState state = case_state_of(scene_, options_.given_case.probes, locations_, load, positions, solver_.forces());
+    CaseState state = case_state_of(scene_, options_.given_case, locations_, load, positions, solver_.forces());
     terminal_.line("  solved in %.3f s: %d Newton steps and %d PCG iterations", seconds, result.steps,
                    result.iterations);
     for (const std::string& line : describe(state, options_.given_case.load_case)) terminal_.text("  " + line);
@@ -100,11 +98,8 @@ class CaseSteps {
     states_.push_back(state);
     step.at = std::move(state);
     record_.steps.push_back(std::move(step));
-    if (!vtk_) return;
-    const fem::MeshLevel& level = scene_.levels.front();
-    const Strain strain = options_.scene == SceneKind::linear_elastic ? Strain::small : Strain::finite;
-    write_state(*vtk_, static_cast<double>(states_.size()),
-                make_fields(level.mesh, level.rest, positions, solver_.stresses(), strain));
+    if (!viewers_) return;
+    viewers_->write_step(static_cast<double>(states_.size()), positions, solver_.stresses());
     write_tables();
   }
 
@@ -135,7 +130,7 @@ class CaseSteps {
   }
 
   [[nodiscard]] Outcome stop() const {
-    terminal_.line("interrupted; %zu steps are %s", states_.size(), vtk_ ? "written" : "done");
+    terminal_.line("interrupted; %zu steps are %s", states_.size(), viewers_ ? "written" : "done");
     return Outcome::interrupted;
   }
 
@@ -158,7 +153,7 @@ class CaseSteps {
   RunRecord& record_;
   std::vector<fem::Location> locations_;
   const Terminal& terminal_;
-  std::optional<VtkHdfWriter> vtk_;
+  std::optional<ViewersFile> viewers_;
   std::vector<CaseState> states_;
 };
 

@@ -1,5 +1,7 @@
 #include "case_state_of.h"
 
+#include <fem/mesh/geometry.h>
+#include <fem/solver/support_axes.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -59,9 +61,8 @@ std::vector<Point> external_forces(const fem::Loading& loading, const std::vecto
   return forces;
 }
 
-CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
-                        const std::vector<fem::Location>& locations, double load, const std::vector<Point>& positions,
-                        const std::vector<Point>& forces) {
+CaseState case_state_of(const Scene& scene, const Case& given, const std::vector<fem::Location>& locations, double load,
+                        const std::vector<Point>& positions, const std::vector<Point>& forces) {
   const fem::MeshLevel& level = scene.levels.front();
   std::vector<Point> moved(positions.size());
   for (std::size_t n = 0; n < moved.size(); ++n) {
@@ -74,7 +75,12 @@ CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
   const std::vector<Point> external = external_forces(scene.history.at(load), positions);
   state.all = state_of("", nodes, scene, external, moved, forces);
   for (const fem::MeshGroup& group : scene.groups) {
-    state.groups.push_back(state_of(group.name, group.nodes, scene, external, moved, forces));
+    GroupState& of_group = state.groups.emplace_back(state_of(group.name, group.nodes, scene, external, moved, forces));
+    for (const fem::Support& support : given.load_case.supports) {
+      if (support.group != group.name || !support.axis) continue;
+      const Point axis = fem::axis_of(support, level, group);
+      of_group.axes.push_back({axis, fem::dot(axis, of_group.reaction)});
+    }
   }
   const auto add = [&](const char* of, const auto& measure) {
     const auto [low, high] = std::ranges::minmax_element(moved, {}, measure);
@@ -87,6 +93,7 @@ CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
   add("y", [](const Point& u) { return u[1]; });
   add("z", [](const Point& u) { return u[2]; });
   add("length", length);
+  const std::vector<Probe>& probes = given.probes;
   const auto at_probes = interpolate_displacements(locations, level.mesh, level.rest, positions);
   for (std::size_t p = 0; p < probes.size(); ++p) state.probes.push_back({probes[p].name, probes[p].at, at_probes[p]});
   return state;
@@ -101,6 +108,11 @@ std::vector<std::string> describe(const CaseState& state, const fem::LoadCase& l
   for (const GroupState& group : state.groups) {
     if (std::ranges::find(load_case.supports, group.group, &fem::Support::group) != load_case.supports.end())
       lines.push_back("reaction of " + group.group + ": " + text_of(group.reaction, 1) + " N");
+    for (const auto& [axis, force] : group.axes) {
+      std::array<char, 32> newtons{};
+      std::snprintf(newtons.data(), newtons.size(), "%.6g", force);
+      lines.push_back("  along its axis " + text_of(axis, 1) + ": " + newtons.data() + " N");
+    }
   }
   for (const ProbeState& probe : state.probes) {
     lines.push_back("displacement of " + probe.probe + ": " + text_of(probe.displacement, 1e3) + " mm");

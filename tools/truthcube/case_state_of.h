@@ -21,7 +21,7 @@ namespace physgen::truthcube {
                                                       const std::vector<fem::Point>& positions);
 
 /// @param forces of the solver
-[[nodiscard]] CaseState case_state_of(const Scene& scene, const std::vector<Probe>& probes,
+[[nodiscard]] CaseState case_state_of(const Scene& scene, const Case& given,
                                       const std::vector<fem::Location>& locations, double load,
                                       const std::vector<fem::Point>& positions, const std::vector<fem::Point>& forces);
 

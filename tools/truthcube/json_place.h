@@ -71,6 +71,7 @@ class Place {
     if (!holds(value)) refuse(truthcube::number(value) + " must be " + what);
     return value;
   }
+  [[nodiscard]] bool is_word() const { return json_->is_string(); }
   [[nodiscard]] std::string word() const {
     if (!json_->is_string() || json_->get<std::string>().empty())
       refuse("this must be a text in quotes, not " + shown());

@@ -17,6 +17,8 @@ enum class VolumeTreatment { tets, patches, nodes };
 enum class TopPlate { bonded, frictionless };
 /// How plates treat the sides of the body: they ignore them, or push back those that reach them.
 enum class Plates { held, contact };
+/// What the file for viewers has: all of the body, or its surface alone.
+enum class Output { body, surface };
 
 /// The problem that is solved; see scene_choice.h.
 #define PHYSGEN_SCENE_KIND(scene, ...) scene,
@@ -54,6 +56,7 @@ struct Options {
   fem::SolverSettings solver;
   bool historical = false;    ///< whether the tolerance is an absolute force, which the height of the body decides
   std::filesystem::path out;  ///< empty: nothing is written
+  Output output = Output::body;
   std::filesystem::path beads;
   bool restart = false, dry_run = false, set_up_only = false, timings = false, quiet = false;
   int repetitions = 0;             ///< of all solves, for their time

@@ -221,6 +221,10 @@ Options parse(const std::vector<std::string>& arguments) {
       ->excludes(stepping);
   app.add_option("--out", options.out, "folder for cube.vtkhdf, beads.csv, run.json and checkpoint.h5")
       ->type_name("DIR");
+  const auto* output = add_choice(
+      app, "--output", options.output, outputs, "output",
+      "what cube.vtkhdf has: the body, all its nodes and tets; or its surface alone, triangles with the values "
+      "of the tets behind them and, of a case, its groups");
   app.add_flag("--restart", options.restart, "continue after the last step in --out");
   app.add_option("--beads", options.beads, "a table of measured beads (x,y,z,ux,uy,uz in metres) to compare with")
       ->type_name("FILE");
@@ -261,6 +265,8 @@ Options parse(const std::vector<std::string>& arguments) {
           "--plate-stiffness is that of --plates contact, which is missing");
   require(plate_tolerance->count() == 0 || !options.is_cube(),
           "--plate-tolerance is for a mesh of your own: the faces of the cube are flat");
+  require(output->count() == 0 || !options.out.empty(),
+          "--output says what the files in --out DIR have; add --out, or remove --output");
   require(grading->count() == 0 || options.is_cube(),
           "--grading is for the cube: a mesh of your own has the cells that its file says; remove --grading");
   if (options.historical) {

@@ -16,7 +16,6 @@ using fem::Point;
 
 constexpr const char* checkpoint_name = "checkpoint.h5";
 constexpr const char* record_name = "run.json";
-constexpr const char* viewers_name = "cube.vtkhdf";
 
 /// Positions of all levels behind each other, as a checkpoint has them.
 std::vector<double> flat(const fem::SolverState& state) {
@@ -50,26 +49,17 @@ void write_set_up(const std::filesystem::path& folder, const RunRecord& record) 
   if (!folder.empty()) write_run_json(folder / record_name, record);
 }
 
-void write_state(VtkHdfWriter& vtk, double time, const Fields& fields) {
-  const std::vector<Field> of_points{{"displacement", 3, fields.displacement}, {"pressure", 1, fields.pressure}};
-  const std::vector<Field> of_cells{
-      {"stress", 6, fields.stress}, {"von_mises", 1, fields.von_mises}, {"J", 1, fields.volume_ratio}};
-  vtk.write_step(time, of_points, of_cells);
-}
-
 RunFiles::RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done)
     : folder_(options.out),
       settings_(settings_json(options)),
       mesh_hash_(mesh_hash),
-      strain_(options.scene == SceneKind::linear_elastic ? Strain::small : Strain::finite),
       rest_(scene.levels.front().rest),
       mesh_(scene.levels.front().mesh) {
   if (folder_.empty()) return;
-  const auto vtk = file(viewers_name), csv = file("beads.csv");
+  const auto csv = file("beads.csv");
   // An old run's checkpoint does not belong to the files that begin here.
   if (steps_done == 0) std::filesystem::remove(file(checkpoint_name));
-  vtk_.emplace(steps_done > 0 ? VtkHdfWriter::append_to(vtk, rest_, mesh_.tets, steps_done)
-                              : VtkHdfWriter(vtk, rest_, mesh_.tets));
+  viewers_.emplace(options, scene, steps_done);
   if (!options.is_cube()) return;
   beads_.emplace(steps_done > 0 ? BeadFile::append_to(csv, steps_done) : BeadFile(csv));
   locations_ = fem::locate(rest_, mesh_, bead_positions());
@@ -81,9 +71,8 @@ void RunFiles::write_record(const RunRecord& record) const {
 
 void RunFiles::write_step(const RunRecord& record, double time, const std::vector<Point>& positions,
                           const std::vector<std::array<double, 9>>& stresses) {
-  if (!vtk_) return;
-  const Fields fields = make_fields(mesh_, rest_, positions, stresses, strain_);
-  write_state(*vtk_, time, fields);
+  if (!viewers_) return;
+  viewers_->write_step(time, positions, stresses);
   if (beads_) {
     beads_->write_step(record.steps.back().compression, interpolate_displacements(locations_, mesh_, rest_, positions));
   }

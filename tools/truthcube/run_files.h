@@ -9,13 +9,12 @@
 #include <optional>
 #include <vector>
 
-#include "fields.h"
 #include "options.h"
 #include "output/beads.h"
 #include "output/checkpoint.h"
 #include "output/run_json.h"
-#include "output/vtkhdf.h"
 #include "scene.h"
+#include "viewers_file.h"
 
 namespace physgen::truthcube {
 
@@ -29,9 +28,6 @@ void require_no_run(const std::filesystem::path& folder);
 /// Its record, without steps; nothing where the folder is empty.
 void write_set_up(const std::filesystem::path& folder, const RunRecord& record);
 
-/// Appends a state to a file for viewers.
-void write_state(VtkHdfWriter& vtk, double time, const Fields& fields);
-
 class RunFiles {
  public:
   /// Begins the files anew, or continues those of a run after its first `steps_done` steps.
@@ -39,7 +35,7 @@ class RunFiles {
   /// @throw Error when a file cannot be written, or does not continue this run
   RunFiles(const Options& options, const Scene& scene, std::uint64_t mesh_hash, int steps_done);
 
-  [[nodiscard]] bool writes() const { return vtk_.has_value(); }
+  [[nodiscard]] bool writes() const { return viewers_.has_value(); }
   /// The record without steps of this run, for whoever looks before the first.
   void write_record(const RunRecord& record) const;
   /// The last step in the record. @param time as viewers show it @param stresses of the solver, per tet [Pa]
@@ -54,10 +50,9 @@ class RunFiles {
   std::filesystem::path folder_;
   std::string settings_;
   std::uint64_t mesh_hash_;
-  Strain strain_;
   const std::vector<fem::Point>& rest_;
   const fem::TetMesh& mesh_;
-  std::optional<VtkHdfWriter> vtk_;
+  std::optional<ViewersFile> viewers_;
   std::optional<BeadFile> beads_;  ///< of the cube
   std::vector<fem::Location> locations_;
 };

@@ -42,6 +42,7 @@ std::string settings_json(const Options& options) {
   json["product"] = name_of(products, options.solver.newton.product);
   json["tolerance"] = options.solver.newton.tolerance;
   json["stepping"] = options.solver.nested ? "nested" : "loads";
+  if (options.output != Output::body) json["output"] = name_of(outputs, options.output);
   json["historical"] = options.historical;
   return json.dump();
 }

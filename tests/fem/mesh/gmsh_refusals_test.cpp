@@ -192,6 +192,10 @@ TEST_F(GmshFile, refuses_what_is_missing_or_no_mesh) {
   EXPECT_EQ(refusal(write("")), format);
   EXPECT_EQ(refusal(write("Point(1) = {0, 0, 0};\n")), format);
   EXPECT_EQ(refusal(write(in_version_2(one_tet()), "mesh.geo")), format);
+  const auto other = write("*NODE\n1, 0, 0, 0\n", "body.inp");
+  EXPECT_EQ(refusal(other), "is not in Gmsh's mesh format; convert it with its groups: physgen-convert-mesh " +
+                                other.string() + " " + (folder_ / "body.msh").string() +
+                                " (in a checkout tools/fem/mesh/convert.py)");
 }
 
 }  // namespace

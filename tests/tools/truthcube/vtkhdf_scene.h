@@ -43,12 +43,12 @@ struct Scene {
   }
 
   [[nodiscard]] VtkHdfWriter create(const std::filesystem::path& path, int steps) const {
-    VtkHdfWriter writer(path, points, mesh.tets);
+    VtkHdfWriter writer(path, {points, mesh.tets});
     for (int s = 0; s < steps; ++s) write_step(writer, s);
     return writer;
   }
   [[nodiscard]] VtkHdfWriter append_to(const std::filesystem::path& path, int steps) const {
-    return VtkHdfWriter::append_to(path, points, mesh.tets, steps);
+    return VtkHdfWriter::append_to(path, {points, mesh.tets}, steps);
   }
 
   void expect_field(const H5File& file, const std::string& kind, const std::string& name, int field, int components,

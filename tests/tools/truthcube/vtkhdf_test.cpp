@@ -1,4 +1,5 @@
 // The VTKHDF file, read back by HDF5: the mesh, each offset and value of several steps, what is refused, and restarts.
+#include <fem/mesh/boundary.h>
 #include <sys/file.h>
 #include <truthcube/output/vtkhdf.h>
 
@@ -117,9 +118,53 @@ TEST_F(VtkHdf, fields_of_wrong_names_or_sizes_are_refused) {
   scene.expect_only_steps(path, 1);
 }
 
+TEST_F(VtkHdf, triangles_have_groups_that_are_stored_once_and_kept_by_restarts) {
+  const std::vector<fem::Face> triangles{{0, 1, 2}, {2, 1, 3}, {5, 4, 3}};
+  const std::vector<CellGroup> groups{{"group_a", {1, 0, 1}}, {"group_b", {0, 0, 1}}};
+  const ViewedMesh mesh(scene.points, triangles, groups);
+  const auto step = [](VtkHdfWriter& writer, int s) {
+    const auto volume = Scene::values(s, 3, 3);
+    writer.write_step(Scene::time(s), {}, std::array{Field{"J", 1, volume}});
+  };
+  VtkHdfWriter writer(path, mesh);
+  for (int s = 0; s < 4; ++s) step(writer, s);
+  for (const int kept : {4, 2}) {
+    VtkHdfWriter again = VtkHdfWriter::append_to(path, mesh, kept);
+    for (int s = kept; s < 5; ++s) step(again, s);
+    const H5File file(path);
+    EXPECT_EQ(file.values<std::uint8_t>("/VTKHDF/Types"), std::vector<std::uint8_t>(3, 5));
+    EXPECT_EQ(file.values<std::int64_t>("/VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 3, 6, 9}));
+    EXPECT_EQ(file.values<std::int64_t>("/VTKHDF/Connectivity"),
+              (std::vector<std::int64_t>{0, 1, 2, 2, 1, 3, 5, 4, 3}));
+    for (const CellGroup& group : groups) {
+      EXPECT_EQ(file.values<std::uint8_t>("/VTKHDF/CellData/" + group.name), group.is_in);
+      EXPECT_EQ(file.values<std::int64_t>("/VTKHDF/Steps/CellDataOffsets/" + group.name),
+                std::vector<std::int64_t>(5, 0));
+    }
+    EXPECT_EQ(file.values<std::int64_t>("/VTKHDF/Steps/CellDataOffsets/J"),
+              (std::vector<std::int64_t>{0, 3, 6, 9, 12}));
+  }
+  const std::vector<CellGroup> other{{"group_a", {1, 1, 1}}, {"group_b", {0, 0, 1}}};
+  expect_error([&] { static_cast<void>(VtkHdfWriter::append_to(path, {scene.points, triangles, other}, 2)); },
+               "another mesh", "3 triangles");
+  const std::vector<double> values(3);
+  expect_error([&] { VtkHdfWriter(path, mesh).write_step(0, {}, std::array{Field{"group_a", 1, values}}); },
+               "has the name of a group");
+  for (const CellGroup& wrong :
+       {CellGroup{"a/b", {1, 0, 1}}, CellGroup{"a", {1, 0}}, CellGroup{"group_a", {1, 0, 1}}}) {
+    const std::vector<CellGroup> two{groups[0], wrong};
+    expect_error([&] { VtkHdfWriter(path, {scene.points, triangles, two}); }, wrong.name,
+                 wrong.name == "a/b" ? "no usable name"
+                 : wrong.name == "a" ? "of 2 cells"
+                                     : "twice");
+  }
+}
+
 TEST_F(VtkHdf, mesh_without_points_or_tets_is_refused) {
-  expect_error([&] { VtkHdfWriter(path, {}, scene.mesh.tets); }, path.string(), "0 points");
-  expect_error([&] { VtkHdfWriter(path, scene.points, {}); }, path.string(), "0 tets");
+  const std::vector<fem::Point> none;
+  const std::vector<fem::Face> no_triangles;
+  expect_error([&] { VtkHdfWriter(path, {none, scene.mesh.tets}); }, path.string(), "0 points");
+  expect_error([&] { VtkHdfWriter(path, {scene.points, no_triangles}); }, path.string(), "0 triangles");
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 

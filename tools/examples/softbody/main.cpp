@@ -25,7 +25,7 @@ int main(int count, char** words) {
   fem::SolverSettings settings;
   settings.youngs_modulus = 6e3, settings.poissons_ratio = 0.45, settings.nested = false;
   const auto solver = fem::make_solver(levels, loading, settings);
-  truthcube::VtkHdfWriter file("lobe.vtkhdf", read.rest, levels[0].mesh.tets);
+  truthcube::VtkHdfWriter file("lobe.vtkhdf", {read.rest, levels[0].mesh.tets});
   for (const double load : {0.5, 1.0}) {
     if (solver->solve_to(load, {}).status != fem::NewtonStatus::converged) return 3;
     const auto positions = solver->positions();

@@ -138,6 +138,12 @@ ReadMesh read_gmsh(const std::filesystem::path& path) {
   GmshInput input(path.string(), bytes.is_open() ? bytes.bytes() : "");
   if (!bytes.is_open()) input.refuse("cannot be read; check its name and your rights");
   constexpr std::array known{"$MeshFormat", "$NOD", "$Comments", "$PhysicalNames"};
+  constexpr std::array others{".inp", ".vtu", ".vtk", ".xdmf", ".med", ".mesh", ".bdf", ".nas", ".exo", ".e"};
+  if (const auto end = path.extension(); std::ranges::find(others, end) != others.end()) {
+    input.refuse("is not in Gmsh's mesh format; convert it with its groups: physgen-convert-mesh " + path.string() +
+                 " " + std::filesystem::path(path).replace_extension(".msh").string() +
+                 " (in a checkout tools/fem/mesh/convert.py)");
+  }
   if (path.extension() != ".msh" || std::ranges::find(known, GmshInput(input).line()) == known.end()) {
     input.refuse("is not in Gmsh's mesh format; save the mesh as .msh (gmsh FILE -save -o FILE.msh)");
   }

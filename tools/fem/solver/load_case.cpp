@@ -4,6 +4,7 @@
 #include <fem/solver/load_case.h>
 #include <fem/solver/number_text.h>
 #include <fem/solver/rigid_motions.h>
+#include <fem/solver/support_axes.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -144,6 +145,36 @@ void hold(const LoadCase& load_case, MeshLevel& level, std::span<const MeshGroup
   }
 }
 
+/// The same where some components lie along axes of their own.
+void hold_along_axes(const LoadCase& load_case, std::vector<MeshLevel>& levels,
+                     std::span<const std::vector<MeshGroup>> groups, Parts& parts) {
+  std::vector<SupportComponents> supports;
+  for (const Support& support : load_case.supports) {
+    const MeshGroup& group = nodes_of(groups.front(), support.group, "a support");
+    supports.push_back(components_of(support, levels.front(), group, parts.number(support.curve)));
+  }
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    MeshLevel& level = levels[l];
+    std::vector<std::span<const Index>> held;
+    for (const Support& support : load_case.supports) {
+      held.emplace_back(nodes_of(groups[l], support.group, "a support").nodes);
+    }
+    const std::vector<NodeComponents> nodes = components_of_nodes(supports, held, level.rest.size());
+    level.axes = l == 0 ? common_axes(nodes, supports) : levels.front().axes;
+    level.fixed.resize(nodes.size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      level.fixed[n] = fixed_along(level.axes.value_or(coordinate_axes), nodes[n]);
+      if (l > 0) continue;
+      const auto all = nodes[n].all();
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const Point dual = nodes[n].dual(i);
+        Point& motion = parts.at(supports[all[i].support].curve).motion[n];
+        for (std::size_t k = 0; k < 3; ++k) motion[k] += all[i].prescribed.displacement * dual[k];
+      }
+    }
+  }
+}
+
 /// Gravity of all the body, with the densities of groups.
 std::vector<Force> weights(const LoadCase& load_case, const MeshLevel& level, std::span<const MeshGroup> groups) {
   std::vector<Force> forces = gravity_loads(level.mesh, level.rest, load_case.density, load_case.gravity);
@@ -178,9 +209,15 @@ LoadHistory make_load_history(const LoadCase& load_case, std::vector<MeshLevel>&
     for (const auto& value : components_of(support)) {
       if (value) require_finite("a displacement of group '" + support.group + "'", {&*value, 1});
     }
+    if (support.axis)
+      require_finite("a displacement of group '" + support.group + "'", {&support.axis->displacement, 1});
   }
-  for (std::size_t l = 0; l < levels.size(); ++l) hold(load_case, levels[l], groups[l], l == 0 ? &parts : nullptr);
-  require_held(finest.mesh, finest.rest, finest.fixed);
+  if (std::ranges::any_of(load_case.supports, [](const Support& support) { return support.axis.has_value(); })) {
+    hold_along_axes(load_case, levels, groups, parts);
+  } else {
+    for (std::size_t l = 0; l < levels.size(); ++l) hold(load_case, levels[l], groups[l], l == 0 ? &parts : nullptr);
+  }
+  require_held(finest.mesh, finest.rest, finest.fixed, finest.axes.value_or(coordinate_axes));
 
   require_finite("the density", {&load_case.density, 1});
   require_finite("gravity", load_case.gravity);
@@ -225,10 +262,13 @@ Loading apply_load_case(const LoadCase& load_case, std::vector<MeshLevel>& level
 
 Point reaction_of(std::span<const Index> nodes, const MeshLevel& level, std::span<const Point> forces) {
   Point sum{};
+  const auto axes = level.axes.value_or(coordinate_axes);
   for (const Index n : nodes) {
     const auto at = static_cast<std::size_t>(n);
     for (std::size_t k = 0; k < 3; ++k) {
-      if ((level.fixed[at] >> k & 1) != 0) sum[k] -= forces[at][k];
+      if ((level.fixed[at] >> k & 1) == 0) continue;
+      const double force = dot(forces[at], axes[k]);
+      for (std::size_t c = 0; c < 3; ++c) sum[c] -= force * axes[k][c];
     }
   }
   return sum;

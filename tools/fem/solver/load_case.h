@@ -4,27 +4,14 @@
 #include <fem/mesh/groups.h>
 #include <fem/solver/load_history.h>
 #include <fem/solver/quasistatic.h>
+#include <fem/solver/support.h>
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace physgen::fem {
-
-/// Components of a displacement at a load of 1 [m]; nothing where they are free.
-struct Displacement {
-  std::optional<double> x{}, y{}, z{};
-};
-
-/// Prescribes components of the nodes of a group; all of them, as 0, unless it says others.
-struct Support {
-  std::string group;
-  Displacement displacement{0.0, 0.0, 0.0};
-  std::string
-      curve{};  ///< a name of LoadCase::curves, in place of growth in proportion to the load; so for all that follow
-};
 
 /// A force in all [N], shared by the areas of a group's faces at rest; where it has none, by the volumes of its tets;
 /// and where it has no tets either, in equal parts by its nodes.
@@ -68,11 +55,14 @@ struct LoadCase {
   std::vector<LoadCurve> curves{};
 };
 
-/// Prescribes the components of all levels (MeshLevel::fixed), before a background grid is added.
+/// Prescribes the components of all levels (MeshLevel::fixed), before a background grid is added; with axes other than
+/// x, y, z those of MeshLevel::axes. Supports of one body have axes that are parallel or perpendicular to each other
+/// wherever they leave a node free to move.
 /// @param levels finest first @param groups of each level
 /// @return what the finest level is loaded with
 /// @throw Error when a group is missing, has no nodes or not the faces that a load needs; when two supports prescribe
-/// a component of a node differently; when there is no such curve, or it is none; when a number is not finite; or when
+/// a component of a node differently, or have axes at other angles; when an axis has no direction, or is the normal of
+/// faces that are not flat; when there is no such curve, or it is none; when a number is not finite; or when
 /// a part of the body is free to move as a rigid body, naming its motions
 [[nodiscard]] LoadHistory make_load_history(const LoadCase& load_case, std::vector<MeshLevel>& levels,
                                             std::span<const std::vector<MeshGroup>> groups);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace physgen::fem {
@@ -33,6 +34,10 @@ struct MeshLevel {
   /// Where the body has several materials (SolverSettings::materials), for each the number behind its last tet: tets
   /// lie in the order of their materials. No patch has tets of two.
   std::vector<Index> material_ends;
+
+  /// Directions along which `fixed` counts components, in place of x, y and z: perpendicular to each other, of length 1
+  /// and right-handed. Of a hierarchy those of the finest level count. Solvers of equilibria take them.
+  std::optional<std::array<Point, 3>> axes;
 
   [[nodiscard]] bool is_grid() const { return mesh.tets.empty(); }
 };

@@ -83,7 +83,8 @@ std::vector<Vector3d> directions_of(Matrix3d onto) {
 }  // namespace
 
 std::vector<std::string> free_rigid_motions(std::span<const Index> nodes, std::span<const Point> rest,
-                                            std::span<const std::uint8_t> fixed) {
+                                            std::span<const std::uint8_t> fixed,
+                                            const std::array<Point, 3>& prescribed) {
   const auto place = [&](Index n) { return Vector3d(rest[static_cast<std::size_t>(n)].data()); };
   Vector3d centre = Vector3d::Zero();
   for (const Index n : nodes) centre += place(n) / static_cast<double>(nodes.size());
@@ -95,8 +96,9 @@ std::vector<std::string> free_rigid_motions(std::span<const Index> nodes, std::s
     const Vector3d arm = (place(n) - centre) / size;
     for (int k = 0; k < 3; ++k) {
       if ((fixed[static_cast<std::size_t>(n)] >> k & 1) == 0) continue;
-      Vector6 row;  // component k of v + w x arm
-      row << Vector3d::Unit(k), arm.cross(Vector3d::Unit(k));
+      const Vector3d along(prescribed[static_cast<std::size_t>(k)].data());
+      Vector6 row;  // that component of v + w x arm
+      row << along, arm.cross(along);
       held += row * row.transpose();
     }
   }
@@ -141,7 +143,8 @@ std::vector<std::string> free_rigid_motions(std::span<const Index> nodes, std::s
   return names;
 }
 
-void require_held(const TetMesh& mesh, std::span<const Point> rest, std::span<const std::uint8_t> fixed) {
+void require_held(const TetMesh& mesh, std::span<const Point> rest, std::span<const std::uint8_t> fixed,
+                  const std::array<Point, 3>& axes) {
   std::vector<Index> part(static_cast<std::size_t>(mesh.nodes));  // a node of the same part, itself for one of each
   std::iota(part.begin(), part.end(), Index{0});
   const auto root = [&part](Index n) {
@@ -168,7 +171,7 @@ void require_held(const TetMesh& mesh, std::span<const Point> rest, std::span<co
   }
   for (const std::vector<Index>& nodes : parts) {
     if (nodes.size() < 4) continue;  // of no tet
-    const std::vector<std::string> motions = free_rigid_motions(nodes, rest, fixed);
+    const std::vector<std::string> motions = free_rigid_motions(nodes, rest, fixed, axes);
     if (motions.empty()) continue;
     std::string list;
     for (const std::string& motion : motions) list += (list.empty() ? "" : ", ") + motion;

@@ -8,11 +8,19 @@
 
 namespace physgen::truthcube {
 
+/// A direction along which a support prescribes a component, and the reaction along it.
+struct AxisReaction {
+  fem::Point axis{};
+  double force = 0;  ///< [N]
+  bool operator==(const AxisReaction&) const = default;
+};
+
 struct GroupState {
   std::string group;
-  fem::Point reaction{};            ///< the sum of the forces that hold its prescribed components [N]
-  fem::Point load{};                ///< the sum of the external forces on its nodes, gravity among them [N]
-  double largest_displacement = 0;  ///< of its nodes [m]
+  fem::Point reaction{};             ///< the sum of the forces that hold its prescribed components [N]
+  fem::Point load{};                 ///< the sum of the external forces on its nodes, gravity among them [N]
+  double largest_displacement = 0;   ///< of its nodes [m]
+  std::vector<AxisReaction> axes{};  ///< of supports that have one
   bool operator==(const GroupState&) const = default;
 };
 

@@ -72,7 +72,10 @@ void visit_stage(Record& stage, const Visit& visit) {
 }
 
 OrderedJson json_of(const GroupState& state) {
-  return {{"reaction", state.reaction}, {"load", state.load}, {"largest_displacement", state.largest_displacement}};
+  OrderedJson json{
+      {"reaction", state.reaction}, {"load", state.load}, {"largest_displacement", state.largest_displacement}};
+  for (const auto& [axis, force] : state.axes) json["axes"].push_back({{"axis", axis}, {"reaction", force}});
+  return json;
 }
 
 void add(OrderedJson& entry, const CaseState& state) {

@@ -8,6 +8,7 @@
 #include <truthcube/output/vtkhdf.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -22,7 +23,7 @@ constexpr const char* steps_group = "/VTKHDF/Steps";
 constexpr const char* first_steps_group =
     "/Steps of the first step";  // moved to steps_group when the first step is done
 constexpr std::array step_offsets{"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"};
-constexpr std::uint8_t vtk_tetra = 10;
+constexpr std::uint8_t vtk_tetra = 10, vtk_triangle = 5;
 constexpr hsize_t steps_per_chunk = 512;
 constexpr std::uint64_t room_for_groups = std::uint64_t{1} << 19U;  // groups, attributes, indices, values per step
 constexpr std::uint64_t room_for_array = std::uint64_t{1} << 16U;   // the same for one field
@@ -47,8 +48,30 @@ hsize_t chunk_rows(std::uint64_t rows, int components) {
 // A dataset of 1 component has 1 dimension.
 hsize_t columns(int components) { return components == 1 ? 0 : static_cast<hsize_t>(components); }
 
-std::string of_mesh(std::uint64_t points, std::uint64_t tets) {
-  return std::to_string(points) + " points and " + std::to_string(tets) + " tets";
+std::string of_mesh(std::uint64_t points, std::uint64_t cells, bool tets) {
+  return std::to_string(points) + " points and " + std::to_string(cells) + (tets ? " tets" : " triangles");
+}
+std::string of_mesh(const ViewedMesh& mesh) {
+  return of_mesh(mesh.points.size(), mesh.cells(), mesh.corners_of_cell == 4);
+}
+
+// Of tets without groups mesh_hash().
+std::uint64_t hash_of(const ViewedMesh& mesh) {
+  Hash hash;
+  hash.add(std::as_bytes(mesh.points));
+  hash.add(std::as_bytes(mesh.corners));
+  if (mesh.corners_of_cell != 4) hash.add(mesh.corners_of_cell);
+  for (const CellGroup& group : mesh.groups) {
+    hash.add(std::as_bytes(std::span(group.name)));
+    hash.add(std::as_bytes(std::span(group.is_in)));
+  }
+  return hash.value();
+}
+
+void require_usable(const std::string& name, const std::function<Error(const std::string&)>& error) {
+  if (name.empty() || name.find_first_of("/.") != std::string::npos) {
+    throw error("has no usable name: a name is not empty and has no '/' and no '.'");
+  }
 }
 
 int count_steps(const h5::File& file) {
@@ -59,45 +82,64 @@ int count_steps(const h5::File& file) {
 
 }  // namespace
 
-VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, std::uint64_t points, std::uint64_t tets)
+VtkHdfWriter::VtkHdfWriter(Unopened /*as it is*/, std::filesystem::path path, const ViewedMesh& mesh)
     : path_(std::move(path)) {
-  if (points == 0 || tets == 0) {
-    throw Error(path_.string() + ": a mesh of " + of_mesh(points, tets) + " cannot be written; there must be some");
+  if (mesh.points.empty() || mesh.cells() == 0) {
+    throw Error(path_.string() + ": a mesh of " + of_mesh(mesh) + " cannot be written; there must be some");
   }
-  points_.rows = points;
-  cells_.rows = tets;
+  points_.rows = mesh.points.size();
+  cells_.rows = mesh.cells();
+  for (const CellGroup& group : mesh.groups) {
+    const auto error = [&](const std::string& what) {
+      return Error(path_.string() + ": the group \"" + group.name + "\" " + what);
+    };
+    require_usable(group.name, error);
+    if (group.is_in.size() != mesh.cells()) {
+      throw error("says it of " + std::to_string(group.is_in.size()) + " cells, and there are " +
+                  std::to_string(mesh.cells()));
+    }
+    if (std::ranges::find(cells_.groups, group.name) != cells_.groups.end()) {
+      throw error("stands there twice; give each a name of its own");
+    }
+    cells_.groups.push_back(group.name);
+  }
 }
 
-VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, std::span<const fem::Point> points,
-                           std::span<const std::array<fem::Index, 4>> tets)
-    : VtkHdfWriter(std::move(path), points.size(), tets.size()) {
-  const auto point_count = static_cast<std::int64_t>(points.size());
-  const auto cell_count = static_cast<std::int64_t>(tets.size());
-  const auto corner_count = 4 * cell_count;
-  const std::uint64_t bytes = points.size_bytes() + 2 * tets.size_bytes() + tets.size() * (sizeof(std::int64_t) + 1);
+VtkHdfWriter::VtkHdfWriter(std::filesystem::path path, const ViewedMesh& mesh)
+    : VtkHdfWriter(Unopened(), std::move(path), mesh) {
+  const std::size_t cells = mesh.cells();
+  const std::uint64_t bytes = mesh.points.size_bytes() + 2 * mesh.corners.size_bytes() +
+                              cells * (sizeof(std::int64_t) + 1 + mesh.groups.size()) +
+                              mesh.groups.size() * room_for_array;
   h5::File file = h5::File::create(path_, bytes + room_for_groups);
   file.make_group(root);
   file.write_attribute<std::int32_t>(root, "Version", std::array{2, 0});
   file.write_attribute(root, "Type", "UnstructuredGrid");
-  file.write_attribute("/", "mesh_hash", one(mesh_hash(points, tets)));
-  file.write_dataset<std::int64_t>(in(root, "NumberOfPoints"), one(point_count));
-  file.write_dataset<std::int64_t>(in(root, "NumberOfCells"), one(cell_count));
-  file.write_dataset<std::int64_t>(in(root, "NumberOfConnectivityIds"), one(corner_count));
-  // Points and tets are arrays of arrays without gaps: flat, they are the same bytes.
-  file.write_dataset<double>(in(root, "Points"), std::span<const double>(points.front().data(), 3 * points.size()), 3);
-  file.write_dataset<std::int64_t>(in(root, "Connectivity"),
-                                   std::span<const fem::Index>(tets.front().data(), 4 * tets.size()));
-  std::vector<std::int64_t> first_corner(tets.size() + 1);
-  for (std::size_t t = 0; t < first_corner.size(); ++t) first_corner[t] = static_cast<std::int64_t>(4 * t);
+  file.write_attribute("/", "mesh_hash", one(hash_of(mesh)));
+  file.write_dataset<std::int64_t>(in(root, "NumberOfPoints"), one(static_cast<std::int64_t>(mesh.points.size())));
+  file.write_dataset<std::int64_t>(in(root, "NumberOfCells"), one(static_cast<std::int64_t>(cells)));
+  file.write_dataset<std::int64_t>(in(root, "NumberOfConnectivityIds"),
+                                   one(static_cast<std::int64_t>(mesh.corners.size())));
+  // Points are arrays without gaps: flat, they are the same bytes.
+  file.write_dataset<double>(in(root, "Points"),
+                             std::span<const double>(mesh.points.front().data(), 3 * mesh.points.size()), 3);
+  file.write_dataset<std::int64_t>(in(root, "Connectivity"), mesh.corners);
+  std::vector<std::int64_t> first_corner(cells + 1);
+  for (std::size_t c = 0; c <= cells; ++c) first_corner[c] = static_cast<std::int64_t>(mesh.corners_of_cell * c);
   file.write_dataset<std::int64_t>(in(root, "Offsets"), std::span<const std::int64_t>(first_corner));
-  const std::vector<std::uint8_t> types(tets.size(), vtk_tetra);
+  const std::vector<std::uint8_t> types(cells, mesh.corners_of_cell == 4 ? vtk_tetra : vtk_triangle);
   file.write_dataset<std::uint8_t>(in(root, "Types"), std::span<const std::uint8_t>(types));
+  if (!mesh.groups.empty()) file.make_group(data_group("Cell"));
+  for (const CellGroup& group : mesh.groups) {
+    file.write_dataset<std::uint8_t>(in(data_group("Cell"), group.name), std::span<const std::uint8_t>(group.is_in));
+  }
   file.close();
 }
 
 std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::kinds_in(const h5::File& file, const Arrays& arrays) {
   std::vector<Arrays::Kind> kinds;
   for (const std::string& name : file.names_in(data_group(arrays.what))) {
+    if (std::ranges::find(arrays.groups, name) != arrays.groups.end()) continue;
     const std::vector<hsize_t> shape = file.shape(in(data_group(arrays.what), name));
     kinds.push_back({name, shape.size() == 2 ? static_cast<int>(shape[1]) : 1});
   }
@@ -105,18 +147,18 @@ std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::kinds_in(const h5::File& f
   return kinds;
 }
 
-VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, std::span<const fem::Point> points,
-                                     std::span<const std::array<fem::Index, 4>> tets, int steps) {
-  if (steps <= 0) return {std::move(path), points, tets};
-  VtkHdfWriter writer(std::move(path), points.size(), tets.size());
+VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, const ViewedMesh& mesh, int steps) {
+  if (steps <= 0) return {std::move(path), mesh};
+  VtkHdfWriter writer(Unopened(), std::move(path), mesh);
   const h5::File file = h5::File::open(writer.path_, false);
   const std::string name = writer.path_.string();
   if (!file.has_attribute("/", "mesh_hash"))
     throw Error(name + ": truthcube did not write this file, so it cannot continue it");
-  if (file.read_attribute<std::uint64_t>("/", "mesh_hash") != mesh_hash(points, tets)) {
+  if (file.read_attribute<std::uint64_t>("/", "mesh_hash") != hash_of(mesh)) {
+    const auto cells = file.shape(in(root, "Types"))[0], corners = file.shape(in(root, "Connectivity"))[0];
     throw Error(name + " holds another mesh, with " +
-                of_mesh(file.shape(in(root, "Points"))[0], file.shape(in(root, "Types"))[0]) + ", than this one of " +
-                of_mesh(points.size(), tets.size()));
+                of_mesh(file.shape(in(root, "Points"))[0], cells, corners == 4 * cells) + ", than this one of " +
+                of_mesh(mesh));
   }
   const int found = count_steps(file);
   if (found < steps) {
@@ -125,7 +167,7 @@ VtkHdfWriter VtkHdfWriter::append_to(std::filesystem::path path, std::span<const
   }
   if (found > steps) {
     disk::replace_file(writer.path_, [&](const std::filesystem::path& written) {
-      copy_steps(file, VtkHdfWriter(written, points, tets), steps);
+      copy_steps(file, VtkHdfWriter(written, mesh), steps);
     });
   }
   for (Arrays* arrays : {&writer.points_, &writer.cells_}) arrays->kinds = kinds_in(file, *arrays);
@@ -158,8 +200,9 @@ std::vector<VtkHdfWriter::Arrays::Kind> VtkHdfWriter::checked_kinds(const Arrays
   };
   std::vector<Arrays::Kind> kinds;
   for (const Field& field : fields) {
-    if (field.name.empty() || field.name.find_first_of("/.") != std::string::npos) {
-      throw error(field, "has no usable name: a name is not empty and has no '/' and no '.'");
+    require_usable(field.name, [&](const std::string& what) { return error(field, what); });
+    if (std::ranges::find(arrays.groups, field.name) != arrays.groups.end()) {
+      throw error(field, "has the name of a group; give it another");
     }
     if (field.components < 1) throw error(field, "has " + std::to_string(field.components) + " components");
     const std::uint64_t expected = arrays.rows * static_cast<unsigned>(field.components);
@@ -205,7 +248,9 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
   const bool first = steps_ == 0;
   const std::string group = first ? first_steps_group : steps_group;
   if (first) {
-    for (const std::string& name : {group, data_group("Point"), data_group("Cell")}) file.make_group(name);
+    for (const std::string& name : {group, data_group("Point"), data_group("Cell")}) {
+      if (!file.has(name)) file.make_group(name);
+    }
     file.make_growing<double>(in(group, "Values"), steps_per_chunk);
     file.make_growing<std::int64_t>(in(group, "NumberOfParts"), steps_per_chunk);
     for (const std::string offsets : step_offsets) {
@@ -219,6 +264,9 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
                                  columns(components));
         file.make_growing<std::int64_t>(in(offsets_group(group, arrays->what), name), steps_per_chunk);
       }
+      for (const std::string& name : arrays->groups) {
+        file.make_growing<std::int64_t>(in(offsets_group(group, arrays->what), name), steps_per_chunk);
+      }
     }
   }
 
@@ -228,6 +276,9 @@ void VtkHdfWriter::write_step(double time, std::span<const Field> point_fields, 
     for (const Field& field : fields) {
       file.write_rows(in(data_group(arrays.what), field.name), step * arrays.rows, field.values);
       file.write_rows(in(offsets_group(group, arrays.what), field.name), step, one(offset));
+    }
+    for (const std::string& name : arrays.groups) {
+      file.write_rows(in(offsets_group(group, arrays.what), name), step, one<std::int64_t>(0));
     }
   };
   write_fields(points_, point_fields);

@@ -35,6 +35,11 @@ void require_rest(std::size_t l, const MeshLevel& level) {
   InStage stage("checks of tets");
   stage.moves(level.rest, level.mesh.tets);
   const std::string where = "level " + std::to_string(l) + ": ";
+  if (level.axes) {
+    throw Error(where +
+                "it has axes of prescribed components of its own, which solvers of equilibria take, of the finest "
+                "level, and those of motion in time do not; prescribe components along x, y and z");
+  }
   const auto at = [](index_t i) { return static_cast<std::size_t>(i); };
   const auto nodes = static_cast<index_t>(level.rest.size()), tets = static_cast<index_t>(level.mesh.tets.size());
   const index_t stray = physgen::detail::first_index(nodes, [&](index_t n) { return !is_finite(level.rest[at(n)]); });

@@ -5,6 +5,7 @@
 #include <fem/solver/solvers/require.h>
 #include <fem/solver/solvers/scene_solvers.h>
 #include <fem/solver/solvers/solvers.h>
+#include <fem/solver/solvers/turned.h>
 #include <physgen/error.h>
 
 #include <algorithm>
@@ -114,6 +115,10 @@ std::string device_name(Device device) {
 
 std::unique_ptr<QuasistaticSolver> make_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                const SolverSettings& given) {
+  if (!levels.empty() && levels.front().axes) {
+    const Turn turn(*levels.front().axes);
+    return turn.back(make_solver(turn.along(levels), turn.along(loading), given));
+  }
   const SolverSettings settings = with_largest(given);
   require_nonlinear(levels, loading, settings);
   return in_precision(settings.precision, [&]<class Real, class Stored>() {
@@ -207,6 +212,10 @@ std::span<const SceneRow> equilibrium_scenes() {
 
 std::unique_ptr<EquilibriumSolver> make_scene_solver(const std::string& scene, const std::vector<MeshLevel>& levels,
                                                      const Loading& loading, const SolverSettings& settings) {
+  if (!levels.empty() && levels.front().axes) {
+    const Turn turn(*levels.front().axes);
+    return turn.back(make_scene_solver(scene, turn.along(levels), turn.along(loading), settings));
+  }
   const auto rows = equilibrium_scenes();
   const auto row = std::ranges::find_if(rows, [&](const SceneRow& known) { return scene == known.name; });
   if (row == rows.end()) {
@@ -236,6 +245,10 @@ std::unique_ptr<DynamicSolver> make_scene_implicit_solver(const std::vector<Mesh
 
 std::unique_ptr<EquilibriumSolver> make_linear_solver(const std::vector<MeshLevel>& levels, const Loading& loading,
                                                       const SolverSettings& settings) {
+  if (!levels.empty() && levels.front().axes) {
+    const Turn turn(*levels.front().axes);
+    return turn.back(make_linear_solver(turn.along(levels), turn.along(loading), settings));
+  }
   require_meshes(levels);
   require_settings(settings);
   require_single_range(levels.front(), settings);
